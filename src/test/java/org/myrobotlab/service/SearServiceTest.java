@@ -436,6 +436,8 @@ public class SearServiceTest {
         Path bundle = temporary.getRoot().toPath().resolve("test.sear");
         sear.saveProject(bundle.toString());
         assertTrue(Files.size(bundle) > 0);
+        Path longest = Files.createFile(bundle.resolveSibling("y".repeat(250) + ".sear"));
+        assertEquals("a name beside it is too long", false, sear.saveProjectAs(longest.toString(), false).get("saved"));
         String backup = sear.newProject();
         assertTrue(backup, Files.isDirectory(Path.of(backup)));
         assertFalse(Files.exists(folder.resolve("environment/wall.xml")));

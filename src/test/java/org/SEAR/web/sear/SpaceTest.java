@@ -178,6 +178,20 @@ public class SpaceTest {
     }
 
     @Test
+    public void fitShowsWhatIsHighAndNearToTheEyeWhole() {
+        TABS.robotLab().run("from org.SEAR.POJOs import Box\nBox('tower', 0.5, 0.5, 4).move(-2, 2, -2)");
+        browser.until("the tower", () -> tab.isTrue("(world.shown().objects | filter:{name: 'tower'}).length == 1"));
+        browser.click(".sear-fit");
+        Dimension size = browser.see(".sear-scene").getSize();
+        for (double[] corner : new double[][] {{-2.25, 4, -2.25}, {-2.25, 0, -2.25}, {1, 1, -2}, {1, 1, 3}}) {
+            browser.until(Arrays.toString(corner) + " in the view", () -> {
+                double[] at = place(corner[0], corner[1], corner[2]);
+                return at[0] >= 0 && at[0] <= size.getWidth() && at[1] >= 0 && at[1] <= size.getHeight();
+            });
+        }
+    }
+
+    @Test
     public void theCameraStaysAboveTheGround() {
         WebElement view = browser.see(".sear-scene");
         double elevation = number("scene.orbit.elevation");

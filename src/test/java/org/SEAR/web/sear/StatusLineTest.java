@@ -54,6 +54,9 @@ public class StatusLineTest {
         browser.click(".sear-save");
         browser.seeText(".sear-last", "the path \".sear\" names no file");
         assertFalse(Files.exists(TABS.robotLab().file(".sear")));
+        type(".sear-path", "y".repeat(300));        // longer than the name of a file can be
+        browser.click(".sear-save");
+        browser.seeText(".sear-last", "yyy.sear can't be saved");
         type(".sear-path", "named");
         browser.click(".sear-save");
         browser.seeText(".sear-last", "saved named.sear");

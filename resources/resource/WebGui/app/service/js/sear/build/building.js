@@ -20,13 +20,17 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
     var building = {found: found}
     var drag = null             // what the mouse does with the selected object
     var grip = null             // where the mouse went down
-    var nudged = null           // what the keys have done that is not sent yet
-    var turned = null           // likewise of the keys that turn
-    var sentTurn = null         // the turn that was sent and is not answered yet
-    var held = null             // where what is selected is shown until the service answers, whatever a running simulation tells meanwhile
+    var keyed = null            // what keys have moved and turned that is not sent yet
+    var asked = 0               // how many of its edits have no answer yet
+    // Where what is selected is shown until the service answers, whatever a running simulation tells meanwhile: object, pose; drawn, the pose that it
+    // was given last, and truth, the one that it had before
+    var held = null
 
     edits.changed.hear(function() {
-        sentTurn = null
+        if (drag && drag.object !== edits.selected) {
+            drag = null         // it is gone, or another one was selected
+            release(false)
+        }
     })
     /** What is selected, see pointing.find. */
     function found() {
@@ -69,8 +73,12 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
     }
 
     // ---- moving ------------------------------------------------------------------------------------------------------------------------
-    function place(selected) {
-        return places.of(selected, edits.object.values, panel.isSimulating() && world.shown() === world.running)
+    /** What begins to be moved: object, its values, start: its pose, place: see places.of */
+    function begun(selected) {
+        building.hold()
+        var values = edits.values()
+        return {object: edits.selected, values: values, start: selected && selected.object.pose.slice(),
+            place: places.of(selected, values, panel.isSimulating() && world.shown() === world.running)}
     }
     /** Shows it elsewhere until the service answers. @param shift in its parent's frame @param degrees that it is turned about y */
     function showMoved(start, shift, degrees) {
@@ -85,7 +93,8 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
             pose[i] += way[i]
         }
         pose[4] += degrees
-        held = {object: edits.selected, pose: pose}
+        held = held && held.object === edits.selected ? held : {object: edits.selected}
+        held.pose = pose
         picture.repaint()
     }
     /** Whether something is held that is not where it was; the view does not follow it meanwhile. */
@@ -94,20 +103,35 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
     building.hold = function() {
         var selected = held && pointing.find(world.shown(), held.object)
         if (selected) {
-            selected.object.pose = held.pose
+            held.truth = selected.object.pose === held.drawn ? held.truth : selected.object.pose
+            selected.object.pose = held.drawn = held.pose
         }
     }
-    /** Sends what was changed. What was shown meanwhile goes back if it is refused. @param done start: its pose before, place: see places.of */
+    /** Nothing is held any more, if nothing else is under way. @param stays whether it stands where it was shown, else it goes back to where it is */
+    function release(stays) {
+        if (!held || drag || keyed || asked) {
+            return
+        }
+        building.hold()
+        var selected = pointing.find(world.shown(), held.object)
+        if (selected && !stays) {
+            selected.object.pose = held.truth
+        }
+        held = null
+        picture.repaint()
+    }
+    /** Sends what was changed. What was shown meanwhile goes back if it is refused. @param done see begun */
     function send(done, set) {
-        edits.edit({'do': 'set', object: edits.selected, set: places.edit(done.place, set), stand: done.place.stands && set.y === undefined},
-            function(answer) {
-                if (!answer.done) {
-                    showMoved(done.start, [0, 0, 0], 0)
-                    messages.say('error', edits.refusal(answer))
-                }
-                building.hold()
-                held = null
-            })
+        var edit = edits.setting(done.object, places.edit(done.place, set), done.values)
+        edit.stand = done.place.stands && set.y === undefined
+        asked++
+        edits.edit(edit, function(answer) {
+            asked--
+            if (!answer.done) {
+                messages.say('error', edits.refusal(answer))
+            }
+            release(answer.done)
+        })
     }
 
     function startDrag(event, x, y) {
@@ -121,9 +145,10 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         if (!kind && !isAt(selected, under, x, y)) {
             return null
         }
-        return {kind: kind || 'move', start: selected.object.pose.slice(), place: place(selected), pose: selected.pose, parent: selected.parent,
+        edits.leaving.tell()
+        return angular.extend(begun(selected), {kind: kind || 'move', pose: selected.pose, parent: selected.parent,
             from: kind ? building.handle(kind) : under.point, up: event.shiftKey && Boolean(scene), set: null,
-            extent: kind && kind !== 'turn' ? pointing.extent(selected.object) : null}
+            extent: kind && kind !== 'turn' ? pointing.extent(selected.object) : null})
     }
     /** Whether what is selected is what was met at a pixel. */
     function isAt(selected, under, x, y) {
@@ -135,6 +160,9 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
     }
     function continueDrag(event, x, y) {
         var free = event.altKey
+        if (!found()) {
+            return              // another page has deleted it
+        }
         if (drag.kind === 'turn') {
             turn(x, y, free)
         } else if (drag.kind === 'move') {
@@ -204,7 +232,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
     function size(x, y, free) {
         var i = AXES.indexOf(drag.kind)
         var what = handles.sizesOf(edits.typeOf(edits.object.type))[drag.kind]
-        var values = edits.object.values
+        var values = drag.values
         var scale = Number(values['scale' + 'XYZ'[i]]) || 1
         var unit = [0, 0, 0]
         unit[i] = 1
@@ -225,7 +253,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
     }
     function keepOpposite(axis, shift) {
         AXES.forEach(function(name, i) {
-            var stands = name === 'y' && edits.object.values.onGround === 'true'
+            var stands = name === 'y' && drag.values.onGround === 'true'
             if (Math.abs(axis[i] * shift) > 1e-6 && !stands) {
                 drag.set[name] = places.plain(drag.place.at[i] + axis[i] * shift)
             }
@@ -237,7 +265,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         if (done.set && Object.keys(done.set).length) {
             send(done, done.set)
         } else {
-            held = null
+            release(false)
         }
         picture.repaint()
     }
@@ -303,9 +331,11 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         panel.element('view').parentNode.addEventListener('mousedown', down, true)
         window.addEventListener('mousemove', moved, true)
         window.addEventListener('mouseup', up, true)
+        window.addEventListener('beforeunload', sendKeyed)
         panel.scope.$on('$destroy', function() {
             window.removeEventListener('mousemove', moved, true)
             window.removeEventListener('mouseup', up, true)
+            window.removeEventListener('beforeunload', sendKeyed)
         })
     }
 
@@ -320,67 +350,51 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         var forth = [-Math.cos(azimuth), -Math.sin(azimuth)]
         return [forth[0] * arrow[2] - forth[1] * arrow[0], 0, forth[1] * arrow[2] + forth[0] * arrow[0]]
     }
+    /** Keys add up until none has come for a moment; what they have done is sent then, or before anything else is done. */
+    function byKey(selected, shift, degrees) {
+        keyed = keyed || angular.extend(begun(selected), {shift: [0, 0, 0], by: 0})
+        clearTimeout(keyed.timer)
+        keyed.shift = keyed.shift.map((metres, i) => metres + shift[i])
+        keyed.by += degrees
+        if (selected) {
+            showMoved(keyed.start, keyed.shift, keyed.by)
+        }
+        keyed.timer = setTimeout(sendKeyed, PAUSE_MILLIS)
+    }
     function nudge(arrow, fine) {
         var selected = found()
-        if (!selected || !edits.object) {
+        if (selected && edits.object) {
+            byKey(selected, pointing.back(selected.parent, direction(arrow)).map(way => way * (fine ? STEP / 5 : STEP)), 0)
+        }
+    }
+    function turnBy(degrees) {
+        if (edits.object && edits.object.values.ry !== undefined) {
+            byKey(found(), [0, 0, 0], degrees)
+        }
+    }
+    function sendKeyed() {
+        if (!keyed) {
             return
         }
-        if (!nudged) {
-            nudged = {start: selected.object.pose.slice(), place: place(selected), shift: [0, 0, 0], object: edits.selected}
-        } else {
-            clearTimeout(nudged.timer)
-        }
-        var shift = pointing.back(selected.parent, direction(arrow))
-        for (var i = 0; i < 3; i++) {
-            nudged.shift[i] += shift[i] * (fine ? STEP / 5 : STEP)
-        }
-        showMoved(nudged.start, nudged.shift, 0)
-        nudged.timer = setTimeout(sendNudged, PAUSE_MILLIS)
-    }
-    function sendNudged() {
-        var done = nudged
-        nudged = null
+        var done = keyed
+        keyed = null
+        clearTimeout(done.timer)
         var set = {}
         AXES.forEach(function(axis, i) {
             if (Math.abs(done.shift[i]) > 1e-6) {
                 set[axis] = places.plain(done.place.at[i] + done.shift[i])
             }
         })
-        if (done.object === edits.selected && Object.keys(set).length) {
+        if (done.by % 360) {
+            set.ry = places.plain(places.wrapped(done.place.ry + done.by))
+        }
+        if (Object.keys(set).length) {
             send(done, set)
         } else {
-            held = null
+            release(false)
         }
     }
-    /** Turns add up until the service has answered, however fast the keys come. */
-    function turnBy(degrees) {
-        if (!edits.object || edits.object.values.ry === undefined) {
-            return
-        }
-        var selected = found()
-        if (!turned || turned.object !== edits.selected) {
-            var now = angular.extend({}, place(selected), sentTurn && sentTurn.object === edits.selected ? {ry: sentTurn.ry} : {})
-            turned = {start: selected && selected.object.pose.slice(), place: now, object: edits.selected, by: 0}
-        } else {
-            clearTimeout(turned.timer)
-        }
-        turned.by += degrees
-        if (selected) {
-            showMoved(turned.start, [0, 0, 0], turned.by)
-        }
-        turned.timer = setTimeout(sendTurned, PAUSE_MILLIS)
-    }
-    function sendTurned() {
-        var done = turned
-        turned = null
-        var ry = places.plain(places.wrapped(done.place.ry + done.by))
-        if (done.object === edits.selected && Number(ry) !== done.place.ry) {
-            sentTurn = {object: done.object, ry: Number(ry)}
-            send(done, {ry: ry})
-        } else {
-            held = null
-        }
-    }
+    edits.leaving.hear(sendKeyed)
     /** @return whether it was a key of building */
     building.key = function(event) {
         var command = event.ctrlKey || event.metaKey

@@ -2,34 +2,60 @@
 import {plain} from './places.js'
 import {makeEvent} from '../shared/event.js'
 
+var PATIENCE_MILLIS = 15000 // an answer that takes longer does not come, as when the connection was lost
+var UNANSWERED = 'an edit has no answer: MyRobotLab has ended or is busy, and it may not have been done'
+
 /** Of one panel. */
 export function makeEdits(panel, messages, world, view, picture) {
     var msg = panel.msg
     var page = Math.random().toString(36).slice(2)      // tells answers to this page from those to others
     var sent = 0
-    var waiting = {}            // by number of an edit: what is done with its answer
+    var waiting = {}            // by number of an edit of this page that has no answer yet: edit, answered(answer)
+    var others = ''             // what another page or a script has done since the selected object was last seen
     var edits = {
         grammar: null,          // types and templates of what can be made; null until it is known
         undoable: null,         // what undo would take back, in words
         redoable: null,
         selected: null,         // what edits call it: box1, rover, rover/ping
         object: null,           // as its file has it; null until it is known
-        changed: makeEvent()    // what is selected is another thing, or has other values
+        changed: makeEvent(),   // what is selected is another thing, or has other values
+        leaving: makeEvent()    // another edit or another selection follows: what has waited for more is sent before
     }
 
     /** Has the service do an edit. @param then takes its answer; else this page says what was wrong */
     edits.edit = function(edit, then) {
+        edits.leaving.tell()
         edit.page = page + ' ' + ++sent
         var before = messages.last
         var answered = then || sayRefusal
-        waiting[edit.page] = function(answer) {
+        waiting[edit.page] = {edit: edit, answered: function(answer) {
             if (answer.done) {
                 messages.succeed(before)
             }
             answered(answer)
-        }
+        }}
         view.choose()           // who builds looks where he wants to
         msg.send('tryEdit', edit)
+        panel.timeout(function() {
+            if (waiting[edit.page]) {
+                onEdit({page: edit.page, done: false, reason: UNANSWERED, problems: []})
+            }
+        }, PATIENCE_MILLIS)
+    }
+    /** What this page has set in an object without an answer yet. */
+    function unanswered(object) {
+        return Object.values(waiting).map(one => one.edit).filter(edit => edit['do'] === 'set' && edit.object === object)
+            .reduce((all, edit) => angular.extend(all, edit.set), {})
+    }
+    /** The values of what is selected, as its file will have them. */
+    edits.values = () => angular.extend({}, edits.object.values, unanswered(edits.selected))
+    /** An edit that sets, and is refused where somebody else has changed the same. @param seen the values that its user has seen */
+    edits.setting = function(object, set, seen) {
+        var was = {}
+        Object.keys(set).forEach(function(name) {
+            was[name] = seen[name] === undefined ? '' : seen[name]
+        })
+        return {'do': 'set', object: object, set: set, was: was}
     }
     function sayRefusal(answer) {
         if (!answer.done) {
@@ -47,18 +73,24 @@ export function makeEdits(panel, messages, world, view, picture) {
         if (!answer) {
             return
         }
-        var then = waiting[answer.page]
+        var mine = waiting[answer.page]
         delete waiting[answer.page]
         if (answer.done) {
             onEdits(answer)
             world.look()
-            edits.ask()
-            if (answer.note && then) {
+            if (answer.note && mine) {
                 messages.say('warn', answer.note)
             }
+            others = mine ? '' : (answer.words === answer.redo ? 'undo ' : '') + answer.words
         }
-        if (then) {
-            then(answer)
+        if (answer.done || mine) {
+            edits.ask()
+        }
+        if (mine) {
+            if (answer.done && mine.edit['do'] === 'set' && edits.object && edits.object.object === mine.edit.object) {
+                angular.extend(edits.object.values, mine.edit.set)
+            }
+            mine.answered(answer)
         }
     }
     function onEdits(state) {
@@ -86,6 +118,8 @@ export function makeEdits(panel, messages, world, view, picture) {
     /** @param address what edits call it; null for nothing */
     edits.select = function(address) {
         if (edits.selected !== address) {
+            edits.leaving.tell()
+            others = ''
             edits.selected = address
             edits.object = null
             edits.changed.tell()
@@ -104,8 +138,15 @@ export function makeEdits(panel, messages, world, view, picture) {
             return
         }
         if (object.gone) {
+            if (others) {
+                messages.say('warn', edits.selected + ' is gone or has another name; the last edit of another page or a script: ' + others)
+            }
             edits.select(null)
             return
+        }
+        others = ''
+        if (Object.keys(unanswered(object.object)).length) {
+            return              // it is asked for again with the answer
         }
         edits.object = object
         edits.changed.tell()
@@ -144,9 +185,9 @@ export function makeEdits(panel, messages, world, view, picture) {
     }
     /** The copy stands a little beside. */
     edits.duplicate = function() {
-        var object = edits.object
-        if (object) {
-            edits.edit({'do': 'duplicate', object: object.object, set: {z: plain(Number(object.values.z) + 0.5)}}, selectAfter)
+        if (edits.object) {
+            edits.leaving.tell()
+            edits.edit({'do': 'duplicate', object: edits.selected, set: {z: plain(Number(edits.values().z) + 0.5)}}, selectAfter)
         }
     }
     /** @param refused takes the answer if that is no legal name */

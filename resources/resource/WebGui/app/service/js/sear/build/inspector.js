@@ -70,9 +70,16 @@ export function makeInspector(panel, world, edits) {
             return {p: parameter, text: text === undefined || text === null ? parameter.initial || parameter['default'] : text}
         })
     }
+    /** Whether the user is typing there, and has not pressed Enter or left it yet. */
+    function isTyped(row) {
+        var field = document.activeElement
+        var model = field && field.closest('[data-field="' + row.p.name + '"] input.form-control') && angular.element(field).controller('ngModel')
+        return Boolean(model) && field.value.trim() !== (model.$isEmpty(model.$modelValue) ? '' : String(model.$modelValue))
+    }
     function fill(row, value) {
-        if (same(row.was, value) && row.filled) {
-            return              // what the user is just typing stays
+        row.behind = row.filled && !same(row.was, value) && isTyped(row)
+        if (row.behind || same(row.was, value) && row.filled) {
+            return              // what the user is just typing stays; if another page has set it meanwhile, it will be refused
         }
         row.filled = true
         row.was = value === undefined ? '' : value
@@ -153,7 +160,7 @@ export function makeInspector(panel, world, edits) {
     function withUnderside(row, value) {
         var set = {}
         set[row.p.name] = value
-        var values = edits.object.values
+        var values = edits.values()
         var size = sizesOf(edits.typeOf(edits.object.type)).y || (edits.object.type === 'Sphere' ? {name: 'radius', share: 0.5} : null)
         var grown = Number(value) - Number(row.was)
         var leans = ['rx', 'rz'].some(angle => Number(values[angle]) % 360)
@@ -173,9 +180,15 @@ export function makeInspector(panel, world, edits) {
             row.error = meant ? 'write ' + meant : ''
             return
         }
-        var edit = {'do': 'set', object: edits.selected, set: withUnderside(row, value), was: {}}
-        edit.was[row.p.name] = row.was
-        edits.edit(edit, function(answer) {
+        var name = row.p.name
+        var seen = edits.values()
+        if (same(seen[name], edits.object.values[name])) {      // else this page has set it just now
+            seen[name] = row.was
+        }
+        edits.edit(edits.setting(edits.selected, withUnderside(row, value), seen), function(answer) {
+            if (answer.done) {
+                row.was = value
+            }
             showAt(row, answer)
         })
     }
@@ -198,8 +211,11 @@ export function makeInspector(panel, world, edits) {
             row.error = other.shift() || answer.reason
         }
         row.refused = Boolean(row.error)
+        if (!answer.problems.length) {
+            row.filled = false
+            fill(row, row.was)      // so that the same can be written once more
+        }
         inspector.refused = other.join('; ')
-        edits.ask()
     }
     /** What is no legal name is said below its field, which goes back to the name that the thing has. */
     inspector.rename = function() {

@@ -141,7 +141,8 @@ export function play(run) {
     seek(0)
     var area = geometry.area(geometry.shapesOf(world))
     if (area) {
-        scene.fit({x: area.x, y: world.robots.length ? world.robots[0].pose[1] : 0, z: area.z, size: area.size})
+        scene.fit({x: area.x, y: world.robots.length ? world.robots[0].pose[1] : 0, z: area.z, size: area.size},
+            geometry.corners(world.objects))
     }
     start()
     return {scene: scene, index: () => index}

@@ -261,12 +261,20 @@ Scene.prototype.showGrid = function(on) {
 }
 
 // ---- the camera ----------------------------------------------------------------------------------------------------------------------------
-/** Has the camera show everything but the ground. @param shapes as on the map */
-Scene.prototype.fit = function(area) {
+/** Has the camera show everything but the ground. @param area see geometry.area @param points that have to be seen, too, whatever the area says */
+Scene.prototype.fit = function(area, points) {
     this.orbit.target.set(area.x, area.y, area.z)
     this.orbit.distance = Math.min(FARTHEST, Math.max(1, 1.15 * area.size / Math.tan(FIELD_OF_VIEW * Math.PI / 360) / 2))
     this.orbit.azimuth = Math.PI * 0.92
     this.orbit.elevation = 0.65
+    while (this.orbit.distance < FARTHEST && !this.sees(points)) {
+        this.orbit.distance *= 1.05
+    }
+}
+/** Whether points [x, y, z] are all in the view from outside. */
+Scene.prototype.sees = function(points) {
+    this.aim(-1)
+    return points.every(point => new window.THREE.Vector3(point[0], point[1], point[2]).project(this.camera).toArray().every(at => Math.abs(at) <= 1))
 }
 Scene.prototype.zoom = function(factor) {
     this.orbit.distance = Math.min(FARTHEST, Math.max(NEAREST, this.orbit.distance / factor))

@@ -185,12 +185,12 @@ export function makeView(panel, messages, world, ground, picture) {
         scene.show(seen, terrain, view.beams)
         scene.showGrid(view.building)
         if (benched && !fitted.space) {
-            scene.fit({x: 0, y: 0, z: 0, size: BENCH})
+            scene.fit({x: 0, y: 0, z: 0, size: BENCH}, [])
             fitted.space = true
         } else if (!fitted.space && (seen.objects.length || seen.robots.length)) {
             var area = geometry.area(geometry.shapesOf(seen))
             if (area) {
-                scene.fit({x: area.x, y: heightOf(seen, terrain, area), z: area.z, size: area.size})
+                scene.fit({x: area.x, y: heightOf(seen, terrain, area), z: area.z, size: area.size}, geometry.corners(seen.objects))
             }
             fitted.space = true
         }

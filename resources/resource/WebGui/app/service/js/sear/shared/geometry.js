@@ -136,6 +136,13 @@ export function area(shapes) {
     var z = extent(points, 1)
     return {x: x.middle, z: z.middle, north: x.length, east: z.length, size: Math.max(x.length, z.length)}
 }
+/** Where the corners of objects are in the world, but for the ground. */
+export function corners(objects) {
+    return [].concat.apply([], objects.filter(object => !shapeOf(object).ground).map(function(object) {
+        var at = frame(object.pose)
+        return (object.corners || []).map(corner => rotate(at, corner).map((metres, i) => metres + at[i]))
+    }))
+}
 /** Has a map show that. */
 export function fit(view, shapes, element) {
     var all = area(shapes)

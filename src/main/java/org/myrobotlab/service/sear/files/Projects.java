@@ -112,6 +112,9 @@ public final class Projects {
         if (parent == null || !Files.isDirectory(parent)) {
             throw new IOException(bundle + " can't be saved, there is no folder " + parent + ": make it, or choose another");
         }
+        if (!Files.exists(bundle) && !Files.notExists(bundle)) {
+            throw new IOException(bundle + " can't be saved, no such file can be there: choose a shorter name, or another folder");
+        }
         return bundle;
     }
 
@@ -140,7 +143,7 @@ public final class Projects {
         String stem = path.substring(0, path.length() - ENDING.length());
         for (int i = 2;; i++) {
             String other = stem + "-" + i + ENDING;
-            if (Files.notExists(Paths.get(other))) {
+            if (!Files.exists(Paths.get(other))) {
                 return other;
             }
         }

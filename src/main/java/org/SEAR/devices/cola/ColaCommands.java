@@ -26,6 +26,8 @@ final class ColaCommands {
     private static final int DONE = 1;
     private static final int TENTHS_OF_AN_HOUR = 360;
     private static final double MICROSECONDS = 1e6;
+    private static final int FIELDS = 48;
+    private static final int MADE_OF_SEGMENTS = 2;
     private static final int LONGEST_NAME = 16;
     private static final int WRONG_FREQUENCY = 1;
     private static final int WRONG_RESOLUTION = 2;
@@ -60,6 +62,7 @@ final class ColaCommands {
         login();
         measuring();
         scanning();
+        fields();
         identity();
     }
 
@@ -214,6 +217,16 @@ final class ColaCommands {
             }
         }
         return known == fits ? WRONG_BOTH : known ? WRONG_RESOLUTION : WRONG_FREQUENCY;
+    }
+
+    /** Fields that it would watch for things, of which nobody has taught it one: they have no segments, as in SICK's own emulator. */
+    private void fields() {
+        for (int i = 1; i <= FIELDS; i++) {
+            int number = i;
+            row(String.format(Locale.ROOT, "sRN field%03d", number - 1), NOBODY, (in, out) -> out.real(1).real(0).i4(settings().rate.resolution)
+                .i4(model.firstAngle).u1(MADE_OF_SEGMENTS).u1(number).u2(1).u2(0).u2(0).u2(0).u2(0).u2(1)
+                .text(String.format(Locale.ROOT, "Field%03d", number)).u2(0));
+        }
     }
 
     private void identity() {

@@ -297,6 +297,15 @@ public class ColaScannerTest {
     }
 
     @Test
+    public void noFieldIsTaught() {
+        power(LidarModel.TIM561, 270, 1 / 3.0, beam -> 2);
+        assertEquals("73 52 41 20 66 69 65 6C 64 30 30 30 20 3F 80 00 00 00 00 00 00 00 00 0D 05 FF F9 22 30 02 01 00 01 00 00 00 00 00 00 00 00 "
+            + "00 01 00 08 46 69 65 6C 64 30 30 31 00 00", payload(askB(binary("sRN field000"))));
+        assertTrue(payload(askB(binary("sRN field047"))).endsWith("46 69 65 6C 64 30 34 38 00 00"));
+        assertEquals("there is no such one", "sFA 3", ask("sRN field048"));
+    }
+
+    @Test
     public void standbyAndStart() {
         ask(LOGIN);
         assertEquals("sAN LMCstandby 0", ask("sMN LMCstandby"));

@@ -1,5 +1,6 @@
 package org.SEAR.devices.gps;
 
+import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
@@ -39,7 +40,7 @@ final class KeptSettings {
         payloads.put(UbxMessage.CFG_NAV5, UbxFrame.room(NAV5_SIZE).putShort(0, (short) -1).put(3, (byte) 3).putInt(8, 10000).put(12, (byte) 5)
             .putShort(14, (short) 250).putShort(16, (short) 250).putShort(18, (short) 100).putShort(20, (short) 350).put(23, (byte) 60).array());
         payloads.put(UbxMessage.CFG_SBAS, UbxFrame.room(SBAS_SIZE).put((byte) 1).put((byte) 3).put((byte) 3).put((byte) 0).putInt(0x66251).array());
-        java.nio.ByteBuffer systems = UbxFrame.room(GNSS_HEAD + SYSTEMS.length * GNSS_BLOCK).put(new byte[] {0, 32, 32, (byte) SYSTEMS.length});
+        ByteBuffer systems = UbxFrame.room(GNSS_HEAD + SYSTEMS.length * GNSS_BLOCK).put(new byte[] {0, 32, 32, (byte) SYSTEMS.length});
         for (byte[] system : SYSTEMS) {
             systems.put(system);
         }

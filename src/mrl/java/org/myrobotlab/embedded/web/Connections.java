@@ -22,7 +22,7 @@ final class Connections implements ChannelListener<StreamConnection> {
     /** From a request's head to its end. */
     static final int PATIENCE_SECONDS = 30;
 
-    /** One that has just come is about to ask. */
+    /** One that has just come is about to ask, and a request that has just begun is about to be over. */
     private static final long FRESH = TimeUnit.SECONDS.toNanos(1);
 
     private final ChannelListener<? super StreamConnection> next;
@@ -78,7 +78,7 @@ final class Connections implements ChannelListener<StreamConnection> {
         Open longest = idle.isEmpty() ? null : idle.values().iterator().next();
         if (longest == null || longest.isFresh()) {
             for (Open one : busy.values()) {
-                if (one.isStuck()) {
+                if (one.isStuck() && (longest == null || !one.isFresh())) {
                     busy.values().remove(one);
                     return one;
                 }

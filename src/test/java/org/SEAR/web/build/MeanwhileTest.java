@@ -35,8 +35,11 @@ public class MeanwhileTest {
             + " 'set': {'length': 1, 'width': 1, 'height': 1}})");
         browser.until("the crate", () -> tab.isTrue("edits.grammar !== null && world.shown() && world.shown().objects.length == 1 && view.fitted"));
         browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); scope.view.setMode('map');"
-            + "angular.extend(scope.view, {x: 0, z: 0, scale: 50, chosen: true}); scope.edits.select('crate'); scope.view.redraw()");
-        browser.until("it is selected", () -> tab.isTrue("edits.object && edits.object.object == 'crate' && building.found() !== null"));
+            + "scope.view.fitted = false; scope.view.redraw(); scope.edits.select('crate')");
+        browser.until("it is selected, on a map that was drawn", () -> tab.isTrue("view.fitted && edits.object && edits.object.object == 'crate'"
+            + " && building.found() !== null"));
+        browser.script("var view = angular.element(document.querySelector('.sear-main')).scope().view;"
+            + "angular.extend(view, {x: 0, z: 0, scale: 50, chosen: true}); view.redraw()");
         browser.until("the map", () -> Math.abs(tab.toScreen(1, 0)[1] - tab.toScreen(0, 0)[1] + 50) < 0.1);
     }
 

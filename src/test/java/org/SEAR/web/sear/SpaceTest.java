@@ -106,23 +106,24 @@ public class SpaceTest {
         return browser.text(".sear-pointed");
     }
 
+    /** Points until the text is there: the view may be fitted once more meanwhile. */
+    private void seeAt(String text, double x, double y, double z) {
+        browser.until(text, () -> pointedAt(place(x, y, z)).contains(text));
+    }
+
     @Test
     public void thingsAreWhereTheyAreAndHaveTheirColours() throws IOException {
         int[] box = colour(place(1, 0.9, 2));
         assertTrue("red: " + box[0] + " " + box[1] + " " + box[2], box[0] > 2 * box[1] && box[0] > 2 * box[2]);
         int[] ball = colour(place(1, 0.7, -2));
         assertTrue("blue: " + ball[0] + " " + ball[1] + " " + ball[2], ball[2] > 2 * ball[0] && ball[2] > 2 * ball[1]);
-        pointedAt(place(1, 0.5, 2));
-        browser.seeText(".sear-pointed", "box, Box");
-        pointedAt(place(1, 0.5, -2));
-        browser.seeText(".sear-pointed", "ball, Sphere");
+        seeAt("box, Box", 1, 0.5, 2);
+        seeAt("ball, Sphere", 1, 0.5, -2);
     }
 
     @Test
     public void theRobotDrivesItsWheelsTurnAndTheCameraFollows() {
-        double[] start = place(0, 0.05, 0);
-        pointedAt(start);
-        browser.seeText(".sear-pointed", "body, Cylinder");
+        seeAt("body, Cylinder", 0, 0.05, 0);
         tab.start();
         browser.click(".sear-follow");
         double before = ((Number) inScene("scene.robots[0].parts[1].holder.quaternion.x")).doubleValue();

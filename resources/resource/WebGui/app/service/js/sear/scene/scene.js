@@ -17,7 +17,7 @@ var SUN = [-0.35, 1, -0.25]
 var SHADOW_PIXELS = 2048
 var SKY = {light: ['#7fb2e5', '#e8f1fa', '#cfd3c8', '#b9bdb0'], dark: ['#0d1b2f', '#33475f', '#2c2f2b', '#20231f']}
 var BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
-// The processor looks up one point of a shadow for each pixel and smooths no edges, which would each take as long as all the rest. In their place:
+// The processor looks up one point of a shadow for each pixel and smooths no edges: together these would take as long as all the rest. Instead:
 var COARSE = [1, 0.7, 0.5]  // pixels a side for each of the page's, of what moves: as many as there is time for
 var SLOW = 28               // milliseconds of a picture from which on it has fewer
 var FAST = 19               // and below which it has more

@@ -12,9 +12,9 @@ import org.xnio.StreamConnection;
 import org.xnio.XnioExecutor;
 
 /**
- * The connections that are open. One that comes when there are many takes the place of the one that has been without a request for the longest time,
- * or else of the one whose request or answer has been on its way for the longest time: a program that opens connections and asks nothing, that does
- * not send what it says, or does not read what it asked for keeps nobody out. Any thread.
+ * The connections that are open. One that comes when there are many takes the place of the one that has been without a request for the longest time.
+ * Where that one has just come, the place may be that of a request or an answer that has been on its way for longer. So a program that opens
+ * connections and asks nothing, that does not send what it says, or does not read what it asked for keeps nobody out. Any thread.
  */
 final class Connections implements ChannelListener<StreamConnection> {
     /** Connections that stay open at the same time, unless more of them have a request. */
@@ -22,7 +22,7 @@ final class Connections implements ChannelListener<StreamConnection> {
     /** From a request's head to its end. */
     static final int PATIENCE_SECONDS = 30;
 
-    /** One that has just come is about to ask, and a request that has just begun is about to be over. */
+    /** One that has just come is about to ask. */
     private static final long FRESH = TimeUnit.SECONDS.toNanos(1);
 
     private final ChannelListener<? super StreamConnection> next;
@@ -74,14 +74,14 @@ final class Connections implements ChannelListener<StreamConnection> {
         return closing == null ? null : closing.connection;
     }
 
+    /** Threads add what they have accepted each at its own pace: among those that came within a moment, the newest is not the one that came last. */
     private Open takeOut() {
         Open longest = idle.isEmpty() ? null : idle.values().iterator().next();
         if (longest == null || longest.isFresh()) {
-            for (Open one : busy.values()) {
-                if (one.isStuck() && (longest == null || !one.isFresh())) {
-                    busy.values().remove(one);
-                    return one;
-                }
+            Open stuck = busy.values().stream().filter(Open::isStuck).findFirst().orElse(null);
+            if (stuck != null && (longest == null || stuck.since - longest.since < 0)) {
+                busy.values().remove(stuck);
+                return stuck;
             }
         }
         idle.values().remove(longest);
@@ -114,7 +114,8 @@ final class Connections implements ChannelListener<StreamConnection> {
         }
     }
 
-    private synchronized void begin(SocketAddress address, HttpServerExchange request) {
+    /** What was idle has a request now. */
+    synchronized void begin(SocketAddress address, HttpServerExchange request) {
         Open open = idle.remove(address);
         if (open != null) {
             busy.put(address, new Open(open.connection, request));

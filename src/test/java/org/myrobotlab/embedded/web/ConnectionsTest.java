@@ -1,0 +1,116 @@
+package org.myrobotlab.embedded.web;
+
+import static org.junit.Assert.assertEquals;
+
+import io.undertow.server.HttpServerExchange;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.SocketAddress;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.Test;
+import org.xnio.Option;
+import org.xnio.StreamConnection;
+
+/** Which connection makes way for one more: here all of them come within the moment in which each is about to ask. */
+public class ConnectionsTest {
+    private final Connections connections = new Connections(connection -> { });
+    private final List<Stub> all = new ArrayList<>();
+
+    /** One of a client that only has a port. */
+    private static final class Stub extends StreamConnection {
+        private final SocketAddress peer;
+
+        Stub(int port) {
+            super(null);
+            peer = InetSocketAddress.createUnresolved("client", port);
+        }
+
+        @Override
+        protected void notifyWriteClosed() {
+        }
+
+        @Override
+        protected void notifyReadClosed() {
+        }
+
+        @Override
+        protected boolean readClosed() {
+            return true;
+        }
+
+        @Override
+        protected boolean writeClosed() {
+            return true;
+        }
+
+        @Override
+        public SocketAddress getPeerAddress() {
+            return peer;
+        }
+
+        @Override
+        public SocketAddress getLocalAddress() {
+            return InetSocketAddress.createUnresolved("server", 1);
+        }
+
+        @Override
+        public <T> T setOption(Option<T> option, T value) throws IOException {
+            return null;
+        }
+    }
+
+    /** Its sources and sinks are never asked for: null is enough. */
+    private Stub comes() {
+        Stub stub = new Stub(1 + all.size());
+        all.add(stub);
+        connections.handleEvent(stub);
+        return stub;
+    }
+
+    /** Its head has come, its body has not. */
+    private void asks(Stub one) {
+        connections.begin(one.getPeerAddress(), new HttpServerExchange(null));
+    }
+
+    private List<Integer> closed() {
+        List<Integer> closed = new ArrayList<>();
+        for (int i = 0; i < all.size(); i++) {
+            if (!all.get(i).isOpen()) {
+                closed.add(i);
+            }
+        }
+        return closed;
+    }
+
+    private void idleOnes(int count) {
+        for (int i = 0; i < count; i++) {
+            comes();
+        }
+    }
+
+    @Test
+    public void aRequestThatHasJustBegunOutlastsConnectionsThatCameBefore() {
+        idleOnes(Connections.MOST - 1);
+        asks(comes());
+        idleOnes(3);
+        assertEquals(List.of(0, 1, 2), closed());
+    }
+
+    @Test
+    public void whoIsAboutToAskOutlastsRequestsThatBeganBefore() {
+        for (int i = 0; i < Connections.MOST - 1; i++) {
+            asks(comes());
+        }
+        idleOnes(4);
+        assertEquals(List.of(0, 1, 2), closed());
+    }
+
+    @Test
+    public void requestsMakeRoomForEachOther() {
+        for (int i = 0; i < Connections.MOST + 2; i++) {
+            asks(comes());
+        }
+        assertEquals(List.of(0, 1), closed());
+    }
+}

@@ -86,6 +86,26 @@ public class InspectorTest {
     }
 
     @Test
+    public void escapePutsBackWhatAFieldStoodFor() {
+        select("box");
+        type("height", "30cm");
+        browser.seeText("[data-field='height'] .sear-wrong", "write 0.3");
+        String[] fields = {"#sear-p-height", "#sear-p-x", "#sear-p-name"};
+        String[] values = {"0.25", "2", "box"};
+        for (int i = 0; i < fields.length; i++) {
+            WebElement field = browser.see(fields[i]);
+            field.sendKeys(Keys.chord(Keys.CONTROL, "a"));
+            field.sendKeys("7", Keys.ESCAPE);
+            assertEquals(fields[i], values[i], field.getAttribute("value"));
+            field.sendKeys(Keys.TAB);
+        }
+        assertEquals(List.of(), browser.texts("[data-field='height'] .sear-wrong"));
+        type("width", "0.5");       // what an edit before would have set is set by now
+        waitForValue("width", "0.5");
+        assertEquals("box 0.25 2", tab.text("edits.object.name + ' ' + edits.object.values.height + ' ' + edits.object.values.x"));
+    }
+
+    @Test
     public void thePaletteKnowsOtherWordsToo() {
         browser.click(".sear-build");
         String[][] words = {{"sonar", "Distance sensor"}, {"ultrasonic", "Distance sensor"}, {"wall", "Box"}, {"ball", "Sphere"},

@@ -217,6 +217,22 @@ export function makeInspector(panel, world, edits) {
         }
         inspector.refused = other.join('; ')
     }
+    /** Escape puts back into a field what it stood for before it was typed into; what is wrong with that is no longer said. */
+    inspector.key = function(event) {
+        var model = event.key === 'Escape' && event.target.matches('input.form-control') && angular.element(event.target).controller('ngModel')
+        if (!model) {
+            return
+        }
+        model.$rollbackViewValue()
+        var field = event.target.closest('[data-field]')
+        inspector.rows.forEach(function(row) {
+            if (field && field.dataset.field === row.p.name && !row.entries) {
+                row.text = row.was
+                row.error = ''
+            }
+        })
+        event.stopPropagation()
+    }
     /** What is no legal name is said below its field, which goes back to the name that the thing has. */
     inspector.rename = function() {
         var name = inspector.inspected.name

@@ -13,6 +13,8 @@ final class Overlap {
     /** Ways to lean, metres a metre along x and z. */
     private static final double[][] LEANS = {{0, 0}, {0.1, 0.1}, {0.1, -0.1}, {-0.1, 0.1}, {-0.1, -0.1}, {0.2, 0}, {-0.2, 0}, {0, 0.2}, {0, -0.2}};
 
+    private static final int HALVINGS = 30;
+
     private final Body body;
     private final GjkDistance gjk = new GjkDistance();
 
@@ -68,6 +70,23 @@ final class Overlap {
             }
         }
         return false;
+    }
+
+    /** How deep the parts of the body at a pose are in those of another at its start, where they are deepest, metres. */
+    double depth(Pose pose, Overlap other) {
+        Aabb both = bounds(pose);
+        both.add(other.bounds(other.body.getStart()));
+        double in = 0;
+        double out = both.maxX - both.minX + both.maxY - both.minY + both.maxZ - both.minZ;
+        for (int i = 0; i < HALVINGS; i++) {
+            double middle = (in + out) / 2;
+            if (overlaps(pose, other, middle)) {
+                in = middle;
+            } else {
+                out = middle;
+            }
+        }
+        return (in + out) / 2;
     }
 
     private boolean isDeeper(Convex mine, Convex other, double allowed) {

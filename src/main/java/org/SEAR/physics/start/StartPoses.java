@@ -103,8 +103,8 @@ public final class StartPoses {
                 }
                 if (boxes.get(i).overlaps(boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
                     told++;
-                    warnings.add(String.format(Locale.ROOT, "%s and %s start inside one another and will be pushed apart; move one of them",
-                        moving.get(k).name, moving.get(i).name));
+                    warnings.add(String.format(Locale.ROOT, "%s and %s start inside one another, by %.3f m, and will be pushed apart; move one of"
+                        + " them", moving.get(k).name, moving.get(i).name, mine.depth(start, overlaps.get(k))));
                 }
             }
         }

@@ -13,10 +13,10 @@ final class Overlap {
     /** Ways to lean, metres a metre along x and z. */
     private static final double[][] LEANS = {{0, 0}, {0.1, 0.1}, {0.1, -0.1}, {-0.1, 0.1}, {-0.1, -0.1}, {0.2, 0}, {-0.2, 0}, {0, 0.2}, {0, -0.2}};
 
-    private static final int HALVINGS = 30;
-
     private final Body body;
     private final GjkDistance gjk = new GjkDistance();
+    /** Of all that was measured since it was 0, metres. */
+    private double deepest;
 
     Overlap(Body body) {
         this.body = body;
@@ -74,23 +74,17 @@ final class Overlap {
 
     /** How deep the parts of the body at a pose are in those of another at its start, where they are deepest, metres. */
     double depth(Pose pose, Overlap other) {
-        Aabb both = bounds(pose);
-        both.add(other.bounds(other.body.getStart()));
-        double in = 0;
-        double out = both.maxX - both.minX + both.maxY - both.minY + both.maxZ - both.minZ;
-        for (int i = 0; i < HALVINGS; i++) {
-            double middle = (in + out) / 2;
-            if (overlaps(pose, other, middle)) {
-                in = middle;
-            } else {
-                out = middle;
-            }
-        }
-        return (in + out) / 2;
+        deepest = 0;
+        overlaps(pose, other, Double.POSITIVE_INFINITY);
+        return deepest;
     }
 
     private boolean isDeeper(Convex mine, Convex other, double allowed) {
-        return gjk.measure(mine, other, 0) && gjk.distance < -allowed;
+        if (!gjk.measure(mine, other, 0)) {
+            return false;
+        }
+        deepest = Math.max(deepest, -gjk.distance);
+        return gjk.distance < -allowed;
     }
 
     private boolean meets(Placed mine, Aabb box, Solid solid, Pose place, double allowed) {

@@ -217,7 +217,7 @@ export function makeInspector(panel, world, edits) {
         }
         inspector.refused = other.join('; ')
     }
-    /** Escape puts back into a field what it stood for before it was typed into; what is wrong with that is no longer said. */
+    /** Escape puts back into a field what stood there before it was typed into; what was wrong with a parameter is no longer said. */
     inspector.key = function(event) {
         var model = event.key === 'Escape' && event.target.matches('input.form-control') && angular.element(event.target).controller('ngModel')
         if (!model) {

@@ -13,8 +13,8 @@ from ._objects import wrap
 
 PORT = 25333
 MEMBERS = "org.myrobotlab.service.sear.python3.Members"
-WAITS = "org.myrobotlab.service.sear.python3.Waits"
-CALLS = "org.myrobotlab.service.sear.python3.Calls"
+WAITS = "org.myrobotlab.service.sear.python3.BlockingCalls"
+CALLS = "org.myrobotlab.service.sear.python3.GatewayCalls"
 # What bytes begin with that are an array; three letters follow that are numpy's word for the type
 NUMBERS = b"\0numpy"
 

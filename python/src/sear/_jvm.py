@@ -15,7 +15,7 @@ OPTIONS = ("-Xlog:cds=off", "-XX:+IgnoreUnrecognizedVMOptions", "--sun-misc-unsa
            "-Dorg.slf4j.simpleLogger.showThreadName=false", "-Dorg.slf4j.simpleLogger.showLogName=false",
            "-Dorg.slf4j.simpleLogger.levelInBrackets=true")
 MEMBERS = "org.myrobotlab.service.sear.python3.Members"
-WAITS = "org.myrobotlab.service.sear.python3.Waits"
+WAITS = "org.myrobotlab.service.sear.python3.BlockingCalls"
 SEAR = "org.myrobotlab.service.SEAR"
 _PLAIN = frozenset((float, int, str, bool, type(None), bytes))
 _NUMBERS = frozenset(("float[]", "double[]", "int[]", "long[]", "short[]", "boolean[]"))

@@ -41,6 +41,7 @@ OBJECTS = (
     "Robots",
     "RoundShape",
     "SEARrobot",
+    "ScriptSession",
     "SearObject",
     "SensorObject",
     "SerialObject",
@@ -54,5 +55,4 @@ OBJECTS = (
     "Wheel",
     "Wirable",
     "WireRules",
-    "Workbench",
 )

@@ -9,7 +9,7 @@ from ._objects import SEAR, java_class
 
 LIDAR = "org.myrobotlab.service.LIDAR"
 OBJECTS = "org.SEAR.POJOs."
-DESCRIBED = "org.myrobotlab.service.sear.python3.Described"
+DESCRIBED = "org.myrobotlab.service.sear.python3.ObjectTables"
 PATIENCE = 5    # seconds
 SVG = "image/svg+xml"
 WIDTH, MARGIN, FOOT = 480, 28, 30

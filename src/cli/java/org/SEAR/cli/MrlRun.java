@@ -51,7 +51,7 @@ final class MrlRun {
     private Python start() {
         Shutdown.then(shutdown::countDown);
         java.lang.Runtime.getRuntime().addShutdownHook(new Thread(this::release, "release"));
-        Parent.watch();
+        ParentProcess.watch();
         if (port != NO_PORT) {
             address = Tabs.start(port, isKnown, err);
             if (address == null && isKnown) {

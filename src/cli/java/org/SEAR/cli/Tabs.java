@@ -14,7 +14,7 @@ import org.myrobotlab.service.WebGui;
 final class Tabs {
     private static final String NAME = "webgui";
     /** So many ports after the wanted one are tried. */
-    private static final int MOST_TRIES = 100;
+    private static final int MAX_TRIES = 100;
 
     private Tabs() {
     }
@@ -54,7 +54,7 @@ final class Tabs {
     }
 
     private static int free(int wanted) {
-        for (int port = wanted; port < wanted + MOST_TRIES && port <= MrlRun.HIGHEST_PORT; port++) {
+        for (int port = wanted; port < wanted + MAX_TRIES && port <= MrlRun.HIGHEST_PORT; port++) {
             try (ServerSocket probe = new ServerSocket()) {
                 probe.bind(Address.current().socket(port));
                 return port;

@@ -16,8 +16,8 @@ import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.camera.Daylight;
-import org.SEAR.camera.Eye;
-import org.SEAR.camera.Sight;
+import org.SEAR.camera.CameraRenderer;
+import org.SEAR.camera.RenderJob;
 import org.SEAR.files.Assets;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
@@ -44,7 +44,7 @@ final class PictureWorld {
     private static final int STEPS = 60;
 
     final Simulation simulation;
-    final Eye eye;
+    final CameraRenderer eye;
     private final Truth truth;
 
     /** @param name room-N, or an example's */
@@ -63,7 +63,7 @@ final class PictureWorld {
         }
         truth = simulation.getRobots().get(0).getTruth();
         double focal = WIDTH / (2 * Math.tan(Math.toRadians(FIELD_OF_VIEW / 2)));
-        eye = new Eye(WIDTH, HEIGHT, new BrownLens(focal, (WIDTH - 1) / 2.0, (HEIGHT - 1) / 2.0, new double[4]), NEAR, FAR);
+        eye = new CameraRenderer(WIDTH, HEIGHT, new BrownLens(focal, (WIDTH - 1) / 2.0, (HEIGHT - 1) / 2.0, new double[4]), NEAR, FAR);
     }
 
     /** Where the camera is for a picture: x to its left, y up, z ahead. */
@@ -74,11 +74,11 @@ final class PictureWorld {
     }
 
     int[] colors(int turn) {
-        return eye.colors(new Sight(truth.sight(), truth.looks(), pose(turn), truth.owner()));
+        return eye.colors(new RenderJob(truth.sight(), truth.looks(), pose(turn), truth.owner()));
     }
 
     float[] depths(int turn) {
-        return eye.depths(new Sight(truth.scene(), truth.looks(), pose(turn), truth.owner()));
+        return eye.depths(new RenderJob(truth.scene(), truth.looks(), pose(turn), truth.owner()));
     }
 
     /** Writes what there is to be seen, but for the robot itself, for other engines: as JSON, boxes and cylinders as such, all else as triangles. */

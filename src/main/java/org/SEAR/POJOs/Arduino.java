@@ -152,7 +152,7 @@ public class Arduino extends SearObject implements SerialObject {
 
     private SearObject find(String part) {
         Map<String, SEARrobot> robots = new LinkedHashMap<>();
-        for (SEARrobot robot : robot() != null ? List.of(robot()) : Workbenches.ALL.made(SEARrobot.class)) {
+        for (SEARrobot robot : robot() != null ? List.of(robot()) : ScriptSessions.ALL.made(SEARrobot.class)) {
             if (robot.isInProject()) {
                 robots.put(robot.getName(), robot);    // a later one of that name has replaced it
             }

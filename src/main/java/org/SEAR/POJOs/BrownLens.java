@@ -5,7 +5,7 @@ package org.SEAR.POJOs;
  * metre ahead, x to the right and y down, is seen at x (1 + k1 r^2 + k2 r^4) + 2 p1 x y + p2 (r^2 + 2 x^2), likewise y. Immutable, any thread.
  */
 public final class BrownLens {
-    private static final int MOST_STEPS = 60;
+    private static final int MAX_STEPS = 60;
     /** Metres, one metre ahead. */
     private static final double EXACT = 1e-14;
     private static final double GOOD = 1e-9;
@@ -73,7 +73,7 @@ public final class BrownLens {
         double y = wantedY;
         double turn = 1;
         double off = Double.POSITIVE_INFINITY;
-        for (int step = 0; step < MOST_STEPS && off > EXACT; step++) {
+        for (int step = 0; step < MAX_STEPS && off > EXACT; step++) {
             double r = x * x + y * y;
             double radial = 1 + r * (k1 + r * k2);
             double slope = 2 * k1 + 4 * k2 * r;
@@ -95,8 +95,8 @@ public final class BrownLens {
     /** Whether the distortion grows all the way from the axis to a point. */
     private boolean isAhead(double x, double y) {
         double r = x * x + y * y;
-        for (int part = 1; part <= MOST_STEPS; part++) {
-            double here = r * part / MOST_STEPS;
+        for (int part = 1; part <= MAX_STEPS; part++) {
+            double here = r * part / MAX_STEPS;
             if (1 + 3 * k1 * here + 5 * k2 * here * here <= 0) {
                 return false;
             }

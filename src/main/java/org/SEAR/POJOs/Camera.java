@@ -19,7 +19,7 @@ public class Camera extends SensorObject {
     /** Degrees Celsius. */
     public static final String INFRARED = "infrared";
     /** Most pixels of a picture: those of 1920 x 1080. A camera needs 60 bytes of memory a pixel. */
-    public static final int MOST_PIXELS = 1920 * 1080;
+    public static final int MAX_PIXELS = 1920 * 1080;
 
     private static final String WHOLE_LENS = "a lens that shows the corners of the picture; with these four it folds back before them";
     private static final int LONGEST = 2048;
@@ -90,8 +90,8 @@ public class Camera extends SensorObject {
 
     @Override
     protected void crossCheck(Faults faults) {
-        if ((long) width * height > MOST_PIXELS) {
-            faults.add("height", height, "at most " + MOST_PIXELS + " pixels: " + MOST_PIXELS / width + " rows of " + width);
+        if ((long) width * height > MAX_PIXELS) {
+            faults.add("height", height, "at most " + MAX_PIXELS + " pixels: " + MAX_PIXELS / width + " rows of " + width);
         }
         if (!getLens().isWhole(width, height)) {
             faults.add("k1", k1, WHOLE_LENS);
@@ -159,9 +159,9 @@ public class Camera extends SensorObject {
     public void setSize(int newWidth, int newHeight) {
         int checkedWidth = checked("width", newWidth);
         int checkedHeight = checked("height", newHeight);
-        if ((long) checkedWidth * checkedHeight > MOST_PIXELS) {
+        if ((long) checkedWidth * checkedHeight > MAX_PIXELS) {
             throw new IllegalArgumentException(label() + ": " + newWidth + " x " + newHeight + " are " + (long) newWidth * newHeight
-                + " pixels, legal: at most " + MOST_PIXELS + " (1920 x 1080)");
+                + " pixels, legal: at most " + MAX_PIXELS + " (1920 x 1080)");
         }
         int oldWidth = width;
         int oldHeight = height;

@@ -35,7 +35,7 @@ public class Distance extends SensorObject implements Wirable {
 
     /** A sensor that is named like a beam has that beam, else it is a plain ultrasonic sensor. */
     public Distance(String name) {
-        this(name, Stores.get().beamNames().contains(name) ? name : DEFAULT_BEAM);
+        this(name, ObjectStores.get().beamNames().contains(name) ? name : DEFAULT_BEAM);
     }
 
     /** @param beam for example PING))), LV-EZ1, GP2Y0A21, ultrasonic, SONAR, RADAR, infrared, laser */
@@ -77,7 +77,7 @@ public class Distance extends SensorObject implements Wirable {
 
     private Beam named(String wanted) {
         try {
-            return Stores.get().beam(wanted);
+            return ObjectStores.get().beam(wanted);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException(label() + ": " + e.getMessage(), e);
         }

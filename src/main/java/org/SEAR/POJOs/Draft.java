@@ -23,7 +23,7 @@ public final class Draft implements ObjectStore {
      * @param work makes and changes objects, none of which may be changed later
      */
     public static <T> T of(List<String> beamNames, Supplier<T> work) {
-        return Stores.with(new Draft(beamNames, List.of()), work);
+        return ObjectStores.with(new Draft(beamNames, List.of()), work);
     }
 
     /**
@@ -32,7 +32,7 @@ public final class Draft implements ObjectStore {
      * @param taken names that none of its parts may have, in whatever capitals
      */
     public static SEARrobot robot(Collection<String> taken, Supplier<SEARrobot> work) {
-        return Stores.with(new Draft(List.of(), taken), work);
+        return ObjectStores.with(new Draft(List.of(), taken), work);
     }
 
     @Override

@@ -19,11 +19,11 @@ final class Notices {
      * @param taken whether it replaces the file of an object of its name
      */
     static void made(String label, String name, boolean taken) {
-        Workbench bench = Workbenches.ALL.present();
-        if (bench != null && bench.isSimulating()) {
+        ScriptSession scriptSession = ScriptSessions.ALL.present();
+        if (scriptSession != null && scriptSession.isSimulating()) {
             say(label + " was made while a simulation runs: it will be there after the next startSimulation()");
         }
-        if (Workbenches.ALL.script().isAgain(name, taken)) {
+        if (ScriptSessions.ALL.script().isAgain(name, taken)) {
             say(label + " has the name of an object that this script has made already, and replaces its file: a name means one object of the"
                 + " project");
         }
@@ -37,7 +37,7 @@ final class Notices {
      * @param madeAfter so many starts
      */
     static void changed(String label, String what, String instead, int madeAfter) {
-        if (Workbenches.ALL.actsFor(madeAfter) != null) {
+        if (ScriptSessions.ALL.actsFor(madeAfter) != null) {
             say(label + " was " + what + " while a simulation runs: its file says so, and the next startSimulation() finds it so" + instead);
         }
     }
@@ -58,11 +58,11 @@ final class Notices {
     }
 
     static void say(String text) {
-        Workbench bench = Workbenches.ALL.present();
-        if (bench == null) {
+        ScriptSession scriptSession = ScriptSessions.ALL.present();
+        if (scriptSession == null) {
             LOG.log(System.Logger.Level.WARNING, text);
         } else {
-            bench.tell(text);
+            scriptSession.report(text);
         }
     }
 }

@@ -16,26 +16,26 @@ final class PlainRobots {
 
     private static SEARrobot make(String name, double mass, double radius) {
         SEARrobot robot = new SEARrobot(name);
-        robot.addComponent(new Dynamics(Stores.partName(robot, "drive"), mass, STIFFNESS, COMPRESSION, DAMPING, MAX_FORCE, REST_LENGTH, 0,
+        robot.addComponent(new Dynamics(ObjectStores.partName(robot, "drive"), mass, STIFFNESS, COMPRESSION, DAMPING, MAX_FORCE, REST_LENGTH, 0,
             radius + HANGING, 0, 0, 0, 0));
         return robot;
     }
 
     private static void body(SEARrobot robot, double length, double width, double height, double mass, double y, double z) {
-        Box body = new Box(Stores.partName(robot, "body"), length, width, height, mass);
+        Box body = new Box(ObjectStores.partName(robot, "body"), length, width, height, mass);
         robot.addComponent(body);
         body.setColor(COLOR);
         body.move(0, y, z);
     }
 
     private static Wheel wheel(SEARrobot robot, String name, int type, double radius, double width, double x, double z) {
-        Wheel wheel = new Wheel(Stores.partName(robot, name), radius, width, type, x, 0, z);
+        Wheel wheel = new Wheel(ObjectStores.partName(robot, name), radius, width, type, x, 0, z);
         robot.addWheel(wheel);
         return wheel;
     }
 
     private static void motor(SEARrobot robot, String name, double torque, double speed, Wheel first, Wheel... others) {
-        Motor motor = new Motor(Stores.partName(robot, name), first, torque, speed);
+        Motor motor = new Motor(ObjectStores.partName(robot, name), first, torque, speed);
         for (Wheel other : others) {
             motor.addWheel(other);
         }
@@ -55,7 +55,7 @@ final class PlainRobots {
         body(robot, 0.14, 0.22, 0.05, 2, 0.02, -0.05);
         Wheel left = wheel(robot, "left", Wheel.DRIVEN, 0.05, 0.025, 0.1, 0);
         Wheel right = wheel(robot, "right", Wheel.DRIVEN, 0.05, 0.025, -0.1, 0);
-        Wheel caster = new Wheel(Stores.partName(robot, "caster"), 0.02, 0.015, Wheel.IDLER, 0, -0.03, -0.13);
+        Wheel caster = new Wheel(ObjectStores.partName(robot, "caster"), 0.02, 0.015, Wheel.IDLER, 0, -0.03, -0.13);
         robot.addWheel(caster);
         caster.setTrail(0.02);
         motor(robot, "leftMotor", 0.5, 20, left);

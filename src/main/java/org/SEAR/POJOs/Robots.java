@@ -62,7 +62,7 @@ public final class Robots {
      * 0.05 m whose y is 0 lift the body 4 cm above the ground.
      */
     public static SEARrobot chassis(String name) {
-        return Stores.get().whole(() -> PlainRobots.chassis(name));
+        return ObjectStores.get().whole(() -> PlainRobots.chassis(name));
     }
 
     /**
@@ -70,7 +70,7 @@ public final class Robots {
      * leftMotor}, {@code rightMotor}), {@code body} and {@code drive}.
      */
     public static SEARrobot rover(String name) {
-        return Stores.get().whole(() -> PlainRobots.rover(name));
+        return ObjectStores.get().whole(() -> PlainRobots.rover(name));
     }
 
     /**
@@ -78,7 +78,7 @@ public final class Robots {
      * rearRight}, a motor for each side ({@code leftMotor}, {@code rightMotor}), {@code body} and {@code drive}.
      */
     public static SEARrobot fourWheeled(String name) {
-        return Stores.get().whole(() -> PlainRobots.fourWheeled(name));
+        return ObjectStores.get().whole(() -> PlainRobots.fourWheeled(name));
     }
 
     /**
@@ -86,16 +86,17 @@ public final class Robots {
      * {@code rearLeft}, {@code rearRight}, {@code engine}, {@code body} and {@code drive}.
      */
     public static SEARrobot car(String name) {
-        return Stores.get().whole(() -> PlainRobots.car(name));
+        return ObjectStores.get().whole(() -> PlainRobots.car(name));
     }
 
     private static SEARrobot make(String name, String model, int baud, String uart, String user) {
-        return Stores.get().whole(() -> build(name, model, baud, uart, user));
+        return ObjectStores.get().whole(() -> build(name, model, baud, uart, user));
     }
 
     private static SEARrobot build(String name, String model, int baud, String uart, String user) {
         SEARrobot robot = new SEARrobot(name);
-        Dynamics drive = new Dynamics(Stores.partName(robot, "drive"), MASS, STIFFNESS, COMPRESSION, DAMPING, MAX_FORCE, REST_LENGTH, 0, START, 0,
+        Dynamics drive = new Dynamics(ObjectStores.partName(robot, "drive"), MASS, STIFFNESS, COMPRESSION, DAMPING,
+            MAX_FORCE, REST_LENGTH, 0, START, 0,
             0, 0, 0);
         drive.setModel(model);
         drive.setBaud(baud);
@@ -103,15 +104,15 @@ public final class Robots {
             drive.setPorts(uart, user);
         }
         robot.addComponent(drive);
-        Cylinder body = new Cylinder(Stores.partName(robot, "body"), RADIUS, HEIGHT, MASS, "textures/roomba.jpg");
+        Cylinder body = new Cylinder(ObjectStores.partName(robot, "body"), RADIUS, HEIGHT, MASS, "textures/roomba.jpg");
         robot.addComponent(body);
         body.move(0, RAISED, 0);
         OpenInterfaceBody size = OpenInterfaceBody.of(model);
-        robot.addWheel(new Wheel(Stores.partName(robot, "left"), size.wheelRadius, TREAD, 1, size.wheelBase / 2, 0, 0));
-        robot.addWheel(new Wheel(Stores.partName(robot, "right"), size.wheelRadius, TREAD, 1, -size.wheelBase / 2, 0, 0));
+        robot.addWheel(new Wheel(ObjectStores.partName(robot, "left"), size.wheelRadius, TREAD, 1, size.wheelBase / 2, 0, 0));
+        robot.addWheel(new Wheel(ObjectStores.partName(robot, "right"), size.wheelRadius, TREAD, 1, -size.wheelBase / 2, 0, 0));
         double casterY = CASTER_RADIUS - size.wheelRadius;
-        robot.addWheel(new Wheel(Stores.partName(robot, "front"), CASTER_RADIUS, TREAD, 0, 0, casterY, CASTER_Z));
-        robot.addWheel(new Wheel(Stores.partName(robot, "back"), CASTER_RADIUS, TREAD, 0, 0, casterY, -CASTER_Z));
+        robot.addWheel(new Wheel(ObjectStores.partName(robot, "front"), CASTER_RADIUS, TREAD, 0, 0, casterY, CASTER_Z));
+        robot.addWheel(new Wheel(ObjectStores.partName(robot, "back"), CASTER_RADIUS, TREAD, 0, 0, casterY, -CASTER_Z));
         return robot;
     }
 }

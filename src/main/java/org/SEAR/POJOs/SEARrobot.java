@@ -46,10 +46,10 @@ public class SEARrobot extends PlacedObject {
     /** A robot without parts, the last of the project's robots. A robot of that name in the project is replaced. */
     public SEARrobot(String name) {
         super(name);
-        order = TextRule.NAME.isLegal(getName()) ? Stores.get().orderOfRobot(getName()) : null;
+        order = TextRule.NAME.isLegal(getName()) ? ObjectStores.get().orderOfRobot(getName()) : null;
         created(SEARrobot.class);
-        if (!Stores.isRedirected()) {
-            Workbenches.ALL.made(this);
+        if (!ObjectStores.isRedirected()) {
+            ScriptSessions.ALL.made(this);
         }
     }
 
@@ -181,10 +181,10 @@ public class SEARrobot extends PlacedObject {
         } finally {
             if (!done) {
                 setAside(component, false);
-                Stores.get().remove(asideName(component), true);
+                ObjectStores.get().remove(asideName(component), true);
             }
         }
-        Stores.get().remove(component.getName(), true);
+        ObjectStores.get().remove(component.getName(), true);
     }
 
     private void checkAside(String component) {
@@ -232,7 +232,7 @@ public class SEARrobot extends PlacedObject {
                 setAside(part, false);
                 part.save();
                 save();
-                Stores.get().remove(asideName(part), true);
+                ObjectStores.get().remove(asideName(part), true);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(part.label() + " could not be moved: " + e.getMessage(), e);
@@ -268,7 +268,7 @@ public class SEARrobot extends PlacedObject {
             }
         }
         try {
-            Stores.get().removeOwn(wheel);
+            ObjectStores.get().removeOwn(wheel);
         } catch (IOException e) {
             throw notRemoved(wheel.getName(), e);
         }
@@ -276,7 +276,7 @@ public class SEARrobot extends PlacedObject {
 
     private void removeFile(String name, boolean part) {
         try {
-            Stores.get().remove(name, part);
+            ObjectStores.get().remove(name, part);
         } catch (IOException e) {
             throw notRemoved(name, e);
         }
@@ -321,7 +321,7 @@ public class SEARrobot extends PlacedObject {
     /** Whether the project that is open now has its file. */
     boolean isInProject() {
         try {
-            return Stores.get().replaces(getName());
+            return ObjectStores.get().replaces(getName());
         } catch (IOException e) {
             throw new UncheckedIOException("the project can't be read: " + e.getMessage(), e);
         }

@@ -76,9 +76,9 @@ public abstract class SearObject {
         checkWhole();
         boolean taken = isTaken();
         life = Life.LIVE;
-        starts = Workbenches.ALL.starts();
+        starts = ScriptSessions.ALL.starts();
         write();
-        if (!Stores.isRedirected()) {
+        if (!ObjectStores.isRedirected()) {
             Notices.made(label(), name, taken);
         }
     }
@@ -93,7 +93,7 @@ public abstract class SearObject {
 
     private boolean isTaken() {
         try {
-            return Stores.get().replaces(name);
+            return ObjectStores.get().replaces(name);
         } catch (IOException e) {
             throw new UncheckedIOException(label() + " could not be written: " + e.getMessage(), e);
         }
@@ -146,19 +146,19 @@ public abstract class SearObject {
     }
 
     private void tell(String what, String instead) {
-        if (!Stores.isRedirected()) {
+        if (!ObjectStores.isRedirected()) {
             Notices.changed(label(), what, instead, starts);
         }
     }
 
     /** Whether its file is there. */
     boolean isKept() throws IOException {
-        return Stores.get().keeps(getFileName(), isRobotPart());
+        return ObjectStores.get().keeps(getFileName(), isRobotPart());
     }
 
     /** Writes this object's file. */
     void save() throws IOException {
-        Stores.get().write(this, isRobotPart());
+        ObjectStores.get().write(this, isRobotPart());
     }
 
     /** Whether the file lies in {@code robot/} even before the object is added to a robot. */

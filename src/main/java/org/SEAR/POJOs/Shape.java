@@ -71,7 +71,7 @@ public abstract class Shape extends PlacedObject {
     @Param(doc = "temperature of its surface, for infrared cameras; without it that of its surroundings, 20 degC", unit = "degC",
         min = -273.15, max = 5000)
     private Double temperature;
-    private final int madeAfter = Workbenches.ALL.starts();
+    private final int madeAfter = ScriptSessions.ALL.starts();
 
     /** For reading from a file. */
     protected Shape() {
@@ -280,7 +280,7 @@ public abstract class Shape extends PlacedObject {
         double checkedY = checked("velocityY", newY);
         double checkedZ = checked("velocityZ", newZ);
         checkLaunch("velocity");
-        Workbench.Acts running = Workbenches.ALL.actsFor(madeAfter);
+        ScriptSession.Acts running = ScriptSessions.ALL.actsFor(madeAfter);
         if (running != null) {
             running.setVelocity(getName(), checkedX, checkedY, checkedZ);
             return;
@@ -304,7 +304,7 @@ public abstract class Shape extends PlacedObject {
         double checkedY = checked("spinY", newY);
         double checkedZ = checked("spinZ", newZ);
         checkLaunch("spin");
-        Workbench.Acts running = Workbenches.ALL.actsFor(madeAfter);
+        ScriptSession.Acts running = ScriptSessions.ALL.actsFor(madeAfter);
         if (running != null) {
             running.setSpin(getName(), checkedX, checkedY, checkedZ);
             return;

@@ -25,12 +25,12 @@ public class Terrain extends Shape {
     static final double DEEPEST = -12000;
     /** Greatest height of any ground, metres. */
     static final double HIGHEST = 100000;
-    private static final int MOST_TILES = 63;
+    private static final int MAX_TILES = 63;
 
     @Param(doc = "the elevation map, below assets: .hgt, .hgt.zip, .tif, .tiff, .asc, or a grey picture .png, .jpg", text = TextRule.ASSET,
         required = true)
     private String path;
-    @Param(doc = "another map beside or over the first, below assets", element = "tile", text = TextRule.ASSET, maxEntries = MOST_TILES)
+    @Param(doc = "another map beside or over the first, below assets", element = "tile", text = TextRule.ASSET, maxEntries = MAX_TILES)
     private List<String> tiles = new ArrayList<>();
     @Param(doc = "latitude of the middle of the area that is used, north positive; without it all of the map is", unit = "deg", min = -90, max = 90)
     private Double latitude;
@@ -152,9 +152,9 @@ public class Terrain extends Shape {
      */
     public void addTile(String tile) {
         String checkedTile = checked("tile", tile);
-        if (checkedTile == null || getPaths().contains(checkedTile) || tiles.size() >= MOST_TILES) {
+        if (checkedTile == null || getPaths().contains(checkedTile) || tiles.size() >= MAX_TILES) {
             throw new IllegalArgumentException(label() + ": tile is " + ParameterTable.quote(tile) + ", legal: another map than its "
-                + getPaths().size() + " so far, at most " + MOST_TILES + " besides the first");
+                + getPaths().size() + " so far, at most " + MAX_TILES + " besides the first");
         }
         tiles.add(checkedTile);
         changed();

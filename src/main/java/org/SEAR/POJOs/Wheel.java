@@ -23,7 +23,7 @@ public class Wheel extends Shape {
     /** Type of a wheel that rolls freely the way it points, and grips across. */
     public static final int FREE = 2;
     /** Nearer than this to the line about which the robot turns a wheel can't steer it, metres. */
-    private static final double LEAST_LENGTH = 1e-3;
+    private static final double MIN_LENGTH = 1e-3;
 
     @Param(doc = "radius", unit = "m", min = SMALL, max = 100, required = true, initial = "0.05")
     private double radius;
@@ -278,8 +278,8 @@ public class Wheel extends Shape {
     public static double steeringLength(List<Wheel> wheels) {
         double line = turningLine(wheels);
         DoubleSummaryStatistics steered = wheels.stream().filter(Wheel::isSteered).mapToDouble(wheel -> wheel.getZ() - line).summaryStatistics();
-        double length = steered.getMax() > LEAST_LENGTH ? steered.getMax() : -steered.getMin();
-        return length > LEAST_LENGTH ? length : 0;
+        double length = steered.getMax() > MIN_LENGTH ? steered.getMax() : -steered.getMin();
+        return length > MIN_LENGTH ? length : 0;
     }
 
     @Override

@@ -26,7 +26,7 @@ public final class Paint {
     }
 
     /** Sets the spot's colour; see {@link Texture#look}. */
-    void look(double u, double v, double ux, double vx, double uy, double vy, Spot spot) {
+    void look(double u, double v, double ux, double vx, double uy, double vy, SurfaceHit spot) {
         if (texture == null) {
             spot.setColor(color);
         } else {

@@ -29,15 +29,15 @@ final class Painter {
     private final double[] turn = new double[9];
     private final double[] eye = new double[3];
     private final double[] sunThere = new double[3];
-    private final Spot sky = new Spot();
-    private final Spot[] spots = new Spot[TILE];
-    private final Skin[] skins = new Skin[TILE];
+    private final SurfaceHit sky = new SurfaceHit();
+    private final SurfaceHit[] spots = new SurfaceHit[TILE];
+    private final Appearance[] skins = new Appearance[TILE];
     private final double[] towards = new double[TILE];
     private final double[] points = new double[3 * TILE];
     private final int[] own = new int[TILE];
     private final byte[] lit = new byte[TILE];
-    private Sight sight;
-    private Skin[] all;
+    private RenderJob sight;
+    private Appearance[] all;
     private boolean[] casting;
     private int known;
 
@@ -51,10 +51,10 @@ final class Painter {
         depths = new double[count];
         shapes = new int[count];
         parts = new int[count];
-        Arrays.setAll(spots, i -> new Spot());
+        Arrays.setAll(spots, i -> new SurfaceHit());
     }
 
-    private void cast(Sight from, int strip, double start) {
+    private void cast(RenderJob from, int strip, double start) {
         sight = from;
         int first = strip * beams.tilesAcross;
         sight.scene.castPicture(beams, sight.eye, start, far, sight.ignoredOwner, first, first + beams.tilesAcross, depths, shapes, parts);
@@ -65,7 +65,7 @@ final class Painter {
     }
 
     /** Metres along the axis; infinite where nothing is met between near and far. */
-    void depths(Sight from, int strip, float[] picture) {
+    void depths(RenderJob from, int strip, float[] picture) {
         cast(from, strip, 0);
         int base = strip * PictureBeams.TILE * beams.width;
         int count = pixels(strip);
@@ -79,12 +79,12 @@ final class Painter {
      *
      * @param ofShapes the skin of each shape
      */
-    void temperatures(Sight from, int strip, Skin[] ofShapes, float[] picture) {
+    void temperatures(RenderJob from, int strip, Appearance[] ofShapes, float[] picture) {
         cast(from, strip, near);
         int base = strip * PictureBeams.TILE * beams.width;
         int count = pixels(strip);
         for (int i = 0; i < count; i++) {
-            picture[base + i] = (float) (shapes[i] < 0 ? Skin.SKY_TEMPERATURE : ofShapes[shapes[i]].temperature);
+            picture[base + i] = (float) (shapes[i] < 0 ? Appearance.SKY_TEMPERATURE : ofShapes[shapes[i]].temperature);
         }
     }
 
@@ -94,7 +94,7 @@ final class Painter {
      * @param ofShapes the skin of each shape
      * @param castingShapes of each shape whether it casts a shadow
      */
-    void colors(Sight from, int strip, Skin[] ofShapes, boolean[] castingShapes, int[] picture) {
+    void colors(RenderJob from, int strip, Appearance[] ofShapes, boolean[] castingShapes, int[] picture) {
         cast(from, strip, near);
         all = ofShapes;
         casting = castingShapes;
@@ -131,17 +131,17 @@ final class Painter {
     private int sky(int pixel) {
         double x = beams.left(pixel);
         double y = beams.up(pixel);
-        Heaven.look(axes[0] * x + axes[1] * y + axes[2], axes[3] * x + axes[4] * y + axes[5], axes[6] * x + axes[7] * y + axes[8], sky);
+        SkyBackground.look(axes[0] * x + axes[1] * y + axes[2], axes[3] * x + axes[4] * y + axes[5], axes[6] * x + axes[7] * y + axes[8], sky);
         return rgb(sky.red, sky.green, sky.blue);
     }
 
     private void spot(int number, int pixel, int at) {
         int shape = own[number];
         if (shape != known) {
-            meet(shape);
+            intersect(shape);
         }
-        Spot s = spots[number];
-        Skin skin = all[shape];
+        SurfaceHit s = spots[number];
+        Appearance skin = all[shape];
         skins[number] = skin;
         double x = beams.left(pixel);
         double y = beams.up(pixel);
@@ -165,7 +165,7 @@ final class Painter {
     }
 
     /** Brings eye, axes and sun into the frame of a shape. */
-    private void meet(int shape) {
+    private void intersect(int shape) {
         known = shape;
         sight.scene.frame(shape, frame);
         double x = sight.eye.x - frame[9];
@@ -181,8 +181,8 @@ final class Painter {
     }
 
     private int color(int number) {
-        Spot s = spots[number];
-        Skin skin = skins[number];
+        SurfaceHit s = spots[number];
+        Appearance skin = skins[number];
         skin.color(s);
         double sunny = Math.max(0, towards[number]);
         double left = towards[number] > 0 && lit[number] == 0 ? 1 - Daylight.SHADOW : 1;

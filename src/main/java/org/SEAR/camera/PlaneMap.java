@@ -31,7 +31,7 @@ final class PlaneMap {
     }
 
     /** Sets the spot's colour. */
-    void look(Paint paint, Spot s) {
+    void look(Paint paint, SurfaceHit s) {
         double[] m = map;
         paint.look(m[0] * s.x + m[1] * s.y + m[2] * s.z + m[3], m[4] * s.x + m[5] * s.y + m[6] * s.z + m[7],
             m[0] * s.rightX + m[1] * s.rightY + m[2] * s.rightZ, m[4] * s.rightX + m[5] * s.rightY + m[6] * s.rightZ,

@@ -7,7 +7,7 @@ package org.SEAR.camera;
  */
 public final class Texture {
     /** Places at most that a pixel at a flat angle is the mean of. */
-    private static final int MOST_PLACES = 4;
+    private static final int MAX_PLACES = 4;
     /** By number of places: the part that each has of what a pixel covers, squared. */
     private static final double[] PARTS = {1, 1, 1 / 4.0, 1 / 9.0, 1 / 16.0};
     /** How much steeper than the size goes from one picture to the next smaller one: near either only that is looked at, which halves the work. */
@@ -91,7 +91,7 @@ public final class Texture {
      * @param uy change of u for one pixel down, likewise vy
      * @param spot takes red, green and blue
      */
-    public void look(double u, double v, double ux, double vx, double uy, double vy, Spot spot) {
+    public void look(double u, double v, double ux, double vx, double uy, double vy, SurfaceHit spot) {
         double rightU = ux * widths[0];
         double rightV = vx * heights[0];
         double downU = uy * widths[0];
@@ -123,7 +123,7 @@ public final class Texture {
 
     /** @param square of how many times longer than wide what a pixel covers is, where it is a pixel wide at least */
     private static int places(double square) {
-        return square > 9 ? MOST_PLACES : square > 4 ? 3 : square > 1 ? 2 : 1;
+        return square > 9 ? MAX_PLACES : square > 4 ? 3 : square > 1 ? 2 : 1;
     }
 
     /** The logarithm to base 2 of a number of 1 or more, straight between powers of 2. */
@@ -134,7 +134,7 @@ public final class Texture {
     }
 
     /** Adds the mean of places in a row, each the mean of the four pixels around it. */
-    private void add(int level, double u, double v, double stepU, double stepV, int places, double share, Spot spot) {
+    private void add(int level, double u, double v, double stepU, double stepV, int places, double share, SurfaceHit spot) {
         int width = widths[level];
         int height = heights[level];
         double first = 0.5 / places - 0.5;
@@ -155,7 +155,7 @@ public final class Texture {
     }
 
     private void addAnywhere(int level, double firstAcross, double firstDown, double stepAcross, double stepDown, int places, double scale,
-            Spot spot) {
+            SurfaceHit spot) {
         int width = widths[level];
         int height = heights[level];
         int[] pixels = levels[level];
@@ -194,10 +194,10 @@ public final class Texture {
 
     /**
      * The same numbers where no place is at an edge. Red and blue are reckoned side by side, 32 bits apart, so that one multiplication does for
-     * both: a mean of two pixels takes 16 bits, one of four 24, and the sum of {@link #MOST_PLACES} of those 27.
+     * both: a mean of two pixels takes 16 bits, one of four 24, and the sum of {@link #MAX_PLACES} of those 27.
      */
     private static void addWithin(int[] pixels, int width, double firstAcross, double firstDown, double stepAcross, double stepDown, int places,
-            double scale, Spot spot) {
+            double scale, SurfaceHit spot) {
         // in 256ths of a pixel: their lower bits are the shares of the pixel to the right and of the one below
         double across = firstAcross * ONE;
         double down = firstDown * ONE;

@@ -12,7 +12,7 @@ public final class ConvexBox implements ConvexShape {
         this.hx = hx;
         this.hy = hy;
         this.hz = hz;
-        skin = Skin.of(least());
+        skin = ConvexRadius.of(least());
     }
 
     @Override

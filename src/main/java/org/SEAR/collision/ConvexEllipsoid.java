@@ -12,7 +12,7 @@ public final class ConvexEllipsoid implements ConvexShape {
         this.a = a;
         this.b = b;
         this.c = c;
-        skin = isBall() ? a : Skin.of(least());
+        skin = isBall() ? a : ConvexRadius.of(least());
     }
 
     @Override

@@ -16,7 +16,7 @@ public final class ConvexHull implements ConvexShape {
     /** Metres. */
     static final double TOLERANCE = 1e-4;
     /** More corners than this make contacts slow; the hull is then the best that this many give. */
-    private static final int MOST_CORNERS = 1000;
+    private static final int MAX_CORNERS = 1000;
     /** Half the thickness of what has none, metres. */
     private static final double CARD = 2.5e-4;
     private static final double NOTHING = 1e-12;
@@ -61,7 +61,7 @@ public final class ConvexHull implements ConvexShape {
         volume = weigh(points, faces);
         least = thinnest();
         radius = farthest();
-        drawn = Math.min(DRAWN, Skin.of(Double.POSITIVE_INFINITY) / radius);
+        drawn = Math.min(DRAWN, ConvexRadius.of(Double.POSITIVE_INFINITY) / radius);
     }
 
     /**
@@ -260,7 +260,7 @@ public final class ConvexHull implements ConvexShape {
         for (int i = 0; i < p.length / 3; i++) {
             share(p, i, faces, 0);
         }
-        for (int count = 4; count < MOST_CORNERS; count++) {
+        for (int count = 4; count < MAX_CORNERS; count++) {
             Face most = faces.get(0);
             for (Face face : faces) {
                 if (face.most > most.most) {

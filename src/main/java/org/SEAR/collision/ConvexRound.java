@@ -20,7 +20,7 @@ public final class ConvexRound implements ConvexShape {
         this.bottom = bottom;
         this.top = top;
         this.half = half;
-        skin = Skin.of(least());
+        skin = ConvexRadius.of(least());
         coreLow = -half + skin;
         // a plane through the side of a cone that goes in by the skin meets the axis this much lower
         coreHigh = half - (top == 0 ? skin * Math.hypot(bottom, 2 * half) / bottom : skin);

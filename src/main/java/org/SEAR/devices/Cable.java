@@ -30,21 +30,21 @@ public final class Cable implements SerialLine {
     private SerialDevice device;
     private volatile boolean powered = true;
     private Sink sink = bytes -> { };
-    private LineTap tap;
+    private LineListener listener;
     private final Object lock = new Object();
     private byte[] incoming = new byte[FIRST_SIZE];
     private int incomingCount;
     private volatile boolean hasIncoming;
-    private volatile Runnable bell = () -> { };
+    private volatile Runnable wakeUp = () -> { };
     private volatile boolean answering;
     private double heardAt = Double.NEGATIVE_INFINITY;
     private volatile int hostBaud;
-    private volatile boolean pickedUp;
+    private volatile boolean opened;
     /** Who has opened the user's end. */
     private volatile Thread opener;
     /** {@link #hostBaud} as it was at the beginning of the step. */
     private int userBaud;
-    private volatile boolean hungUp;
+    private volatile boolean closed;
     private volatile int deviceBaud;
     private volatile long written;
     private volatile long dropped;
@@ -60,7 +60,7 @@ public final class Cable implements SerialLine {
     private int toHostFrom;
     private int toHostEnd;
     private double freeAt;
-    private final Hearing hearing = new Hearing();
+    private final BaudMismatch baudMismatch = new BaudMismatch();
 
     public Cable(String objectName, String objectType, String uartPort, String userPort) {
         this.objectName = objectName;
@@ -77,7 +77,7 @@ public final class Cable implements SerialLine {
     /** Fresh cable, fresh device with its power on. What was written and not yet carried is gone; the user's speed stays. */
     public void restart() {
         clear();
-        hearing.begin();
+        baudMismatch.begin();
         powered = true;
         device.reset();
         deviceBaud = device.getBaud();
@@ -138,25 +138,25 @@ public final class Cable implements SerialLine {
     private void accept(double time, boolean standing) {
         if (userBaud != hostBaud) {
             userBaud = hostBaud;
-            if (tap != null) {
-                tap.baud(this, userBaud);
+            if (listener != null) {
+                listener.baud(this, userBaud);
             }
         }
-        if (hungUp) {
-            hungUp = false;
-            if (tap != null) {
-                tap.hungUp(this);
+        if (closed) {
+            closed = false;
+            if (listener != null) {
+                listener.lineClosed(this);
             }
             if (powered) {
-                device.hungUp(time);
+                device.portClosed(time);
             }
         }
-        if (pickedUp) {
-            pickedUp = false;
+        if (opened) {
+            opened = false;
             opener = null;
-            hearing.begin();
-            if (tap != null) {
-                tap.opened(this);
+            baudMismatch.begin();
+            if (listener != null) {
+                listener.opened(this);
             }
             if (powered) {
                 open(time, standing);
@@ -181,8 +181,8 @@ public final class Cable implements SerialLine {
                 toDeviceEnd = left;
             }
             System.arraycopy(incoming, 0, toDevice, toDeviceEnd, incomingCount);
-            if (tap != null) {
-                tap.heard(this, incoming, incomingCount);
+            if (listener != null) {
+                listener.heard(this, incoming, incomingCount);
             }
             toDeviceEnd += incomingCount;
             incomingCount = 0;
@@ -239,11 +239,11 @@ public final class Cable implements SerialLine {
             device.advance(arrival);
             if (speed == device.getBaud()) {
                 if (!device.isStarting()) {
-                    hearing.heard(value, arrival);
+                    baudMismatch.heard(value, arrival);
                 }
                 device.receive(value, arrival);
             } else {
-                hearing.garbled(speed);
+                baudMismatch.garbled(speed);
                 device.receiveGarbage(arrival);
             }
         }
@@ -263,7 +263,7 @@ public final class Cable implements SerialLine {
      * @param time simulated seconds, never less than before
      * @return when to look again; infinity if nothing was to be done
      */
-    public double attend(double time) {
+    public double serviceDevice(double time) {
         if (!hasIncoming && toDeviceFrom == toDeviceEnd && time >= heardAt + CONVERSATION) {
             return Double.POSITIVE_INFINITY;
         }
@@ -279,13 +279,13 @@ public final class Cable implements SerialLine {
     }
 
     /** Whether the device, which answers at once, has something to answer, or is about to. Any thread. */
-    public boolean isAsked() {
-        return device.answersAtOnce() && (hasIncoming || answering || pickedUp && isOpenerThrough());
+    public boolean hasQueries() {
+        return device.answersAtOnce() && (hasIncoming || answering || opened && isOpenerThrough());
     }
 
     /** Whether the user's end was opened while time stands still, by who has still to go on to where he waits. Any thread. */
     public boolean isOpening() {
-        return device.answersAtOnce() && pickedUp;
+        return device.answersAtOnce() && opened;
     }
 
     /** MyRobotLab's Arduino service opens its port, notes the time and waits: what came before that time does not count. */
@@ -309,13 +309,13 @@ public final class Cable implements SerialLine {
     }
 
     /** Who is told that something was written. */
-    public void setBell(Runnable newBell) {
-        bell = newBell;
+    public void setWakeUp(Runnable newWakeUp) {
+        wakeUp = newWakeUp;
     }
 
     /** Its device has understood a command. Simulation thread. */
     public void understood() {
-        hearing.understood();
+        baudMismatch.understood();
     }
 
     /**
@@ -324,7 +324,7 @@ public final class Cable implements SerialLine {
      * @param time simulated seconds
      */
     public String complaint(double time) {
-        return hearing.complaint(device.title(), device.getBaud(), time);
+        return baudMismatch.complaint(device.title(), device.getBaud(), time);
     }
 
     private int speedOfHost() {
@@ -371,12 +371,12 @@ public final class Cable implements SerialLine {
     /**
      * Has somebody look at the line from now on. Simulation thread.
      *
-     * @param newTap null for nobody
+     * @param newListener null for nobody
      */
-    public void setTap(LineTap newTap) {
-        tap = newTap;
-        if (tap != null && userBaud != 0) {
-            tap.baud(this, userBaud);
+    public void setListener(LineListener newListener) {
+        listener = newListener;
+        if (listener != null && userBaud != 0) {
+            listener.baud(this, userBaud);
         }
     }
 
@@ -412,10 +412,10 @@ public final class Cable implements SerialLine {
             toHostFrom = 0;
             toHostEnd = 0;
         }
-        if (tap != null) {
-            tap.said(this, bytes);
+        if (listener != null) {
+            listener.said(this, bytes);
         }
-        if (!hungUp) {
+        if (!closed) {
             sink.receive(bytes);
             delivered += count;
         }
@@ -457,15 +457,15 @@ public final class Cable implements SerialLine {
     }
 
     @Override
-    public void pickUp() {
+    public void open() {
         opener = Thread.currentThread();
-        pickedUp = true;
-        bell.run();
+        opened = true;
+        wakeUp.run();
     }
 
     @Override
     public void hangUp() {
-        hungUp = true;
+        closed = true;
     }
 
     @Override
@@ -491,7 +491,7 @@ public final class Cable implements SerialLine {
             written += taken;
             hasIncoming = incomingCount > 0;
         }
-        bell.run();
+        wakeUp.run();
     }
 
     @Override

@@ -11,7 +11,7 @@ import java.util.function.DoubleUnaryOperator;
  * @param <R> what is asked
  */
 public final class RequestQueue<R> {
-    private static final int MOST_WAITING = 16;
+    private static final int MAX_WAITING = 16;
 
     private final EventQueue events;
     private final DoubleUnaryOperator due;
@@ -22,7 +22,7 @@ public final class RequestQueue<R> {
     /** Does what is asked. */
     public interface Server<R> {
         /** Does it; then, or later, {@link RequestQueue#done} has to be called. */
-        void serve(R request, double time);
+        void answer(R request, double time);
     }
 
     /**
@@ -39,7 +39,7 @@ public final class RequestQueue<R> {
 
     /** A request has come whole. */
     public void add(R request, double time) {
-        if (waiting.size() < MOST_WAITING) {
+        if (waiting.size() < MAX_WAITING) {
             waiting.add(request);
             next(time);
         }
@@ -55,7 +55,7 @@ public final class RequestQueue<R> {
         if (!busy && !waiting.isEmpty()) {
             busy = true;
             R request = waiting.remove();
-            events.at(due.applyAsDouble(time), t -> server.serve(request, t));
+            events.at(due.applyAsDouble(time), t -> server.answer(request, t));
         }
     }
 

@@ -49,7 +49,7 @@ public interface SerialDevice {
      *
      * @param time simulated seconds
      */
-    default void hungUp(double time) {
+    default void portClosed(double time) {
     }
 
     /**

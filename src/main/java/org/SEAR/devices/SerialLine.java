@@ -2,7 +2,7 @@ package org.SEAR.devices;
 
 /**
  * The cable between a device and the user's port. Bytes take 10 bits of simulated time each, in both directions.
- * {@link #write}, {@link #setHostBaud}, {@link #pickUp}, {@link #hangUp} and the counters may be called from any thread; the rest is the
+ * {@link #write}, {@link #setHostBaud}, {@link #open}, {@link #hangUp} and the counters may be called from any thread; the rest is the
  * simulation thread's.
  */
 public interface SerialLine {
@@ -34,9 +34,9 @@ public interface SerialLine {
     boolean hearsEveryBaud();
 
     /** A program has opened the user's end; the device notices where a real one does, see {@link SerialDevice#opened}. Any thread. */
-    void pickUp();
+    void open();
 
-    /** The last program has left the user's end; the device notices where a real one does, see {@link SerialDevice#hungUp}. Any thread. */
+    /** The last program has left the user's end; the device notices where a real one does, see {@link SerialDevice#portClosed}. Any thread. */
     void hangUp();
 
     /** Speed of the user's end; the device takes and gives garbage while it is another than its own. 0 (default): the device's own, always. */

@@ -9,7 +9,7 @@ public final class FileLimits {
     /** Pixels of a picture, width times height. */
     static final long MAX_PIXELS = 32_000_000;
     /** Characters of a value that are told. */
-    private static final int TOLD = 80;
+    private static final int REPORTED = 80;
 
     private FileLimits() {
     }
@@ -22,7 +22,8 @@ public final class FileLimits {
      */
     public static IOException wrong(String file, String what, Object value, String legal) {
         String text = String.valueOf(value);
-        return new IOException(file + ": " + what + " is " + (text.length() > TOLD ? text.substring(0, TOLD) + "..." : text) + ", legal: " + legal);
+        return new IOException(file + ": " + what + " is " + (text.length() > REPORTED ? text.substring(0, REPORTED)
+            + "..." : text) + ", legal: " + legal);
     }
 
     /**

@@ -54,7 +54,7 @@ public final class HeightSearch {
         for (int r = Math.max(0, tiles.row(lowX) - 1) / HeightTiles.CELLS; r <= endRow; r++) {
             for (int c = Math.max(0, tiles.column(lowZ) - 1) / HeightTiles.CELLS; c <= endColumn; c++) {
                 int number = r * tiles.tileColumns + c;
-                if (meets(number)) {
+                if (intersects(number)) {
                     look(tiles.tile(number));
                     if (block(pyramid.top, 0, 0, 0)) {
                         return true;
@@ -65,7 +65,7 @@ public final class HeightSearch {
         return false;
     }
 
-    private boolean meets(int number) {
+    private boolean intersects(int number) {
         return tiles.low(number) <= highY && tiles.high(number) >= lowY
             && tiles.x(tiles.firstRow(number)) <= highX && tiles.x(tiles.lastRow(number)) >= lowX
             && tiles.z(tiles.firstColumn(number)) <= highZ && tiles.z(tiles.lastColumn(number)) >= lowZ;

@@ -12,12 +12,12 @@ public final class HeightTiles extends HeightGrid {
     /** Cells on each side of a tile; those at the northern and eastern ends may have fewer. */
     public static final int CELLS = 128;
     /** Tiles that are held at most; with the least and greatest heights of their blocks they take 0.11 MB each. */
-    public static final int MOST_HELD = 2048;
+    public static final int MAX_HELD = 2048;
     /** What one takes then, bytes. */
     private static final long TILE = 112_000;
     /** Part of Java's heap that tiles may take. */
     private static final int SHARE = 4;
-    private static final int LEAST_HELD = 64;
+    private static final int MIN_HELD = 64;
     /** Of rows, columns and places: whole parts of a metre, few enough that all sums of them are exact. */
     private static final double EXACT = 1 << 24;
 
@@ -97,9 +97,9 @@ public final class HeightTiles extends HeightGrid {
         return Math.rint(metres * EXACT) / EXACT;
     }
 
-    /** How many tiles may be held: {@link #MOST_HELD}, or what fits into a quarter of Java's heap. */
+    /** How many tiles may be held: {@link #MAX_HELD}, or what fits into a quarter of Java's heap. */
     public static int room() {
-        return (int) Math.max(LEAST_HELD, Math.min(MOST_HELD, Runtime.getRuntime().maxMemory() / SHARE / TILE));
+        return (int) Math.max(MIN_HELD, Math.min(MAX_HELD, Runtime.getRuntime().maxMemory() / SHARE / TILE));
     }
 
     private void survey(int number, float[] heights) {

@@ -21,7 +21,7 @@ public final class Episode implements AutoCloseable {
     /** Numbers of the state, each a double; the observation follows, each a float. */
     private static final int STATE = 13;
     private static final int STATE_BYTES = STATE * Double.BYTES;
-    private static final long MOST_STEPS = 216_000;
+    private static final long MAX_STEPS = 216_000;
 
     private final Simulation simulation;
     private final Robot robot;
@@ -159,8 +159,8 @@ public final class Episode implements AutoCloseable {
         if (!(Math.abs(left) <= fastest && Math.abs(right) <= fastest)) {
             throw new IllegalArgumentException("robot " + getRobot() + ": wheel speeds are " + left + " and " + right + " m/s, legal: -" + fastest
                 + " to " + fastest);
-        } else if (steps < 1 || steps > MOST_STEPS) {
-            throw new IllegalArgumentException("steps of an action are " + steps + ", legal: 1 to " + MOST_STEPS);
+        } else if (steps < 1 || steps > MAX_STEPS) {
+            throw new IllegalArgumentException("steps of an action are " + steps + ", legal: 1 to " + MAX_STEPS);
         }
         simulation.post(DriveCommand.wheels(number, left, right));
         RobotHardware hardware = robot.getHardware();
@@ -214,9 +214,9 @@ public final class Episode implements AutoCloseable {
         return simulation;
     }
 
-    /** The world from above as a picture, see {@link Plan#draw}. */
+    /** The world from above as a picture, see {@link EpisodePlan#draw}. */
     public byte[] draw(int width, int height) {
-        return new Plan(simulation).draw(width, height);
+        return new EpisodePlan(simulation).draw(width, height);
     }
 
     /** Lets go of the world. */

@@ -17,7 +17,7 @@ import org.SEAR.project.problems.ProjectException;
 import org.SEAR.record.Rerun;
 import org.SEAR.record.RunRecord;
 import org.SEAR.robot.Robot;
-import org.SEAR.simulator.RunTap;
+import org.SEAR.simulator.RunListener;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.orders.BodyOrder;
 
@@ -83,7 +83,7 @@ public final class LessonRun {
     }
 
     /** Sees the world after each step. */
-    private final class Watcher implements java.util.function.Consumer<Simulation>, RunTap {
+    private final class Watcher implements java.util.function.Consumer<Simulation>, RunListener {
         private final double most;
         private boolean begun;
         private double last;
@@ -97,7 +97,7 @@ public final class LessonRun {
             if (!begun) {
                 begun = true;
                 world.setThreads(1);
-                world.setTap(this, true);
+                world.setListener(this, true);
             } else if (world.getTime() <= last) {
                 trails.values().forEach(Trail::clear);
                 byHand.clear();

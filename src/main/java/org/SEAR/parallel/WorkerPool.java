@@ -18,9 +18,9 @@ import java.util.function.IntConsumer;
  */
 public final class WorkerPool implements AutoCloseable {
     /** Most threads that can be asked for. */
-    public static final int MOST_THREADS = 256;
+    public static final int MAX_THREADS = 256;
     /** What can be asked for, in words. */
-    public static final String LEGAL = "1 to " + MOST_THREADS;
+    public static final String LEGAL = "1 to " + MAX_THREADS;
     /** A pool of nobody but the caller. */
     public static final WorkerPool ALONE = new WorkerPool(1);
 
@@ -56,7 +56,7 @@ public final class WorkerPool implements AutoCloseable {
 
     /** As many as the machine has processors. */
     public static int threadsOfMachine() {
-        return Math.min(MOST_THREADS, Runtime.getRuntime().availableProcessors());
+        return Math.min(MAX_THREADS, Runtime.getRuntime().availableProcessors());
     }
 
     /**
@@ -64,7 +64,7 @@ public final class WorkerPool implements AutoCloseable {
      * @throws IllegalArgumentException that names the legal range
      */
     public static int checked(int threads) {
-        if (threads < 1 || threads > MOST_THREADS) {
+        if (threads < 1 || threads > MAX_THREADS) {
             throw new IllegalArgumentException("threads is " + threads + ", legal: " + LEGAL);
         }
         return threads;
@@ -72,7 +72,7 @@ public final class WorkerPool implements AutoCloseable {
 
     /** Whether a text is a number of threads. */
     public static boolean isLegal(String text) {
-        return text.matches("[0-9]{1,3}") && Integer.parseInt(text) >= 1 && Integer.parseInt(text) <= MOST_THREADS;
+        return text.matches("[0-9]{1,3}") && Integer.parseInt(text) >= 1 && Integer.parseInt(text) <= MAX_THREADS;
     }
 
     /**

@@ -17,7 +17,7 @@ import org.SEAR.physics.solid.Solid;
  */
 public final class Body {
     /** Smallest moment of inertia, as a share of mass times square metre, that a thin body is given so that it can be solved. */
-    private static final double LEAST_INERTIA = 1e-4;
+    private static final double MIN_INERTIA = 1e-4;
 
     public final String name;
     public final double mass;
@@ -55,7 +55,7 @@ public final class Body {
     private final Aabb near = new Aabb();
     private State state = State.ASLEEP;
     private final SolverBody solver = new SolverBody();
-    private final Stillness rest = new Stillness();
+    private final SleepTimer rest = new SleepTimer();
     private final Frame frame = new Frame();
 
     /** What is fixed is always asleep. */
@@ -98,7 +98,7 @@ public final class Body {
      *
      * @param visible whether beams see each
      */
-    public void addTo(Scenes scenes, List<Boolean> visible, int owner, int count) {
+    public void addTo(RaycastScenes scenes, List<Boolean> visible, int owner, int count) {
         shapes = new int[count];
         for (int i = 0; i < count; i++) {
             shapes[i] = scenes.add(this, solids.get(i), visible.get(i), owner);
@@ -116,7 +116,7 @@ public final class Body {
     }
 
     /** Moves its solids in the scenes to where it is. */
-    public void mirror(Scenes scenes) {
+    public void mirror(RaycastScenes scenes) {
         for (int i = 0; i < shapes.length; i++) {
             frame.set(pose);
             if (places[i] != Pose.IDENTITY) {
@@ -133,7 +133,7 @@ public final class Body {
         leastHalf = mass > 0 ? solids.stream().mapToDouble(solid -> solid.convex().least()).min().orElse(0) : 0;
         rolls = !robot && mass > 0 && solids.stream().anyMatch(solid -> solid.convex().isRound());
         double[] moments = mass > 0 ? moments() : new double[3];
-        double least = mass * LEAST_INERTIA;
+        double least = mass * MIN_INERTIA;
         solver.setMass(mass, Math.max(moments[0], least), Math.max(moments[1], least), Math.max(moments[2], least));
         put(start);
         carried = false;
@@ -358,7 +358,7 @@ public final class Body {
         }
         double[] moved = solver.moved;
         turned += symmetry == Symmetry.BALL ? 0 : Math.sqrt(moved[3] * moved[3] + moved[4] * moved[4] + moved[5] * moved[5]) * reach;
-        Spin spin = solver.spin();
+        AngularState spin = solver.spin();
         double qx = spin.qx();
         double qy = spin.qy();
         double qz = spin.qz();
@@ -370,8 +370,8 @@ public final class Body {
             solver.place.z - (cz + qw * tz + qx * ty - qy * tx), qx, qy, qz, qw);
     }
 
-    /** Whether it may sleep, see {@link Stillness}. */
-    Stillness getStillness() {
+    /** Whether it may sleep, see {@link SleepTimer}. */
+    SleepTimer getSleepTimer() {
         return rest;
     }
 

@@ -134,13 +134,13 @@ final class BroadPhase {
                 int other = k * ENDS;
                 if (ends[other + 1] <= ends[at + 2] && ends[at + 1] <= ends[other + 2] && ends[other + 3] <= ends[at + 4]
                     && ends[at + 3] <= ends[other + 4]) {
-                    meet(order[i], order[k]);
+                    intersect(order[i], order[k]);
                 }
             }
         }
     }
 
-    private void meet(Body one, Body other) {
+    private void intersect(Body one, Body other) {
         if (one.isFixed() && other.isFixed()) {
             return;
         }
@@ -158,10 +158,10 @@ final class BroadPhase {
             buckets[bucket] = pair;
             pairs.add(pair);
             if (pairs.size() > buckets.length) {
-                hashAnew();
+                rehash();
             }
         }
-        pair.met = sweeps;
+        pair.hit = sweeps;
     }
 
     private int bucket(Body first, Body second) {
@@ -169,7 +169,7 @@ final class BroadPhase {
         return (hash ^ hash >>> 15) & buckets.length - 1;
     }
 
-    private void hashAnew() {
+    private void rehash() {
         buckets = new PairContacts[4 * buckets.length];
         for (int i = 0; i < pairs.size(); i++) {
             PairContacts pair = pairs.get(i);
@@ -183,7 +183,7 @@ final class BroadPhase {
         int kept = 0;
         for (int i = 0; i < pairs.size(); i++) {
             PairContacts pair = pairs.get(i);
-            if (pair.met == sweeps) {
+            if (pair.hit == sweeps) {
                 pairs.set(kept++, pair);
             } else {
                 unhash(pair);

@@ -116,7 +116,7 @@ public final class ConstraintRow {
     }
 
     /** Changes the velocities by an impulse, and those of the other body by its reverse. */
-    public void push(double[] v, double newtonSeconds) {
+    public void applyImpulse(double[] v, double newtonSeconds) {
         double linear = newtonSeconds * inverseMass;
         v[0] += lx * linear;
         v[1] += ly * linear;
@@ -141,7 +141,7 @@ public final class ConstraintRow {
     /** Adds to the impulse within limits and changes the velocities accordingly. */
     public void add(double[] v, double change, double least, double most) {
         double sum = Math.max(least, Math.min(most, impulse + change));
-        push(v, sum - impulse);
+        applyImpulse(v, sum - impulse);
         impulse = sum;
     }
 }

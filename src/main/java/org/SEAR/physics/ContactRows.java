@@ -13,11 +13,11 @@ final class ContactRows {
     /** Share of a penetration that is taken back in a second, 1/s. */
     private static final double RECOVERY = 8;
     /** The speed at which a penetration is taken back at most, m/s. */
-    private static final double MOST_RECOVERY = 1;
+    private static final double MAX_RECOVERY = 1;
     /** The share of a penetration that a substep may take back. */
-    private static final double MOST_SHARE = 0.2;
+    private static final double MAX_SHARE = 0.2;
     /** Surfaces rest so far apart, metres. */
-    static final double CLOSE = 1e-4;
+    static final double LINEAR_SLOP = 1e-4;
     /** What is deeper in another than this comes out slowly, metres. */
     private static final double DEEP = 0.005;
     /** And begins with this share of its push: what is in others from two sides would press ever harder, and be thrown when one of them lets go. */
@@ -26,7 +26,7 @@ final class ContactRows {
     private static final double DEEPEST_SHARE = 0.5;
 
     /** What comes faster than this when all pushes that are already push, m/s, hits: where it is alone, what stops it pushes no more. */
-    private static final double BLOW = 0.3;
+    private static final double IMPACT_SPEED = 0.3;
 
     private static final int MASS_A = 3;
     private static final int MASS_B = 4;
@@ -37,7 +37,7 @@ final class ContactRows {
     /** 1 if the block is made: it is when it is first needed. */
     private static final int READY = 8;
     /** 1 if something hit in this substep, -1 if in the last one. */
-    private static final int STRUCK = 9;
+    private static final int IMPACT = 9;
     /** 1 if both are single solids that move. */
     private static final int LOOSE = 10;
     private static final int POINTS = 11;
@@ -46,22 +46,22 @@ final class ContactRows {
     /** Present distance of both surfaces here, metres. */
     private static final int GAP = BASE + 1;
     /** What it took to throw them apart in this substep, Ns: friction counts it, too. */
-    private static final int THROWN = BASE + 2;
+    private static final int RESTITUTION_IMPULSE = BASE + 2;
     /** How far from the manifold's middle, metres. */
-    private static final int ASIDE = BASE + 3;
+    private static final int LEVER = BASE + 3;
     /** 1 if it comes to throw both apart, at the end of this substep or later: until then nothing brakes them. */
-    private static final int AWAITED = BASE + 4;
+    private static final int PENDING_RESTITUTION = BASE + 4;
     /** The speed at which solids that move in their bodies come together here, m/s; 0 where none does. */
     private static final int DRIVEN = BASE + 5;
     /** Numbers of a point. */
     static final int POINT = BASE + 6;
-    private static final int PATCH = POINTS + Manifold.MOST_POINTS * POINT;
+    private static final int PATCH = POINTS + Manifold.MAX_POINTS * POINT;
     private static final int BLOCK = PATCH + FrictionRows.SIZE;
     private static final int SIZE = BLOCK + NormalBlock.SIZE;
     /** Rows of a manifold for which hinges have levers: those of its points, and then those of friction. */
-    private static final int HINGED = Manifold.MOST_POINTS + FrictionRows.HINGED;
+    private static final int HINGED = Manifold.MAX_POINTS + FrictionRows.HINGED;
 
-    private double[] r = {};
+    private double[] data = {};
     private double[][] speedsA = {};
     private double[][] speedsB = {};
     private double[][] movedA = {};
@@ -102,7 +102,7 @@ final class ContactRows {
     int add() {
         if (size == points.length) {
             int more = 2 * size + 16;
-            r = Arrays.copyOf(r, more * SIZE);
+            data = Arrays.copyOf(data, more * SIZE);
             speedsA = Arrays.copyOf(speedsA, more);
             speedsB = Arrays.copyOf(speedsB, more);
             movedA = Arrays.copyOf(movedA, more);
@@ -138,15 +138,15 @@ final class ContactRows {
         out[slot] = (byte) (of.bodyB.isFixed() ? 1 : of.bodyA.isFixed() ? -1 : 0);
         bounces |= of.restitution > 0;
         points[slot] = of.count;
-        r[at] = of.nx;
-        r[at + 1] = of.ny;
-        r[at + 2] = of.nz;
-        r[at + MASS_A] = of.massA;
-        r[at + MASS_B] = of.massB;
-        r[at + LOOSE] = of.massA > 0 && of.massB > 0 && of.bodyA.solids.size() == 1 && of.bodyB.solids.size() == 1 ? 1 : 0;
-        r[at + SECONDS] = of.seconds;
-        r[at + FRICTION] = of.friction;
-        r[at + RESTITUTION] = of.restitution;
+        data[at] = of.nx;
+        data[at + 1] = of.ny;
+        data[at + 2] = of.nz;
+        data[at + MASS_A] = of.massA;
+        data[at + MASS_B] = of.massB;
+        data[at + LOOSE] = of.massA > 0 && of.massB > 0 && of.bodyA.solids.size() == 1 && of.bodyB.solids.size() == 1 ? 1 : 0;
+        data[at + SECONDS] = of.seconds;
+        data[at + FRICTION] = of.friction;
+        data[at + RESTITUTION] = of.restitution;
         double mx = 0;
         double my = 0;
         double mz = 0;
@@ -163,24 +163,24 @@ final class ContactRows {
                 giveWay(levers[slot], i, at + POINTS + i * POINT, of);
             }
         }
-        FrictionRows.prepare(r, at + PATCH, of, mx, my, mz, gone, levers[slot]);
-        r[at + READY] = 0;
-        r[at + STRUCK] = of.struck ? 1 : 0;
+        FrictionRows.prepare(data, at + PATCH, of, mx, my, mz, gone, levers[slot]);
+        data[at + READY] = 0;
+        data[at + IMPACT] = of.impact ? 1 : 0;
     }
 
     private void fill(int at, Manifold of, Manifold.Point point, boolean driven, double mx, double my, double mz) {
         double half = point.found / 2;
-        PairRow.prepare(r, at, of, of.nx, of.ny, of.nz, point.x + half * of.nx, point.y + half * of.ny, point.z + half * of.nz);
-        r[at + PairRow.IMPULSE] = point.impulse;
-        r[at + BASE] = point.found - PairRow.along(r, at, of.a.moved, of.b.moved);
-        r[at + DRIVEN] = driven ? of.driven(r, at, point.x, point.y, point.z, gone) : 0;
-        r[at + GAP] = point.found - r[at + DRIVEN] * gone;
-        r[at + THROWN] = 0;
+        PairRow.prepare(data, at, of, of.nx, of.ny, of.nz, point.x + half * of.nx, point.y + half * of.ny, point.z + half * of.nz);
+        data[at + PairRow.IMPULSE] = point.impulse;
+        data[at + BASE] = point.found - PairRow.along(data, at, of.a.moved, of.b.moved);
+        data[at + DRIVEN] = driven ? of.driven(data, at, point.x, point.y, point.z, gone) : 0;
+        data[at + GAP] = point.found - data[at + DRIVEN] * gone;
+        data[at + RESTITUTION_IMPULSE] = 0;
         double dx = point.x - mx;
         double dy = point.y - my;
         double dz = point.z - mz;
-        r[at + ASIDE] = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        r[at + AWAITED] = 0;
+        data[at + LEVER] = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        data[at + PENDING_RESTITUTION] = 0;
     }
 
     private HingeLevers levers(int slot, Manifold of) {
@@ -191,9 +191,9 @@ final class ContactRows {
     }
 
     private void giveWay(HingeLevers by, int row, int point, Manifold of) {
-        of.setLevers(by, row, r, point, of.points[row].x, of.points[row].y, of.points[row].z, gone);
-        r[point + PairRow.MASS] = by.mass(row, r[point + PairRow.MASS]);
-        r[point + GAP] -= by.way(row);
+        of.setLevers(by, row, data, point, of.points[row].x, of.points[row].y, of.points[row].z, gone);
+        data[point + PairRow.MASS] = by.mass(row, data[point + PairRow.MASS]);
+        data[point + GAP] -= by.way(row);
     }
 
     /** Tells a manifold what pushes now. */
@@ -201,13 +201,13 @@ final class ContactRows {
         int at = slot * SIZE;
         Manifold into = manifolds[slot];
         for (int i = 0; i < points[slot]; i++) {
-            into.points[i].impulse = r[at + POINTS + i * POINT + PairRow.IMPULSE];
-            into.points[i].gap = r[at + POINTS + i * POINT + GAP];
+            into.points[i].impulse = data[at + POINTS + i * POINT + PairRow.IMPULSE];
+            into.points[i].gap = data[at + POINTS + i * POINT + GAP];
         }
         if (points[slot] > 0) {
-            into.seconds = r[at + SECONDS];
-            into.struck = r[at + STRUCK] > 0;
-            FrictionRows.store(r, at + PATCH, into);
+            into.seconds = data[at + SECONDS];
+            into.impact = data[at + IMPACT] > 0;
+            FrictionRows.store(data, at + PATCH, into);
         }
     }
 
@@ -220,21 +220,21 @@ final class ContactRows {
             if (points[slot] > 0) {
                 int at = slot * SIZE;
                 measure(slot);
-                boolean struck = alone && r[at + STRUCK] > 0;
-                double scale = r[at + SECONDS] > 0 && !struck ? seconds / r[at + SECONDS] : 0;
+                boolean struck = alone && data[at + IMPACT] > 0;
+                double scale = data[at + SECONDS] > 0 && !struck ? seconds / data[at + SECONDS] : 0;
                 scale = alone ? Math.min(1, scale) : scale;
                 scale = gap(slot) < -DEEP ? DEEP_SHARE * scale : scale;
-                r[at + SECONDS] = seconds;
-                r[at + STRUCK] = struck ? -1 : 0;
+                data[at + SECONDS] = seconds;
+                data[at + IMPACT] = struck ? -1 : 0;
                 for (int i = 0; i < points[slot]; i++) {
                     int point = at + POINTS + i * POINT;
-                    if (r[point + PairRow.IMPULSE] != 0) {
-                        r[point + PairRow.IMPULSE] *= scale;
-                        push(slot, i, point, r[point + PairRow.IMPULSE]);
+                    if (data[point + PairRow.IMPULSE] != 0) {
+                        data[point + PairRow.IMPULSE] *= scale;
+                        applyImpulse(slot, i, point, data[point + PairRow.IMPULSE]);
                     }
                 }
-                if (FrictionRows.holds(r, at + PATCH)) {
-                    FrictionRows.warmStart(r, at + PATCH, this, slot, scale);
+                if (FrictionRows.holds(data, at + PATCH)) {
+                    FrictionRows.warmStart(data, at + PATCH, this, slot, scale);
                 }
             }
         }
@@ -247,7 +247,7 @@ final class ContactRows {
         double[] q = movedB[slot];
         for (int i = 0; i < points[slot]; i++) {
             int point = slot * SIZE + POINTS + i * POINT;
-            r[point + GAP] = r[point + BASE] + PairRow.along(r, point, p, q) - r[point + DRIVEN] * gone
+            data[point + GAP] = data[point + BASE] + PairRow.along(data, point, p, q) - data[point + DRIVEN] * gone
                 - (levers[slot] == null ? 0 : levers[slot].way(i));
         }
     }
@@ -257,7 +257,7 @@ final class ContactRows {
      *
      * @param last whether it is the last one before the bodies move
      */
-    void press(boolean last) {
+    void solveBiased(boolean last) {
         for (int slot = 0; slot < size; slot++) {
             if (points[slot] > 0) {
                 solve(slot, true);
@@ -294,58 +294,59 @@ final class ContactRows {
         double turning = 0;
         HingeLevers by = levers[slot];
         boolean all = count > 1 && by == null;
-        boolean loose = r[at + LOOSE] > 0;
+        boolean loose = data[at + LOOSE] > 0;
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
-            double impulse = r[point + PairRow.IMPULSE] + r[point + THROWN];
-            all &= (r[point + PairRow.IMPULSE] > 0 || !loose) && r[point + AWAITED] == 0;
+            double impulse = data[point + PairRow.IMPULSE] + data[point + RESTITUTION_IMPULSE];
+            all &= (data[point + PairRow.IMPULSE] > 0 || !loose) && data[point + PENDING_RESTITUTION] == 0;
             pressing += impulse;
-            turning += impulse * r[point + ASIDE];
+            turning += impulse * data[point + LEVER];
         }
-        if (pressing > 0 || FrictionRows.holds(r, at + PATCH)) {
-            double friction = r[at + FRICTION];
-            FrictionRows.solve(r, at + PATCH, this, slot, friction * pressing, friction * turning, pressing);
+        if (pressing > 0 || FrictionRows.holds(data, at + PATCH)) {
+            double friction = data[at + FRICTION];
+            FrictionRows.solve(data, at + PATCH, this, slot, friction * pressing, friction * turning, pressing);
         }
         double[] p = speedsA[slot];
         double[] q = speedsB[slot];
         boolean parting = pressing == 0;
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
-            double gap = r[point + GAP];
-            double seconds = r[at + SECONDS];
-            block.wanted[i] = (gap > CLOSE ? -(gap - CLOSE) / seconds : 0) + (recovers ? recovery(Math.min(gap, CLOSE), seconds) : 0)
-                + r[point + DRIVEN];
-            parting = parting && PairRow.along(r, point, p, q) >= block.wanted[i] + (by == null ? 0 : by.speed(i));
+            double gap = data[point + GAP];
+            double seconds = data[at + SECONDS];
+            block.wanted[i] = (gap > LINEAR_SLOP ? -(gap - LINEAR_SLOP) / seconds : 0) + (recovers
+                ? recovery(Math.min(gap, LINEAR_SLOP), seconds) : 0)
+                + data[point + DRIVEN];
+            parting = parting && PairRow.along(data, point, p, q) >= block.wanted[i] + (by == null ? 0 : by.speed(i));
         }
         if (parting || all && solveAll(at, count, p, q, recovers)) {
             return;
         }
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
-            if (r[point + AWAITED] == 0) {
-                double missing = PairRow.missing(r, point, p, q, block.wanted[i] + (by == null ? 0 : by.speed(i)));
+            if (data[point + PENDING_RESTITUTION] == 0) {
+                double missing = PairRow.missing(data, point, p, q, block.wanted[i] + (by == null ? 0 : by.speed(i)));
                 if (recovers) {
-                    notice(at, missing / r[point + PairRow.MASS]);
+                    notice(at, missing / data[point + PairRow.MASS]);
                 }
-                double sum = Math.max(0, r[point + PairRow.IMPULSE] + missing);
-                push(slot, i, point, sum - r[point + PairRow.IMPULSE]);
-                r[point + PairRow.IMPULSE] = sum;
+                double sum = Math.max(0, data[point + PairRow.IMPULSE] + missing);
+                applyImpulse(slot, i, point, sum - data[point + PairRow.IMPULSE]);
+                data[point + PairRow.IMPULSE] = sum;
             }
         }
     }
 
     private void notice(int at, double speed) {
-        if (speed > BLOW && r[at + STRUCK] == 0) {
-            r[at + STRUCK] = 1;
+        if (speed > IMPACT_SPEED && data[at + IMPACT] == 0) {
+            data[at + IMPACT] = 1;
         }
     }
 
     private boolean solveAll(int at, int count, double[] p, double[] q, boolean recovers) {
-        if (r[at + READY] == 0) {
-            r[at + READY] = 1;
-            block.prepare(r, at + BLOCK, at + POINTS, count, r[at + MASS_A], r[at + MASS_B]);
+        if (data[at + READY] == 0) {
+            data[at + READY] = 1;
+            block.prepare(data, at + BLOCK, at + POINTS, count, data[at + MASS_A], data[at + MASS_B]);
         }
-        if (!block.solve(r, at + BLOCK, at + POINTS, count, p, q, r[at + MASS_A], r[at + MASS_B])) {
+        if (!block.solve(data, at + BLOCK, at + POINTS, count, p, q, data[at + MASS_A], data[at + MASS_B])) {
             return false;
         }
         if (recovers) {
@@ -355,7 +356,7 @@ final class ContactRows {
     }
 
     private static double recovery(double gap, double seconds) {
-        return Math.min(MOST_RECOVERY, -gap * Math.min(RECOVERY, MOST_SHARE / seconds));
+        return Math.min(MAX_RECOVERY, -gap * Math.min(RECOVERY, MAX_SHARE / seconds));
     }
 
     /** Nothing gets deeper into what is fixed than half of its own half size, whatever pushes it: beyond its middle it would come out behind. */
@@ -373,7 +374,7 @@ final class ContactRows {
     private double gap(int slot) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < points[slot]; i++) {
-            least = Math.min(least, r[slot * SIZE + POINTS + i * POINT + GAP]);
+            least = Math.min(least, data[slot * SIZE + POINTS + i * POINT + GAP]);
         }
         return least;
     }
@@ -386,8 +387,8 @@ final class ContactRows {
         boolean driven = false;
         for (int i = 0; i < points[slot]; i++) {
             int point = at + POINTS + i * POINT;
-            pushes |= r[point + PairRow.IMPULSE] > 0 || r[point + THROWN] > 0;
-            driven |= r[point + DRIVEN] > 0;
+            pushes |= data[point + PairRow.IMPULSE] > 0 || data[point + RESTITUTION_IMPULSE] > 0;
+            driven |= data[point + DRIVEN] > 0;
         }
         if (!driven && gap(slot) < -DEEP) {
             of.a.setDeep();
@@ -396,9 +397,9 @@ final class ContactRows {
         if (pushes) {
             of.a.press(of.nx, of.ny, of.nz);
             of.b.press(of.nx, of.ny, of.nz);
-        } else if (FrictionRows.holds(r, at + PATCH)) {
+        } else if (FrictionRows.holds(data, at + PATCH)) {
             // what does not press does not rub; else friction would be left without the push that it came from
-            FrictionRows.solve(r, at + PATCH, this, slot, 0, 0, 0);
+            FrictionRows.solve(data, at + PATCH, this, slot, 0, 0, 0);
         }
     }
 
@@ -407,19 +408,19 @@ final class ContactRows {
      *
      * @param number of the row among those of the manifold
      */
-    void push(int slot, int number, int row, double impulse) {
+    void applyImpulse(int slot, int number, int row, double impulse) {
         if (levers[slot] != null) {
             levers[slot].push(number, impulse);
         }
-        PairRow.push(r, row, speedsA[slot], speedsB[slot], r[slot * SIZE + MASS_A], r[slot * SIZE + MASS_B], impulse);
+        PairRow.applyImpulse(data, row, speedsA[slot], speedsB[slot], data[slot * SIZE + MASS_A], data[slot * SIZE + MASS_B], impulse);
     }
 
     /** Changes how both turn by an angular impulse, Nms. */
     void twist(int slot, double x, double y, double z) {
-        if (r[slot * SIZE + MASS_A] > 0) {
+        if (data[slot * SIZE + MASS_A] > 0) {
             manifolds[slot].a.twist(x, y, z);
         }
-        if (r[slot * SIZE + MASS_B] > 0) {
+        if (data[slot * SIZE + MASS_B] > 0) {
             manifolds[slot].b.twist(-x, -y, -z);
         }
     }
@@ -434,7 +435,7 @@ final class ContactRows {
 
     /** Restitution of what touches there; 0 where nothing is. */
     double restitution(int slot) {
-        return points[slot] > 0 ? r[slot * SIZE + RESTITUTION] : 0;
+        return points[slot] > 0 ? data[slot * SIZE + RESTITUTION] : 0;
     }
 
     /** Points of a manifold; 0 where there is none. */
@@ -444,13 +445,13 @@ final class ContactRows {
 
     /** Present distance at a point, metres. */
     double gap(int slot, int i) {
-        return r[slot * SIZE + POINTS + i * POINT + GAP];
+        return data[slot * SIZE + POINTS + i * POINT + GAP];
     }
 
     /** Speed at which both part at a point, m/s. */
     double parting(int slot, int i) {
         int point = slot * SIZE + POINTS + i * POINT;
-        return PairRow.along(r, point, speedsA[slot], speedsB[slot]) - r[point + DRIVEN] - yielding(slot, i);
+        return PairRow.along(data, point, speedsA[slot], speedsB[slot]) - data[point + DRIVEN] - yielding(slot, i);
     }
 
     /** Levers of the hinges of a manifold; null if there are none. */
@@ -465,41 +466,42 @@ final class ContactRows {
 
     /** Nothing brakes what comes at a point until it is there. */
     void await(int slot, int i) {
-        r[slot * SIZE + POINTS + i * POINT + AWAITED] = 1;
+        data[slot * SIZE + POINTS + i * POINT + PENDING_RESTITUTION] = 1;
     }
 
     /** Forgets what threw them apart in the last substep. */
-    void clearThrown(int slot) {
+    void clearRestitution(int slot) {
         for (int i = 0; i < points[slot]; i++) {
             int point = slot * SIZE + POINTS + i * POINT;
-            r[point + THROWN] = 0;
-            r[point + AWAITED] = 0;
+            data[point + RESTITUTION_IMPULSE] = 0;
+            data[point + PENDING_RESTITUTION] = 0;
         }
     }
 
     /**
      * Adds to a blow so that both part at a point with a speed or faster.
      *
-     * @param blow so far, Ns
+     * @param impact so far, Ns
      * @param speed m/s
      * @return the blow with what was added
      */
-    double rebound(int slot, int i, double blow, double speed) {
+    double rebound(int slot, int i, double impact, double speed) {
         int point = slot * SIZE + POINTS + i * POINT;
-        double sum = Math.max(0, blow + PairRow.missing(r, point, speedsA[slot], speedsB[slot], speed + r[point + DRIVEN] + yielding(slot, i)));
-        push(slot, i, point, sum - blow);
+        double sum = Math.max(0, impact + PairRow.missing(data, point, speedsA[slot], speedsB[slot], speed + data[point
+            + DRIVEN] + yielding(slot, i)));
+        applyImpulse(slot, i, point, sum - impact);
         return sum;
     }
 
     /** A blow has ended: friction counts it. */
-    void endBlow(int slot, int i, double blow) {
-        r[slot * SIZE + POINTS + i * POINT + THROWN] += blow;
+    void endImpact(int slot, int i, double impact) {
+        data[slot * SIZE + POINTS + i * POINT + RESTITUTION_IMPULSE] += impact;
     }
 
     /** How much of gravity's acceleration brings both together along the normal, from b to a; only what moves falls. */
     double falling(int slot, double gravity) {
         int at = slot * SIZE;
-        return r[at + 1] * ((r[at + MASS_B] > 0 ? gravity : 0) - (r[at + MASS_A] > 0 ? gravity : 0));
+        return data[at + 1] * ((data[at + MASS_B] > 0 ? gravity : 0) - (data[at + MASS_A] > 0 ? gravity : 0));
     }
 
     /**
@@ -508,7 +510,7 @@ final class ContactRows {
      * The matrix of four points in a plane has rank three; a little softness shares what is left evenly. Its factor is in the array, too.
      */
     private static final class NormalBlock {
-        private static final int MOST = Manifold.MOST_POINTS;
+        private static final int MOST = Manifold.MAX_POINTS;
         static final int SIZE = MOST * MOST;
         /** Share of the diagonal that is added to it. */
         private static final double SOFT = 1e-3;
@@ -580,7 +582,7 @@ final class ContactRows {
             }
             for (int i = 0; i < n; i++) {
                 int point = points + i * POINT;
-                PairRow.push(r, point, p, q, massA, massB, work[i] - r[point + PairRow.IMPULSE]);
+                PairRow.applyImpulse(r, point, p, q, massA, massB, work[i] - r[point + PairRow.IMPULSE]);
                 r[point + PairRow.IMPULSE] = work[i];
             }
             return true;

@@ -29,7 +29,7 @@ final class FrictionRows {
     static final int SIZE = TURNED + 23;
     /** Rows for which hinges have levers: both directions, and turning about the normal, which turns no hinge. */
     static final int HINGED = 3;
-    private static final int FIRST_ROW = Manifold.MOST_POINTS;
+    private static final int FIRST_ROW = Manifold.MAX_POINTS;
     /**
      * No edge or corner is so sharp that nothing brakes what rocks on it, metres: else a box that leans on others by corners would swing for ever. A
      * tenth of what a hard wheel has on a hard floor.
@@ -184,8 +184,8 @@ final class FrictionRows {
         r[at + PairRow.IMPULSE] *= scale;
         r[at + SECOND + PairRow.IMPULSE] *= scale;
         r[at + TURNED] *= scale;
-        rows.push(slot, FIRST_ROW, at, r[at + PairRow.IMPULSE]);
-        rows.push(slot, FIRST_ROW + 1, at + SECOND, r[at + SECOND + PairRow.IMPULSE]);
+        rows.applyImpulse(slot, FIRST_ROW, at, r[at + PairRow.IMPULSE]);
+        rows.applyImpulse(slot, FIRST_ROW + 1, at + SECOND, r[at + SECOND + PairRow.IMPULSE]);
         twist(r, at, rows, slot, r[at + TURNED]);
         if (r[at + LEVER] > 0) {
             for (int i = 0; i < 3; i++) {
@@ -233,8 +233,8 @@ final class FrictionRows {
         double other = PairRow.wanted(r, at + SECOND, p, q, r[at + DRIVEN + 1] + (levers == null ? 0 : levers.speed(FIRST_ROW + 1)));
         double length = Math.sqrt(one * one + other * other);
         double scale = length > most ? most / length : 1;
-        rows.push(slot, FIRST_ROW, at, one * scale - r[at + PairRow.IMPULSE]);
-        rows.push(slot, FIRST_ROW + 1, at + SECOND, other * scale - r[at + SECOND + PairRow.IMPULSE]);
+        rows.applyImpulse(slot, FIRST_ROW, at, one * scale - r[at + PairRow.IMPULSE]);
+        rows.applyImpulse(slot, FIRST_ROW + 1, at + SECOND, other * scale - r[at + SECOND + PairRow.IMPULSE]);
         r[at + PairRow.IMPULSE] = one * scale;
         r[at + SECOND + PairRow.IMPULSE] = other * scale;
     }

@@ -8,20 +8,20 @@ package org.SEAR.physics;
  */
 final class Impacts {
     /** What comes slower than this does not bounce, m/s: else what rests would tremble. */
-    private static final double LEAST_BOUNCE = 0.3;
+    private static final double MIN_BOUNCE = 0.3;
     /** Surfaces this close touch, metres. */
-    private static final double TOUCH = 1.1 * ContactRows.CLOSE;
+    private static final double TOUCH = 1.1 * ContactRows.LINEAR_SLOP;
     /** A substep is cut short no more often than this in a step. */
-    private static final int MOST_CUTS = 12;
+    private static final int MAX_CUTS = 12;
     /** A substep is no shorter than this share of what it could be. */
-    private static final double LEAST_SHARE = 1e-3;
+    private static final double MIN_SHARE = 1e-3;
     /** Passes over the points of a face, which all have to agree how fast it goes. */
     private static final int PASSES = 12;
     /** Blows for each manifold in one moment. */
-    private static final int MOST_BLOWS = 8;
+    private static final int MAX_IMPACTS = 8;
 
-    private final double[] speeds = new double[Manifold.MOST_POINTS];
-    private final double[] blows = new double[Manifold.MOST_POINTS];
+    private final double[] speeds = new double[Manifold.MAX_POINTS];
+    private final double[] impacts = new double[Manifold.MAX_POINTS];
     private int cuts;
 
     /** A step begins. */
@@ -40,9 +40,9 @@ final class Impacts {
             return seconds;
         }
         for (int slot = 0; slot < rows.size(); slot++) {
-            rows.clearThrown(slot);
+            rows.clearRestitution(slot);
         }
-        boolean mayCut = cuts < MOST_CUTS;
+        boolean mayCut = cuts < MAX_CUTS;
         rebound(rows, mayCut ? 0 : seconds);
         double taken = mayCut ? untilNext(rows, seconds, gravity) : seconds;
         if (taken < seconds) {
@@ -52,10 +52,10 @@ final class Impacts {
     }
 
     private void rebound(ContactRows rows, double ahead) {
-        int left = MOST_BLOWS * rows.size();
+        int left = MAX_IMPACTS * rows.size();
         while (left-- > 0) {
             int hardest = -1;
-            double most = LEAST_BOUNCE;
+            double most = MIN_BOUNCE;
             for (int slot = 0; slot < rows.size(); slot++) {
                 if (rows.restitution(slot) > 0) {
                     double speed = approach(rows, slot, ahead);
@@ -68,7 +68,7 @@ final class Impacts {
             if (hardest < 0) {
                 return;
             }
-            blow(rows, hardest, ahead);
+            impact(rows, hardest, ahead);
         }
     }
 
@@ -84,22 +84,22 @@ final class Impacts {
         return most;
     }
 
-    private void blow(ContactRows rows, int slot, double ahead) {
+    private void impact(ContactRows rows, int slot, double ahead) {
         for (int i = 0; i < rows.points(slot); i++) {
             double parting = rows.parting(slot, i);
-            boolean meets = rows.gap(slot, i) <= TOUCH - Math.min(0, parting) * ahead && parting < 0;
-            speeds[i] = meets ? -rows.restitution(slot) * parting : Double.NEGATIVE_INFINITY;
-            blows[i] = 0;
+            boolean intersects = rows.gap(slot, i) <= TOUCH - Math.min(0, parting) * ahead && parting < 0;
+            speeds[i] = intersects ? -rows.restitution(slot) * parting : Double.NEGATIVE_INFINITY;
+            impacts[i] = 0;
         }
         for (int pass = 0; pass < PASSES; pass++) {
             for (int i = 0; i < rows.points(slot); i++) {
                 if (speeds[i] >= 0) {
-                    blows[i] = rows.rebound(slot, i, blows[i], speeds[i]);
+                    impacts[i] = rows.rebound(slot, i, impacts[i], speeds[i]);
                 }
             }
         }
         for (int i = 0; i < rows.points(slot); i++) {
-            rows.endBlow(slot, i, blows[i]);
+            rows.endImpact(slot, i, impacts[i]);
         }
     }
 
@@ -114,13 +114,13 @@ final class Impacts {
             for (int i = 0; i < rows.points(slot); i++) {
                 double parting = rows.parting(slot, i);
                 double gap = rows.gap(slot, i);
-                if (gap > TOUCH && parting + pull * seconds < -LEAST_BOUNCE) {
+                if (gap > TOUCH && parting + pull * seconds < -MIN_BOUNCE) {
                     rows.await(slot, i);
-                    least = Math.min(least, until(gap - ContactRows.CLOSE, parting, pull));
+                    least = Math.min(least, until(gap - ContactRows.LINEAR_SLOP, parting, pull));
                 }
             }
         }
-        return Math.max(least, LEAST_SHARE * seconds);
+        return Math.max(least, MIN_SHARE * seconds);
     }
 
     /** When a gap closes that changes at a speed, with an acceleration, seconds. */

@@ -19,19 +19,19 @@ final class IslandSolver {
     private static final int WHEEL_PASSES = 3;
     /** Ratio of the masses of bodies that touch each other up to which the usual substeps do; beyond it they grow with its root. */
     private static final double RATIO = 12;
-    private static final int MOST_SUBSTEPS = 128;
+    private static final int MAX_SUBSTEPS = 128;
     /** What turns faster than by this in a substep gets more of them, radians. */
-    private static final double MOST_TURN = 0.015;
+    private static final double MAX_TURN = 0.015;
     /** What is alone on what is fixed goes so far in a substep, metres, where the usual substeps are not needed. */
     private static final double WAY_ALONE = 4e-3;
     /** And has no fewer substeps than these. */
-    private static final int LEAST_ALONE = 2;
+    private static final int MIN_ALONE = 2;
     /** And turns by no more than this in one, radians. */
-    private static final double MOST_TURN_ALONE = 0.03;
+    private static final double MAX_TURN_ALONE = 0.03;
     /** Bodies of an island for which that is paid. */
     private static final int FEW = 4;
-    /** Points, and what searches take, times substeps of a step, beyond which there are fewer substeps, but no fewer than {@link #LEAST_SUBSTEPS}. */
-    private static final int MOST_WORK = 24_000;
+    /** Points, and what searches take, times substeps of a step, beyond which there are fewer substeps, but no fewer than {@link #MIN_SUBSTEPS}. */
+    private static final int MAX_WORK = 24_000;
     /** What finding the contacts of a pair anew takes, in points. */
     private static final int SEARCH = 6;
     /** Passes in a substep for each body of the highest stack: what carries must hear of what is on top of it. */
@@ -39,12 +39,12 @@ final class IslandSolver {
     /** Passes in a substep for a ratio of masses of 1: what is heavy on what is light is stopped by little and little. */
     private static final double PASSES_RATIO = 0.1;
     /** Passes at least where something is on top of another thing: a heap of which each hears too late of the others sways on. */
-    private static final int LEAST_PASSES_ON_OTHERS = 2;
+    private static final int MIN_PASSES_ON_OTHERS = 2;
     /** Points, and what wheels take, times substeps times passes, beyond which there are fewer passes. */
-    private static final int MOST_PASSES_WORK = 60_000;
+    private static final int MAX_PASSES_WORK = 60_000;
     /** What a robot's wheels take in a pass, in points. */
     private static final int WHEELS = 6;
-    private static final int LEAST_SUBSTEPS = 4;
+    private static final int MIN_SUBSTEPS = 4;
     /** What is left of a step, as a share of a substep, that is no substep of its own. */
     private static final double REST = 1e-6;
 
@@ -55,7 +55,7 @@ final class IslandSolver {
     /** Those about which solids of the bodies turn in this step. */
     private final List<Hinge> hinges = new ArrayList<>();
     private final ContactRows rows = new ContactRows();
-    private final Levels levels = new Levels();
+    private final StackOrder stackOrder = new StackOrder();
     private final Impacts impacts = new Impacts();
     private final double gravity;
     /** Whether it is one thing without wheels that does not roll, on or before what is fixed: no impulse has to find its way. */
@@ -99,7 +99,7 @@ final class IslandSolver {
         alone = bodies.size() == 1 && drives.isEmpty() && !bodies.get(0).canRoll();
         double substep = seconds / substeps(seconds);
         prepareHinges(substep);
-        levels.sort(pairs);
+        stackOrder.sort(pairs);
         rows.clear();
         ofMeshes.clear();
         for (int i = 0; i < pairs.size(); i++) {
@@ -125,7 +125,7 @@ final class IslandSolver {
     /** Whether wheels stand on a robot that a servo turns parts of. */
     private boolean isCarriedByHinge() {
         for (int i = 0; i < drives.size(); i++) {
-            List<Body> under = drives.get(i).drive.pushed();
+            List<Body> under = drives.get(i).drive.loaded();
             for (int k = 0; k < under.size(); k++) {
                 if (!under.get(k).inner().hinges().isEmpty()) {
                     return true;
@@ -187,21 +187,21 @@ final class IslandSolver {
             }
         }
         for (int i = 0; i < drives.size(); i++) {
-            List<Body> pushed = drives.get(i).drive.pushed();
+            List<Body> pushed = drives.get(i).drive.loaded();
             for (int k = 0; k < pushed.size(); k++) {
                 weigh(drives.get(i).body, pushed.get(k));
             }
         }
         double ratio = lightest > 0 ? lightest / heaviest : 1;
-        double turning = bodies.size() > FEW ? 0 : fastest() * seconds / (alone ? MOST_TURN_ALONE : MOST_TURN);
+        double turning = bodies.size() > FEW ? 0 : fastest() * seconds / (alone ? MAX_TURN_ALONE : MAX_TURN);
         double wanted = Math.max((alone ? substepsAlone(seconds) : SUBSTEPS) * Math.sqrt(Math.max(1, ratio / RATIO)), turning);
-        double paid = Math.max(LEAST_SUBSTEPS, MOST_WORK / Math.max(1, points + SEARCH * searches));
-        int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MOST_SUBSTEPS), paid));
-        int height = levels.measure(bodies, pairs);
-        int least = height > 1 ? LEAST_PASSES_ON_OTHERS : 1;
+        double paid = Math.max(MIN_SUBSTEPS, MAX_WORK / Math.max(1, points + SEARCH * searches));
+        int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MAX_SUBSTEPS), paid));
+        int height = stackOrder.measure(bodies, pairs);
+        int least = height > 1 ? MIN_PASSES_ON_OTHERS : 1;
         double needed = Math.max(least, Math.max(PASSES_EACH * height, PASSES_RATIO * ratio));
         int work = (points + WHEELS * drives.size()) * substeps;
-        rounds = (int) Math.max(1, Math.min(needed, (double) MOST_PASSES_WORK / Math.max(1, work)));
+        rounds = (int) Math.max(1, Math.min(needed, (double) MAX_PASSES_WORK / Math.max(1, work)));
         return substeps;
     }
 
@@ -220,7 +220,7 @@ final class IslandSolver {
         for (int i = 0; i < pairs.size(); i++) {
             fast = Math.max(fast, pairs.get(i).getFast());
         }
-        return Math.max(LEAST_ALONE, Math.min(SUBSTEPS, (fast + gravity * seconds) * seconds / WAY_ALONE));
+        return Math.max(MIN_ALONE, Math.min(SUBSTEPS, (fast + gravity * seconds) * seconds / WAY_ALONE));
     }
 
     /** How fast what is no ball turns, rad/s. */
@@ -292,7 +292,7 @@ final class IslandSolver {
     private void press(boolean last) {
         passes++;
         solveDrives();
-        rows.press(last);
+        rows.solveBiased(last);
     }
 
     /** A pass that takes out of the velocities what the others put in to take penetrations back. */

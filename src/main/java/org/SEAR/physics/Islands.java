@@ -44,7 +44,7 @@ final class Islands {
             }
         }
         for (int i = 0; i < drives.size(); i++) {
-            join(drives.get(i).body, drives.get(i).drive.pushed());
+            join(drives.get(i).body, drives.get(i).drive.loaded());
         }
         count = 0;
         for (int i = 0; i < bodies.size(); i++) {

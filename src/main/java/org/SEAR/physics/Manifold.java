@@ -8,7 +8,7 @@ import org.SEAR.physics.solid.Surface;
  * step is solved, {@link ContactRows} has its numbers. Simulation thread.
  */
 final class Manifold {
-    static final int MOST_POINTS = 4;
+    static final int MAX_POINTS = 4;
     private static final int OWN = 6;
     /** A point this near to one before is the same, metres. */
     private static final double NEAR = 0.02;
@@ -45,7 +45,7 @@ final class Manifold {
     int count;
     final Point[] points = {new Point(), new Point(), new Point(), new Point()};
     /** The same points in the frames of both bodies, by which they are known again: {x, y, z} of each in the first, then in the second. */
-    private final double[] own = new double[MOST_POINTS * OWN];
+    private final double[] own = new double[MAX_POINTS * OWN];
     /** Coefficients of the pair. */
     double friction;
     double restitution;
@@ -59,7 +59,7 @@ final class Manifold {
     /** Length of the substep that the impulses belong to, seconds. */
     double seconds;
     /** Whether they are those of a blow, which does not push on. */
-    boolean struck;
+    boolean impact;
     /** For how long the bodies turn on before the point of contact is where the rows have it, seconds. */
     double leadA;
     double leadB;
@@ -110,7 +110,7 @@ final class Manifold {
             return;
         }
         seconds = from.seconds;
-        struck = from.struck;
+        impact = from.impact;
         fx = from.fx;
         fy = from.fy;
         fz = from.fz;
@@ -169,7 +169,7 @@ final class Manifold {
     /** Forgets what it pushed. */
     void fresh() {
         seconds = 0;
-        struck = false;
+        impact = false;
         fx = 0;
         fy = 0;
         fz = 0;

@@ -7,7 +7,7 @@ import javax.vecmath.Vector3f;
 import org.SEAR.collision.ContactPoints;
 import org.SEAR.collision.ContactTriangle;
 import org.SEAR.collision.Convex;
-import org.SEAR.collision.Crossing;
+import org.SEAR.collision.SegmentTriangleSweep;
 import org.SEAR.collision.GjkDistance;
 import org.SEAR.collision.InnerEdges;
 import org.SEAR.collision.ManifoldClipper;
@@ -28,14 +28,14 @@ final class NarrowPhase {
     /** So much before a triangle, as a share of the way of a substep, what would go through it stops. */
     private static final double BEFORE = 0.01;
     /** Things that a thing can touch or nearly touch at once before it counts as crowded. */
-    private static final int MOST_CONTACTS = 48;
+    private static final int MAX_CONTACTS = 48;
 
     private final GjkDistance gjk = new GjkDistance();
     private final ManifoldClipper clipper = new ManifoldClipper();
     private final ContactPoints contacts = new ContactPoints();
     private final ContactTriangle triangle = new ContactTriangle();
     private final InnerEdges inner = new InnerEdges();
-    private final Crossing crossing = new Crossing();
+    private final SegmentTriangleSweep crossing = new SegmentTriangleSweep();
     private final TriangleCallback crossed = new TriangleCallback() {
         @Override
         public void processTriangle(Vector3f[] corners, int part, int index) {
@@ -61,7 +61,7 @@ final class NarrowPhase {
     private final TriangleCallback triangles = new TriangleCallback() {
         @Override
         public void processTriangle(Vector3f[] corners, int part, int index) {
-            meetTriangle(corners);
+            intersectTriangle(corners);
         }
     };
 
@@ -94,7 +94,7 @@ final class NarrowPhase {
      * moved away first. So a step costs no more than many contacts a thing.
      */
     boolean isCrowded(Body a, Body b) {
-        return a.countContact() > MOST_CONTACTS && b.countContact() > MOST_CONTACTS;
+        return a.countContact() > MAX_CONTACTS && b.countContact() > MAX_CONTACTS;
     }
 
     /** Takes a pair that has contacts in this step. */
@@ -171,7 +171,7 @@ final class NarrowPhase {
     }
 
     private void findConvex(PairContacts pair, PlacedSolid a, PlacedSolid b, boolean touched) {
-        if (pair.asksFaceFirst() && byFace(a, b)) {
+        if (pair.testsFaceFirst() && byFace(a, b)) {
             if (isNear()) {
                 clipper.find(gjk, contacts);
             }
@@ -224,7 +224,7 @@ final class NarrowPhase {
         return gjk.distance <= margin;
     }
 
-    private void meetTriangle(Vector3f[] corners) {
+    private void intersectTriangle(Vector3f[] corners) {
         if (!triangle.set(corners, mesh.place) || !triangle.isNear(solid, reach) || !measure(solid, triangle, triangle, 0)) {
             return;
         }
@@ -276,7 +276,7 @@ final class NarrowPhase {
 
     /** Puts the points into manifolds of one normal each. */
     private void write(PairContacts pair, Solid a, int solidA, Solid b, int solidB) {
-        int chosen = contacts.choose(b.isMesh() ? MESH_POINTS : Manifold.MOST_POINTS);
+        int chosen = contacts.choose(b.isMesh() ? MESH_POINTS : Manifold.MAX_POINTS);
         int first = pair.size();
         for (int i = 0; i < chosen; i++) {
             int from = contacts.chosen(i);
@@ -284,7 +284,7 @@ final class NarrowPhase {
             for (int k = first; k < pair.size() && into == null; k++) {
                 Manifold manifold = pair.get(k);
                 double cosine = manifold.nx * contacts.nx(from) + manifold.ny * contacts.ny(from) + manifold.nz * contacts.nz(from);
-                into = cosine > SAME && manifold.count < Manifold.MOST_POINTS ? manifold : null;
+                into = cosine > SAME && manifold.count < Manifold.MAX_POINTS ? manifold : null;
             }
             if (into == null) {
                 into = pair.add(solidA, solidB);

@@ -22,14 +22,14 @@ final class PairContacts {
     /** What moves more than this share of its least half size in a substep could pass through something. */
     private static final double PASSING = 0.25;
     /** No step has fewer substeps. */
-    private static final int LEAST_SUBSTEPS = 4;
+    private static final int MIN_SUBSTEPS = 4;
 
     /** In the order of their numbers. */
     Body first;
     Body second;
     /** Another pair in the same bucket of the broad phase, and in which sweep it met last. */
     PairContacts next;
-    int met;
+    int hit;
     private final NarrowPhase finder;
     private Body a;
     private Body b;
@@ -108,7 +108,7 @@ final class PairContacts {
         double ahead = finder.stepSeconds();
         fast = speed();
         double speed = fast + finder.stepGain();
-        double next = ahead / LEAST_SUBSTEPS;
+        double next = ahead / MIN_SUBSTEPS;
         boolean same = known && a.getShapeVersion() + b.getShapeVersion() == version;
         boolean stale = isListed() ? travelled + fast * ahead > still : clear - went() < MARGIN + speed * (ahead + next);
         if (!same || stale) {
@@ -299,7 +299,7 @@ final class PairContacts {
      * Whether the face that parted them last is asked first whether it does so still, as its search costs little. Not from step to step where both
      * move: in heaps a direction that stays lets them come to rest sooner. Within a step things are too fast for that.
      */
-    boolean asksFaceFirst() {
+    boolean testsFaceFirst() {
         return flat && (within || !a.isSolved() || !b.isSolved());
     }
 

@@ -84,7 +84,7 @@ final class PairRow {
     }
 
     /** Changes the velocities of both bodies by an impulse; massA and massB are their inverse masses, 1/kg. */
-    static void push(double[] r, int at, double[] p, double[] q, double massA, double massB, double impulse) {
+    static void applyImpulse(double[] r, int at, double[] p, double[] q, double massA, double massB, double impulse) {
         double pa = impulse * massA;
         double pb = impulse * massB;
         p[0] += r[at] * pa;

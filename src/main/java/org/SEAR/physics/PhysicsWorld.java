@@ -44,7 +44,7 @@ public final class PhysicsWorld {
     /** Constraints that a robot's wheels put on its body; they are solved together with the contacts. */
     public interface Drive {
         /** What can move of what the wheels stand on and press against. */
-        List<Body> pushed();
+        List<Body> loaded();
 
         /** Makes the rows of a substep; what is known of their impulses may already act (warm starting). */
         void prepare(SolverBody body);
@@ -237,8 +237,8 @@ public final class PhysicsWorld {
         for (int i = 0; i < island.bodies.size(); i++) {
             Body body = island.bodies.get(i);
             body.setTouching(false);
-            body.getStillness().look(body);
-            rests &= body.getStillness().isOver();
+            body.getSleepTimer().look(body);
+            rests &= body.getSleepTimer().isOver();
             stands |= body.isCarried();
         }
         for (int i = 0; i < island.pairs.size(); i++) {

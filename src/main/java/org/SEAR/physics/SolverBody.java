@@ -11,8 +11,8 @@ public final class SolverBody {
     /** Normals whose cosine is greater are the same. */
     private static final double SAME = 0.9999;
     /** Speeds up to which what is far in others may be moved out of them, m/s and rad/s. */
-    private static final double MOST_OUT = 0.5;
-    private static final double MOST_OUT_TURNING = 3;
+    private static final double MAX_OUT = 0.5;
+    private static final double MAX_OUT_TURNING = 3;
     /** For so many substeps after it was far in another. */
     private static final int DEEP_FOR = 40;
 
@@ -41,7 +41,7 @@ public final class SolverBody {
     private boolean oneNormal;
     /** For how many substeps it still counts as far in another. */
     private int deep;
-    private final Spin spin = new Spin();
+    private final AngularState spin = new AngularState();
     /** Acceleration of this step by forces from outside, m/s^2. */
     private final double[] pull = new double[3];
     private double seconds;
@@ -150,8 +150,8 @@ public final class SolverBody {
     /** What is far in others does not become fast by being moved out of them. */
     void slow() {
         if (deep > 0) {
-            limit(0, MOST_OUT);
-            limit(3, MOST_OUT_TURNING);
+            limit(0, MAX_OUT);
+            limit(3, MAX_OUT_TURNING);
         }
     }
 
@@ -282,7 +282,7 @@ public final class SolverBody {
     }
 
     /** How it is turned. */
-    Spin spin() {
+    AngularState spin() {
         return spin;
     }
 

@@ -11,7 +11,7 @@ import org.SEAR.simulator.Simulation;
 /** A world from above at one moment: things with their names, robots with their headings, beams up to what they meet. Immutable, any thread. */
 public final class Plan {
     /** Corners of an area of beams. */
-    private static final int MOST_BEAMS = 360;
+    private static final int MAX_BEAMS = 360;
 
     final List<Outline> outlines;
     final List<Mark> robots = new ArrayList<>();
@@ -82,7 +82,7 @@ public final class Plan {
         Pose sensor = world.getRobots().get(fan.robot).getPose().times(world.getSensor(fan.sensor).getMount());
         double[] lengths = world.read(fan.sensor).beams();
         Beams beams = new Beams(sensor, fan.cut);
-        int stride = 1 + (fan.size() - 1) / MOST_BEAMS;
+        int stride = 1 + (fan.size() - 1) / MAX_BEAMS;
         for (int i = 0; i < fan.size(); i++) {
             boolean hit = Double.isFinite(lengths[i]);
             if (fan.cut ? i % stride == 0 : hit) {

@@ -34,7 +34,7 @@ public final class PlanDrawing implements Drawing {
     private static final double SCALE_BAR = 160;
     private static final double[] STEPS = {5, 2, 1};
     /** Things whose names differ by numbers only, as walls of a maze, have no names on the plan if there are more. */
-    private static final int MOST_ALIKE = 4;
+    private static final int MAX_ALIKE = 4;
     private static final int SECONDS_A_MINUTE = 60;
     /** Ground that is so many times as large as what is on it is not shown to its edges. */
     private static final double LARGER = 8;
@@ -184,7 +184,7 @@ public final class PlanDrawing implements Drawing {
         Map<String, Integer> alike = new HashMap<>();
         plan.outlines.forEach(one -> alike.merge(stem(one.name), 1, Integer::sum));
         for (Outline one : plan.outlines) {
-            if (!one.part && !one.ground && alike.get(stem(one.name)) <= MOST_ALIKE) {
+            if (!one.part && !one.ground && alike.get(stem(one.name)) <= MAX_ALIKE) {
                 double[] box = Outline.box(List.of(one));
                 name(canvas, one.name, right((box[2] + box[3]) / 2), down((box[0] + box[1]) / 2) + SIZE / 3.0, false);
             }

@@ -9,7 +9,7 @@ final class Axis {
     private static final double[] STEPS = {1, 2, 5, 10};
     private static final int MARKS = 6;
     /** From here on, up and down, numbers stand with powers of ten. */
-    private static final int MOST_DIGITS = 6;
+    private static final int MAX_DIGITS = 6;
     /** A mark is near at so much of the way to the next one. */
     private static final double NEAR = 0.25;
     private static final double EDGE = 1e-9;
@@ -61,7 +61,7 @@ final class Axis {
             return "0";
         }
         int digits = (int) -Math.floor(Math.log10(step) + EDGE);
-        if (digits > MOST_DIGITS || Math.abs(mark) >= Math.pow(10, MOST_DIGITS + 1)) {
+        if (digits > MAX_DIGITS || Math.abs(mark) >= Math.pow(10, MAX_DIGITS + 1)) {
             return String.format(Locale.ROOT, "%.3g", mark);
         }
         return String.format(Locale.ROOT, "%." + Math.max(0, digits) + "f", mark);

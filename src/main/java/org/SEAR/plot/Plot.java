@@ -13,7 +13,7 @@ import java.util.Map;
  */
 public final class Plot {
     /** Lines that a plot has at most. */
-    public static final int MOST_LINES = 16;
+    public static final int MAX_LINES = 16;
 
     private final String xTitle;
     private final double[] places;
@@ -43,8 +43,8 @@ public final class Plot {
             throw new IllegalArgumentException("\"" + name + "\" has " + values.length + " values, and \"" + xTitle + "\" has " + places.length
                 + ", legal: as many");
         }
-        if (++count > MOST_LINES) {
-            throw new IllegalArgumentException("more than " + MOST_LINES + " lines, legal: up to " + MOST_LINES);
+        if (++count > MAX_LINES) {
+            throw new IllegalArgumentException("more than " + MAX_LINES + " lines, legal: up to " + MAX_LINES);
         }
         boxes.computeIfAbsent(unit, none -> new ArrayList<>()).add(new Line(name, unit, values.clone()));
     }
@@ -57,13 +57,13 @@ public final class Plot {
      * @throws IOException if it can't be written
      */
     public void save(Path file) throws IOException {
-        Pictures.check(file);
+        DrawingFiles.check(file);
         double[] shown = Arrays.stream(places).filter(Double::isFinite).sorted().toArray();
         boolean hasValues = boxes.values().stream().flatMap(List::stream).anyMatch(line -> Arrays.stream(line.values).anyMatch(Double::isFinite));
         if (shown.length == 0 || !hasValues) {
             throw new IllegalArgumentException("there is nothing to draw: no number over \"" + xTitle + "\"; lists are filled in a loop, as with"
                 + " times.append(sear.getTime())");
         }
-        Pictures.save(new PlotDrawing(xTitle, places, new Axis(shown[0], shown[shown.length - 1], false), new ArrayList<>(boxes.values())), file);
+        DrawingFiles.save(new PlotDrawing(xTitle, places, new Axis(shown[0], shown[shown.length - 1], false), new ArrayList<>(boxes.values())), file);
     }
 }

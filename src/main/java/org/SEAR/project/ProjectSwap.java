@@ -170,12 +170,12 @@ public final class ProjectSwap implements AutoCloseable {
     /**
      * Puts the staged project in the place of the present one.
      *
-     * @param told as for {@link #retire}
+     * @param reported as for {@link #retire}
      */
-    public void putInPlace(Consumer<String> told) throws IOException {
+    public void putInPlace(Consumer<String> reported) throws IOException {
         Path next = beside(folder, NEXT);
         Files.move(beside(folder, LOADING), next, StandardCopyOption.ATOMIC_MOVE);
-        retire(told);
+        retire(reported);
         Files.move(next, folder, StandardCopyOption.ATOMIC_MOVE);
     }
 
@@ -183,10 +183,10 @@ public final class ProjectSwap implements AutoCloseable {
      * Renames the present project to a backup, unless it is an example as it came. A backup of the same files goes, so that ten runs of one script
      * leave the others alone; others go, the oldest first, where they are too many or too large.
      *
-     * @param told hears which others have gone
+     * @param reported hears which others have gone
      * @return the backup; null if there was no project, or only an example that can be had again
      */
-    public Path retire(Consumer<String> told) throws IOException {
+    public Path retire(Consumer<String> reported) throws IOException {
         if (!Files.isDirectory(folder)) {
             return null;
         }
@@ -204,7 +204,7 @@ public final class ProjectSwap implements AutoCloseable {
         }
         for (Path surplus : Backups.of(folder).surplus()) {
             discard(surplus);
-            told.accept("the backup " + surplus + " was removed: " + Backups.LIMITS);
+            reported.accept("the backup " + surplus + " was removed: " + Backups.LIMITS);
         }
         return backup;
     }

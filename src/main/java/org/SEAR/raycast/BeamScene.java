@@ -235,15 +235,15 @@ public final class BeamScene {
      * @param endTile the one behind the last one
      * @param depths takes metres ahead for each pixel of these tiles, row by row from the first tile's first row on, each row as
      *     long as the picture's; {@code Double.POSITIVE_INFINITY} for none
-     * @param shapesMet takes the number of the shape, or -1
-     * @param partsMet takes the number of a model's triangle, as its {@link Triangles} have it; -1 for what is not made of such
+     * @param shapesHit takes the number of the shape, or -1
+     * @param partsHit takes the number of a model's triangle, as its {@link Triangles} have it; -1 for what is not made of such
      */
     public void castPicture(PictureBeams beams, Pose pose, double start, double range, int ignoredOwner, int firstTile, int endTile, double[] depths,
-            int[] shapesMet, int[] partsMet) {
+            int[] shapesHit, int[] partsHit) {
         PictureCaster pictures = casters().pictures;
         pictures.begin(shapes, beams, pose, start, range, firstTile);
         for (int tile = firstTile; tile < endTile; tile++) {
-            pictures.cast(tree.tree(), tile, ignoredOwner, depths, shapesMet, partsMet);
+            pictures.cast(tree.tree(), tile, ignoredOwner, depths, shapesHit, partsHit);
         }
     }
 

@@ -50,7 +50,7 @@ final class CellCut {
      * @param first the first beam that may see them, likewise last: they see the cells ahead of them, less than half a turn apart
      * @return how many triangles there were to look at
      */
-    int meet(HeightField heights, int row, int column, int first, int last) {
+    int intersect(HeightField heights, int row, int column, int first, int last) {
         long under = posts(heights, row, column);
         long east = (under ^ under >> 1) & EASTWARD;
         long north = (under ^ under >> ROW) & NORTHWARD;
@@ -74,8 +74,8 @@ final class CellCut {
         return Long.bitCount(southEastern) + Long.bitCount(northWestern);
     }
 
-    /** As {@link #meet} for all beams, wherever they and the fan's origin are. */
-    int meetAll(HeightField heights, int row, int column) {
+    /** As {@link #intersect} for all beams, wherever they and the fan's origin are. */
+    int intersectAll(HeightField heights, int row, int column) {
         int endRow = Math.min(row + CELLS, heights.rows - 1);
         int endColumn = Math.min(column + CELLS, heights.columns - 1);
         for (int r = row; r < endRow; r++) {

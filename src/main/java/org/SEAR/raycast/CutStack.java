@@ -59,7 +59,7 @@ final class CutStack {
 
     /** Adds the root of a hierarchy, if the plane meets it. */
     void pushRoot(Bvh tree) {
-        if (tree.size() > 0 && cut.meets(tree.data, 0)) {
+        if (tree.size() > 0 && cut.intersects(tree.data, 0)) {
             push(0);
         }
     }
@@ -67,12 +67,12 @@ final class CutStack {
     /** Adds those children of a node that the plane meets, the nearer one on top. */
     void pushChildren(Bvh tree, int node) {
         int child = tree.link(node);
-        boolean both = cut.meets(tree.data, child * Bvh.STRIDE);
+        boolean both = cut.intersects(tree.data, child * Bvh.STRIDE);
         double distance = cut.distance;
         if (both) {
             push(child);
         }
-        if (cut.meets(tree.data, (child + 1) * Bvh.STRIDE)) {
+        if (cut.intersects(tree.data, (child + 1) * Bvh.STRIDE)) {
             if (both && cut.distance > distance) {
                 pushBelow(child + 1);
             } else {

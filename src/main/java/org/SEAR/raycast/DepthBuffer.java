@@ -39,7 +39,7 @@ final class DepthBuffer {
     }
 
     /** A beam meets a shape at a distance, which may be infinite. */
-    void meet(int beam, double distance, int shapeNumber) {
+    void intersect(int beam, double distance, int shapeNumber) {
         double value = distance <= 0 ? Double.POSITIVE_INFINITY : 1 / distance;
         if (value > inverse[beam] || value == inverse[beam] && shapeNumber < shape[beam]) {
             inverse[beam] = value;

@@ -150,7 +150,8 @@ final class FanCaster {
             for (int i = 0; i < depth.beams.count; i++) {
                 double x = depth.beams.x[i];
                 double z = depth.beams.z[i];
-                depth.meet(i, RayBox.meet(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x + own[10] * z, own[5] * x + own[11] * z,
+                depth.intersect(i, RayBox.intersect(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x
+                    + own[10] * z, own[5] * x + own[11] * z,
                     hx, hy, hz), number);
             }
             return;
@@ -196,7 +197,7 @@ final class FanCaster {
     private void convexBeam(int beam, int number, RaySolid solid) {
         double x = depth.beams.x[beam];
         double z = depth.beams.z[beam];
-        depth.meet(beam, solid.meet(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x + own[10] * z, own[5] * x + own[11] * z),
+        depth.intersect(beam, solid.intersect(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x + own[10] * z, own[5] * x + own[11] * z),
             number);
     }
 
@@ -243,7 +244,7 @@ final class FanCaster {
             }
             int patch = tree.link(node);
             if (!meshStack.around) {
-                rays.triangles += cut.meet(patches, patch, n, meshStack.first, meshStack.last);
+                rays.triangles += cut.intersect(patches, patch, n, meshStack.first, meshStack.last);
                 continue;
             }
             rays.triangles += n;

@@ -42,7 +42,7 @@ final class PatchCut {
      * @param first the first beam that may see them, likewise last: they see the patch ahead of them, less than half a turn apart
      * @return how many of them the plane cuts
      */
-    int meet(Patches patches, int patch, int count, int first, int last) {
+    int intersect(Patches patches, int patch, int count, int first, int last) {
         int[] links = patches.links;
         long under = corners(patches.corners, links[patch + Patches.CORNER], links[patch + Patches.COUNT]);
         int begin = patch + Patches.LINKS;

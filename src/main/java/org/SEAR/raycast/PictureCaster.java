@@ -88,10 +88,10 @@ final class PictureCaster {
     }
 
     /** One tile of them. */
-    void cast(Bvh tree, int tile, int ignored, double[] depths, int[] shapesMet, int[] partsMet) {
+    void cast(Bvh tree, int tile, int ignored, double[] depths, int[] shapesHit, int[] partsHit) {
         depth = depths;
-        found = shapesMet;
-        part = partsMet;
+        found = shapesHit;
+        part = partsHit;
         first = beams.first(tile);
         end = beams.end(tile);
         top = beams.top(tile);
@@ -270,10 +270,10 @@ final class PictureCaster {
             }
             double left = reach(groundPlanes, tree.data, link * Bvh.STRIDE);
             double right = reach(groundPlanes, tree.data, (link + 1) * Bvh.STRIDE);
-            int farther = left >= right ? 0 : 1;
-            tileStack[open] = link + farther;
+            int further = left >= right ? 0 : 1;
+            tileStack[open] = link + further;
             tileNear[open++] = Math.max(left, right);
-            tileStack[open] = link + 1 - farther;
+            tileStack[open] = link + 1 - further;
             tileNear[open++] = Math.min(left, right);
         }
     }

@@ -23,7 +23,7 @@ final class PlaneCut {
     double zc;
     double zd;
 
-    /** The middle of the last {@link #meets} box, as the fan sees it ... */
+    /** The middle of the last {@link #intersects} box, as the fan sees it ... */
     double left;
     double ahead;
     double distance;
@@ -47,18 +47,18 @@ final class PlaneCut {
     }
 
     /** Whether the plane meets a node of a hierarchy within the range; if so, computes the rectangle. */
-    boolean meets(float[] box, int at) {
+    boolean intersects(float[] box, int at) {
         double x = box[at];
         double y = box[at + 1];
         double z = box[at + 2];
         double halfX = (box[at + 3] - x) * 0.5;
         double halfY = (box[at + 4] - y) * 0.5;
         double halfZ = (box[at + 5] - z) * 0.5;
-        return meets(x + halfX, y + halfY, z + halfZ, halfX, halfY, halfZ);
+        return intersects(x + halfX, y + halfY, z + halfZ, halfX, halfY, halfZ);
     }
 
     /** The same for a box with this middle and these half sizes. */
-    boolean meets(double x, double y, double z, double halfX, double halfY, double halfZ) {
+    boolean intersects(double x, double y, double z, double halfX, double halfY, double halfZ) {
         if (!(Math.abs(height(x, y, z)) <= Math.abs(ha) * halfX + Math.abs(hb) * halfY + Math.abs(hc) * halfZ + slack)) {
             return false;
         }

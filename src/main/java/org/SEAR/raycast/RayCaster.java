@@ -80,9 +80,9 @@ final class RayCaster {
         double c = m[i + 14];
         switch (shapes.kind[shape]) {
             case Shapes.BOX:
-                return RayBox.meet(px, py, pz, vx, vy, vz, a, b, c);
+                return RayBox.intersect(px, py, pz, vx, vy, vz, a, b, c);
             case Shapes.CONVEX:
-                return shapes.solid[shape].meet(px, py, pz, vx, vy, vz);
+                return shapes.solid[shape].intersect(px, py, pz, vx, vy, vz);
             case Shapes.HEIGHTS:
                 return heights(shapes.heights[shape], px, py, pz, vx, vy, vz, limit);
             case Shapes.TILES:
@@ -99,7 +99,7 @@ final class RayCaster {
 
     private double heights(HeightField field, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange) {
         long before = heights.triangles;
-        double t = heights.meet(field, ox, oy, oz, dx, dy, dz, maxRange);
+        double t = heights.intersect(field, ox, oy, oz, dx, dy, dz, maxRange);
         triangles += heights.triangles - before;
         return t;
     }
@@ -130,7 +130,7 @@ final class RayCaster {
             int end = first + tree.count(node);
             triangles += end - first;
             for (int i = first; i < end; i++) {
-                double t = RayTriangle.meet(mesh.corners, 9 * i, ox, oy, oz, dx, dy, dz);
+                double t = RayTriangle.intersect(mesh.corners, 9 * i, ox, oy, oz, dx, dy, dz);
                 if (t <= limit && (t < best || t == best && i < triangle)) {
                     best = t;
                     limit = t;

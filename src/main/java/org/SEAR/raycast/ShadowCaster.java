@@ -58,7 +58,7 @@ final class ShadowCaster {
         stack[0] = 0;
         while (open > 0) {
             int node = stack[--open];
-            if (!meets(tree.data, node * Bvh.STRIDE)) {
+            if (!intersects(tree.data, node * Bvh.STRIDE)) {
                 continue;
             }
             int link = tree.link(node);
@@ -95,7 +95,7 @@ final class ShadowCaster {
         return any;
     }
 
-    private boolean meets(float[] box, int at) {
+    private boolean intersects(float[] box, int at) {
         double hx = ((double) box[at + 3] - box[at]) / 2;
         double hy = ((double) box[at + 4] - box[at + 1]) / 2;
         double hz = ((double) box[at + 5] - box[at + 2]) / 2;

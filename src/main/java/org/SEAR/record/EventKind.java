@@ -7,7 +7,7 @@ final class EventKind {
     static final int HEARD = 3;
     static final int SAID = 4;
     static final int BAUD = 5;
-    static final int HUNG_UP = 6;
+    static final int LINE_CLOSED = 6;
     static final int DRIVE = 7;
     static final int POWER = 8;
     static final int RESET = 9;
@@ -16,7 +16,7 @@ final class EventKind {
     static final int LIGHT = 12;
     static final int ORDER = 13;
     static final int MOVED = 14;
-    static final int ATTENDED = 15;
+    static final int DEVICES_SERVICED = 15;
     static final int BODY_ORDER = 16;
     static final int PICTURE = 17;
     /** The last one. */

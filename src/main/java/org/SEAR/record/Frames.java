@@ -13,8 +13,8 @@ import org.SEAR.simulator.Simulation;
 /** Where everything was and what was read at some times of a record, for panels that show it again. Not changed once made, any thread. */
 public final class Frames {
     /** Most numbers of all frames together. */
-    private static final int MOST_NUMBERS = 100000;
-    private static final int MOST_LIGHTS = 10000;
+    private static final int MAX_NUMBERS = 100000;
+    private static final int MAX_LIGHTS = 10000;
     private static final int POSE = 7;
     private static final int SPEEDS = RunRecord.ROBOT - POSE;
 
@@ -46,7 +46,7 @@ public final class Frames {
         int robotCount = record.getHeader().robots.size();
         int read = record.getHeader().sizes.stream().mapToInt(Integer::intValue).sum();
         int numbers = RunRecord.ROBOT * robotCount + POSE * moved.size() + read + lights.size() + 1;
-        Thinned<double[][]> kept = new Thinned<>(Math.min(most, MOST_NUMBERS / numbers));
+        ThinnedList<double[][]> kept = new ThinnedList<>(Math.min(most, MAX_NUMBERS / numbers));
         whole = record.read(new Keeper(kept, robotCount));
         kept.stream().forEach(frame -> {
             times.add(frame[0][0]);
@@ -98,19 +98,19 @@ public final class Frames {
 
         @Override
         public void light(int robot, int light, double bright) {
-            if (lights.size() < MOST_LIGHTS && lightPlaces.putIfAbsent(List.of(robot, light), lights.size()) == null) {
+            if (lights.size() < MAX_LIGHTS && lightPlaces.putIfAbsent(List.of(robot, light), lights.size()) == null) {
                 lights.add(new int[] {robot, light});
             }
         }
     }
 
     private final class Keeper implements RunRecord.Visitor {
-        private final Thinned<double[][]> kept;
+        private final ThinnedList<double[][]> kept;
         private final int robotCount;
         private final double[] bright = new double[lights.size()];
         private long steps;
 
-        Keeper(Thinned<double[][]> kept, int robotCount) {
+        Keeper(ThinnedList<double[][]> kept, int robotCount) {
             this.kept = kept;
             this.robotCount = robotCount;
         }

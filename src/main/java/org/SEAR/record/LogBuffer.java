@@ -11,30 +11,30 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Bytes on their way to a file: the simulation thread fills pieces that are there from the start, a thread of its own writes them. When the disk
- * falls behind by all pieces, the simulation waits for it, up to {@value #PATIENCE_SECONDS} s.
+ * falls behind by all pieces, the simulation waits for it, up to {@value #TIMEOUT_SECONDS} s.
  */
 final class LogBuffer {
     private static final int PIECE = 1 << 18;
     private static final int PIECES = 8;
-    private static final int PATIENCE_SECONDS = 10;
+    private static final int TIMEOUT_SECONDS = 10;
     private static final int MARK_SECONDS = 1;
     private static final ByteBuffer LAST = ByteBuffer.allocate(0);
 
     private final BlockingQueue<ByteBuffer> free = new ArrayBlockingQueue<>(PIECES);
     private final BlockingQueue<ByteBuffer> full = new ArrayBlockingQueue<>(PIECES + 1);
     private final FileChannel file;
-    private final WritingMark mark;
+    private final WriteLock mark;
     private final Thread writer;
     private volatile String failure;
     private ByteBuffer present;
     private long size;
 
     LogBuffer(Path path) throws IOException {
-        if (WritingMark.isOn(path)) {
+        if (WriteLock.isOn(path)) {
             throw new IOException(path + " is being written by another simulation: end its record, or choose another name");
         }
         file = FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING, StandardOpenOption.WRITE);
-        mark = new WritingMark(file);
+        mark = new WriteLock(file);
         for (int i = 1; i < PIECES; i++) {
             free.add(ByteBuffer.allocate(PIECE));
         }
@@ -99,7 +99,7 @@ final class LogBuffer {
 
     private void next() {
         try {
-            ByteBuffer fresh = failure == null && full.offer(present) ? free.poll(PATIENCE_SECONDS, TimeUnit.SECONDS) : null;
+            ByteBuffer fresh = failure == null && full.offer(present) ? free.poll(TIMEOUT_SECONDS, TimeUnit.SECONDS) : null;
             if (fresh == null) {
                 failure = failure == null ? "the disk takes no more" : failure;
                 fresh = ByteBuffer.allocate(PIECE);
@@ -155,12 +155,12 @@ final class LogBuffer {
     /** Writes what is left and waits for it. */
     void close() throws IOException {
         try {
-            if (failure == null && full.offer(present, PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+            if (failure == null && full.offer(present, TIMEOUT_SECONDS, TimeUnit.SECONDS)) {
                 full.put(LAST);
             } else {
                 writer.interrupt();
             }
-            writer.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+            writer.join(TimeUnit.SECONDS.toMillis(TIMEOUT_SECONDS));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IOException("the record was not written to its end", e);

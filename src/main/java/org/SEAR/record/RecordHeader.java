@@ -16,9 +16,9 @@ import org.SEAR.simulator.RunOrigin;
 public final class RecordHeader {
     static final byte[] MAGIC = "SEARLOG1".getBytes(StandardCharsets.US_ASCII);
     /** Most robots, objects, sensors or ports of a record. */
-    static final int MOST_NAMES = 10000;
+    static final int MAX_NAMES = 10000;
     /** Most numbers of one reading. */
-    static final int MOST_VALUES = 127;
+    static final int MAX_VALUES = 127;
     /** Set in the count of numbers whose names follow. */
     private static final int NAMED = 128;
     private static final int LONGEST_NAME = 1000;
@@ -114,8 +114,8 @@ public final class RecordHeader {
 
     private static List<String> readNames(DataInputStream in) throws IOException {
         int count = in.readUnsignedShort();
-        if (count > MOST_NAMES) {
-            throw new RecordException("it has " + count + " names of one kind, legal: at most " + MOST_NAMES);
+        if (count > MAX_NAMES) {
+            throw new RecordException("it has " + count + " names of one kind, legal: at most " + MAX_NAMES);
         }
         return readTexts(in, count);
     }

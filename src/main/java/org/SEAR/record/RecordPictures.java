@@ -21,11 +21,11 @@ public final class RecordPictures {
     private RecordPictures(RunRecord record) throws IOException {
         this.record = record;
         List<String> sensors = record.getHeader().sensors;
-        Map<String, Thinned<Place>> found = new HashMap<>();
+        Map<String, ThinnedList<Place>> found = new HashMap<>();
         record.read(new RunRecord.Visitor() {
             @Override
             public void picture(int sensor, String kind, double time, long offset, int length) {
-                Thinned<Place> of = found.computeIfAbsent(sensors.get(sensor), name -> new Thinned<>(MOST / sensors.size()));
+                ThinnedList<Place> of = found.computeIfAbsent(sensors.get(sensor), name -> new ThinnedList<>(MOST / sensors.size()));
                 if (of.isNextKept()) {
                     of.add(new Place(kind, time, offset, length));
                 } else {

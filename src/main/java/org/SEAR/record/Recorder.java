@@ -23,7 +23,7 @@ import org.SEAR.project.xml.Xml;
 import org.SEAR.sensors.Reading;
 import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
-import org.SEAR.simulator.RunTap;
+import org.SEAR.simulator.RunListener;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.Snapshot;
 import org.SEAR.simulator.orders.BodyOrder;
@@ -32,7 +32,7 @@ import org.SEAR.simulator.orders.BodyOrder;
  * Writes a run into a file while it goes on: each step, what went in and out, and at every second step where everything is and what the sensors read.
  * Made and ended by {@link Simulation#ask}; simulation thread.
  */
-public final class Recorder implements RunTap {
+public final class Recorder implements RunListener {
     /** A record ends at this size unless told otherwise, bytes. */
     public static final long LIMIT = 1L << 29;
     /** Steps from one frame to the next. */
@@ -45,7 +45,7 @@ public final class Recorder implements RunTap {
     private final Simulation simulation;
     private final Path path;
     private final long limit;
-    private final Consumer<String> told;
+    private final Consumer<String> reported;
     private final LogBuffer out;
     private final List<String> sensors;
     private final List<List<String>> numbers = new ArrayList<>();
@@ -63,7 +63,7 @@ public final class Recorder implements RunTap {
         this.simulation = simulation;
         this.path = path;
         this.limit = limit;
-        this.told = told;
+        this.reported = told;
         sensors = simulation.getSensorNames();
         for (String name : sensors) {
             List<String> kept = names(name, simulation.read(name));
@@ -102,7 +102,7 @@ public final class Recorder implements RunTap {
         Recorder recorder = new Recorder(simulation, path, limit, rate, told);
         recorder.frame(simulation.snapshot());
         recorder.flush();
-        simulation.setTap(recorder, true);
+        simulation.setListener(recorder, true);
         return recorder;
     }
 
@@ -137,9 +137,9 @@ public final class Recorder implements RunTap {
     static List<String> names(String sensor, Reading reading) {
         List<String> names = reading.names();
         int size = reading.numbers().length;
-        if (names.size() != size || size > RecordHeader.MOST_VALUES) {
+        if (names.size() != size || size > RecordHeader.MAX_VALUES) {
             throw new IllegalArgumentException("a reading of sensor " + sensor + " has " + size + " numbers and " + names.size()
-                + " names, legal: as many names as numbers, at most " + RecordHeader.MOST_VALUES + "; numbers() and names() of its class "
+                + " names, legal: as many names as numbers, at most " + RecordHeader.MAX_VALUES + "; numbers() and names() of its class "
                 + reading.getClass().getName() + " say them");
         }
         return names;
@@ -207,8 +207,8 @@ public final class Recorder implements RunTap {
     }
 
     @Override
-    public void attended(int part) {
-        out.put(EventKind.ATTENDED).put(part);
+    public void devicesServiced(int part) {
+        out.put(EventKind.DEVICES_SERVICED).put(part);
     }
 
     @Override
@@ -219,16 +219,16 @@ public final class Recorder implements RunTap {
         } else {
             out.put(EventKind.STEP);
         }
-        standing();
+        idle();
         if (out.size() >= limit || out.failure() != null) {
             leave();
-            told.accept("the record " + path + " has ended at " + getSeconds() + " s: " + (out.failure() == null ? "it has its largest size, "
+            reported.accept("the record " + path + " has ended at " + getSeconds() + " s: " + (out.failure() == null ? "it has its largest size, "
                 + limit + " bytes" : out.failure()));
         }
     }
 
     @Override
-    public void standing() {
+    public void idle() {
         if (System.nanoTime() - flushed > FLUSH_NANOS) {
             flush();
         }
@@ -268,8 +268,8 @@ public final class Recorder implements RunTap {
     }
 
     @Override
-    public void hungUp(SerialLine line) {
-        out.put(EventKind.HUNG_UP).putShort(simulation.getLines().indexOf(line));
+    public void lineClosed(SerialLine line) {
+        out.put(EventKind.LINE_CLOSED).putShort(simulation.getLines().indexOf(line));
     }
 
     @Override
@@ -319,7 +319,7 @@ public final class Recorder implements RunTap {
     public void leave() {
         if (!ended) {
             ended = true;
-            simulation.setTap(this, false);
+            simulation.setListener(this, false);
             if (pictures != null) {
                 pictures.end();
             }

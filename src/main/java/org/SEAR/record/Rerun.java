@@ -16,7 +16,7 @@ import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
-import org.SEAR.simulator.RunTap;
+import org.SEAR.simulator.RunListener;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.Snapshot;
 import org.SEAR.simulator.orders.BodyOrder;
@@ -124,7 +124,7 @@ public final class Rerun implements RunRecord.Visitor {
     }
 
     private Result run() throws IOException {
-        world.setTap(new Listener(), true);
+        world.setListener(new Listener(), true);
         watcher.accept(world);
         boolean whole = record.read(this);
         lookAgain();
@@ -177,23 +177,23 @@ public final class Rerun implements RunRecord.Visitor {
 
     @Override
     public void step() {
-        obey();
+        execute();
         world.step();
         steps++;
         watcher.accept(world);
     }
 
     @Override
-    public void attended(int part) {
-        obey();
+    public void devicesServiced(int part) {
+        execute();
         if (part == 0) {
             world.answer();
         } else {
-            world.attend(part);
+            world.serviceDevices(part);
         }
     }
 
-    private void obey() {
+    private void execute() {
         commands.forEach(command -> command.accept(world));
         commands.clear();
         lookAgain();
@@ -222,13 +222,13 @@ public final class Rerun implements RunRecord.Visitor {
     }
 
     @Override
-    public void hungUp(int line) {
+    public void lineClosed(int line) {
         commands.add(run -> line(line).hangUp());
     }
 
     @Override
     public void opened(int line) {
-        commands.add(run -> line(line).pickUp());
+        commands.add(run -> line(line).open());
     }
 
     @Override
@@ -262,7 +262,7 @@ public final class Rerun implements RunRecord.Visitor {
     }
 
     /** What the devices say now. */
-    private final class Listener implements RunTap {
+    private final class Listener implements RunListener {
         @Override
         public void said(SerialLine line, byte[] bytes) {
             again[world.getLines().indexOf(line)].update(bytes);

@@ -27,7 +27,7 @@ public final class RunRecord {
     /** Numbers of an object in a frame. */
     static final int POSE = 7;
     /** Of one robot; it can't have more components. */
-    private static final int MOST_LIGHTS = 1000;
+    private static final int MAX_LIGHTS = 1000;
     private static final ActuatorOrder.Kind[] ORDERS = ActuatorOrder.Kind.values();
     private static final BodyOrder.Kind[] BODY_ORDERS = BodyOrder.Kind.values();
     /** How far from 1 the length of a quaternion may be. */
@@ -68,14 +68,14 @@ public final class RunRecord {
         default void baud(int line, int baud) {
         }
 
-        default void hungUp(int line) {
+        default void lineClosed(int line) {
         }
 
         default void opened(int line) {
         }
 
-        /** See {@link org.SEAR.simulator.RunTap#attended}. */
-        default void attended(int part) {
+        /** See {@link org.SEAR.simulator.RunListener#devicesServiced}. */
+        default void devicesServiced(int part) {
         }
 
         default void drive(DriveCommand command) {
@@ -139,7 +139,7 @@ public final class RunRecord {
         if (!Files.isRegularFile(path)) {
             throw new RecordException(path + " is no record of a run: there is no such file");
         }
-        boolean written = WritingMark.isOn(path);
+        boolean written = WriteLock.isOn(path);
         try (DataInputStream in = stream(path)) {
             return new RunRecord(path, RecordHeader.read(in), written);
         } catch (EOFException e) {
@@ -261,14 +261,14 @@ public final class RunRecord {
                 case EventKind.BAUD:
                     visitor.baud(line(), baud());
                     return true;
-                case EventKind.HUNG_UP:
-                    visitor.hungUp(line());
+                case EventKind.LINE_CLOSED:
+                    visitor.lineClosed(line());
                     return true;
                 case EventKind.OPENED:
                     visitor.opened(line());
                     return true;
-                case EventKind.ATTENDED:
-                    visitor.attended(in.readUnsignedByte());
+                case EventKind.DEVICES_SERVICED:
+                    visitor.devicesServiced(in.readUnsignedByte());
                     return true;
                 case EventKind.DRIVE:
                     visitor.drive(command());
@@ -377,8 +377,8 @@ public final class RunRecord {
         private void light() throws IOException {
             int robot = robot();
             int light = in.readUnsignedShort();
-            if (light >= MOST_LIGHTS) {
-                throw illegal("light", light, MOST_LIGHTS);
+            if (light >= MAX_LIGHTS) {
+                throw illegal("light", light, MAX_LIGHTS);
             }
             double brightness = in.readDouble();
             if (!(brightness >= 0 && brightness <= 1)) {

@@ -129,7 +129,7 @@ public final class Series {
         private final List<int[]> wanted;
         private final double[][] commands;
         private final double[][] bytes;
-        private final Thinned<double[]> rows;
+        private final ThinnedList<double[]> rows;
         private long steps;
 
         Collector(RecordHeader header, List<int[]> wanted, int most) {
@@ -139,7 +139,7 @@ public final class Series {
                 Arrays.fill(each, Double.NaN);
             }
             bytes = new double[header.lines.size()][LINE.size()];
-            rows = new Thinned<>(most);
+            rows = new ThinnedList<>(most);
         }
 
         @Override

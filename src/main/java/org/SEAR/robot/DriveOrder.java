@@ -5,9 +5,9 @@ import java.util.Arrays;
 /** What a script says by {@code driveStraight}, {@code spin}, {@code setWheelSpeeds} or {@code drive}, checked. Immutable, any thread. */
 public final class DriveOrder {
     /** Fastest that wheels may be told to go over ground, m/s. */
-    private static final double MOST_SPEED = 100;
+    private static final double MAX_SPEED = 100;
     /** Fastest that a robot may be told to turn, degrees a second. */
-    private static final double MOST_SPIN = 3600;
+    private static final double MAX_SPIN = 3600;
     private static final String SPIN = "spin";
 
     /** The call, and its values as text. */
@@ -31,20 +31,20 @@ public final class DriveOrder {
 
     /** @param speed m/s, + forward */
     public static DriveOrder straight(double speed) {
-        check("driveStraight: speed", speed, MOST_SPEED, "m/s");
+        check("driveStraight: speed", speed, MAX_SPEED, "m/s");
         return new DriveOrder("driveStraight", true, speed, speed, speed);
     }
 
     /** @param degrees a second, + to the left */
     public static DriveOrder spin(double degrees) {
-        check("spin: speed", degrees, MOST_SPIN, "degrees a second");
+        check("spin: speed", degrees, MAX_SPIN, "degrees a second");
         return new DriveOrder(SPIN, false, degrees, 0, degrees);
     }
 
     /** @param left m/s over ground, + forward, likewise right */
     public static DriveOrder wheels(double left, double right) {
-        check("setWheelSpeeds: left", left, MOST_SPEED, "m/s");
-        check("setWheelSpeeds: right", right, MOST_SPEED, "m/s");
+        check("setWheelSpeeds: left", left, MAX_SPEED, "m/s");
+        check("setWheelSpeeds: right", right, MAX_SPEED, "m/s");
         return new DriveOrder("setWheelSpeeds", true, left, right, left, right);
     }
 
@@ -55,7 +55,7 @@ public final class DriveOrder {
      * @param radius metres, + left, infinite = straight, 0 = in place
      */
     public static DriveOrder circle(double speed, double radius) {
-        check("drive: speed", speed, MOST_SPEED, "m/s");
+        check("drive: speed", speed, MAX_SPEED, "m/s");
         if (Double.isNaN(radius)) {
             throw new IllegalArgumentException("drive: radius is " + radius + ", legal: metres, + to the left, 0 or infinity");
         }

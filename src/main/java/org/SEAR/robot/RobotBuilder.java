@@ -12,7 +12,7 @@ import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.Scenes;
+import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.solid.BoxSolid;
 import org.SEAR.physics.solid.RoundSolid;
 import org.SEAR.physics.solid.Solid;
@@ -34,7 +34,7 @@ public final class RobotBuilder {
     /** A robot without shapes gets a box this high around its wheels, metres; the same is the least size of that box. */
     private static final double BARE = 0.02;
     /** A centre of mass that was put elsewhere is so far from where it was, metres, or farther. */
-    private static final double LEAST_MOVE = 1e-9;
+    private static final double MIN_MOVE = 1e-9;
 
     final SEARrobot object;
     final Dynamics dynamics;
@@ -79,8 +79,8 @@ public final class RobotBuilder {
         Pose start = StartPose.of(robot, dynamics, warnings);
         body = new Body(robot.getName(), dynamics.getMass(), solids, all, centre, start);
         body.setRobot();
-        hasFarWheels = FarParts.tell(robot, shapes, warnings);
-        stability = new Stability(centre, feet(), Math.hypot(centre[0] - centroid[0], centre[2] - centroid[2]) > LEAST_MOVE);
+        hasFarWheels = UnitMistakes.report(robot, shapes, warnings);
+        stability = new Stability(centre, feet(), Math.hypot(centre[0] - centroid[0], centre[2] - centroid[2]) > MIN_MOVE);
     }
 
     /**
@@ -195,7 +195,7 @@ public final class RobotBuilder {
     }
 
     /** Puts the components into the scenes, where its own beams don't see them. The wheels' guards are no part of any picture. */
-    public void addTo(Scenes scenes, int owner) {
+    public void addTo(RaycastScenes scenes, int owner) {
         body.addTo(scenes, visible, owner, solids.size() - wheelSolids.size());
     }
 }

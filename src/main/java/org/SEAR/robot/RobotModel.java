@@ -16,7 +16,7 @@ import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
-import org.SEAR.physics.Scenes;
+import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.robot.wheel.DriveTrain;
 import org.SEAR.robot.wheel.MotorDrive;
@@ -40,7 +40,7 @@ public final class RobotModel implements Robot, RobotHardware {
     private final Dynamics dynamics;
     private final int number;
     private final Body body;
-    private final Scenes scenes;
+    private final RaycastScenes scenes;
     private final RobotTruth truth;
     private final VirtualWalls virtualWalls;
     private final List<Sensor<?>> sensors = new ArrayList<>();
@@ -50,11 +50,11 @@ public final class RobotModel implements Robot, RobotHardware {
     private final double bodyRadius;
     private final boolean hasFarWheels;
     private final List<MotorDrive> motors = new ArrayList<>();
-    private final Turrets turrets;
+    private final ServoMounts turrets;
     private final LedLights lights;
     private final Stability stability;
     private final Spring[] springs;
-    private final Consumer<String> told;
+    private final Consumer<String> reported;
     private DriveTrain train;
     private SEARrobot written;
     private final Frame frame = new Frame();
@@ -70,7 +70,7 @@ public final class RobotModel implements Robot, RobotHardware {
      * @param number its place among the robots
      * @param told takes what the user should know during the run
      */
-    public RobotModel(RobotBuilder from, int number, Scenes scenes, RobotTruth truth, VirtualWalls virtualWalls, Consumer<String> told) {
+    public RobotModel(RobotBuilder from, int number, RaycastScenes scenes, RobotTruth truth, VirtualWalls virtualWalls, Consumer<String> told) {
         this.object = from.object;
         this.written = from.object;
         this.dynamics = from.dynamics;
@@ -83,11 +83,11 @@ public final class RobotModel implements Robot, RobotHardware {
         this.scenes = scenes;
         this.truth = truth;
         this.virtualWalls = virtualWalls;
-        this.turrets = new Turrets(from, told);
+        this.turrets = new ServoMounts(from, told);
         this.lights = new LedLights(from);
         this.stability = from.stability;
         this.springs = from.springs;
-        this.told = told;
+        this.reported = told;
         for (SearObject part : object.getComponents()) {
             if (part instanceof Motor) {
                 motors.add(new MotorDrive((Motor) part, object.getName()));
@@ -111,7 +111,7 @@ public final class RobotModel implements Robot, RobotHardware {
 
     /** Back to the start, in a new physics world. */
     public void restart(PhysicsWorld physics) {
-        train = new DriveTrain(body, object.getWheels(), springs, motors, turrets::find, number, told);
+        train = new DriveTrain(body, object.getWheels(), springs, motors, turrets::find, number, reported);
         if (!train.getWheels().isEmpty()) {
             physics.add(body, train);
         }

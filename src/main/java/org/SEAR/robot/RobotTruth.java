@@ -1,13 +1,13 @@
 package org.SEAR.robot;
 
 import java.util.Arrays;
-import org.SEAR.camera.Looks;
+import org.SEAR.camera.Appearances;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
-import org.SEAR.physics.Scenes;
+import org.SEAR.physics.RaycastScenes;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
@@ -22,7 +22,7 @@ public final class RobotTruth implements Truth {
 
     private final Body body;
     private final PartTouches touches;
-    private final Scenes scenes;
+    private final RaycastScenes scenes;
     private final SurfaceColors colors;
     private final int owner;
     private final Earth earth;
@@ -31,14 +31,14 @@ public final class RobotTruth implements Truth {
     private final double[] velocity = new double[3];
     private final double[] angular = new double[3];
     private final double[] point = new double[3];
-    private final Looks looks;
+    private final Appearances looks;
     private long step;
     private double path;
     private double turned;
     private Pose anchor;
     private double heading;
 
-    public RobotTruth(RobotBuilder from, Scenes scenes, SurfaceColors colors, int owner, Earth earth, long epochMillis, WorkerPool workers) {
+    public RobotTruth(RobotBuilder from, RaycastScenes scenes, SurfaceColors colors, int owner, Earth earth, long epochMillis, WorkerPool workers) {
         this.body = from.body;
         this.touches = new PartTouches(from);
         this.scenes = scenes;
@@ -202,7 +202,7 @@ public final class RobotTruth implements Truth {
     }
 
     @Override
-    public Looks looks() {
+    public Appearances looks() {
         return looks;
     }
 

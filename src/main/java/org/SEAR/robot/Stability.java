@@ -18,7 +18,7 @@ public final class Stability {
     /** Feet on a line, metres: their hull is narrower than this. */
     private static final double FLAT = 1e-6;
     /** Of more feet only these are looked at. */
-    private static final int MOST_FEET = 20;
+    private static final int MAX_FEET = 20;
     /** By the angle from ahead to the left in steps of 45 degrees. */
     private static final String[] WAYS = {"forwards", "forwards to the left", "to the left", "backwards to the left", "backwards",
         "backwards to the right", "to the right", "forwards to the right"};
@@ -52,7 +52,7 @@ public final class Stability {
 
     /** The plane through three feet that has no foot below it and the centre of mass above these three: how it rises along x and z. */
     private static double[] slope(double[] centre, double[][] feet) {
-        for (int i = 0; i < Math.min(feet.length, MOST_FEET); i++) {
+        for (int i = 0; i < Math.min(feet.length, MAX_FEET); i++) {
             for (int j = 0; j < i; j++) {
                 for (int k = 0; k < j; k++) {
                     double[] plane = plane(feet[i], feet[j], feet[k], centre);

@@ -13,7 +13,7 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.grammar.Parameter;
-import org.SEAR.physics.Scenes;
+import org.SEAR.physics.RaycastScenes;
 import org.SEAR.raycast.Hit;
 import org.SEAR.robot.wheel.SpringDesign;
 
@@ -42,7 +42,7 @@ public final class StartChecks {
      * @param scenes with everything at its start
      * @param warnings takes what is said
      */
-    public static void check(RobotModel robot, Scenes scenes, List<String> warnings) {
+    public static void check(RobotModel robot, RaycastScenes scenes, List<String> warnings) {
         String name = robot.getObject().getName();
         if (robot.getObject().getWheels().isEmpty()) {
             warnings.add("robot " + name + " has no wheels and can't drive: robot.addWheel(Wheel(...)) adds one");

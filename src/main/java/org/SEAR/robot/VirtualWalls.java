@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.Scenes;
+import org.SEAR.physics.RaycastScenes;
 import org.SEAR.raycast.Hit;
 
 /**
@@ -20,11 +20,11 @@ public final class VirtualWalls {
     private static final double HALF_ANGLE = Math.toRadians(10);
 
     private final List<Body> walls = new ArrayList<>();
-    private final Scenes scenes;
+    private final RaycastScenes scenes;
     private final Hit hit = new Hit();
 
     /** @param scenes with everything that stops a beam */
-    public VirtualWalls(Scenes scenes) {
+    public VirtualWalls(RaycastScenes scenes) {
         this.scenes = scenes;
     }
 

@@ -23,7 +23,7 @@ public final class BeamFans {
     private static final double ROUNDING = 1e-9;
     private static final float BYTE = 255f;
     /** More lines than this for a sensor are a blot, and a machine without graphics card spends most of a picture's time on them. */
-    private static final int MOST_LINES = 240;
+    private static final int MAX_LINES = 240;
 
     private BeamFans() {
     }
@@ -85,7 +85,7 @@ public final class BeamFans {
     }
 
     private static int stride(int count) {
-        return (count + MOST_LINES - 1) / MOST_LINES;
+        return (count + MAX_LINES - 1) / MAX_LINES;
     }
 
     private static int[] everyNth(int count, int stride) {

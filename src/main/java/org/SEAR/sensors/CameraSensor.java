@@ -2,8 +2,8 @@ package org.SEAR.sensors;
 
 import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.camera.Eye;
-import org.SEAR.camera.Sight;
+import org.SEAR.camera.CameraRenderer;
+import org.SEAR.camera.RenderJob;
 import org.SEAR.camera.image.Exposure;
 import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
@@ -27,7 +27,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
     private final Camera camera;
     private final Exposure exposure;
     private CounterRandom random;
-    private Eye eye;
+    private CameraRenderer eye;
     private double[] poses = {};
     private final double[] drifts = new double[CHANNELS];
     private Pose place;
@@ -136,7 +136,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
 
     private CameraImage take(Truth truth, BeamScene scene, Pose from, double time) {
         if (eye == null) {
-            eye = new Eye(camera);
+            eye = new CameraRenderer(camera);
         }
         eye.setWorkers(truth.workers());
         long step = due < 0 ? truth.step() : due;
@@ -145,7 +145,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
         }
         seen = scene;
         unseen = camera.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner();
-        Sight sight = new Sight(scene, truth.looks(), from, unseen);
+        RenderJob sight = new RenderJob(scene, truth.looks(), from, unseen);
         int[] pixels = null;
         float[] values = null;
         switch (camera.getKind()) {
@@ -162,7 +162,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
                 exposure.expose(pixels, (reading, number) -> random.normal(step, reading ? READ : SHOT, number));
                 measureColors(pixels, step);
         }
-        Eye lens = eye;
+        CameraRenderer lens = eye;
         return new CameraImage(camera, time, from, new CameraImage.Rays() {
             @Override
             public double left(int pixel) {

@@ -20,7 +20,7 @@ import org.SEAR.grammar.ColorNames;
 public final class PixelGrid {
     private static final double MILLI = 1000;
     private static final double CENTI = 100;
-    private static final int MOST_GREY = 0xffff;
+    private static final int MAX_GREY = 0xffff;
     private static final double ABSOLUTE_ZERO = -273.15;
     private static final int COLORS = 0xffffff;
 
@@ -76,8 +76,8 @@ public final class PixelGrid {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
             reader.setInput(in, true, true);
             long size = (long) reader.getWidth(0) * reader.getHeight(0);
-            if (size > Camera.MOST_PIXELS) {
-                throw new IOException("a picture has " + size + " pixels, legal: at most " + Camera.MOST_PIXELS);
+            if (size > Camera.MAX_PIXELS) {
+                throw new IOException("a picture has " + size + " pixels, legal: at most " + Camera.MAX_PIXELS);
             }
             return reader.read(0);
         } catch (RuntimeException e) {      // so the JDK says of some broken files what is wrong
@@ -135,11 +135,11 @@ public final class PixelGrid {
      * @throws IllegalArgumentException if there is no such pixel
      */
     public String words(int column, int row, double distance) {
-        String told = words(column, row);
+        String reported = words(column, row);
         if (Camera.DEPTH.equals(kind) || Double.isNaN(distance)) {
-            return told;
+            return reported;
         }
-        return told + (distance < Double.POSITIVE_INFINITY ? ", " + ReadingWords.fixed(distance, 3) + " m ahead" : ", nothing in range");
+        return reported + (distance < Double.POSITIVE_INFINITY ? ", " + ReadingWords.fixed(distance, 3) + " m ahead" : ", nothing in range");
     }
 
     /** The same without a distance that the picture doesn't know. */
@@ -176,7 +176,7 @@ public final class PixelGrid {
         int[] grey = new int[values.length];
         for (int i = 0; i < grey.length; i++) {
             double value = depths ? values[i] * MILLI : (values[i] - ABSOLUTE_ZERO) * CENTI;
-            grey[i] = value >= 0 && value < MOST_GREY + 0.5 ? (int) Math.round(value) : 0;
+            grey[i] = value >= 0 && value < MAX_GREY + 0.5 ? (int) Math.round(value) : 0;
         }
         return Png.ofGrey(width, grey);
     }

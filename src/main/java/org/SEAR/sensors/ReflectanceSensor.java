@@ -15,12 +15,12 @@ public final class ReflectanceSensor extends Sensor<Quantity> {
     /** Of its supply, volts. */
     private static final double SUPPLY = 5;
 
-    private final Spot spot;
+    private final LightSpot spot;
 
     /** @param seed of the simulation */
     public ReflectanceSensor(LineSensor parameters, long seed) {
         super(parameters, seed, 1);
-        this.spot = new Spot(parameters);
+        this.spot = new LightSpot(parameters);
     }
 
     @Override

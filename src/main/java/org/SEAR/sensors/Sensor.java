@@ -21,7 +21,7 @@ public abstract class Sensor<R extends Reading> {
     private Pose mount;
     private R last;
     private long lastStep = -1;
-    /** Whether {@link SideBySide} has it among those that are to be measured. */
+    /** Whether {@link ParallelSensing} has it among those that are to be measured. */
     boolean isQueued;
 
     /**

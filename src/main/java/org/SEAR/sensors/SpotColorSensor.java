@@ -8,12 +8,12 @@ public final class SpotColorSensor extends Sensor<ColorReading> {
     private static final int CHANNELS = 3;
     private static final double FULL = 255;
 
-    private final Spot spot;
+    private final LightSpot spot;
 
     /** @param seed of the simulation */
     public SpotColorSensor(ColorSensor parameters, long seed) {
         super(parameters, seed, CHANNELS);
-        this.spot = new Spot(parameters);
+        this.spot = new LightSpot(parameters);
     }
 
     @Override
@@ -26,7 +26,7 @@ public final class SpotColorSensor extends Sensor<ColorReading> {
     }
 
     private double value(double light, Truth truth, int channel) {
-        return Math.max(0, Math.min(FULL, errors.apply(Spot.picture(light), truth.step(), channel, channel)));
+        return Math.max(0, Math.min(FULL, errors.apply(LightSpot.picture(light), truth.step(), channel, channel)));
     }
 
     /** The registry entry. */

@@ -1,8 +1,8 @@
 package org.SEAR.sensors;
 
 import org.SEAR.POJOs.Shape;
-import org.SEAR.camera.Looks;
-import org.SEAR.camera.PlainSkin;
+import org.SEAR.camera.Appearances;
+import org.SEAR.camera.PlainAppearance;
 import org.SEAR.geometry.Pose;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.raycast.BeamScene;
@@ -77,8 +77,8 @@ public interface Truth {
     }
 
     /** What the shapes look like to cameras. */
-    default Looks looks() {
-        return shape -> new PlainSkin(color(shape, 0, 0, 0), Shape.AMBIENT);
+    default Appearances looks() {
+        return shape -> new PlainAppearance(color(shape, 0, 0, 0), Shape.AMBIENT);
     }
 
     /** Who does work that a sensor shares among the machine's cores; at first nobody but the thread that asks. */

@@ -24,7 +24,7 @@ import org.SEAR.sensors.LidarSensor;
 import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.SensorTypes;
-import org.SEAR.sensors.SideBySide;
+import org.SEAR.sensors.ParallelSensing;
 
 /** The sensors of all robots and the devices behind their serial ports. Simulation thread. */
 final class Instruments {
@@ -37,11 +37,11 @@ final class Instruments {
     private final List<String> names;
     private final SensorTypes types = SensorTypes.load();
     private final BiConsumer<String, String> warnings;
-    private final SideBySide sideBySide;
+    private final ParallelSensing sideBySide;
     private final List<DevicePort> scanners = new ArrayList<>();
 
     Instruments(List<RobotModel> robots, long seed, WorkerPool workers, BiConsumer<String, String> warnings) {
-        sideBySide = new SideBySide(workers);
+        sideBySide = new ParallelSensing(workers);
         this.robots = robots;
         this.warnings = warnings;
         DeviceTypes deviceTypes = DeviceTypes.load();
@@ -180,18 +180,18 @@ final class Instruments {
      * @param time simulated seconds
      * @return when to look again; infinity if nothing was to be done
      */
-    double attend(double time) {
+    double serviceDevices(double time) {
         double next = Double.POSITIVE_INFINITY;
         for (int i = 0; i < ports.size(); i++) {
-            next = Math.min(next, ports.get(i).getCable().attend(time));
+            next = Math.min(next, ports.get(i).getCable().serviceDevice(time));
         }
         return next;
     }
 
     /** Whether a device that answers at once has been asked. Any thread. */
-    boolean areAsked() {
+    boolean hasQueries() {
         for (int i = 0; i < ports.size(); i++) {
-            if (ports.get(i).getCable().isAsked()) {
+            if (ports.get(i).getCable().hasQueries()) {
                 return true;
             }
         }
@@ -211,7 +211,7 @@ final class Instruments {
     /** Time stands still: devices that answer at once do. */
     void answer(double time) {
         for (int i = 0; i < ports.size(); i++) {
-            if (ports.get(i).getCable().isAsked()) {
+            if (ports.get(i).getCable().hasQueries()) {
                 ports.get(i).getCable().answer(time);
             }
         }

@@ -25,7 +25,7 @@ import org.SEAR.robot.Robot;
 import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.simulator.orders.BodyOrder;
-import org.SEAR.simulator.orders.Hand;
+import org.SEAR.simulator.orders.DragSpring;
 
 /**
  * A running world: physics, robots, sensors and devices, advanced in steps of 1/60 s.
@@ -44,7 +44,7 @@ public final class Simulation implements AutoCloseable {
     private final Project project;
     private final World world;
     private final Instruments instruments;
-    private final Places places;
+    private final PoseLookup places;
     private final Actuators actuators;
     private final SnapshotRecorder observer;
     private final SimulationWarnings warnings = new SimulationWarnings();
@@ -52,7 +52,7 @@ public final class Simulation implements AutoCloseable {
     private final List<Robot> robots;
     private final ConcurrentLinkedQueue<Consumer<Simulation>> commands = new ConcurrentLinkedQueue<>();
     private final ConcurrentLinkedQueue<Runnable> questions = new ConcurrentLinkedQueue<>();
-    private volatile Runnable bell = () -> { };
+    private volatile Runnable wakeUp = () -> { };
     private volatile Snapshot snapshot;
     private volatile Thread thread;
     private volatile boolean closed;
@@ -60,10 +60,10 @@ public final class Simulation implements AutoCloseable {
     /** How much of the next step the devices have seen, of {@link #PARTS}. */
     private int part;
     private RunOrigin origin;
-    private RunTap tap;
-    private final Consumer<BodyOrder> pulls = order -> tell(who -> who.order(order));
+    private RunListener listener;
+    private final Consumer<BodyOrder> pulls = order -> report(who -> who.order(order));
     /** What comes after a step while its outputs still belong to it. */
-    private final List<Consumer<RunTap>> late = new ArrayList<>();
+    private final List<Consumer<RunListener>> late = new ArrayList<>();
     private boolean delivering;
     /** Whether a reset was asked for meanwhile. */
     private boolean resetting;
@@ -73,7 +73,7 @@ public final class Simulation implements AutoCloseable {
         origin = new RunOrigin(seed, epochMillis, groundVisible);
         world = new World(project, epochMillis, groundVisible, warnings::add);
         instruments = new Instruments(world.getRobots(), seed, world.getWorkers(), warnings::count);
-        places = new Places(project, world);
+        places = new PoseLookup(project, world);
         actuators = new Actuators(world.getRobots());
         deviceWarnings = warnings.list();
         observer = new SnapshotRecorder(world, instruments, warnings);
@@ -127,7 +127,7 @@ public final class Simulation implements AutoCloseable {
     /** A step but for its outputs; the snapshot shows it. Simulation thread. */
     void advance() {
         thread = Thread.currentThread();
-        obey();
+        runCommands();
         instruments.accept(getDeviceTime());
         world.step(pulls);
         step++;
@@ -146,11 +146,11 @@ public final class Simulation implements AutoCloseable {
         } finally {
             delivering = false;
         }
-        if (tap != null) {
-            tap.stepped(this);
+        if (listener != null) {
+            listener.stepped(this);
         }
         endDelivery();
-        serve();
+        answerQueries();
     }
 
     /**
@@ -159,14 +159,14 @@ public final class Simulation implements AutoCloseable {
      * @param newPart how much of the next step's time has passed, 1 to 255 of {@link #PARTS}; what is less than before counts as before
      * @return at which part to look again; {@link #PARTS} if the next step is early enough, or nothing was to be done
      */
-    public int attend(int newPart) {
+    public int serviceDevices(int newPart) {
         thread = Thread.currentThread();
         int before = part;
         part = Math.max(part, newPart);
         double next;
         delivering = true;
         try {
-            next = instruments.attend(getDeviceTime());
+            next = instruments.serviceDevices(getDeviceTime());
         } finally {
             delivering = false;
         }
@@ -174,13 +174,13 @@ public final class Simulation implements AutoCloseable {
             part = before;
             return PARTS;
         }
-        attended(part);
+        devicesServiced(part);
         return (int) Math.min(PARTS, Math.max(part + 1, Math.ceil((next - getTime()) / STEP * PARTS)));
     }
 
     /** Whether {@link #answer} has something to do, or does it. Any thread. */
-    public boolean isAsked() {
-        return instruments.areAsked();
+    public boolean hasQueries() {
+        return instruments.hasQueries();
     }
 
     /** Whether {@link #answer} is to be tried again soon: who has just opened a port does not wait for it yet. Any thread. */
@@ -190,7 +190,7 @@ public final class Simulation implements AutoCloseable {
 
     /** While time stands still: devices that {@link org.SEAR.devices.SerialDevice#answersAtOnce} deal with what was written. Simulation thread. */
     public void answer() {
-        if (!isAsked()) {
+        if (!hasQueries()) {
             return;
         }
         thread = Thread.currentThread();
@@ -200,26 +200,26 @@ public final class Simulation implements AutoCloseable {
         } finally {
             delivering = false;
         }
-        attended(0);
+        devicesServiced(0);
     }
 
     /** Time stands still, and nothing is asked for. Simulation thread. */
-    void stand() {
-        if (tap != null) {
-            tap.standing();
+    void idle() {
+        if (listener != null) {
+            listener.idle();
         }
     }
 
-    private void attended(int what) {
-        if (tap != null) {
-            tap.attended(what);
+    private void devicesServiced(int what) {
+        if (listener != null) {
+            listener.devicesServiced(what);
         }
         endDelivery();
     }
 
     private void endDelivery() {
         if (!late.isEmpty()) {
-            late.forEach(this::tell);
+            late.forEach(this::report);
             late.clear();
         }
         if (resetting) {
@@ -229,19 +229,19 @@ public final class Simulation implements AutoCloseable {
     }
 
     /** Tells the tap what happens between two steps. */
-    private void tell(Consumer<RunTap> event) {
+    private void report(Consumer<RunListener> event) {
         if (delivering) {
             late.add(event);
-        } else if (tap != null) {
-            event.accept(tap);
+        } else if (listener != null) {
+            event.accept(listener);
         }
     }
 
-    private void obey() {
+    private void runCommands() {
         for (Consumer<Simulation> command = commands.poll(); command != null; command = commands.poll()) {
             try {
-                if (tap != null && command instanceof DriveCommand) {
-                    tap.drive((DriveCommand) command);
+                if (listener != null && command instanceof DriveCommand) {
+                    listener.drive((DriveCommand) command);
                 }
                 command.accept(this);
             } catch (RuntimeException e) {
@@ -251,7 +251,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /** Runs what was asked for with {@link #ask}, without advancing. Simulation thread. */
-    public void serve() {
+    public void answerQueries() {
         if (questions.isEmpty()) {
             return;
         }
@@ -270,8 +270,8 @@ public final class Simulation implements AutoCloseable {
             resetting = true;
             return;
         }
-        if (tap != null) {
-            tap.reset();
+        if (listener != null) {
+            listener.reset();
         }
         world.restart();
         instruments.restart();
@@ -285,9 +285,9 @@ public final class Simulation implements AutoCloseable {
     }
 
     /** Has somebody look at the run, beside those who do already, from now on or no longer. Simulation thread. */
-    public void setTap(RunTap who, boolean on) {
-        tap = RunTap.Several.changed(tap, who, on);
-        instruments.getPorts().forEach(port -> port.getCable().setTap(tap));
+    public void setListener(RunListener who, boolean on) {
+        listener = RunListener.Several.changed(listener, who, on);
+        instruments.getPorts().forEach(port -> port.getCable().setListener(listener));
     }
 
     /** What, beside project and commands, decides what happens. Any thread. */
@@ -318,18 +318,18 @@ public final class Simulation implements AutoCloseable {
             job.run();
         } else {
             questions.add(job);
-            bell.run();
+            wakeUp.run();
             if (closed) {
-                serve();
+                answerQueries();
             }
         }
         return answer;
     }
 
     /** Who is to be told that there is a question, or something on a line. */
-    void setBell(Runnable newBell) {
-        bell = newBell;
-        instruments.getPorts().forEach(port -> port.getCable().setBell(newBell));
+    void setWakeUp(Runnable newWakeUp) {
+        wakeUp = newWakeUp;
+        instruments.getPorts().forEach(port -> port.getCable().setWakeUp(newWakeUp));
     }
 
     /** The state after the last step. Any thread. */
@@ -490,17 +490,17 @@ public final class Simulation implements AutoCloseable {
      */
     public void order(ActuatorOrder order) {
         order.giveTo(this);
-        tell(who -> who.order(order));
+        report(who -> who.order(order));
     }
 
     /** Gives a thing or a robot a velocity, or has it pushed from the next step on; throws as {@link World#order} does. Simulation thread. */
     public void order(BodyOrder order) {
         world.order(order);
-        tell(who -> who.order(order));
+        report(who -> who.order(order));
     }
 
     /** Has a hand pull a thing or a robot from the next step on, until it lets go; throws as {@link #order(BodyOrder)} does. Simulation thread. */
-    public void hold(Hand hand, String name) {
+    public void hold(DragSpring hand, String name) {
         world.hold(hand, name);
     }
 
@@ -512,7 +512,7 @@ public final class Simulation implements AutoCloseable {
      */
     public void power(String name, boolean on) {
         instruments.power(name, on, getDeviceTime());
-        tell(who -> who.power(name, on));
+        report(who -> who.power(name, on));
         snapshot = observer.lookClosely(step);
     }
 
@@ -531,7 +531,7 @@ public final class Simulation implements AutoCloseable {
      */
     public boolean place(String name, Project now, boolean back) {
         try {
-            Moves moves = world.getMoves();
+            Teleports moves = world.getMoves();
             Pose start = moves.start(name, now);
             if (start == null) {
                 return false;
@@ -540,7 +540,7 @@ public final class Simulation implements AutoCloseable {
                 moves.remember(name);
             }
             moves.write(name, now);
-            move(name, start, back ? moves.takeBack(name, start) : start);
+            move(name, start, back ? moves.undo(name, start) : start);
             return true;
         } catch (ProjectException e) {
             throw new IllegalArgumentException(e.getMessage(), e);
@@ -559,7 +559,7 @@ public final class Simulation implements AutoCloseable {
             throw new IllegalArgumentException("nothing that can be moved is named \"" + name + "\"");
         }
         world.move(name, start, to);
-        tell(who -> who.moved(name, start, to));
+        report(who -> who.moved(name, start, to));
         snapshot = observer.lookClosely(step);
     }
 
@@ -592,6 +592,6 @@ public final class Simulation implements AutoCloseable {
     public void close() {
         world.getWorkers().close();
         closed = true;
-        serve();
+        answerQueries();
     }
 }

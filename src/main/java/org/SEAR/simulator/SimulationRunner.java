@@ -60,11 +60,11 @@ public final class SimulationRunner implements Runnable {
     @Override
     public void run() {
         thread = Thread.currentThread();
-        simulation.setBell(this::ring);
+        simulation.setWakeUp(this::ring);
         try {
             newPace = true;
             while (!stopped) {
-                simulation.serve();
+                simulation.answerQueries();
                 if (paused && done >= ordered) {
                     simulation.answer();
                     measured = 0;
@@ -81,14 +81,14 @@ public final class SimulationRunner implements Runnable {
         } finally {
             simulation.close();
             ended = true;
-            tell();
+            report();
         }
     }
 
     /** Until something is asked for, or who has just opened a port may wait for its device by now; or for a while. */
     private void rest() {
         LockSupport.parkNanos(this, simulation.isOpening() ? LOOK_AFTER_OPENER : STANDING);
-        simulation.stand();
+        simulation.idle();
     }
 
     /** Whether the next step's time has come; attends to the lines and waits a while if not. */
@@ -101,18 +101,18 @@ public final class SimulationRunner implements Runnable {
         if (pace.isDue(now, speed)) {
             return true;
         }
-        attendTo(now);
+        serviceLines(now);
         return false;
     }
 
     /** Bytes are on their way from when they were written, however late a busy processor lets this thread see them. */
-    private void attendTo(long now) {
+    private void serviceLines(long now) {
         long written = rung;
         if (written != SILENT) {
             rung = SILENT;
-            simulation.attend(pace.part(written));
+            simulation.serviceDevices(pace.part(written));
         }
-        int next = simulation.attend(pace.part(now));
+        int next = simulation.serviceDevices(pace.part(now));
         LockSupport.parkNanos(this, pace.waitFor(next, System.nanoTime()));
     }
 
@@ -133,11 +133,11 @@ public final class SimulationRunner implements Runnable {
             listener.run();
         }
         if (waiting > 0) {
-            tell();
+            report();
         }
     }
 
-    private void tell() {
+    private void report() {
         lock.lock();
         try {
             progress.signalAll();

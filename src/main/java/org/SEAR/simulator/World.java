@@ -18,11 +18,11 @@ import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
-import org.SEAR.physics.Scenes;
-import org.SEAR.physics.start.BesideGround;
+import org.SEAR.physics.RaycastScenes;
+import org.SEAR.physics.start.GroundDistanceCheck;
 import org.SEAR.physics.start.StartPoses;
-import org.SEAR.physics.start.TooHeavy;
-import org.SEAR.physics.start.TooLarge;
+import org.SEAR.physics.start.DensityCheck;
+import org.SEAR.physics.start.SizeCheck;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.ObjectPose;
@@ -38,14 +38,14 @@ import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
 import org.SEAR.simulator.orders.BodyOrder;
 import org.SEAR.simulator.orders.BodyOrders;
-import org.SEAR.simulator.orders.Hand;
+import org.SEAR.simulator.orders.DragSpring;
 
 /** The things of a project: environment and robots in physics and before the beams. Simulation thread. */
 final class World implements PhysicsWorld.Touches {
     private static final int MAX_CONTACTS = 256;
 
     private final PhysicsWorld physics = new PhysicsWorld();
-    private final Scenes scenes;
+    private final RaycastScenes scenes;
     private final List<Body> environment = new ArrayList<>();
     /** Those of the environment that can move: what is fixed costs nothing in a step. */
     private final Body[] movable;
@@ -62,20 +62,20 @@ final class World implements PhysicsWorld.Touches {
 
     /** Who works for this world: no helpers yet. */
     private final WorkerPool workers = new WorkerPool(WorkerPool.threadsOfMachine());
-    private final Fallen fallen;
-    private final Moves moves;
+    private final KillPlane fallen;
+    private final Teleports moves;
     private final BodyOrders orders = new BodyOrders();
 
     /**
      * Builds the world of a project.
      *
      * @param groundVisible whether beams see floors and terrain as their objects say; false: none of them
-     * @param told takes what happens later
+     * @param reported takes what happens later
      */
-    World(Project project, long epochMillis, boolean groundVisible, Consumer<String> told) throws ProjectException {
-        scenes = new Scenes(!groundVisible || hasInvisible(project));
+    World(Project project, long epochMillis, boolean groundVisible, Consumer<String> reported) throws ProjectException {
+        scenes = new RaycastScenes(!groundVisible || hasInvisible(project));
         virtualWalls = new VirtualWalls(scenes);
-        SurfaceColors colors = new SurfaceColors(project.getAssets(), told);
+        SurfaceColors colors = new SurfaceColors(project.getAssets(), reported);
         for (SearObject object : project.getEnvironment()) {
             Body body = body(object, project, warnings);
             environment.add(body);
@@ -103,7 +103,7 @@ final class World implements PhysicsWorld.Touches {
         if (project.getGround() != null) {
             warnings.addAll(project.getGround().warnings);
         }
-        GroundPlaces places = new GroundPlaces(project.getOrigin(), scenes);
+        GroundPlacement places = new GroundPlacement(project.getOrigin(), scenes);
         for (int i = 0; i < environment.size(); i++) {
             if (environment.get(i) != null) {
                 places.setDown((PlacedObject) project.getEnvironment().get(i), environment.get(i));
@@ -118,7 +118,7 @@ final class World implements PhysicsWorld.Touches {
             builder.addTo(scenes, robots.size());
             RobotTruth truth = new RobotTruth(builder, scenes, colors, robots.size(), Earth.of(project, robot), epochMillis,
                 workers);
-            RobotModel model = new RobotModel(builder, robots.size(), scenes, truth, virtualWalls, told);
+            RobotModel model = new RobotModel(builder, robots.size(), scenes, truth, virtualWalls, reported);
             robots.add(model);
             robotOf.put(model.getBody(), model);
         }
@@ -128,12 +128,12 @@ final class World implements PhysicsWorld.Touches {
             throw new ProjectException(Collections.singletonList(new Problem("environment", 0, "", crowd, "things that start apart")));
         }
         StartPoses.lift(physics.getBodies(), warnings);
-        StartPoses.tellOverlaps(physics.getBodies(), warnings);
-        BesideGround.tell(physics.getBodies(), scenes, warnings);
-        TooHeavy.tell(physics.getBodies(), warnings);
-        TooLarge.tell(physics.getBodies(), scenes.grounds(), warnings);
-        fallen = new Fallen(physics.getBodies(), told);
-        moves = new Moves(this);
+        StartPoses.reportOverlaps(physics.getBodies(), warnings);
+        GroundDistanceCheck.report(physics.getBodies(), scenes, warnings);
+        DensityCheck.report(physics.getBodies(), warnings);
+        SizeCheck.report(physics.getBodies(), scenes.grounds(), warnings);
+        fallen = new KillPlane(physics.getBodies(), reported);
+        moves = new Teleports(this);
         restart();
         robots.forEach(robot -> StartChecks.check(robot, scenes, warnings));
     }
@@ -143,8 +143,8 @@ final class World implements PhysicsWorld.Touches {
      *
      * @throws ProjectException if it can't be made
      */
-    static Scenes ground(Project project) throws ProjectException {
-        Scenes scenes = new Scenes(false);
+    static RaycastScenes ground(Project project) throws ProjectException {
+        RaycastScenes scenes = new RaycastScenes(false);
         List<SearObject> grounds = new ArrayList<>(project.getEnvironment());
         grounds.removeIf(object -> !(object instanceof Shape && ((Shape) object).isGround()));
         List<Body> bodies = new ArrayList<>();
@@ -156,7 +156,7 @@ final class World implements PhysicsWorld.Touches {
             body.mirror(scenes);
         }
         scenes.commit();
-        GroundPlaces places = new GroundPlaces(project.getOrigin(), scenes);
+        GroundPlacement places = new GroundPlacement(project.getOrigin(), scenes);
         for (int i = 0; i < bodies.size(); i++) {
             places.setDown((PlacedObject) grounds.get(i), bodies.get(i));
             bodies.get(i).mirror(scenes);
@@ -172,7 +172,7 @@ final class World implements PhysicsWorld.Touches {
     }
 
     /** The same of any {@link #ground}. */
-    static double groundHeight(Scenes scenes, double x, double z) {
+    static double groundHeight(RaycastScenes scenes, double x, double z) {
         double height = scenes.groundHeight(x, z);
         if (Double.isNaN(height)) {
             throw new IllegalArgumentException("there is no ground at x " + x + ", z " + z + ", legal: a point of the terrain, a floor or a model"
@@ -223,7 +223,7 @@ final class World implements PhysicsWorld.Touches {
         poses = poses();
     }
 
-    /** Puts something elsewhere, see {@link Moves}. */
+    /** Puts something elsewhere, see {@link Teleports}. */
     void move(String name, Pose start, Pose to) {
         moves.move(name, start, to);
         orders.forget(moves.body(name));
@@ -238,19 +238,19 @@ final class World implements PhysicsWorld.Touches {
      * @throws IllegalArgumentException if there is nothing of that name that can move, or the push is too strong for it
      */
     void order(BodyOrder order) {
-        orders.obey(order, moves.body(order.name));
+        orders.execute(order, moves.body(order.name));
     }
 
     /** See {@link Simulation#hold}. */
-    void hold(Hand hand, String name) {
+    void hold(DragSpring hand, String name) {
         orders.hold(hand, moves.body(name));
     }
 
-    Moves getMoves() {
+    Teleports getMoves() {
         return moves;
     }
 
-    Scenes getScenes() {
+    RaycastScenes getScenes() {
         return scenes;
     }
 
@@ -262,13 +262,13 @@ final class World implements PhysicsWorld.Touches {
     /**
      * The physics of a step: wheels find their ground, bodies move, wheels turn, beams' geometry follows.
      *
-     * @param told hears what hands do in it
+     * @param reported hears what hands do in it
      */
-    void step(Consumer<BodyOrder> told) {
+    void step(Consumer<BodyOrder> reported) {
         for (int i = 0; i < robots.size(); i++) {
             robots.get(i).prepare();
         }
-        orders.act(told);
+        orders.act(reported);
         physics.step();
         fallen.look();
         boolean moved = false;

@@ -9,7 +9,7 @@ import org.SEAR.geometry.HeightTiles;
 final class FieldGrid {
     /** Posts up to which the field is finer than the map: its triangles then follow the map's bilinear surface. */
     private static final double FINE = 6_000_000;
-    private static final int MOST_BETWEEN = 8;
+    private static final int MAX_BETWEEN = 8;
     private static final double MOST = 1e9;
     private static final double ROUNDING = 1e-6;
 
@@ -48,7 +48,7 @@ final class FieldGrid {
      * @param whole whether all of the area has to be covered, otherwise nothing beyond it
      */
     static FieldGrid of(double[] size, double[] map, double[] post, boolean whole) {
-        int between = MOST_BETWEEN + 1;
+        int between = MAX_BETWEEN + 1;
         Axis x;
         Axis z;
         do {

@@ -13,7 +13,7 @@ import org.SEAR.terrain.format.MapLimits;
 
 /** Makes the ground of a world of opened maps. One thread. */
 final class GroundBuilder {
-    private static final double MOST_METRES = 1_000_000;
+    private static final double MAX_METRES = 1_000_000;
     private static final double HALF_CELL = 0.5;
 
     private final Mosaic mosaic;
@@ -98,10 +98,10 @@ final class GroundBuilder {
         double[][] steps = steps(plane);
         double[] metres = steps[0];
         MapExtent extent = new MapExtent(mosaic, plane);
-        double[] used = size != null ? size : extent.fitted(Math.min(MOST_METRES, (mosaic.rows - 1) * metres[0]),
-            Math.min(MOST_METRES, (mosaic.columns - 1) * metres[1]));
-        if (!(used[0] > 0 && used[1] > 0 && used[0] <= MOST_METRES && used[1] <= MOST_METRES)) {
-            throw FileLimits.wrong(file, "the size of the area", used[0] + " m x " + used[1] + " m", "more than 0 to " + (int) MOST_METRES + " m");
+        double[] used = size != null ? size : extent.fitted(Math.min(MAX_METRES, (mosaic.rows - 1) * metres[0]),
+            Math.min(MAX_METRES, (mosaic.columns - 1) * metres[1]));
+        if (!(used[0] > 0 && used[1] > 0 && used[0] <= MAX_METRES && used[1] <= MAX_METRES)) {
+            throw FileLimits.wrong(file, "the size of the area", used[0] + " m x " + used[1] + " m", "more than 0 to " + (int) MAX_METRES + " m");
         }
         double[] box = extent.box(used[0], used[1], HALF_CELL);
         if (box == null) {

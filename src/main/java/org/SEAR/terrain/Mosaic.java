@@ -18,7 +18,7 @@ import org.SEAR.terrain.format.MapLimits;
  * are resampled, bilinear. One thread at a time.
  */
 final class Mosaic implements Closeable {
-    private static final int MOST_TILES = 100;
+    private static final int MAX_TILES = 100;
     private static final long MAX_SIDE = 100_000_000;
 
     /** Where the posts of the mosaic lie; for pictures, their columns from the west and rows from the south. */
@@ -61,7 +61,7 @@ final class Mosaic implements Closeable {
      * @throws IOException that names the map and what is wrong with it
      */
     static Mosaic open(Assets assets, List<String> paths) throws IOException {
-        FileLimits.range(paths.get(0), "the number of tiles", paths.size(), 1, MOST_TILES);
+        FileLimits.range(paths.get(0), "the number of tiles", paths.size(), 1, MAX_TILES);
         List<ElevationMap> maps = new ArrayList<>();
         try {
             for (String path : paths) {

@@ -20,7 +20,7 @@ import org.SEAR.view.process.WindowProtocol;
 /** A window in a process of its own, seen from the simulation's process. Any thread. */
 final class RemoteWindow implements WindowHandle {
     /** Seconds that a machine may take to start a process and open a window. */
-    private static final long PATIENCE = 60;
+    private static final long TIMEOUT = 60;
     private static final long FEED_PERIOD = TimeUnit.MILLISECONDS.toNanos(25);
 
     private final WorldLink world;
@@ -44,8 +44,8 @@ final class RemoteWindow implements WindowHandle {
     /** Starts the process and waits for its window, or for the reason why there is none. */
     static RemoteWindow open(WorldLink world, WindowOptions options) throws IOException, InterruptedException {
         RemoteWindow window = new RemoteWindow(world, options);
-        if (!window.settled.await(PATIENCE, TimeUnit.SECONDS)) {
-            window.problem = "the window's process did not open it within " + PATIENCE + " s";
+        if (!window.settled.await(TIMEOUT, TimeUnit.SECONDS)) {
+            window.problem = "the window's process did not open it within " + TIMEOUT + " s";
         }
         if (window.problem != null) {
             window.end();
@@ -120,7 +120,7 @@ final class RemoteWindow implements WindowHandle {
                 start(options.getOnClosed(), "SEAR window closed");
                 break;
             default:
-                if (!WindowProtocol.obey(what, in, world)) {
+                if (!WindowProtocol.execute(what, in, world)) {
                     throw new IOException("the window's process sent " + what + ", which means nothing");
                 }
                 break;

@@ -23,7 +23,7 @@ final class Screenshots implements SceneProcessor {
     private static final int LAST = 9999;
     private final Path folder;
     private final ExecutorService writer;
-    private final Consumer<String> tell;
+    private final Consumer<String> report;
     private RenderManager manager;
     private int width;
     private int height;
@@ -37,7 +37,7 @@ final class Screenshots implements SceneProcessor {
     Screenshots(Path folder, ExecutorService writer, Consumer<String> tell) {
         this.folder = folder;
         this.writer = writer;
-        this.tell = tell;
+        this.report = tell;
     }
 
     /** The frame being drawn, or else the next one, goes to a file. */
@@ -82,9 +82,9 @@ final class Screenshots implements SceneProcessor {
             target = file == null ? next() : file;
             Files.createDirectories(target.toAbsolutePath().getParent());
             ImageIO.write(image, "png", target.toFile());
-            tell.accept("picture saved: " + target);
+            report.accept("picture saved: " + target);
         } catch (IOException e) {
-            tell.accept("the picture can't be saved in " + folder + " (" + e.getMessage() + "); choose a folder that can be written");
+            report.accept("the picture can't be saved in " + folder + " (" + e.getMessage() + "); choose a folder that can be written");
         }
     }
 

@@ -28,7 +28,7 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
     /** A little more than anybody needs to see motion: each picture takes caches and time from the simulation. */
     private static final int SOFTWARE_FRAMES = 34;
     /** Seconds that a machine may take to open a window. */
-    private static final long PATIENCE = 60;
+    private static final long TIMEOUT = 60;
     private static final int DEPTH_BITS = 24;
 
     private final WorldLink link;
@@ -87,14 +87,14 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         } finally {
             Thread.currentThread().setContextClassLoader(before);
         }
-        if (!settled.await(PATIENCE, TimeUnit.SECONDS)) {
-            problem = "the window did not open within " + PATIENCE + " s";
+        if (!settled.await(TIMEOUT, TimeUnit.SECONDS)) {
+            problem = "the window did not open within " + TIMEOUT + " s";
             stop();
         }
         if (problem != null) {
             background.shutdownNow();
             if (thread != null && thread != Thread.currentThread()) {
-                thread.join(TimeUnit.SECONDS.toMillis(PATIENCE));
+                thread.join(TimeUnit.SECONDS.toMillis(TIMEOUT));
             }
         }
     }
@@ -251,11 +251,11 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         shown = false;
         if (closedByUser && !closing) {
             // no daemon: a process that has only this window would end before the message is out
-            new Thread(this::tellClosed, "SEAR window closed").start();
+            new Thread(this::reportClosed, "SEAR window closed").start();
         }
     }
 
-    private void tellClosed() {
+    private void reportClosed() {
         awaitEnd();
         options.getOnClosed().run();
     }
@@ -263,7 +263,7 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
     private void awaitEnd() {
         try {
             thread.join();
-            background.awaitTermination(PATIENCE, TimeUnit.SECONDS);
+            background.awaitTermination(TIMEOUT, TimeUnit.SECONDS);
             NativeMemory.giveBack();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

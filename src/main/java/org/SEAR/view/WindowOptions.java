@@ -15,7 +15,7 @@ public final class WindowOptions {
     public static final int HEIGHT = 640;
     private static final int SMALLEST = 160;
     private static final int LARGEST = 8192;
-    private static final int MOST_SAMPLES = 16;
+    private static final int MAX_SAMPLES = 16;
 
     private String title = "SEAR";
     private int width = WIDTH;
@@ -50,8 +50,8 @@ public final class WindowOptions {
 
     /** Smooths edges by so many samples a pixel: 0 (none) to 16, default 0, because a machine without a graphics card pays for each. */
     public WindowOptions setSamples(int count) {
-        if (count < 0 || count > MOST_SAMPLES) {
-            throw new IllegalArgumentException("window samples is " + count + ", legal: 0 to " + MOST_SAMPLES);
+        if (count < 0 || count > MAX_SAMPLES) {
+            throw new IllegalArgumentException("window samples is " + count + ", legal: 0 to " + MAX_SAMPLES);
         }
         samples = count;
         return this;

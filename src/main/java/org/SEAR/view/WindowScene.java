@@ -65,7 +65,7 @@ final class WindowScene {
         lighting = new Lighting(window.getAssetManager(), window.getRootNode(), window.getViewPort());
         world = new WorldView(link.project(), builder, link.beams(), materials);
         window.getRootNode().attachChild(world.root());
-        terrain = Grounds.of(link.project(), window, options.getWarnings());
+        terrain = GroundViews.of(link.project(), window, options.getWarnings());
         shapes = new DebugShapes(link.project(), world, materials);
         setShapes(options.isDebugShapes());
         camera = new CameraRig(window.getCamera());
@@ -78,8 +78,8 @@ final class WindowScene {
         window.getInputManager().addRawInputListener(controls);
         labels = new Labels(font, materials, window.getGuiNode());
         hud = new Hud(font, materials, window.getGuiNode());
-        Consumer<String> tell = message -> window.enqueue(() -> hud.say(message));
-        screenshots = new Screenshots(options.getScreenshotFolder(), background, tell);
+        Consumer<String> report = message -> window.enqueue(() -> hud.say(message));
+        screenshots = new Screenshots(options.getScreenshotFolder(), background, report);
         window.getGuiViewPort().addProcessor(screenshots);
         state.beamSensors = world.beamSensors();
         state.hasCameras = !world.cameras().isEmpty();

@@ -12,7 +12,7 @@ public final class Backlog {
     public static final int PIECE = 100;
 
     /** As many messages may wait in an outbox before the next piece. */
-    private static final int MOST_MESSAGES = 500;
+    private static final int MAX_MESSAGES = 500;
     private static final long LOOK_NANOS = 50_000;
 
     private Backlog() {
@@ -25,16 +25,16 @@ public final class Backlog {
      */
     public static boolean isLong(Object listener) {
         return listener instanceof ServiceInterface && ((ServiceInterface) listener).getOutbox().isRunning()
-            && ((ServiceInterface) listener).getOutbox().size() > MOST_MESSAGES;
+            && ((ServiceInterface) listener).getOutbox().size() > MAX_MESSAGES;
     }
 
     /**
      * Waits until a service has few messages on their way out.
      *
-     * @param patience nanoseconds after which this returns all the same
+     * @param timeout nanoseconds after which this returns all the same
      */
-    public static void await(Object listener, long patience) {
-        long end = System.nanoTime() + patience;
+    public static void await(Object listener, long timeout) {
+        long end = System.nanoTime() + timeout;
         while (isLong(listener) && System.nanoTime() < end && !Thread.currentThread().isInterrupted()) {
             LockSupport.parkNanos(LOOK_NANOS);
         }

@@ -39,7 +39,7 @@ public class VirtualSerialPort extends Port {
     private static final String WAY_OUT = "disconnect() there first";
     private static final int DEFAULT_BAUD = 115200;
     /** How long the reader waits for a service whose messages don't go out. */
-    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(1);
+    private static final long TIMEOUT = TimeUnit.SECONDS.toNanos(1);
 
     private final Object lock = new Object();
     private final ByteQueue incoming = new ByteQueue();
@@ -364,7 +364,7 @@ public class VirtualSerialPort extends Port {
             } catch (RuntimeException e) {
                 log.error("{} failed on bytes from port {}", listener.getName(), portName, e);
             }
-            Backlog.await(listener, PATIENCE);
+            Backlog.await(listener, TIMEOUT);
         }
         handedHook.accept(getHanded() + bytes.length);
         synchronized (lock) {

@@ -369,9 +369,9 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
 
     /** The device has told its unit: it gets the one that the configuration has. */
     void onUnit(boolean millimetres) {
-        String told = millimetres ? MILLIMETRES : CENTIMETRES;
-        onUnit(told);
-        if (config.unit != null && !config.unit.equals(told) && !unitAsked) {
+        String reported = millimetres ? MILLIMETRES : CENTIMETRES;
+        onUnit(reported);
+        if (config.unit != null && !config.unit.equals(reported) && !unitAsked) {
             setUnit(!millimetres);
         }
     }

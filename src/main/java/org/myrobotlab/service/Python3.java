@@ -8,14 +8,14 @@ import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.Python3Config;
-import org.myrobotlab.service.sear.lockstep.CallsBack;
+import org.myrobotlab.service.sear.lockstep.CallbackService;
 import org.myrobotlab.service.sear.lockstep.FencePass;
 
 /**
  * Stands in MyRobotLab for a Python 3 program that is connected to it or has it in its process: what is published to this service calls a function of
  * the program. The package {@code sear} for Python 3 starts it. Any thread.
  */
-public class Python3 extends Service<Python3Config> implements CallsBack {
+public class Python3 extends Service<Python3Config> implements CallbackService {
     private static final long serialVersionUID = 1L;
 
     /** So long after its last question a program is taken for ended, ns. */

@@ -886,7 +886,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example sear.newProject()
      */
     public String newProject() {
-        return calls.attempt(() -> text(parts.projects().startAnew()));
+        return calls.attempt(() -> text(parts.projects().restart()));
     }
 
     /**
@@ -1432,7 +1432,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * What shapes look like, for panels that show them in space; the form stands at {@code Looks}.
+     * What shapes look like, for panels that show them in space; the form stands at {@code LookTable}.
      *
      * @param wanted keys of looks and pictures that the panel has not got
      */

@@ -24,7 +24,7 @@ import org.myrobotlab.service.sear.lockstep.Fence;
 import org.myrobotlab.service.sear.lockstep.FencePass;
 import org.myrobotlab.service.sear.netcam.CameraExports;
 import org.myrobotlab.service.sear.panel.CameraPicture;
-import org.myrobotlab.service.sear.panel.Motion;
+import org.myrobotlab.service.sear.panel.RecordMotion;
 import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.panel.TerrainMap;
 import org.myrobotlab.service.sear.panel.WorldFeed;
@@ -35,7 +35,7 @@ import org.myrobotlab.service.sear.readings.ScriptBodies;
 import org.myrobotlab.service.sear.readings.ScriptCameras;
 import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
-import org.myrobotlab.service.sear.records.KeptPictures;
+import org.myrobotlab.service.sear.records.RecordPictureCache;
 import org.myrobotlab.service.sear.records.Plans;
 import org.myrobotlab.service.sear.records.Plots;
 import org.myrobotlab.service.sear.records.Recording;
@@ -67,7 +67,7 @@ final class SearParts {
     private final BundleTransfers transfers;
     private final Recording recording;
     private final Records records;
-    private final KeptPictures kept = new KeptPictures();
+    private final RecordPictureCache kept = new RecordPictureCache();
     private final WorldFeed feed = new WorldFeed();
     private final Preview preview = new Preview();
     private final TerrainMap terrain = new TerrainMap();
@@ -88,7 +88,7 @@ final class SearParts {
         transfers = new BundleTransfers(projects::save, projects::load);
         recording = new Recording(control, host);
         records = new Records(host);
-        control.bench().open();
+        control.scriptSession().open();
         Edits.mend(host::warn);
         publisher = new Publisher(host, control, readings, cameras);    // last, for it has a thread
         control.setStepListener(publisher::publishDue);
@@ -219,9 +219,9 @@ final class SearParts {
         return records.frames(path, wording());
     }
 
-    /** How things turned, and what sensors saw in a record, as {@link Motion#of} has it. */
+    /** How things turned, and what sensors saw in a record, as {@link RecordMotion#of} has it. */
     public Map<String, Object> recordMotion(String path) throws IOException {
-        return Motion.of(path, Records.open(path), control.getFolder());
+        return RecordMotion.of(path, Records.open(path), control.getFolder());
     }
 
     /** A camera's picture in a record, as {@link CameraPicture} has it; empty if there is none. */
@@ -338,7 +338,7 @@ final class SearParts {
 
     /** Ends everything, for good. */
     public void close() {
-        control.bench().close();
+        control.scriptSession().close();
         stop();
         publisher.close();    // whose thread, interrupted while it looks, has nothing to complain of by now
         exports.close();

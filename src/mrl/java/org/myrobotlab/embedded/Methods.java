@@ -99,7 +99,7 @@ public final class Methods {
         } catch (IllegalAccessException e) {
             throw new IllegalStateException(method + " can't be reached", e);
         } catch (InvocationTargetException e) {
-            OutOfMemory.tell(e.getCause());
+            OutOfMemory.report(e.getCause());
             throw e;
         }
     }

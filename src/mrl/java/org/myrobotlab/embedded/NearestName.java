@@ -15,7 +15,7 @@ public final class NearestName {
     /** Names that have less in common are not suggested. */
     private static final double NEAR = 0.65;
     private static final double WITHOUT_VERB = 0.9;
-    private static final int MOST_ACTIONS = 4;
+    private static final int MAX_ACTIONS = 4;
 
     private NearestName() {
     }
@@ -27,7 +27,7 @@ public final class NearestName {
                 return question(one);
             }
         }
-        String actions = known.stream().filter(one -> isVerbOf(wanted, one)).sorted().limit(MOST_ACTIONS).collect(Collectors.joining(" or "));
+        String actions = known.stream().filter(one -> isVerbOf(wanted, one)).sorted().limit(MAX_ACTIONS).collect(Collectors.joining(" or "));
         if (!actions.isEmpty()) {
             return question(actions);
         }

@@ -12,26 +12,26 @@ public final class OutOfMemory {
     }
 
     /** Tells of what a called method has thrown, if it or what caused it is such an error. */
-    public static void tell(Throwable thrown) {
+    public static void report(Throwable thrown) {
         for (Throwable at = thrown; at != null; at = at.getCause() == at ? null : at.getCause()) {
             if (at instanceof OutOfMemoryError) {
-                tellWatcher((OutOfMemoryError) at);
+                reportWatcher((OutOfMemoryError) at);
                 return;
             }
         }
     }
 
     /** Tells of what a script has raised: Python's MemoryError or Java's error. */
-    public static void tell(PyException raised) {
+    public static void report(PyException raised) {
         if (raised.match(Py.MemoryError)) {
-            tellWatcher(new OutOfMemoryError("in a script: " + raised.value));
+            reportWatcher(new OutOfMemoryError("in a script: " + raised.value));
             return;
         }
         Object java = raised.value == null ? Py.NoConversion : raised.value.__tojava__(Throwable.class);
-        tell(java == Py.NoConversion ? raised.getCause() : (Throwable) java);
+        report(java == Py.NoConversion ? raised.getCause() : (Throwable) java);
     }
 
-    private static void tellWatcher(OutOfMemoryError error) {
+    private static void reportWatcher(OutOfMemoryError error) {
         Thread.UncaughtExceptionHandler watcher = Thread.getDefaultUncaughtExceptionHandler();
         if (watcher != null) {
             watcher.uncaughtException(Thread.currentThread(), error);

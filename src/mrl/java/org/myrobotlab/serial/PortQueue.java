@@ -12,7 +12,7 @@ import org.slf4j.Logger;
 public class PortQueue extends Port {
     public static final Logger log = LoggerFactory.getLogger(PortQueue.class);
 
-    private static final int MOST_AT_ONCE = 512;
+    private static final int MAX_AT_ONCE = 512;
     private static final int BYTE = 0xFF;
 
     private final transient BlockingQueue<Integer> in;
@@ -37,7 +37,7 @@ public class PortQueue extends Port {
             Thread.currentThread().interrupt();
             return null;
         }
-        in.drainTo(taken, MOST_AT_ONCE - 1);
+        in.drainTo(taken, MAX_AT_ONCE - 1);
         byte[] bytes = new byte[taken.size()];
         for (int i = 0; i < bytes.length; i++) {
             bytes[i] = taken.get(i).byteValue();

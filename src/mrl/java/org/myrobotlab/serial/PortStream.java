@@ -13,7 +13,7 @@ import org.slf4j.Logger;
 public class PortStream extends Port {
     public static final Logger log = LoggerFactory.getLogger(PortStream.class);
 
-    private static final int MOST_AT_ONCE = 512;
+    private static final int MAX_AT_ONCE = 512;
 
     private transient InputStream in;
     private transient OutputStream out;
@@ -31,7 +31,7 @@ public class PortStream extends Port {
 
     @Override
     public byte[] readBytes() {
-        byte[] bytes = new byte[MOST_AT_ONCE];
+        byte[] bytes = new byte[MAX_AT_ONCE];
         try {
             int count = in.read(bytes);
             return count < 0 ? null : Arrays.copyOf(bytes, count);

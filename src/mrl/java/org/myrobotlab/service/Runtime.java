@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.embedded.Configs;
 import org.myrobotlab.embedded.Main;
-import org.myrobotlab.embedded.Reasons;
+import org.myrobotlab.embedded.ErrorReasons;
 import org.myrobotlab.embedded.Registry;
 import org.myrobotlab.embedded.Shutdown;
 import org.myrobotlab.embedded.StartOptions;
@@ -239,7 +239,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
 
     private static void refuse(String name, String type, Throwable why) {
         log.debug("{} {}", name, type, why);
-        getInstance().error("can't start " + name + (type == null ? "" : " as " + CodecUtils.getSimpleName(type)) + ": " + Reasons.of(why));
+        getInstance().error("can't start " + name + (type == null ? "" : " as " + CodecUtils.getSimpleName(type)) + ": " + ErrorReasons.of(why));
     }
 
     // ---- the registry -------------------------------------------------------------------------------------------------
@@ -354,7 +354,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         try {
             part.accept(service);
         } catch (RuntimeException e) {
-            log.error("{} did not end as it should: {}", service.getName(), Reasons.of(e), e);
+            log.error("{} did not end as it should: {}", service.getName(), ErrorReasons.of(e), e);
         }
     }
 

@@ -107,16 +107,16 @@ public class WebGui extends Service<WebGuiConfig> implements ServiceLifeCycleLis
 
     @Override
     public void onStarted(String name) {
-        hub.tellServices();
+        hub.reportServices();
     }
 
     @Override
     public void onStopped(String name) {
-        hub.tellServices();
+        hub.reportServices();
     }
 
     @Override
     public void onReleased(String name) {
-        hub.tellServices();
+        hub.reportServices();
     }
 }

@@ -8,7 +8,7 @@ import org.junit.Test;
 /** Pictures on surfaces: where their pixels are, how they go on beyond their edges, and what is seen of them far away. */
 public class TextureTest {
     private static final double EVEN = 0.51;
-    private final Spot spot = new Spot();
+    private final SurfaceHit spot = new SurfaceHit();
 
     /** 2 x 2: red and green above, blue and white below. */
     private static Texture four(boolean repeated) {

@@ -44,7 +44,7 @@ public class CableTest {
         }
 
         @Override
-        public void hungUp(double time) {
+        public void portClosed(double time) {
             hungUp++;
         }
 

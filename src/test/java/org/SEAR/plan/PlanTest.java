@@ -14,7 +14,7 @@ import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
-import org.SEAR.plot.Pictures;
+import org.SEAR.plot.DrawingFiles;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.Worlds;
@@ -43,7 +43,7 @@ public class PlanTest {
 
     private String svg(boolean beams) throws Exception {
         try (Simulation world = Simulation.load(project.folder(), 1)) {
-            return Pictures.svg(new PlanDrawing(Plan.of(world, beams)));
+            return DrawingFiles.svg(new PlanDrawing(Plan.of(world, beams)));
         }
     }
 
@@ -120,7 +120,7 @@ public class PlanTest {
         room();
         Path file = temporary.getRoot().toPath().resolve("plan.png");
         try (Simulation world = Simulation.load(project.folder(), 1)) {
-            Pictures.save(new PlanDrawing(Plan.of(world, true)), file);
+            DrawingFiles.save(new PlanDrawing(Plan.of(world, true)), file);
         }
         BufferedImage picture = ImageIO.read(file.toFile());
         assertEquals(640, picture.getWidth());

@@ -124,7 +124,7 @@ public class PlotTest {
         assertRefused("there is nothing to draw", () -> plot.save(folder.resolve("a.png")));
         plot.add("distance", "m", TIMES);
         assertRefused("legal: a name that ends in .png or .svg", () -> plot.save(folder.resolve("a.jpg")));
-        for (int i = 1; i < Plot.MOST_LINES; i++) {
+        for (int i = 1; i < Plot.MAX_LINES; i++) {
             plot.add("line " + i, "m", TIMES);
         }
         assertRefused("legal: up to 16", () -> plot.add("more", "m", TIMES));

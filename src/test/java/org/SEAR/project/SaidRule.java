@@ -3,13 +3,13 @@ package org.SEAR.project;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import org.SEAR.POJOs.Workbench;
+import org.SEAR.POJOs.ScriptSession;
 import org.junit.rules.ExternalResource;
 
 /** What the grammar said while a test ran. */
 final class SaidRule extends ExternalResource {
     final List<String> said = Collections.synchronizedList(new ArrayList<>());
-    final Workbench bench = new Workbench(said::add);
+    final ScriptSession bench = new ScriptSession(said::add);
 
     @Override
     protected void before() {

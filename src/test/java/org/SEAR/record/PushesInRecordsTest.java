@@ -22,7 +22,7 @@ import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.orders.BodyOrder;
 import org.SEAR.simulator.orders.BodyOrder.Kind;
-import org.SEAR.simulator.orders.Hand;
+import org.SEAR.simulator.orders.DragSpring;
 import org.junit.Rule;
 import org.junit.Test;
 
@@ -100,7 +100,7 @@ public class PushesInRecordsTest {
         car.addComponent(gps);
         try (Simulation world = Simulation.of(Project.read(project.folder()), 7)) {
             Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
-            Hand hand = new Hand("car", () -> 0);
+            DragSpring hand = new DragSpring("car", () -> 0);
             hand.moveTo(FORCE, 2, 5);
             world.hold(hand, "car");
             run(world, 100);

@@ -195,7 +195,7 @@ public class RecordPicturesTest {
         check.update(head.array());
         ByteBuffer file = ByteBuffer.allocate(33).putLong(0x89504e470d0a1a0aL).putInt(13).put(head.array()).putInt((int) check.getValue());
         String said = assertThrows(IOException.class, () -> PixelGrid.read(Camera.DEPTH, file.array())).getMessage();
-        assertEquals("a picture has 3600000000 pixels, legal: at most " + Camera.MOST_PIXELS, said);
+        assertEquals("a picture has 3600000000 pixels, legal: at most " + Camera.MAX_PIXELS, said);
     }
 
     private void refused(byte[] whole, int at, int number, String words) throws IOException {

@@ -233,7 +233,7 @@ public class RecordTest {
                 if (random.nextInt(4) == 0) {
                     world.answer();
                 } else if (random.nextInt(4) > 0) {
-                    world.attend(1 + random.nextInt(255));
+                    world.serviceDevices(1 + random.nextInt(255));
                 } else {
                     world.step();
                 }

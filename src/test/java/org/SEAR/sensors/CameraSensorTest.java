@@ -226,13 +226,13 @@ public class CameraSensorTest {
         Simulation world = load();
         steps(world, 6);
         CameraImage image = image(world, "eye");
-        org.SEAR.camera.Eye alone = new org.SEAR.camera.Eye((Camera) world.getSensor("eye").getParameters());
+        org.SEAR.camera.CameraRenderer alone = new org.SEAR.camera.CameraRenderer((Camera) world.getSensor("eye").getParameters());
         Truth truth = world.getRobots().get(0).getTruth();
         for (int threads : new int[] {1, 2, 4}) {
             try (WorkerPool pool = new WorkerPool(threads)) {
                 alone.setWorkers(pool);
                 assertArrayEquals(image.getPixels(),
-                    alone.colors(new org.SEAR.camera.Sight(truth.sight(), truth.looks(), image.getPose(), truth.owner())));
+                    alone.colors(new org.SEAR.camera.RenderJob(truth.sight(), truth.looks(), image.getPose(), truth.owner())));
             }
         }
     }
@@ -285,7 +285,7 @@ public class CameraSensorTest {
         double squares = 0;
         int[] pixels = image(world, "eye").getPixels();
         for (int rgb : pixels) {
-            double electrons = 200 * Spot.linear(rgb >> 8 & 0xff);
+            double electrons = 200 * LightSpot.linear(rgb >> 8 & 0xff);
             sum += electrons;
             squares += electrons * electrons;
         }

@@ -290,8 +290,8 @@ public class SurfaceSensorsTest {
     @Test
     public void lightAndPicturesAreInversesOfEachOther() {
         for (int value : List.of(0, 1, 10, 11, 128, 254, 255)) {
-            assertEquals(value, Spot.picture(Spot.linear(value)), 1e-3);
+            assertEquals(value, LightSpot.picture(LightSpot.linear(value)), 1e-3);
         }
-        assertEquals("half the numbers are a fifth of the light", 0.2158, Spot.linear(128), 1e-3);
+        assertEquals("half the numbers are a fifth of the light", 0.2158, LightSpot.linear(128), 1e-3);
     }
 }

@@ -9,7 +9,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
-import org.SEAR.physics.Scenes;
+import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.start.StartPoses;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
@@ -25,7 +25,7 @@ import org.SEAR.sensors.Earth;
 /** A world on a ground that no object of the grammar describes. */
 public final class GroundWorld {
     public final PhysicsWorld physics = new PhysicsWorld();
-    final Scenes scenes = new Scenes(false);
+    final RaycastScenes scenes = new RaycastScenes(false);
     public final List<String> warnings = new ArrayList<>();
     public final List<Body> bodies = new ArrayList<>();
     public RobotModel robot;

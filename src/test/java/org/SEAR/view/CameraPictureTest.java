@@ -22,8 +22,8 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Wheel;
-import org.SEAR.camera.Eye;
-import org.SEAR.camera.Sight;
+import org.SEAR.camera.CameraRenderer;
+import org.SEAR.camera.RenderJob;
 import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.sensors.Truth;
@@ -109,7 +109,8 @@ public class CameraPictureTest {
         BrownLens lens = new BrownLens(focal, (WIDTH - 1) / 2.0, (HEIGHT - 1) / 2.0, new double[4]);
         int[] pixels = view.world.simulation.ask(world -> {
             Truth truth = world.getRobots().get(0).getTruth();
-            return new Eye(WIDTH, HEIGHT, lens, camera.getFrustumNear(), 1e6).colors(new Sight(truth.sight(), truth.looks(), pose, BeamScene.WORLD));
+            return new CameraRenderer(WIDTH, HEIGHT, lens, camera.getFrustumNear(), 1e6)
+                .colors(new RenderJob(truth.sight(), truth.looks(), pose, BeamScene.WORLD));
         }).get();
         BufferedImage picture = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         picture.setRGB(0, 0, WIDTH, HEIGHT, pixels, 0, WIDTH);

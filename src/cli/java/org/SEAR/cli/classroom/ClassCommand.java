@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
     footer = "Exit status: 0 after Ctrl+C, 2 when the command makes no sense.")
 public final class ClassCommand implements Callable<Integer> {
     private static final int HIGHEST_PORT = 65535;
-    private static final int LEAST_MEMORY = 64;
+    private static final int MIN_MEMORY = 64;
     /** MB that Java holds besides the memory of its programs: classes, compiled code, threads; and a Python 3 with numpy. */
     private static final int BESIDES = 400;
     private static final String MAIN = "org.SEAR.cli.SearCommand";
@@ -105,8 +105,8 @@ public final class ClassCommand implements Callable<Integer> {
             throw new IllegalArgumentException("--port is " + port + ", the last of " + count + " pupils would have " + last + ", legal: 1 to "
                 + HIGHEST_PORT);
         }
-        if (memory < LEAST_MEMORY) {
-            throw new IllegalArgumentException("--memory is " + memory + ", legal: " + LEAST_MEMORY + " or more");
+        if (memory < MIN_MEMORY) {
+            throw new IllegalArgumentException("--memory is " + memory + ", legal: " + MIN_MEMORY + " or more");
         }
         if (total != null && total < memory) {
             throw new IllegalArgumentException("--total-memory is " + total + ", legal: " + memory + ", as --memory, or more");

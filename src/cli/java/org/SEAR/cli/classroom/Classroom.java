@@ -12,7 +12,7 @@ final class Classroom {
     private static final int LOOK_MILLIS = 250;
     private static final long WEIGH_NANOS = TimeUnit.SECONDS.toNanos(3);
     private static final long END_NANOS = TimeUnit.SECONDS.toNanos(20);
-    private static final int TOLD_EACH = 10;
+    private static final int REPORTED_EACH = 10;
 
     private final List<Pupil> pupils;
     private final int atOnce;
@@ -20,7 +20,7 @@ final class Classroom {
     private final PrintWriter out;
     private boolean isEnding;
     private boolean isComplete;
-    private long toldRunning;
+    private long reportedRunning;
     private long weighed = System.nanoTime();
 
     /**
@@ -44,7 +44,7 @@ final class Classroom {
 
     private void look() {
         for (Pupil pupil : pupils) {
-            pupil.look().ifPresent(what -> tell(pupil, what));
+            pupil.look().ifPresent(what -> report(pupil, what));
         }
         if (System.nanoTime() - weighed > WEIGH_NANOS) {
             ProcessTable table = ProcessTable.now();
@@ -57,7 +57,7 @@ final class Classroom {
                 starting += start(pupil) ? 1 : 0;
             }
         }
-        tellStart();
+        reportStart();
     }
 
     private boolean start(Pupil pupil) {
@@ -66,7 +66,7 @@ final class Classroom {
             return true;
         } catch (IOException e) {
             pupil.failed();
-            tell(pupil, e.getMessage());
+            report(pupil, e.getMessage());
             return false;
         }
     }
@@ -75,22 +75,22 @@ final class Classroom {
         return pupils.stream().filter(pupil -> pupil.state() == state).count();
     }
 
-    private void tellStart() {
+    private void reportStart() {
         long running = count(Pupil.State.RUNNING);
-        if (isComplete || running == toldRunning) {
+        if (isComplete || running == reportedRunning) {
             return;
         }
         isComplete = running == pupils.size();
         if (isComplete) {
             out.println("All " + running + " run. Enter shows how they are, a name and Enter starts that one anew, Ctrl+C ends all.");
-        } else if (running % TOLD_EACH == 0) {
+        } else if (running % REPORTED_EACH == 0) {
             out.println(running + " of " + pupils.size() + " run");
         }
-        toldRunning = running;
+        reportedRunning = running;
         out.flush();
     }
 
-    private void tell(Pupil pupil, String what) {
+    private void report(Pupil pupil, String what) {
         out.println(LocalTime.now().truncatedTo(ChronoUnit.SECONDS) + " " + pupil.name + ": " + what);
         out.flush();
     }

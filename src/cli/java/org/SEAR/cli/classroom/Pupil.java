@@ -17,7 +17,7 @@ final class Pupil {
     enum State { WAITING, STARTING, RUNNING, GIVEN_UP }
 
     /** So often in a row is it started again by itself. */
-    static final int MOST_RESTARTS = 5;
+    static final int MAX_RESTARTS = 5;
     /** After so long it counts as well. */
     private static final long WELL_NANOS = TimeUnit.MINUTES.toNanos(10);
     private static final long START_NANOS = TimeUnit.MINUTES.toNanos(3);
@@ -91,7 +91,7 @@ final class Pupil {
     void failed() {
         restarts++;
         since = System.nanoTime();
-        state = restarts > MOST_RESTARTS ? State.GIVEN_UP : State.WAITING;
+        state = restarts > MAX_RESTARTS ? State.GIVEN_UP : State.WAITING;
     }
 
     /** What has happened to the program, in words; empty if nothing has. */
@@ -130,9 +130,9 @@ final class Pupil {
         megabytes = 0;
         restarts++;
         since = System.nanoTime();
-        state = restarts > MOST_RESTARTS ? State.GIVEN_UP : State.WAITING;
-        return why + (state == State.GIVEN_UP ? "; not started again after " + MOST_RESTARTS + " times: type the name and Enter to start it"
-            : "; starts again (" + restarts + " of " + MOST_RESTARTS + ")");
+        state = restarts > MAX_RESTARTS ? State.GIVEN_UP : State.WAITING;
+        return why + (state == State.GIVEN_UP ? "; not started again after " + MAX_RESTARTS + " times: type the name and Enter to start it"
+            : "; starts again (" + restarts + " of " + MAX_RESTARTS + ")");
     }
 
     private String why(int status) {

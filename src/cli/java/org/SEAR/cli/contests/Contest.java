@@ -26,7 +26,7 @@ public final class Contest {
 
     private final Simulation world;
     private final List<Entrant> entries = new ArrayList<>();
-    private final double patience;
+    private final double timeout;
     private String over;
 
     /**
@@ -37,7 +37,7 @@ public final class Contest {
      * @throws IOException if there are too many for the robots
      */
     Contest(Project project, Map<String, Path> scripts, long seed, double patience) throws IOException, ProjectException {
-        this.patience = patience;
+        this.timeout = patience;
         if (scripts.size() > project.getRobots().size()) {
             throw new IOException("there are " + scripts.size() + " scripts, but the world has " + project.getRobots().size() + " robots");
         }
@@ -54,9 +54,9 @@ public final class Contest {
      */
     void run(Referee referee, Path record) throws IOException, InterruptedException {
         Files.createDirectories(record.toAbsolutePath().getParent());
-        List<String> told = new ArrayList<>();
-        Recorder recorder = Recorder.begin(world, record, Recorder.LIMIT, told::add);
-        Thread exit = new Thread(this::tellWhoExits);
+        List<String> reported = new ArrayList<>();
+        Recorder recorder = Recorder.begin(world, record, Recorder.LIMIT, reported::add);
+        Thread exit = new Thread(this::reportExits);
         Runtime.getRuntime().addShutdownHook(exit);
         try {
             referee.call("positions", this);
@@ -65,7 +65,7 @@ public final class Contest {
             referee.call("started", this);
             while (over == null && entries.stream().anyMatch(Entrant::isDriving) && world.getTime() < referee.getSeconds()) {
                 for (Entrant entry : entries) {
-                    entry.go(patience);
+                    entry.go(timeout);
                 }
                 world.step();
                 entries.forEach(Entrant::look);
@@ -85,7 +85,7 @@ public final class Contest {
     }
 
     /** The process ends in the middle of the contest: if a script has called for that, nobody shall take it for a contest that came to its end. */
-    private void tellWhoExits() {
+    private void reportExits() {
         entries.stream().filter(Entrant::exits).findFirst().ifPresent(entry -> {
             System.err.printf(Locale.ROOT, "sear contest: the script of %s has ended the whole program at %.1f s, so there are no scores;"
                 + " hold the contest without it, or have it end with sys.exit() in place of os._exit()%n", entry.getName(), world.getTime());

@@ -102,14 +102,14 @@ public final class ContestCommand implements Callable<Integer> {
             for (Entrant entry : contest.getEntries()) {
                 Files.writeString(out.resolve(entry.getName() + ".txt"), entry.printed());
             }
-            tell(contest, referee.takePrinted());
+            report(contest, referee.takePrinted());
         } finally {
             referee.close();
             ProjectSwap.delete(unpacked);
         }
     }
 
-    private void tell(Contest contest, String said) throws IOException {
+    private void report(Contest contest, String said) throws IOException {
         PrintWriter screen = spec.commandLine().getOut();
         StringBuilder csv = new StringBuilder("place,entry,points,time,bumps,why\n");
         screen.print(said);

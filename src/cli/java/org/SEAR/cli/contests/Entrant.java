@@ -30,7 +30,7 @@ import org.myrobotlab.embedded.python3.Python3Script;
  */
 public final class Entrant {
     private static final double ROUNDING = 1e-6;
-    private static final int MOST_PRINTED = 200_000;
+    private static final int MAX_PRINTED = 200_000;
     private static final long GRACE_MILLIS = 2000;
     private static final long KNOCK_MILLIS = 20;
 
@@ -62,7 +62,7 @@ public final class Entrant {
 
         @Override
         public synchronized void write(int value) {
-            if (kept.size() < MOST_PRINTED) {
+            if (kept.size() < MAX_PRINTED) {
                 kept.write(value);
             }
         }
@@ -181,15 +181,15 @@ public final class Entrant {
     /**
      * Lets its script go on until it waits, if it is its time.
      *
-     * @param patience how long it may think about it, seconds of the computer's clock
+     * @param timeout how long it may think about it, seconds of the computer's clock
      */
-    void go(double patience) throws InterruptedException {
+    void go(double timeout) throws InterruptedException {
         if (!isDriving() || wakes - ROUNDING > world.getTime()) {
             return;
         }
         turn.release();
-        if (!back.tryAcquire((long) (patience * TimeUnit.SECONDS.toNanos(1)), TimeUnit.NANOSECONDS)) {
-            leave(String.format(Locale.ROOT, "its script hung at %.1f s: it went on for %.3g s without a simSleep", world.getTime(), patience));
+        if (!back.tryAcquire((long) (timeout * TimeUnit.SECONDS.toNanos(1)), TimeUnit.NANOSECONDS)) {
+            leave(String.format(Locale.ROOT, "its script hung at %.1f s: it went on for %.3g s without a simSleep", world.getTime(), timeout));
             breakOff();
         } else if (ended != null || unreadable != null) {
             leave(ended());

@@ -20,7 +20,7 @@ import org.myrobotlab.embedded.python.ScriptResult;
  * waits: so it can be left alone when it hangs.
  */
 final class Referee {
-    private static final double MOST_SECONDS = 3600;
+    private static final double MAX_SECONDS = 3600;
     private static final String STEPPED = "stepped";
     private static final long GRACE_MILLIS = 2000;
     private static final long KNOCK_MILLIS = 20;
@@ -28,7 +28,7 @@ final class Referee {
     private final Path file;
     private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
     private final PythonEngine engine;
-    private final double patience;
+    private final double timeout;
     private final double seconds;
     private final ExecutorService thread = Executors.newSingleThreadExecutor(work -> {
         Thread one = new Thread(work, "referee");
@@ -44,7 +44,7 @@ final class Referee {
      */
     Referee(Path file, double patience) throws IOException, InterruptedException {
         this.file = file;
-        this.patience = patience;
+        this.timeout = patience;
         engine = new PythonEngine("referee of " + file, printed, printed);
         await("it", () -> engine.runFile(file.toString()));
         Object limit = engine.get("SECONDS");
@@ -53,19 +53,19 @@ final class Referee {
                 : "the function stepped(contest)"));
         }
         seconds = ((Number) limit).doubleValue();
-        if (!(seconds > 0 && seconds <= MOST_SECONDS)) {
-            throw new IOException(file + ": SECONDS is " + seconds + ", legal: above 0 to " + MOST_SECONDS);
+        if (!(seconds > 0 && seconds <= MAX_SECONDS)) {
+            throw new IOException(file + ": SECONDS is " + seconds + ", legal: above 0 to " + MAX_SECONDS);
         }
     }
 
     private void await(String what, Callable<ScriptResult> work) throws IOException, InterruptedException {
         Future<ScriptResult> result = thread.submit(work);
         try {
-            checked(result.get((long) (patience * TimeUnit.SECONDS.toNanos(1)), TimeUnit.NANOSECONDS));
+            checked(result.get((long) (timeout * TimeUnit.SECONDS.toNanos(1)), TimeUnit.NANOSECONDS));
         } catch (TimeoutException e) {
             breakOff();
             throw new IOException(String.format(Locale.ROOT, "%s hung: %s went on for %.3g s, legal: at most --limit, by the computer's clock", file,
-                what, patience), e);
+                what, timeout), e);
         } catch (ExecutionException e) {
             throw e.getCause() instanceof IOException ? (IOException) e.getCause() : new IOException(file + " can't be run: " + e.getCause(), e);
         }

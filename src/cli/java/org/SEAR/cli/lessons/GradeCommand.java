@@ -22,7 +22,7 @@ import picocli.CommandLine.Spec;
         + "after their pupils. Each runs in a process of its own, without a window and in lock-step.",
     footer = "Exit status: 0 when all have passed, 1 when not, 2 when the command makes no sense.")
 public final class GradeCommand implements Callable<Integer> {
-    private static final int LEAST_MEMORY = 128;
+    private static final int MIN_MEMORY = 128;
 
     @Parameters(paramLabel = "SCRIPT.py|FOLDER", description = "What is to be marked.")
     private Path path;
@@ -51,7 +51,7 @@ public final class GradeCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         check(limit > 0, "--limit is " + limit + ", legal: seconds above 0");
-        check(memory >= LEAST_MEMORY, "--memory is " + memory + ", legal: " + LEAST_MEMORY + " megabytes or more");
+        check(memory >= MIN_MEMORY, "--memory is " + memory + ", legal: " + MIN_MEMORY + " megabytes or more");
         check(jobs == null || jobs > 0, "--jobs is " + jobs + ", legal: 1 or more");
         PrintWriter err = spec.commandLine().getErr();
         try {
@@ -69,7 +69,7 @@ public final class GradeCommand implements Callable<Integer> {
             if (to != null) {
                 MarkTables.write(marks, to);
             }
-            tell(marks, isOne, to);
+            report(marks, isOne, to);
             return marks.stream().allMatch(Mark::isPassed) ? ExitCode.OK : ExitCode.SOFTWARE;
         } catch (IOException e) {
             err.println("sear grade: " + FileReasons.of(e));
@@ -83,7 +83,7 @@ public final class GradeCommand implements Callable<Integer> {
         }
     }
 
-    private void tell(List<Mark> marks, boolean isOne, Path to) {
+    private void report(List<Mark> marks, boolean isOne, Path to) {
         PrintWriter screen = spec.commandLine().getOut();
         if (isOne) {
             Mark mark = marks.get(0);

@@ -8,7 +8,7 @@ import org.myrobotlab.embedded.python.ScriptResult;
 
 /** The check.py of a lesson, in an interpreter that no pupil's script sees. Any thread, one at a time. */
 final class LessonCheck {
-    private static final double MOST_SECONDS = 3600;
+    private static final double MAX_SECONDS = 3600;
 
     private final Lesson lesson;
     private final PythonEngine engine;
@@ -28,8 +28,8 @@ final class LessonCheck {
                 : "the function check(run)"));
         }
         seconds = ((Number) limit).doubleValue();
-        if (!(seconds > 0 && seconds <= MOST_SECONDS)) {
-            throw new IOException(lesson.check() + ": SECONDS is " + seconds + ", legal: above 0 to " + MOST_SECONDS);
+        if (!(seconds > 0 && seconds <= MAX_SECONDS)) {
+            throw new IOException(lesson.check() + ": SECONDS is " + seconds + ", legal: above 0 to " + MAX_SECONDS);
         }
     }
 

@@ -21,7 +21,7 @@ import java.util.stream.Stream;
  */
 final class PupilProcess {
     /** Bytes of what it prints that are kept. */
-    private static final int MOST_PRINTED = 200_000;
+    private static final int MAX_PRINTED = 200_000;
     private static final long LOOK_MILLIS = 100;
     /** What the JVM takes besides its heap is the rest. */
     private static final double HEAP_SHARE = 0.6;
@@ -53,7 +53,7 @@ final class PupilProcess {
             byte[] some = new byte[8192];
             for (int count = read(some); count >= 0; count = read(some)) {
                 synchronized (kept) {
-                    kept.write(some, 0, Math.min(count, MOST_PRINTED - kept.size()));
+                    kept.write(some, 0, Math.min(count, MAX_PRINTED - kept.size()));
                 }
             }
         }

@@ -13,7 +13,7 @@ import org.myrobotlab.service.SEAR;
 public final class ScriptRuns {
     private static final String PYTHON = "python";
     /** So long may a callback, or a thread of the script, go on after its end. */
-    private static final int PATIENCE_MILLIS = 5000;
+    private static final int TIMEOUT_MILLIS = 5000;
 
     private ScriptRuns() {
     }
@@ -43,9 +43,9 @@ public final class ScriptRuns {
             List<String> errors = new ArrayList<>();
             engine.setFailed(errors::add);
             ((Python) python).execFile(script);
-            engine.finishCallbacks(PATIENCE_MILLIS);
+            engine.finishCallbacks(TIMEOUT_MILLIS);
             stopSimulations();
-            engine.finishThreads(PATIENCE_MILLIS);
+            engine.finishThreads(TIMEOUT_MILLIS);
             String traceback = engine.getLastResult().getTraceback();
             if (traceback != null) {
                 return traceback;

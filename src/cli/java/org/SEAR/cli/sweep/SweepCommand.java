@@ -24,7 +24,7 @@ import picocli.CommandLine.Spec;
     footer = "Exit status: 0 when all runs were made, whatever came of them, 1 when not, or when a row is not the same again, 2 when the command "
         + "makes no sense, 130 after Ctrl+C.")
 public final class SweepCommand implements Callable<Integer> {
-    private static final int PATIENCE_SECONDS = 30;
+    private static final int TIMEOUT_SECONDS = 30;
 
     @Parameters(paramLabel = "SCRIPT.py", description = "A script, as sear SCRIPT.py runs it; it asks sear.getParameter(\"NAME\", default) and "
         + "says sear.setResult(\"NAME\", value).")
@@ -88,7 +88,7 @@ public final class SweepCommand implements Callable<Integer> {
     private static void end(Process process) {
         process.destroy();
         try {
-            process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            process.waitFor(TIMEOUT_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -12,7 +12,7 @@ public final class Blobs {
     /** A pixel's hue is at most so many degrees off. */
     private static final double HUE = 15;
     /** What is less colourful or darker has no hue to speak of: shares of full. */
-    private static final double LEAST_SATURATION = 0.3;
+    private static final double MIN_SATURATION = 0.3;
     private static final int DARKEST = 25;
     private static final double CIRCLE = 360;
     private static final double SIXTH = 60;
@@ -114,7 +114,7 @@ public final class Blobs {
         int blue = rgb & 0xff;
         int most = Math.max(red, Math.max(green, blue));
         int range = most - Math.min(red, Math.min(green, blue));
-        if (most < DARKEST || range < LEAST_SATURATION * most) {
+        if (most < DARKEST || range < MIN_SATURATION * most) {
             return -1;
         }
         double turn = most == red ? (double) (green - blue) / range : most == green ? 2 + (double) (blue - red) / range

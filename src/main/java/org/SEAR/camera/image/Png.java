@@ -10,7 +10,7 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Pictures as PNG files, of 8 bits a channel or of 16 bits of grey. Any thread. */
 public final class Png {
-    private static final int MOST_GREY = 0xffff;
+    private static final int MAX_GREY = 0xffff;
 
     private Png() {
     }
@@ -27,7 +27,7 @@ public final class Png {
         BufferedImage image = new BufferedImage(width, values.length / width, BufferedImage.TYPE_USHORT_GRAY);
         short[] shades = new short[values.length];
         for (int i = 0; i < values.length; i++) {
-            shades[i] = (short) Math.max(0, Math.min(MOST_GREY, values[i]));
+            shades[i] = (short) Math.max(0, Math.min(MAX_GREY, values[i]));
         }
         image.getRaster().setDataElements(0, 0, width, image.getHeight(), shades);
         return of(image);

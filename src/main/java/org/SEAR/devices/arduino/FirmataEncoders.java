@@ -30,7 +30,7 @@ final class FirmataEncoders {
         return IntStream.range(0, pins.board().getPins()).anyMatch(other -> other != pin && pins.encoder(pin, other) != null);
     }
 
-    void obey(FirmataMessage message, Consumer<FirmataMessage> answer) {
+    void execute(FirmataMessage message, Consumer<FirmataMessage> answer) {
         int number = message.get(1);
         boolean known = number < encoders.length;
         switch (message.size() == 0 ? -1 : message.get(0)) {

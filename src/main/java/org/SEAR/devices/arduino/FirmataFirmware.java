@@ -33,7 +33,7 @@ final class FirmataFirmware implements Firmware {
     private final FirmataPins states;
     private final FirmataReports reports;
     private final FirmataEncoders encoders;
-    private final FirmataReader reader = new FirmataReader(FirmataReader.BOARD, this::obey);
+    private final FirmataReader reader = new FirmataReader(FirmataReader.BOARD, this::execute);
     private double now;
 
     FirmataFirmware(Host host) {
@@ -54,8 +54,8 @@ final class FirmataFirmware implements Firmware {
         if (!silent) {
             host.busy(time + BLINKING);
             now = time + BLINKING;
-            tellVersion();
-            tellFirmware();
+            reportVersion();
+            reportFirmware();
         }
     }
 
@@ -92,7 +92,7 @@ final class FirmataFirmware implements Firmware {
         return command == FirmataMessage.VERSION || command == FirmataMessage.PIN_MODE || command == FirmataMessage.START_SYSEX;
     }
 
-    private void obey(FirmataMessage message) {
+    private void execute(FirmataMessage message) {
         if (isTelling(message)) {
             host.understood();
         }
@@ -116,30 +116,30 @@ final class FirmataFirmware implements Firmware {
                 states.writeLevel(message.get(0), message.get(1) != 0);
                 break;
             case FirmataMessage.VERSION:
-                tellVersion();
+                reportVersion();
                 break;
             case FirmataMessage.RESET:
                 forgetAll();
                 break;
             default:
-                obeySysex(message);
+                executeSysex(message);
                 break;
         }
     }
 
-    private void obeySysex(FirmataMessage message) {
+    private void executeSysex(FirmataMessage message) {
         switch (message.getId()) {
             case Feature.FIRMWARE:
-                tellFirmware();
+                reportFirmware();
                 break;
             case Feature.CAPABILITY_QUERY:
-                tellCapabilities();
+                reportCapabilities();
                 break;
             case Feature.ANALOG_MAPPING_QUERY:
-                tellAnalogMapping();
+                reportAnalogMapping();
                 break;
             case Feature.PIN_STATE_QUERY:
-                tellState(message);
+                reportState(message);
                 break;
             case Feature.EXTENDED_ANALOG:
                 if (message.size() > 1) {
@@ -163,22 +163,22 @@ final class FirmataFirmware implements Firmware {
                 answerEcho(message);
                 break;
             case Feature.ENCODER:
-                encoders.obey(message, this::send);
+                encoders.execute(message, this::send);
                 break;
             default:
                 break;
         }
     }
 
-    private void tellVersion() {
+    private void reportVersion() {
         send(FirmataMessage.of(FirmataMessage.VERSION, MAJOR, MINOR));
     }
 
-    private void tellFirmware() {
+    private void reportFirmware() {
         send(FirmataMessage.text(Feature.FIRMWARE, new int[] {MAJOR, MINOR}, NAME));
     }
 
-    private void tellCapabilities() {
+    private void reportCapabilities() {
         ByteArrayOutputStream data = new ByteArrayOutputStream();
         for (int pin = 0; pin < board.getPins(); pin++) {
             for (PinMode mode : PinMode.values()) {
@@ -209,7 +209,7 @@ final class FirmataFirmware implements Firmware {
         return values;
     }
 
-    private void tellAnalogMapping() {
+    private void reportAnalogMapping() {
         int[] channels = new int[board.getPins()];
         for (int pin = 0; pin < channels.length; pin++) {
             channels[pin] = board.can(pin, PinUse.ANALOG) ? board.channelOf(pin) : END_OF_PIN;
@@ -217,7 +217,7 @@ final class FirmataFirmware implements Firmware {
         send(FirmataMessage.sysex(Feature.ANALOG_MAPPING_RESPONSE, channels));
     }
 
-    private void tellState(FirmataMessage question) {
+    private void reportState(FirmataMessage question) {
         int pin = question.get(0);
         if (question.size() == 0) {
             return;

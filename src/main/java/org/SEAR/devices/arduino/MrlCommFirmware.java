@@ -36,7 +36,7 @@ final class MrlCommFirmware implements Firmware {
         this.host = host;
         this.pins = host.pins();
         this.board = pins.board();
-        this.reader = new MrlReader(this::obey, function -> complain("unknown function " + function));
+        this.reader = new MrlReader(this::execute, function -> complain("unknown function " + function));
         this.reports = new MrlPinReports(host);
         this.devices = new MrlDevices(host, this::complain);
     }
@@ -73,7 +73,7 @@ final class MrlCommFirmware implements Firmware {
             loops++;
             now = start + loops * LOOP;
             if (loops % INFO_LOOPS == 0) {
-                tellBoard();
+                reportBoard();
             }
             reports.loop(now);
             devices.loop(now);
@@ -89,7 +89,7 @@ final class MrlCommFirmware implements Firmware {
 
     @Override
     public void introduce() {
-        tellBoard();
+        reportBoard();
     }
 
     private void send(MrlMessage.Builder message) {
@@ -100,21 +100,21 @@ final class MrlCommFirmware implements Firmware {
         send(MrlMessage.of(MrlFunction.PUBLISH_ERROR).addText(text));
     }
 
-    private void tell(String text) {
+    private void report(String text) {
         if (debug) {
             send(MrlMessage.of(MrlFunction.PUBLISH_DEBUG).addText(text));
         }
     }
 
-    private void tellBoard() {
+    private void reportBoard() {
         send(MrlMessage.of(MrlFunction.PUBLISH_BOARD_INFO).add(MrlMessage.VERSION).add(board.getMrlType()).addShort(LOOP_MICROS).addShort(FREE_RAM)
             .add(reports.size()).addList(devices.summary()));
     }
 
-    private void obey(MrlMessage message) {
+    private void execute(MrlMessage message) {
         host.understood();
         MrlFunction function = message.getFunction();
-        if (!obeyBoard(function, message) && !obeyPin(function, message) && !devices.obey(function, message, now)) {
+        if (!executeBoard(function, message) && !executePin(function, message) && !devices.execute(function, message, now)) {
             refuse(function);
         }
         if (acknowledges) {
@@ -122,10 +122,10 @@ final class MrlCommFirmware implements Firmware {
         }
     }
 
-    private boolean obeyBoard(MrlFunction function, MrlMessage message) {
+    private boolean executeBoard(MrlFunction function, MrlMessage message) {
         switch (function) {
             case GET_BOARD_INFO:
-                tellBoard();
+                reportBoard();
                 return true;
             case SET_DEBUG:
                 debug = message.getByte(0) != 0;
@@ -147,14 +147,14 @@ final class MrlCommFirmware implements Firmware {
             case MOTOR_ATTACH:
             case MOTOR_MOVE:
             case MOTOR_MOVE_TO:
-                tell(function + " not impl");
+                report(function + " not impl");
                 return true;
             default:
                 return false;
         }
     }
 
-    private boolean obeyPin(MrlFunction function, MrlMessage message) {
+    private boolean executePin(MrlFunction function, MrlMessage message) {
         if (function == MrlFunction.DISABLE_PINS) {
             reports.clear();
             return true;

@@ -47,7 +47,7 @@ final class MrlDevices {
     }
 
     /** @return whether it is a function for such devices */
-    boolean obey(MrlFunction function, MrlMessage message, double time) {
+    boolean execute(MrlFunction function, MrlMessage message, double time) {
         switch (function) {
             case DEVICE_DETACH:
                 MrlDevice detached = devices.remove(message.getByte(0));

@@ -89,17 +89,17 @@ final class MrlPinReports {
                 values[size++] = (byte) (value >> Byte.SIZE);
                 values[size++] = (byte) value;
                 if (size == values.length) {
-                    tell(values, time);
+                    report(values, time);
                     size = 0;
                 }
             }
         }
         if (size > 0) {
-            tell(Arrays.copyOf(values, size), time);
+            report(Arrays.copyOf(values, size), time);
         }
     }
 
-    private void tell(byte[] values, double time) {
+    private void report(byte[] values, double time) {
         host.send(MrlMessage.of(MrlFunction.PUBLISH_PIN_ARRAY).addList(values).end().toBytes(), time);
     }
 }

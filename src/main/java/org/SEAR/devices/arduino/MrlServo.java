@@ -82,7 +82,7 @@ final class MrlServo implements MrlDevice {
         sweeping = false;
         began = time;
         last = time;
-        tell(STARTED, time);
+        report(STARTED, time);
     }
 
     void sweep(int from, int to, int step) {
@@ -99,7 +99,7 @@ final class MrlServo implements MrlDevice {
         sweeping = false;
     }
 
-    private void tell(int event, double time) {
+    private void report(int event, double time) {
         host.send(MrlMessage.of(MrlFunction.PUBLISH_SERVO_EVENT).add(id).add(event).addShort((int) position).addShort(target).end().toBytes(), time);
     }
 
@@ -135,7 +135,7 @@ final class MrlServo implements MrlDevice {
             target = target == least ? most : least;
         } else {
             moving = false;
-            tell(STOPPED, time);
+            report(STOPPED, time);
         }
     }
 }

@@ -7,9 +7,9 @@ import org.SEAR.protocol.mrlcomm.MrlMessage;
 final class MrlUltrasonic implements MrlDevice {
     /** Microseconds of echo for a centimetre, as its library reckons. */
     private static final int MICROS_A_CENTIMETRE = 57;
-    private static final int MOST_CENTIMETRES = 500;
+    private static final int MAX_CENTIMETRES = 500;
     private static final double MICROSECOND = 1e-6;
-    private static final double LONGEST = (MOST_CENTIMETRES + 1) * MICROS_A_CENTIMETRE * MICROSECOND;
+    private static final double LONGEST = (MAX_CENTIMETRES + 1) * MICROS_A_CENTIMETRE * MICROSECOND;
 
     private final int id;
     private final Firmware.Host host;

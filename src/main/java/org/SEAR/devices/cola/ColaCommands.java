@@ -15,7 +15,7 @@ import org.SEAR.protocol.cola.ColaTelegram;
  * listing, {@code sick_scan_xd}, recorded telegrams.
  */
 final class ColaCommands {
-    private static final int NOBODY = 0;
+    private static final int NO_CLIENT = 0;
     private static final int CLIENT = 3;
     /** Passwords by level. */
     private static final Map<Integer, Integer> PASSWORDS = Map.of(2, 0xB21ACE26, CLIENT, 0xF4724744, 4, 0x81BE23AA);
@@ -72,11 +72,11 @@ final class ColaCommands {
 
     /** Nobody is logged in. */
     void logOut() {
-        level = NOBODY;
+        level = NO_CLIENT;
     }
 
     boolean isLoggedIn() {
-        return level > NOBODY;
+        return level > NO_CLIENT;
     }
 
     /** The framed answer to a request at a time. */
@@ -117,18 +117,18 @@ final class ColaCommands {
     }
 
     private void login() {
-        row("sMN SetAccessMode", NOBODY, (in, out) -> {
+        row("sMN SetAccessMode", NO_CLIENT, (in, out) -> {
             int wanted = in.u1();
             Integer password = PASSWORDS.get(wanted);
             boolean right = password != null && password == in.i4();
             level = right ? wanted : level;
             out.u1(right ? DONE : 0);
         });
-        row("sMN Run", NOBODY, (in, out) -> {
-            level = NOBODY;
+        row("sMN Run", NO_CLIENT, (in, out) -> {
+            level = NO_CLIENT;
             out.u1(DONE);
         });
-        row("sWN EIHstCola", NOBODY, (in, out) -> in.u1());
+        row("sWN EIHstCola", NO_CLIENT, (in, out) -> in.u1());
         row("sMN mEEwriteall", CLIENT, (in, out) -> {
             device.save();
             out.u1(DONE);
@@ -139,25 +139,26 @@ final class ColaCommands {
     }
 
     private void measuring() {
-        row("sMN LMCstartmeas", NOBODY, (in, out) -> out.u1(started(device::startMeasuring)));
-        row("sMN LMCstopmeas", NOBODY, (in, out) -> out.u1(started(time -> device.stopMeasuring(ColaScanner.State.ROTATED))));
-        row("sMN LMCstandby", NOBODY, (in, out) -> out.u1(started(time -> device.stopMeasuring(ColaScanner.State.IDLE))));
-        row("sEN LMDscandata", NOBODY, (in, out) -> {
+        row("sMN LMCstartmeas", NO_CLIENT, (in, out) -> out.u1(started(device::startMeasuring)));
+        row("sMN LMCstopmeas", NO_CLIENT, (in, out) -> out.u1(started(time -> device.stopMeasuring(ColaScanner.State.ROTATED))));
+        row("sMN LMCstandby", NO_CLIENT, (in, out) -> out.u1(started(time -> device.stopMeasuring(ColaScanner.State.IDLE))));
+        row("sEN LMDscandata", NO_CLIENT, (in, out) -> {
             boolean on = in.u1() != 0;
             out.u1(on ? 1 : 0);
             device.stream(on ? in.getDialect() : null, now);
         });
         for (String event : QUIET_EVENTS) {
-            row("sEN " + event, NOBODY, (in, out) -> out.u1(in.u1()));
+            row("sEN " + event, NO_CLIENT, (in, out) -> out.u1(in.u1()));
         }
-        row("sRN STlms", NOBODY, (in, out) -> {
+        row("sRN STlms", NO_CLIENT, (in, out) -> {
             int up = (int) device.upTime(now);
             String clock = String.format(Locale.ROOT, "%02d:%02d:%02d", up / 3600 % 24, up / 60 % 60, up % 60);
             out.u2(device.state().code).u1(0).text(clock).text("01.01.1970").u1(0).u1(0).u1(0);
         });
         // four inputs, which nothing is wired to, and no time of a change
-        row("sRN LIDinputstate", NOBODY, (in, out) -> out.u2(0).i4((int) (long) (device.upTime(now) * MICROSECONDS)).u1(0).u1(0).u1(0).u1(0).u2(0));
-        row("sRN SCdevicestate", NOBODY, (in, out) -> out.u1(device.state() == ColaScanner.State.MEASURING ? 1 : 0));
+        row("sRN LIDinputstate", NO_CLIENT, (in, out) -> out.u2(0).i4((int) (long) (device.upTime(now) * MICROSECONDS))
+            .u1(0).u1(0).u1(0).u1(0).u2(0));
+        row("sRN SCdevicestate", NO_CLIENT, (in, out) -> out.u1(device.state() == ColaScanner.State.MEASURING ? 1 : 0));
     }
 
     /** 0 if it may be done and has been, 1 if nobody is logged in. */
@@ -170,14 +171,14 @@ final class ColaCommands {
     }
 
     private void scanning() {
-        row("sRN LMPscancfg", NOBODY, (in, out) -> writeScanConfiguration(out));
+        row("sRN LMPscancfg", NO_CLIENT, (in, out) -> writeScanConfiguration(out));
         if (model.scanConfigurable) {
             row("sMN mLMPsetscancfg", CLIENT, (in, out) -> {
                 out.u1(setRate(in.i4(), in.u2(), in.i4(), in.i4(), in.i4()));
                 writeScanConfiguration(out);
             });
         }
-        row("sRN LMPoutputRange", NOBODY, (in, out) -> out.u2(1).i4(settings().rate.resolution).i4(settings().start).i4(settings().stop));
+        row("sRN LMPoutputRange", NO_CLIENT, (in, out) -> out.u2(1).i4(settings().rate.resolution).i4(settings().start).i4(settings().stop));
         row("sWN LMPoutputRange", CLIENT, (in, out) -> {
             boolean one = in.u2() == 1;
             int resolution = in.i4();
@@ -186,11 +187,11 @@ final class ColaCommands {
             }
             device.set(settings().withAngles(model, in.i4(), in.i4()));
         });
-        row("sRN LMDscandatacfg", NOBODY, (in, out) -> settings().writeContent(out));
+        row("sRN LMDscandatacfg", NO_CLIENT, (in, out) -> settings().writeContent(out));
         row("sWN LMDscandatacfg", CLIENT, (in, out) -> device.set(settings().withContent(in)));
     }
 
-    private Settings settings() {
+    private ScannerSettings settings() {
         return device.settings();
     }
 
@@ -223,18 +224,18 @@ final class ColaCommands {
     private void fields() {
         for (int i = 1; i <= FIELDS; i++) {
             int number = i;
-            row(String.format(Locale.ROOT, "sRN field%03d", number - 1), NOBODY, (in, out) -> out.real(1).real(0).i4(settings().rate.resolution)
+            row(String.format(Locale.ROOT, "sRN field%03d", number - 1), NO_CLIENT, (in, out) -> out.real(1).real(0).i4(settings().rate.resolution)
                 .i4(model.firstAngle).u1(MADE_OF_SEGMENTS).u1(number).u2(1).u2(0).u2(0).u2(0).u2(0).u2(1)
                 .text(String.format(Locale.ROOT, "Field%03d", number)).u2(0));
         }
     }
 
     private void identity() {
-        row("sRN DeviceIdent", NOBODY, (in, out) -> out.text(model.type).text(model.version));
-        row("sRI 0", NOBODY, (in, out) -> out.text(model.type).text(model.version));
-        row("sRN FirmwareVersion", NOBODY, (in, out) -> out.text(model.version.substring(0, model.version.indexOf('-'))));
-        row("sRN SerialNumber", NOBODY, (in, out) -> out.text(String.valueOf(ScanTelegram.SERIAL_NUMBER)));
-        row("sRN LocationName", NOBODY, (in, out) -> out.text(settings().name));
+        row("sRN DeviceIdent", NO_CLIENT, (in, out) -> out.text(model.type).text(model.version));
+        row("sRI 0", NO_CLIENT, (in, out) -> out.text(model.type).text(model.version));
+        row("sRN FirmwareVersion", NO_CLIENT, (in, out) -> out.text(model.version.substring(0, model.version.indexOf('-'))));
+        row("sRN SerialNumber", NO_CLIENT, (in, out) -> out.text(String.valueOf(ScanTelegram.SERIAL_NUMBER)));
+        row("sRN LocationName", NO_CLIENT, (in, out) -> out.text(settings().name));
         row("sWN LocationName", CLIENT, (in, out) -> {
             String name = in.text();
             if (name.length() > LONGEST_NAME || !name.matches("[ -~]*")) {
@@ -242,7 +243,7 @@ final class ColaCommands {
             }
             device.set(settings().withName(name));
         });
-        row("sRN ODoprh", NOBODY, (in, out) -> out.i4((int) (device.upTime(now) / TENTHS_OF_AN_HOUR)));
-        row("sRN ODpwrc", NOBODY, (in, out) -> out.i4(1));
+        row("sRN ODoprh", NO_CLIENT, (in, out) -> out.i4((int) (device.upTime(now) / TENTHS_OF_AN_HOUR)));
+        row("sRN ODpwrc", NO_CLIENT, (in, out) -> out.i4(1));
     }
 }

@@ -17,7 +17,7 @@ public final class ColaScanner extends ScannerFirmware {
     /** End of a request to its answer, seconds; real ones take a few milliseconds. */
     private static final double ANSWER = 0.001;
     /** An unfinished request is forgotten after so many seconds without a byte. */
-    private static final double PATIENCE = 1;
+    private static final double TIMEOUT = 1;
     /** Of a request, bytes; the longest are below 100. */
     private static final int LONGEST = 1024;
     /** Seconds from the start of measuring to the first scan: with the motor running, and from standby. */
@@ -39,12 +39,12 @@ public final class ColaScanner extends ScannerFirmware {
 
     private final ColaModel model;
     private final int baud;
-    private final Settings delivered;
-    private final RequestQueue<ColaTelegram> requests = new RequestQueue<>(events, time -> time + ANSWER, this::serve);
+    private final ScannerSettings delivered;
+    private final RequestQueue<ColaTelegram> requests = new RequestQueue<>(events, time -> time + ANSWER, this::answer);
     private final ColaReader reader = new ColaReader(LONGEST, this::onTelegram);
     private final ColaCommands commands;
-    private Settings saved;
-    private Settings settings;
+    private ScannerSettings saved;
+    private ScannerSettings settings;
     private State state;
     private double poweredAt;
     private double lastByte;
@@ -65,7 +65,7 @@ public final class ColaScanner extends ScannerFirmware {
         super(model.lidar.withArticle(), context);
         this.model = model;
         this.baud = baud;
-        this.delivered = Settings.of(model.rateWith(resolution), spread);
+        this.delivered = ScannerSettings.of(model.rateWith(resolution), spread);
         this.commands = new ColaCommands(this, model);
         reset();
     }
@@ -91,7 +91,7 @@ public final class ColaScanner extends ScannerFirmware {
 
     /** Login and stream belong to a connection. */
     @Override
-    public void hungUp(double time) {
+    public void portClosed(double time) {
         advance(time);
         reader.clear();
         requests.dropWaiting();
@@ -107,7 +107,7 @@ public final class ColaScanner extends ScannerFirmware {
 
     @Override
     public void advance(double time) {
-        if (reader.isPending() && time > lastByte + PATIENCE) {
+        if (reader.isPending() && time > lastByte + TIMEOUT) {
             reader.clear();
         }
         events.runUntil(time);
@@ -160,7 +160,7 @@ public final class ColaScanner extends ScannerFirmware {
         requests.add(telegram, lastByte);
     }
 
-    private void serve(ColaTelegram request, double time) {
+    private void answer(ColaTelegram request, double time) {
         context.send(commands.answer(request, time), time);
         requests.done(time);
     }
@@ -169,12 +169,12 @@ public final class ColaScanner extends ScannerFirmware {
         context.understood();
     }
 
-    Settings settings() {
+    ScannerSettings settings() {
         return settings;
     }
 
     /** Works with other settings from the next scan on. */
-    void set(Settings changed) {
+    void set(ScannerSettings changed) {
         settings = changed;
         newest = null;
     }

@@ -22,7 +22,7 @@ final class ScanTelegram {
     private static final int WORD = 0xFFFF;
 
     private final ColaModel model;
-    private final Settings settings;
+    private final ScannerSettings settings;
     private final int[] distances;
     private final long number;
     private final double time;
@@ -33,7 +33,7 @@ final class ScanTelegram {
      * @param number of the scan since power-on
      * @param time simulated seconds of its end
      */
-    ScanTelegram(ColaModel model, Settings settings, double[] metres, long number, double time) {
+    ScanTelegram(ColaModel model, ScannerSettings settings, double[] metres, long number, double time) {
         this.model = model;
         this.settings = settings;
         this.number = number;

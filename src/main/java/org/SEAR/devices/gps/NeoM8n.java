@@ -201,7 +201,7 @@ public final class NeoM8n extends Receiver {
             stopped = mode == STOP;
         } else if (mode == GPS_ONLY) {
             forgetSky();
-            lookAnew(cold, time);
+            refresh(cold, time);
         } else {
             boot();
             restart(cold, time);

@@ -182,13 +182,13 @@ abstract class Receiver implements SerialDevice {
 
     /** Starts anew; a cold one takes its time to the first fix. */
     final void restart(boolean cold, double time) {
-        lookAnew(cold, time);
+        refresh(cold, time);
         startedAt = Math.round(time * MILLIS);
         send(model.getGreeting(), time);
     }
 
     /** Looks at the sky anew; a cold one takes its time to the first fix. */
-    final void lookAnew(boolean cold, double time) {
+    final void refresh(boolean cold, double time) {
         firstFix = cold ? Math.round(time * MILLIS) + timeToFix : 0;
     }
 

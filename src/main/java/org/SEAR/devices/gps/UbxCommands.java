@@ -12,7 +12,7 @@ final class UbxCommands {
     private static final int USED_MODE_BITS = 0x3CC0;
     private static final int MASKS_SIZE = 12;
     private static final int RESET_SIZE = 4;
-    private static final int MOST_CYCLES = 127;
+    private static final int MAX_CYCLES = 127;
     private static final int OUT_MASK = UbxSettings.UBX | UbxSettings.NMEA;
     private static final int IN_MASK = OUT_MASK | UbxSettings.RTCM;
     /** UART 2, which this receiver doesn't have. */
@@ -126,7 +126,7 @@ final class UbxCommands {
         int millis = payload.getShort() & 0xFFFF;
         int cycles = payload.getShort() & 0xFFFF;
         int reference = payload.getShort();
-        boolean legal = millis >= device.getModel().getShortestPeriod() && cycles >= 1 && cycles <= MOST_CYCLES && (reference == 0 || reference == 1);
+        boolean legal = millis >= device.getModel().getShortestPeriod() && cycles >= 1 && cycles <= MAX_CYCLES && (reference == 0 || reference == 1);
         if (legal) {
             System.arraycopy(frame.getPayload(), 0, device.getSettings().rate, 0, UbxSettings.RATE_SIZE);
             device.setPeriod(device.getSettings().period(), time);

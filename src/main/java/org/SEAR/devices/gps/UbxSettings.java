@@ -31,7 +31,7 @@ final class UbxSettings {
     final Map<UbxMessage, byte[]> rates = new EnumMap<>(UbxMessage.class);
     /** Payload of CFG-RATE. */
     final byte[] rate;
-    final KeptSettings kept = new KeptSettings();
+    final StoredSettings kept = new StoredSettings();
 
     /** As delivered. */
     UbxSettings(int baud, int period) {

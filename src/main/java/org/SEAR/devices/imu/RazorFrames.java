@@ -20,8 +20,8 @@ final class RazorFrames {
     private static final double RAW_FIELD = 600;
     private static final double GYRO_DEGREES = 0.06957;
     /** Range of the accelerometer, 2 g, and of the gyroscope. */
-    private static final double MOST_ACCELERATION = 2 * GRAVITY;
-    private static final double MOST_RATE = 32767;
+    private static final double MAX_ACCELERATION = 2 * GRAVITY;
+    private static final double MAX_RATE = 32767;
 
     private RazorFrames() {
     }
@@ -54,7 +54,7 @@ final class RazorFrames {
             double field = Math.rint(reading.getField(i) * RAW_FIELD);
             values[0][i] = raw ? measured : measured * GRAVITY / RAW_GRAVITY;
             values[1][i] = raw ? field : field * FIELD / RAW_FIELD;
-            values[2][i] = clamp(Math.rint(Math.toDegrees(reading.getRate(i)) / GYRO_DEGREES), MOST_RATE);
+            values[2][i] = clamp(Math.rint(Math.toDegrees(reading.getRate(i)) / GYRO_DEGREES), MAX_RATE);
         }
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         for (int i = 0; i < AXES; i++) {
@@ -75,7 +75,7 @@ final class RazorFrames {
     }
 
     private static double acceleration(ImuReading reading, int axis) {
-        return clamp(-reading.getAcceleration(axis) / STANDARD_GRAVITY * GRAVITY, MOST_ACCELERATION);
+        return clamp(-reading.getAcceleration(axis) / STANDARD_GRAVITY * GRAVITY, MAX_ACCELERATION);
     }
 
     private static double clamp(double value, double most) {

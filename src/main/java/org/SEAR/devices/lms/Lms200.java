@@ -27,7 +27,7 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
     private static final byte[] OLD_DRIVER_38400 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x40, 0x52, 0x08};
 
     private final PowerOnSettings powerOn;
-    private final RequestQueue<Telegram> requests = new RequestQueue<>(events, time -> time + Timing.ACKNOWLEDGE, this::serve);
+    private final RequestQueue<Telegram> requests = new RequestQueue<>(events, time -> time + Timing.ACKNOWLEDGE, this::answer);
     private final TelegramReader reader;
     private final LmsCommands commands;
     private Baud baud;
@@ -134,7 +134,7 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
         return address == 0 || address == powerOn.identity.getAddress();
     }
 
-    private void serve(Telegram request, double time) {
+    private void answer(Telegram request, double time) {
         acknowledge(Telegram.ACK, time);
         commands.execute(request, time);
     }

@@ -88,7 +88,7 @@ final class CreateScript {
 
     /** Every 15 ms: goes on with the script up to its next wait. At most one run through the script, so one without a wait holds nothing up. */
     void tick(double time) {
-        if (waiting != null && !isMet(time)) {
+        if (waiting != null && !isHit(time)) {
             return;
         }
         waiting = null;
@@ -105,7 +105,7 @@ final class CreateScript {
         }
     }
 
-    private boolean isMet(double time) {
+    private boolean isHit(double time) {
         switch (waiting) {
             case WAIT_TIME:
                 return time >= until;

@@ -200,7 +200,7 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         lastCommand = time;
         if (opcode.getCode() <= Opcode.DEMO.getCode()) {
             changeMode(opcode, a, time);
-        } else if (!act(opcode, a, time) && !tell(opcode, a, count, time)) {
+        } else if (!act(opcode, a, time) && !report(opcode, a, count, time)) {
             String first = count > 0 ? " with first argument " + a[0] : "";
             context.warn("command " + opcode, "command " + opcode.getCode() + " (" + opcode + ")" + first + " is not possible on a " + model.getName()
                 + ": ignored");
@@ -304,7 +304,7 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
      *
      * @return whether it was one of these and possible
      */
-    private boolean tell(Opcode opcode, int[] a, int count, double time) {
+    private boolean report(Opcode opcode, int[] a, int count, double time) {
         switch (opcode) {
             case SENSORS:
                 return query(Arrays.copyOf(a, 1), time);

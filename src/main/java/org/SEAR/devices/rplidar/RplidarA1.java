@@ -31,7 +31,7 @@ public final class RplidarA1 extends ScannerFirmware {
     private static final byte[] SAMPLE_RATE = {(byte) 0xF4, 0x01, (byte) 0xFA, 0x00};
 
     private final Head head;
-    private final RequestQueue<RplidarRequestPacket> requests = new RequestQueue<>(events, this::answerAt, this::serve);
+    private final RequestQueue<RplidarRequestPacket> requests = new RequestQueue<>(events, this::answerAt, this::answer);
     private final RequestReader reader = new RequestReader(this::onRequest);
     private RplidarCommand scan;
     private int session;
@@ -110,7 +110,7 @@ public final class RplidarA1 extends ScannerFirmware {
         return Math.max(time + ANSWER, context.lineFreeAt());
     }
 
-    private void serve(RplidarRequestPacket request, double time) {
+    private void answer(RplidarRequestPacket request, double time) {
         execute(request, time);
         requests.done(time);
     }

@@ -11,7 +11,7 @@ final class ScipCommands {
     private static final int MAX_STRING = 16;
     private static final int LETTERS = 2;
     private static final int DEFAULT_SPEED = 99;
-    private static final int MOST_SLOWER = 10;
+    private static final int MAX_SLOWER = 10;
     private static final int BAUD_DIGITS = 6;
 
     private final Hokuyo device;
@@ -238,7 +238,7 @@ final class ScipCommands {
             return ScipStatus.NOT_HERE;
         }
         int wanted = digits.matches("[0-9]{2}") ? Integer.parseInt(digits) : -1;
-        if (wanted < 0 || wanted > MOST_SLOWER && wanted != DEFAULT_SPEED) {
+        if (wanted < 0 || wanted > MAX_SLOWER && wanted != DEFAULT_SPEED) {
             return ScipStatus.BAD_PARAMETER;
         }
         int slower = wanted == DEFAULT_SPEED ? 0 : wanted;

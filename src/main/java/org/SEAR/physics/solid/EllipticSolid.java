@@ -46,11 +46,11 @@ final class EllipticSolid extends MeshSolid {
 
     @Override
     public SurfaceMesh look() {
-        return RoundLook.of(halfX, halfY, halfZ, cone);
+        return RoundPictureMap.of(halfX, halfY, halfZ, cone);
     }
 
     @Override
     protected double[][] corners() {
-        return RoundLook.rims(halfX, halfY, halfZ, cone);
+        return RoundPictureMap.rims(halfX, halfY, halfZ, cone);
     }
 }

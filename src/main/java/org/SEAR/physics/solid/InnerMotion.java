@@ -41,9 +41,9 @@ public final class InnerMotion {
         hinges = new Hinge[places.length];
     }
 
-    /** @param told is told at the end of a step in which a hinge did not get as far as planned, and says by {@link #move} where solids went */
-    public void onYield(Runnable told) {
-        yielding = told;
+    /** @param reported is told at the end of a step in which a hinge did not get as far as planned, and says by {@link #move} where solids went */
+    public void onYield(Runnable reported) {
+        yielding = reported;
     }
 
     /**

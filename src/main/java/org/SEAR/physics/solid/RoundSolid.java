@@ -59,11 +59,11 @@ public final class RoundSolid extends Solid {
 
     @Override
     public SurfaceMesh look() {
-        return RoundLook.of(halfX, halfY, halfZ, cone);
+        return RoundPictureMap.of(halfX, halfY, halfZ, cone);
     }
 
     @Override
     protected double[][] corners() {
-        return RoundLook.rims(halfX, halfY, halfZ, cone);
+        return RoundPictureMap.rims(halfX, halfY, halfZ, cone);
     }
 }

@@ -64,7 +64,7 @@ final class Overlap {
             for (int k = 0; k < other.body.solids.size(); k++) {
                 Solid solid = other.body.solids.get(k);
                 Pose place = otherPose.times(other.body.places[k]);
-                if (solid.isMesh() ? meets(mine, bounds(pose), solid, place, allowed) : isDeeper(mine, new Placed(solid, place), allowed)) {
+                if (solid.isMesh() ? intersects(mine, bounds(pose), solid, place, allowed) : isDeeper(mine, new Placed(solid, place), allowed)) {
                     return true;
                 }
             }
@@ -87,7 +87,7 @@ final class Overlap {
         return gjk.distance < -allowed;
     }
 
-    private boolean meets(Placed mine, Aabb box, Solid solid, Pose place, double allowed) {
+    private boolean intersects(Placed mine, Aabb box, Solid solid, Pose place, double allowed) {
         Corners corners = new Corners();
         return solid.anyTriangle(inFrame(box, place), at -> {
             corners.set(at, place);

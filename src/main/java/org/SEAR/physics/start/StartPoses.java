@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.Scenes;
+import org.SEAR.physics.RaycastScenes;
 
 /** Start poses that can't be meant are put right, each with a warning. */
 public final class StartPoses {
@@ -19,11 +19,11 @@ public final class StartPoses {
     /** What counts as touching, metres. */
     private static final double TOUCHING = 1e-6;
     /** More overlaps are not named one by one. */
-    private static final int MOST_TOLD = 20;
+    private static final int MAX_REPORTED = 20;
     /** Pairs that start inside one another; with more a step takes seconds. */
-    private static final int MOST_PAIRS = 50_000;
+    private static final int MAX_PAIRS = 50_000;
     /** So many of the things in which one starts are named. */
-    private static final int MOST_OBSTACLES = 3;
+    private static final int MAX_OBSTACLES = 3;
     /** Rounds of lifting: what is lifted out of one thing may be inside the next. */
     private static final int ROUNDS = 16;
     private static final int HALVINGS = 24;
@@ -39,7 +39,7 @@ public final class StartPoses {
                 Pose before = body.getStart();
                 double lifted = liftOut(body, fixed);
                 if (lifted > 0) {
-                    String inside = obstacles(body, before, fixed).map(obstacle -> obstacle.name).limit(MOST_OBSTACLES)
+                    String inside = obstacles(body, before, fixed).map(obstacle -> obstacle.name).limit(MAX_OBSTACLES)
                         .collect(Collectors.joining(" and "));
                     warnings.add(String.format(Locale.ROOT, "%s started inside something fixed, %s; it was lifted by %.3f m: move(x, y, z) with y"
                         + " greater by so much, or another x or z, starts it outside", body.name, inside, lifted));
@@ -77,8 +77,8 @@ public final class StartPoses {
             Aabb box = boxes.get(order[i]);
             for (int k = i + 1; k < order.length && boxes.get(order[k]).minX <= box.maxX; k++) {
                 pairs += box.overlaps(boxes.get(order[k])) ? 1 : 0;
-                if (pairs > MOST_PAIRS) {
-                    return "more than " + MOST_PAIRS + " pairs of things with mass start inside one another, as " + moving.get(order[i]).name
+                if (pairs > MAX_PAIRS) {
+                    return "more than " + MAX_PAIRS + " pairs of things with mass start inside one another, as " + moving.get(order[i]).name
                         + " and " + moving.get(order[k]).name;
                 }
             }
@@ -87,22 +87,22 @@ public final class StartPoses {
     }
 
     /** Tells about things with mass that start inside one another: the first step will throw them apart. */
-    public static void tellOverlaps(List<Body> bodies, List<String> warnings) {
+    public static void reportOverlaps(List<Body> bodies, List<String> warnings) {
         List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
         List<Overlap> overlaps = moving.stream().map(Overlap::new).collect(Collectors.toList());
         List<Aabb> boxes = new ArrayList<>();
-        int told = 0;
+        int reported = 0;
         for (int i = 0; i < moving.size(); i++) {
             Overlap mine = overlaps.get(i);
             Pose start = moving.get(i).getStart();
             boxes.add(mine.bounds(start));
             for (int k = 0; k < i; k++) {
-                if (told == MOST_TOLD) {
-                    warnings.add("more things start inside one another; only the first " + MOST_TOLD + " are named");
+                if (reported == MAX_REPORTED) {
+                    warnings.add("more things start inside one another; only the first " + MAX_REPORTED + " are named");
                     return;
                 }
                 if (boxes.get(i).overlaps(boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
-                    told++;
+                    reported++;
                     warnings.add(String.format(Locale.ROOT, "%s and %s start inside one another, by %.3f m, and will be pushed apart; move one of"
                         + " them", moving.get(k).name, moving.get(i).name, mine.depth(start, overlaps.get(k))));
                 }
@@ -117,7 +117,7 @@ public final class StartPoses {
      * @param feet points of the body's frame that it stands on, such as where wheels touch; none for those of its solids that are lowest
      * @return whether there is ground below
      */
-    public static boolean stand(Body body, Pose at, double[][] feet, Scenes scenes) {
+    public static boolean stand(Body body, Pose at, double[][] feet, RaycastScenes scenes) {
         Pose level = new Pose(at.x, 0, at.z, at.qx, at.qy, at.qz, at.qw);
         Overlap mine = new Overlap(body);
         double height = Double.NEGATIVE_INFINITY;
@@ -147,7 +147,7 @@ public final class StartPoses {
         return true;
     }
 
-    private static boolean overlapsGround(Body body, Overlap mine, Pose pose, Scenes scenes) {
+    private static boolean overlapsGround(Body body, Overlap mine, Pose pose, RaycastScenes scenes) {
         Aabb box = mine.bounds(pose);
         for (Body ground : scenes.grounds()) {
             Overlap other = new Overlap(ground);

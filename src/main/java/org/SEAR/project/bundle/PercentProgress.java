@@ -16,7 +16,7 @@ public final class PercentProgress implements Progress {
 
     private final String what;
     private final Consumer<String> listener;
-    private long told;
+    private long reported;
 
     /**
      * @param what is done, for example "loading"
@@ -33,8 +33,8 @@ public final class PercentProgress implements Progress {
             return;
         }
         long tenths = TENTHS * done / total;
-        if (tenths > told) {
-            told = tenths;
+        if (tenths > reported) {
+            reported = tenths;
             listener.accept(String.format(Locale.ROOT, "%s: %d %% of %.0f MB (%s)", what, tenths * TENTHS, total / MEGABYTE, file));
         }
     }

@@ -22,9 +22,9 @@ import org.SEAR.project.FileStore;
  */
 final class EditJournal {
     /** Most steps; older ones can't be undone any more. */
-    static final int MOST_STEPS = 500;
+    static final int MAX_STEPS = 500;
     /** Most bytes of all steps together. */
-    static final long MOST_BYTES = 16L << 20;
+    static final long MAX_BYTES = 16L << 20;
     private static final String FOLDER = ".edits";
     private static final String STATE = "state";
     private static final Pattern STEP = Pattern.compile("([1-9][0-9]{0,8})\\.step");
@@ -33,7 +33,7 @@ final class EditJournal {
     private final ObjectFiles files;
     private final Path folder;
     /** By number. */
-    private final TreeMap<Integer, Step> steps = new TreeMap<>();
+    private final TreeMap<Integer, UndoStep> steps = new TreeMap<>();
     /** Number of the last step that is done. */
     private int done;
 
@@ -59,8 +59,8 @@ final class EditJournal {
         try (DirectoryStream<Path> all = Files.newDirectoryStream(folder)) {
             for (Path file : all) {
                 Matcher name = STEP.matcher(file.getFileName().toString());
-                if (name.matches() && Files.size(file) <= MOST_BYTES) {
-                    steps.put(Integer.parseInt(name.group(1)), Step.of(Files.readAllBytes(file)));
+                if (name.matches() && Files.size(file) <= MAX_BYTES) {
+                    steps.put(Integer.parseInt(name.group(1)), UndoStep.of(Files.readAllBytes(file)));
                 }
             }
         } catch (IOException e) {
@@ -72,14 +72,14 @@ final class EditJournal {
         if (text.matches()) {
             done = Integer.parseInt(text.group(1));
             if (text.group(2) != null) {
-                takeBack(Integer.parseInt(text.group(2)));
+                revert(Integer.parseInt(text.group(2)));
             }
         }
     }
 
     /** A step was on its way when the program ended: what it had changed is as before again. */
-    private void takeBack(int number) throws IOException {
-        Step step = steps.get(number);
+    private void revert(int number) throws IOException {
+        UndoStep step = steps.get(number);
         boolean undoing = number == done;
         for (FileChange change : step == null ? List.<FileChange>of() : step.changes) {
             byte[] from = undoing ? change.before() : change.after();
@@ -96,12 +96,12 @@ final class EditJournal {
     }
 
     /** What undo would take back; null for nothing. */
-    Step undoable() {
+    UndoStep undoable() {
         return steps.get(done);
     }
 
     /** What redo would do again; null for nothing. */
-    Step redoable() {
+    UndoStep redoable() {
         return steps.get(done + 1);
     }
 
@@ -110,21 +110,21 @@ final class EditJournal {
      *
      * @throws IOException if a file can't be written; all is as before then
      */
-    void add(Step step) throws IOException {
+    void add(UndoStep step) throws IOException {
         write(step);
         apply(step, done + 1, true);
         forgetOldest();
     }
 
     /** Notes a step that somebody else has done already. */
-    void note(Step step) throws IOException {
+    void note(UndoStep step) throws IOException {
         write(step);
         done++;
         writeState(0);
         forgetOldest();
     }
 
-    private void write(Step step) throws IOException {
+    private void write(UndoStep step) throws IOException {
         Files.createDirectories(folder);
         while (!steps.isEmpty() && steps.lastKey() > done) {
             Files.deleteIfExists(file(steps.lastKey()));
@@ -148,7 +148,7 @@ final class EditJournal {
         apply(steps.get(done + 1), done + 1, true);
     }
 
-    private void apply(Step step, int number, boolean forwards) throws IOException {
+    private void apply(UndoStep step, int number, boolean forwards) throws IOException {
         writeState(number);
         List<FileChange> written = new ArrayList<>();
         boolean whole = false;
@@ -172,8 +172,8 @@ final class EditJournal {
     }
 
     private void forgetOldest() throws IOException {
-        long bytes = steps.values().stream().mapToLong(Step::size).sum();
-        while (steps.size() > 1 && (steps.size() > MOST_STEPS || bytes > MOST_BYTES)) {
+        long bytes = steps.values().stream().mapToLong(UndoStep::size).sum();
+        while (steps.size() > 1 && (steps.size() > MAX_STEPS || bytes > MAX_BYTES)) {
             bytes -= steps.firstEntry().getValue().size();
             Files.deleteIfExists(file(steps.pollFirstEntry().getKey()));
         }
@@ -182,7 +182,7 @@ final class EditJournal {
     /** What scripts, editors and hands have changed since in the files that the steps know; empty for nothing. */
     List<FileChange> changedOutside() throws IOException {
         Map<String, byte[]> expected = new LinkedHashMap<>();
-        for (Map.Entry<Integer, Step> step : steps.entrySet()) {
+        for (Map.Entry<Integer, UndoStep> step : steps.entrySet()) {
             for (FileChange change : step.getValue().changes) {
                 if (step.getKey() <= done) {
                     expected.put(change.path, change.after());

@@ -28,8 +28,8 @@ final class Finder {
      * @param name of a thing of the environment or a robot; of a part with its robot's before it, or alone where only one has a part of that name
      * @throws ProjectException that says what there is
      */
-    Place find(String name) throws IOException, ProjectException {
-        List<Place> found = new ArrayList<>();
+    ObjectLocation find(String name) throws IOException, ProjectException {
+        List<ObjectLocation> found = new ArrayList<>();
         int slash = name.indexOf('/');
         if (!TextRule.NAME.isLegal(name.substring(slash + 1)) || slash >= 0 && !TextRule.NAME.isLegal(name.substring(0, slash))) {
             throw refused(name, found);
@@ -103,26 +103,26 @@ final class Finder {
         return names;
     }
 
-    private void addWhole(List<Place> found, String name) throws IOException, ProjectException {
+    private void addWhole(List<ObjectLocation> found, String name) throws IOException, ProjectException {
         for (boolean part : new boolean[] {false, true}) {
             String path = ObjectFiles.path(part, name);
             SearObject object = draft.read(path);
             if (object != null && (!part || object instanceof SEARrobot)) {
-                found.add(new Place(object, path, null));
+                found.add(new ObjectLocation(object, path, null));
             }
         }
     }
 
     /** What lies in {@code robot/} and is no robot's. */
-    private void addLoose(List<Place> found, String name) throws IOException, ProjectException {
+    private void addLoose(List<ObjectLocation> found, String name) throws IOException, ProjectException {
         String path = ObjectFiles.path(true, name);
         SearObject object = draft.read(path);
         if (object != null) {
-            found.add(new Place(object, path, null));
+            found.add(new ObjectLocation(object, path, null));
         }
     }
 
-    private void addPart(List<Place> found, String robotName, String name) throws IOException, ProjectException {
+    private void addPart(List<ObjectLocation> found, String robotName, String name) throws IOException, ProjectException {
         if (!(draft.readIfWhole(ObjectFiles.path(true, robotName)) instanceof SEARrobot)) {
             return;
         }
@@ -132,20 +132,20 @@ final class Finder {
                 String path = ObjectFiles.path(true, file);
                 SearObject object = draft.read(path);
                 if (object != null) {
-                    found.add(new Place(object, path, robot));
+                    found.add(new ObjectLocation(object, path, robot));
                 }
             }
         }
         for (Wheel wheel : robot.getWheels()) {
             if (wheel.getName().equals(name)) {
-                found.add(new Place(wheel, ObjectFiles.path(true, robotName), robot));
+                found.add(new ObjectLocation(wheel, ObjectFiles.path(true, robotName), robot));
             }
         }
     }
 
-    private static ProjectException refused(String name, List<Place> found) {
+    private static ProjectException refused(String name, List<ObjectLocation> found) {
         String legal = found.isEmpty() ? "the name of an object of the project; it may have been deleted or renamed meanwhile"
-            : found.stream().map(Place::address).collect(Collectors.joining(" or "));
+            : found.stream().map(ObjectLocation::address).collect(Collectors.joining(" or "));
         return new ProjectException(List.of(new Problem("project", 0, "object", name, legal)));
     }
 

@@ -37,7 +37,7 @@ final class Operations {
     // ---- add, set ------------------------------------------------------------------------------------------------------
 
     /** {@code type}, {@code name} (or a free one), {@code to} a robot, {@code set} parameters. */
-    Done add(EditRequest edit) throws IOException, ProjectException {
+    EditResult add(EditRequest edit) throws IOException, ProjectException {
         String type = edit.text("type");
         Class<? extends SearObject> found = draft.classes().get(type);
         if (found == null) {
@@ -64,10 +64,10 @@ final class Operations {
         if (object instanceof SEARrobot) {
             assign(object, "order", order());
         }
-        Place place = put(object, robot, name);
+        ObjectLocation place = put(object, robot, name);
         set(place.path, object, values, Map.of());
         write(place);
-        return new Done("add " + name, place.address());
+        return new EditResult("add " + name, place.address());
     }
 
     /** Sensible from the class: box1, lidar1, robot1. */
@@ -108,31 +108,31 @@ final class Operations {
 
     /** Joins an object to the environment, or to a robot, without writing it. */
     @SuppressWarnings("unchecked")
-    private Place put(SearObject object, SEARrobot robot, String name) throws IOException {
+    private ObjectLocation put(SearObject object, SEARrobot robot, String name) throws IOException {
         if (robot == null) {
-            return new Place(object, ObjectFiles.path(object instanceof SEARrobot, name), null);
+            return new ObjectLocation(object, ObjectFiles.path(object instanceof SEARrobot, name), null);
         }
         if (object instanceof Wheel) {
             ((List<Object>) parameter(robot, "wheel").get(robot)).add(object);
-            return new Place(object, ObjectFiles.path(true, robot.getName()), robot);
+            return new ObjectLocation(object, ObjectFiles.path(true, robot.getName()), robot);
         }
         String file = finder.partFile(robot.getName(), name);
         components(robot).add(file);
         draft.write(ObjectFiles.path(true, robot.getName()), robot);
-        return new Place(object, ObjectFiles.path(true, file), robot);
+        return new ObjectLocation(object, ObjectFiles.path(true, file), robot);
     }
 
-    private void write(Place place) {
+    private void write(ObjectLocation place) {
         draft.write(place.path, place.root());
     }
 
     /** {@code object}, {@code set} parameters, {@code was} what the asker has seen of them. */
-    Done set(EditRequest edit) throws IOException, ProjectException {
-        Place place = finder.find(edit.text("object"));
+    EditResult set(EditRequest edit) throws IOException, ProjectException {
+        ObjectLocation place = finder.find(edit.text("object"));
         Map<?, ?> values = edit.values("set");
         set(place.path, place.object, values, edit.values("was"));
         write(place);
-        return new Done(words(values) + place.object.getName(), place.address());
+        return new EditResult(words(values) + place.object.getName(), place.address());
     }
 
     private static String words(Map<?, ?> values) {
@@ -186,7 +186,7 @@ final class Operations {
     }
 
     /** {@code template}, {@code name} (or a free one), {@code set} parameters of the robot. */
-    Done robot(EditRequest edit) throws IOException, ProjectException {
+    EditResult robot(EditRequest edit) throws IOException, ProjectException {
         String template = edit.text("template");
         String name = newName(edit, template, null);
         Integer order = order();
@@ -197,17 +197,17 @@ final class Operations {
             components(robot).set(robot.getComponentNames().indexOf(part.getName()), file);
             draft.write(ObjectFiles.path(true, file), part);
         }
-        Place place = new Place(robot, ObjectFiles.path(true, name), null);
+        ObjectLocation place = new ObjectLocation(robot, ObjectFiles.path(true, name), null);
         set(place.path, robot, edit.values("set"), Map.of());
         write(place);
-        return new Done("add " + name, name);
+        return new EditResult("add " + name, name);
     }
 
     // ---- rename, delete, duplicate -----------------------------------------------------------------------------------------
 
     /** {@code object}, {@code name}. */
-    Done rename(EditRequest edit) throws IOException, ProjectException {
-        Place place = finder.find(edit.text("object"));
+    EditResult rename(EditRequest edit) throws IOException, ProjectException {
+        ObjectLocation place = finder.find(edit.text("object"));
         String old = place.object.getName();
         String name = edit.text("name");
         if (!name.equalsIgnoreCase(old)) {
@@ -233,7 +233,7 @@ final class Operations {
         if (place.robot != null) {
             new References(draft, place.robot).follow(place.object, old);
         }
-        return new Done("rename " + old + " to " + name, place.address());
+        return new EditResult("rename " + old + " to " + name, place.address());
     }
 
     /** The parts in a robot's own folder go with its new name. */
@@ -252,19 +252,19 @@ final class Operations {
     }
 
     /** {@code object}; a robot goes with all of its parts, a part with what can't be without it. */
-    Done delete(EditRequest edit) throws IOException, ProjectException {
-        Place place = finder.find(edit.text("object"));
+    EditResult delete(EditRequest edit) throws IOException, ProjectException {
+        ObjectLocation place = finder.find(edit.text("object"));
         References others = leave(place);
         if (place.object instanceof SEARrobot) {
             ((SEARrobot) place.object).getComponentNames().forEach(file -> draft.delete(ObjectFiles.path(true, file)));
         }
         int also = others.deleted().size();
         String with = also == 0 ? "" : " with " + (also == 1 ? References.called(others.deleted().get(0)) : also + " more");
-        return new Done("delete " + place.object.getName() + with, null, besides(others, place, " was deleted with "));
+        return new EditResult("delete " + place.object.getName() + with, null, besides(others, place, " was deleted with "));
     }
 
     /** What has become of others because an object left its robot. */
-    private static List<String> besides(References others, Place place, String why) {
+    private static List<String> besides(References others, ObjectLocation place, String why) {
         List<String> besides = new ArrayList<>();
         others.deleted().forEach(object -> besides.add(References.called(object) + why + References.called(place.object)));
         besides.addAll(others.lost());
@@ -272,7 +272,7 @@ final class Operations {
     }
 
     /** Takes an object away from where it is, and its name from the other parts of its robot. */
-    private References leave(Place place) throws IOException, ProjectException {
+    private References leave(ObjectLocation place) throws IOException, ProjectException {
         takeAway(place);
         References others = new References(draft, place.robot);
         if (place.robot != null) {
@@ -283,7 +283,7 @@ final class Operations {
 
     /** Takes an object away from where it is. */
     @SuppressWarnings("unchecked")
-    private void takeAway(Place place) throws IOException, ProjectException {
+    private void takeAway(ObjectLocation place) throws IOException, ProjectException {
         if (place.isWheel()) {
             ((List<Object>) parameter(place.robot, "wheel").get(place.robot)).remove(place.object);
         } else {
@@ -297,8 +297,8 @@ final class Operations {
     }
 
     /** {@code object}, {@code name} (or a free one), {@code set} parameters of the copy; without ports, which belong to one device only. */
-    Done duplicate(EditRequest edit) throws IOException, ProjectException {
-        Place place = finder.find(edit.text("object"));
+    EditResult duplicate(EditRequest edit) throws IOException, ProjectException {
+        ObjectLocation place = finder.find(edit.text("object"));
         String old = place.object.getName();
         String name = newName(edit, old, place.robot);
         SearObject copy = copy(place);
@@ -308,14 +308,14 @@ final class Operations {
             assign(copy, "order", order());
             copyParts((SEARrobot) copy, name);
         }
-        Place to = put(copy, place.robot, name);
+        ObjectLocation to = put(copy, place.robot, name);
         set(to.path, copy, edit.values("set"), Map.of());
         write(to);
-        return new Done("duplicate " + old, to.address());
+        return new EditResult("duplicate " + old, to.address());
     }
 
     /** Another object of the same values. */
-    private SearObject copy(Place place) throws IOException, ProjectException {
+    private SearObject copy(ObjectLocation place) throws IOException, ProjectException {
         if (place.isWheel()) {
             SEARrobot again = (SEARrobot) draft.read(place.path);
             return again.getWheels().get(place.robot.getWheels().indexOf(place.object));
@@ -346,8 +346,8 @@ final class Operations {
     // ---- mount, unmount ------------------------------------------------------------------------------------------------
 
     /** {@code object}, {@code to} a robot, {@code set} parameters, which count in the robot's frame then. */
-    Done mount(EditRequest edit) throws IOException, ProjectException {
-        Place place = finder.find(edit.text("object"));
+    EditResult mount(EditRequest edit) throws IOException, ProjectException {
+        ObjectLocation place = finder.find(edit.text("object"));
         String to = edit.text("to");
         if (!Grammar.standsOnRobot(place.object.getClass())) {
             throw EditRequest.refused("to", to, "nothing: a " + place.object.getClass().getSimpleName() + " can't be a part of a robot");
@@ -358,18 +358,18 @@ final class Operations {
         } else {
             besides = besides(leave(place), place, LEFT);
         }
-        Place there = put(place.object, finder.robot(to), place.object.getName());
+        ObjectLocation there = put(place.object, finder.robot(to), place.object.getName());
         if (place.object instanceof PlacedObject) {
             standWherePut(place.object, Map.of("y", ""));
         }
         set(there.path, place.object, edit.values("set"), Map.of());
         write(there);
-        return new Done("mount " + place.object.getName() + " on " + to, there.address(), besides);
+        return new EditResult("mount " + place.object.getName() + " on " + to, there.address(), besides);
     }
 
     /** {@code object}, {@code set} parameters, which count in the world then; only what may stand there by itself. */
-    Done unmount(EditRequest edit) throws IOException, ProjectException {
-        Place place = finder.find(edit.text("object"));
+    EditResult unmount(EditRequest edit) throws IOException, ProjectException {
+        ObjectLocation place = finder.find(edit.text("object"));
         if (place.robot == null) {
             throw EditRequest.refused("object", place.address(), "a part of a robot");
         }
@@ -378,9 +378,9 @@ final class Operations {
                 + " can't stand in the world without a robot; mount it on another one, or delete it");
         }
         List<String> besides = besides(leave(place), place, LEFT);
-        Place there = put(place.object, null, place.object.getName());
+        ObjectLocation there = put(place.object, null, place.object.getName());
         set(there.path, place.object, edit.values("set"), Map.of());
         write(there);
-        return new Done("take " + place.object.getName() + " off " + place.robot.getName(), there.address(), besides);
+        return new EditResult("take " + place.object.getName() + " off " + place.robot.getName(), there.address(), besides);
     }
 }

@@ -28,7 +28,7 @@ import org.SEAR.project.problems.ProjectException;
  * <p>Any thread; edits of one project wait for each other, and for scripts that write objects.
  */
 public final class ProjectEditor {
-    private static final int MOST_EDITS = 1000;
+    private static final int MAX_EDITS = 1000;
 
     private final Path folder;
 
@@ -68,19 +68,19 @@ public final class ProjectEditor {
         return locked(files -> {
             EditJournal journal = EditJournal.open(files);
             EditDraft draft = new EditDraft(files);
-            Done done = perform(draft, new EditRequest(edit), 0);
+            EditResult done = perform(draft, new EditRequest(edit), 0);
             List<FileChange> changes = draft.changes();
             if (changes.isEmpty()) {
                 return new Outcome("", done.object, null, changes, journal);
             }
             check(draft);
             noteOutside(journal);
-            journal.add(new Step(done.words, changes));
+            journal.add(new UndoStep(done.words, changes));
             return new Outcome(done.words, done.object, done.note(), changes, journal);
         });
     }
 
-    private Done perform(EditDraft draft, EditRequest edit, int depth) throws IOException, ProjectException {
+    private EditResult perform(EditDraft draft, EditRequest edit, int depth) throws IOException, ProjectException {
         String kind = edit.text("do");
         Operations operations = new Operations(draft);
         switch (kind) {
@@ -107,19 +107,19 @@ public final class ProjectEditor {
         }
     }
 
-    private Done performAll(EditDraft draft, EditRequest edit, int depth) throws IOException, ProjectException {
+    private EditResult performAll(EditDraft draft, EditRequest edit, int depth) throws IOException, ProjectException {
         List<Map<?, ?>> edits = edit.list("edits");
-        if (depth > 0 || edits.isEmpty() || edits.size() > MOST_EDITS) {
-            throw EditRequest.refused("edits", edits.size() + " edits", "1 to " + MOST_EDITS + " edits, none of them of this kind");
+        if (depth > 0 || edits.isEmpty() || edits.size() > MAX_EDITS) {
+            throw EditRequest.refused("edits", edits.size() + " edits", "1 to " + MAX_EDITS + " edits, none of them of this kind");
         }
-        Done last = null;
+        EditResult last = null;
         List<String> besides = new ArrayList<>();
         for (Map<?, ?> one : edits) {
             last = perform(draft, new EditRequest(one), depth + 1);
             besides.addAll(last.besides);
         }
         String words = edit.textOrNull("words");
-        return new Done(words == null ? last.words + (edits.size() > 1 ? " and " + (edits.size() - 1) + " more" : "") : words, last.object,
+        return new EditResult(words == null ? last.words + (edits.size() > 1 ? " and " + (edits.size() - 1) + " more" : "") : words, last.object,
             besides);
     }
 
@@ -149,13 +149,13 @@ public final class ProjectEditor {
     }
 
     /** What others have changed becomes a step; null if nothing. */
-    private static Step noteOutside(EditJournal journal) throws IOException {
+    private static UndoStep noteOutside(EditJournal journal) throws IOException {
         List<FileChange> outside = journal.changedOutside();
         if (outside.isEmpty()) {
             return null;
         }
         String names = outside.stream().limit(3).map(change -> change.path).collect(Collectors.joining(", "));
-        Step step = new Step("what a script or a hand has changed in " + names + (outside.size() > 3 ? " ..." : ""), outside);
+        UndoStep step = new UndoStep("what a script or a hand has changed in " + names + (outside.size() > 3 ? " ..." : ""), outside);
         journal.note(step);
         return step;
     }
@@ -168,10 +168,10 @@ public final class ProjectEditor {
     public Outcome undo() throws IOException, ProjectException {
         return locked(files -> {
             EditJournal journal = EditJournal.open(files);
-            Step outside = noteOutside(journal);
-            Step step = journal.undoable();
+            UndoStep outside = noteOutside(journal);
+            UndoStep step = journal.undoable();
             if (step == null) {
-                throw new IllegalStateException("there is nothing to undo: no edit of this project is known (the last " + EditJournal.MOST_STEPS
+                throw new IllegalStateException("there is nothing to undo: no edit of this project is known (the last " + EditJournal.MAX_STEPS
                     + " are kept; opening another project, or a new one, begins anew)");
             }
             journal.undo();
@@ -189,8 +189,8 @@ public final class ProjectEditor {
     public Outcome redo() throws IOException, ProjectException {
         return locked(files -> {
             EditJournal journal = EditJournal.open(files);
-            Step outside = noteOutside(journal);
-            Step step = journal.redoable();
+            UndoStep outside = noteOutside(journal);
+            UndoStep step = journal.redoable();
             if (step == null) {
                 throw new IllegalStateException(outside == null ? "there is nothing to redo" : "there is nothing to redo any more: " + outside.words
                     + " came after what was undone");
@@ -217,7 +217,7 @@ public final class ProjectEditor {
      */
     public Map<String, Object> object(String name) throws IOException, ProjectException {
         return locked(files -> {
-            Place place = new Finder(new EditDraft(files)).find(name);
+            ObjectLocation place = new Finder(new EditDraft(files)).find(name);
             Map<String, Object> map = new LinkedHashMap<>();
             map.put("object", place.address());
             map.put("name", place.object.getName());

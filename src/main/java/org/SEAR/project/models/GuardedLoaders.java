@@ -78,7 +78,7 @@ final class GuardedLoaders {
         manager.registerLoader(Blend.class, "blend");
         manager.registerLoader(Gltf.class, "gltf");
         manager.registerLoader(Glb.class, "glb");
-        Pictures.register(manager, pixels);
+        PictureLoader.register(manager, pixels);
     }
 
     /**

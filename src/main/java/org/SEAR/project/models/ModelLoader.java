@@ -125,9 +125,9 @@ public final class ModelLoader {
      *
      * @throws IOException that names the object, the file and what is wrong with it
      */
-    public ModelLook look(Model model) throws IOException {
+    public ModelAppearance look(Model model) throws IOException {
         Spatial scene = spatial(model);
-        return onEngineThread(model, () -> ModelLook.of(SceneTriangles.solids(scene, model + ": " + model.getPath())));
+        return onEngineThread(model, () -> ModelAppearance.of(SceneTriangles.solids(scene, model + ": " + model.getPath())));
     }
 
     private Spatial load(Model model) throws IOException {
@@ -149,8 +149,8 @@ public final class ModelLoader {
     }
 
     private static IOException failure(Model model, Throwable e) {
-        Throwable told = e instanceof AssetLoadException && e.getCause() instanceof IOException ? e.getCause() : e;    // which names the file
-        return new IOException(model + ": " + model.getPath() + " can't be loaded: " + reasons(told), e);
+        Throwable reported = e instanceof AssetLoadException && e.getCause() instanceof IOException ? e.getCause() : e;    // which names the file
+        return new IOException(model + ": " + model.getPath() + " can't be loaded: " + reasons(reported), e);
     }
 
     private static Triangles collect(Spatial scene, Model model) throws IOException {

@@ -23,7 +23,7 @@ final class ObjText {
     /** Corners of a face that jMonkeyEngine takes. */
     private static final int TAKEN = 4;
     /** Corners of a face that is not convex: finding its ears takes a time that grows by their cube. */
-    private static final int MOST_CORNERS = 100;
+    private static final int MAX_CORNERS = 100;
     /** Words of a line with a corner; behind them, some programs write its colour. */
     private static final int COLORED = 4;
     private static final Pattern NUMBERS = Pattern.compile("(?:v[tn]?|f)\\s");
@@ -150,9 +150,9 @@ final class ObjText {
             left.add(i);
             convex &= area(normal, face[i], face[(i + 1) % face.length], face[(i + 2) % face.length]) >= 0;
         }
-        if (!convex && face.length > MOST_CORNERS) {
+        if (!convex && face.length > MAX_CORNERS) {
             throw FileLimits.wrong(name, "the number of corners of the face in line " + line, face.length,
-                "at most " + MOST_CORNERS + " where it is not convex: export it as triangles");
+                "at most " + MAX_CORNERS + " where it is not convex: export it as triangles");
         }
         List<int[]> made = new ArrayList<>();
         while (left.size() > 2) {

@@ -11,7 +11,7 @@ import java.util.function.Consumer;
 public final class ReplyReader {
     private static final int LONGEST_LINE = 80;
     /** More than a scan of 1440 steps with intensities has. */
-    private static final int MOST_LINES = 200;
+    private static final int MAX_LINES = 200;
 
     private final Consumer<Reply> replies;
     private final Runnable broken;
@@ -44,7 +44,7 @@ public final class ReplyReader {
         } else if (line.length() == 0) {
             finish();
         } else {
-            bad |= lines.size() >= MOST_LINES;
+            bad |= lines.size() >= MAX_LINES;
             if (!bad) {
                 lines.add(line.toString());
             }

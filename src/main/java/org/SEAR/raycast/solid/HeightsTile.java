@@ -28,7 +28,7 @@ public final class HeightsTile {
     private final RayHeights ray;
     private final double[] beams = new double[BEAM * MOST];
     private final double[] limits = new double[MOST];
-    private final double[] met = new double[MOST];
+    private final double[] hit = new double[MOST];
     private final double[] planes = new double[PLANES * PLANE];
     private final double[] slacks = new double[PLANES];
     private final int[] levels = new int[DEPTH];
@@ -98,7 +98,7 @@ public final class HeightsTile {
         farY = Math.max(farY, Math.abs(oy));
         farZ = Math.max(farZ, Math.abs(oz));
         limits[count] = limit;
-        met[count++] = Double.POSITIVE_INFINITY;
+        hit[count++] = Double.POSITIVE_INFINITY;
     }
 
     private static double inverse(double d) {
@@ -107,7 +107,7 @@ public final class HeightsTile {
 
     /** How far a beam goes until it meets the ground, in its direction's lengths from where it begins; infinite for not at all. */
     public double distance(int beam) {
-        return met[beam];
+        return hit[beam];
     }
 
     /** Casts all beams that were added. */
@@ -271,12 +271,12 @@ public final class HeightsTile {
     private void triangle(float[] corners, int i) {
         ray.triangles++;
         int at = BEAM * i;
-        take(i, RayTriangle.meet(corners, 0, beams[at], beams[at + 1], beams[at + 2], beams[at + 3], beams[at + 4], beams[at + 5]));
+        take(i, RayTriangle.intersect(corners, 0, beams[at], beams[at + 1], beams[at + 2], beams[at + 3], beams[at + 4], beams[at + 5]));
     }
 
     private void take(int i, double t) {
-        if (t <= limits[i] && t < met[i]) {
-            met[i] = t;
+        if (t <= limits[i] && t < hit[i]) {
+            hit[i] = t;
             limits[i] = t;
         }
     }

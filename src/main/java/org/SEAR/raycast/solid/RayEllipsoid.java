@@ -17,7 +17,7 @@ public final class RayEllipsoid implements RaySolid {
 
     /** In units of its half sizes it is the unit sphere; the beam is looked at from its point nearest to the centre, where no digits cancel. */
     @Override
-    public double meet(double ox, double oy, double oz, double dx, double dy, double dz) {
+    public double intersect(double ox, double oy, double oz, double dx, double dy, double dz) {
         double ux = dx / a;
         double uy = dy / b;
         double uz = dz / c;

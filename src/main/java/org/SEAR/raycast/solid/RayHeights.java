@@ -57,11 +57,11 @@ public final class RayHeights {
     private double aheadZ;
     private double best;
     private double limit;
-    /** The triangle that the last successful {@link #meet} met: twice the number of its south-western post, plus 1 west of the diagonal. */
+    /** The triangle that the last successful {@link #intersect} met: twice the number of its south-western post, plus 1 west of the diagonal. */
     private long triangle;
 
     /** The distance to the nearest triangle up to a distance, both in units of the direction's length; the first of two that are equally near. */
-    public double meet(HeightField heights, double px, double py, double pz, double vx, double vy, double vz, double maxRange) {
+    public double intersect(HeightField heights, double px, double py, double pz, double vx, double vy, double vz, double maxRange) {
         look(heights);
         aim(px, py, pz, vx, vy, vz);
         best = Double.POSITIVE_INFINITY;
@@ -259,7 +259,7 @@ public final class RayHeights {
         for (int half = 0; half < 2; half++) {
             triangles++;
             field.triangle(row, column, half, corners);
-            double t = RayTriangle.meet(corners, 0, ox, oy, oz, dx, dy, dz);
+            double t = RayTriangle.intersect(corners, 0, ox, oy, oz, dx, dy, dz);
             long number = 2L * (row * field.columns + column) + half;
             if (t <= limit && (t < best || t == best && number < triangle)) {
                 best = t;
@@ -269,7 +269,7 @@ public final class RayHeights {
         }
     }
 
-    /** Writes the upward normal of the triangle that the last successful {@link #meet} met, of any length. */
+    /** Writes the upward normal of the triangle that the last successful {@link #intersect} met, of any length. */
     public void normal(HeightField heights, double[] out) {
         int post = (int) (triangle / 2);
         heights.triangle(post / heights.columns, post % heights.columns, (int) (triangle % 2), corners);

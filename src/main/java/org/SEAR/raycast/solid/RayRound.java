@@ -34,7 +34,7 @@ public final class RayRound implements RaySolid {
 
     /** The beam is looked at from its point nearest to the centre, where no digits cancel. */
     @Override
-    public double meet(double ox, double oy, double oz, double dx, double dy, double dz) {
+    public double intersect(double ox, double oy, double oz, double dx, double dy, double dz) {
         double shift = -(ox * dx + oy * dy + oz * dz) / (dx * dx + dy * dy + dz * dz);
         double px = ox + shift * dx;
         double py = oy + shift * dy;

@@ -13,7 +13,7 @@ public interface RaySolid {
      * @return the distance in units of the direction's length, from inside or on the surface the way out; {@code Double.POSITIVE_INFINITY} where the
      *     beam misses
      */
-    double meet(double ox, double oy, double oz, double dx, double dy, double dz);
+    double intersect(double ox, double oy, double oz, double dx, double dy, double dz);
 
     /**
      * The outward normal, of any length but 0.

@@ -29,7 +29,7 @@ public final class ServoDrive implements ServoHardware {
 
     private final Servo object;
     private final String robot;
-    private final Consumer<String> told;
+    private final Consumer<String> reported;
     private final Pose axis;
     private final ServoLoad load = new ServoLoad();
     private final Hinge hinge;
@@ -49,7 +49,7 @@ public final class ServoDrive implements ServoHardware {
     public ServoDrive(Servo object, String robot, Consumer<String> told) {
         this.object = object;
         this.robot = robot;
-        this.told = told;
+        this.reported = told;
         this.axis = ObjectPose.of(object);
         hinge = new Hinge();
         restart();
@@ -125,7 +125,7 @@ public final class ServoDrive implements ServoHardware {
         held = Math.abs(to - wanted) > DEAD_BAND && Math.abs(to - before) < HELD * Math.abs(angle - before) ? held + 1 : 0;
         if (held == HELD_FOR && !complained) {
             complained = true;
-            told.accept(String.format(Locale.ROOT, "servo %s of robot %s is held at %.1f deg, on its way to %.1f deg, by what it touches, as a"
+            reported.accept(String.format(Locale.ROOT, "servo %s of robot %s is held at %.1f deg, on its way to %.1f deg, by what it touches, as a"
                 + " gripper is by what it grips; where it should get on, give it more than its stallTorque of %s N m (%s.setStallTorque(...))",
                 object.getName(), robot, to, wanted, Parameter.format(object.getStallTorque()), object.getName()));
         }
@@ -204,7 +204,8 @@ public final class ServoDrive implements ServoHardware {
     private void complain(double moment, double greatest) {
         if (!complained) {
             complained = true;
-            told.accept(String.format(Locale.ROOT, "servo %s of robot %s is too weak to turn what is on it to %.1f deg: at %.1f deg the weight pulls"
+            reported.accept(String.format(Locale.ROOT,
+                "servo %s of robot %s is too weak to turn what is on it to %.1f deg: at %.1f deg the weight pulls"
                 + " with %.3g N m, and its stallTorque is %s N m; give it more than the %.3g N m that it takes at most (%s.setStallTorque(...)), or"
                 + " mount less, nearer to its axis", object.getName(), robot, wanted, angle, Math.abs(moment),
                 Parameter.format(object.getStallTorque()), greatest, object.getName()));

@@ -9,14 +9,14 @@ import org.SEAR.terrain.TerrainColors;
 import org.SEAR.terrain.relief.GroundPicture;
 
 /** The picture over a terrain, without the sun that window and tab show on it; where it has none, the terrain's colour. */
-final class GroundPaint implements Paint {
+final class GroundPaint implements SurfacePaint {
     private static final int RGB = 0xFFFFFF;
     private static final int OPAQUE = 255;
 
     private final Terrain terrain;
     private final Ground ground;
     private final Assets assets;
-    private final Consumer<String> told;
+    private final Consumer<String> reported;
     private final int plain;
     private boolean known;
     private GroundPicture.Colors colors;
@@ -26,7 +26,7 @@ final class GroundPaint implements Paint {
         this.terrain = terrain;
         this.ground = ground;
         this.assets = assets;
-        this.told = told;
+        this.reported = told;
         this.plain = SurfaceColors.plain(terrain);
     }
 
@@ -35,7 +35,7 @@ final class GroundPaint implements Paint {
         try {
             colors = TerrainColors.of(terrain, assets, ground);
         } catch (IOException e) {
-            told.accept("colour and line sensors can't look at the picture over the terrain: " + e.getMessage());
+            reported.accept("colour and line sensors can't look at the picture over the terrain: " + e.getMessage());
         }
     }
 

@@ -7,7 +7,7 @@ import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
 
 /** The picture of a shape as it is wrapped around it, else its colour. The picture is read when a sensor looks at it first. */
-final class ShapePaint implements Paint {
+final class ShapePaint implements SurfacePaint {
     private static final int CORNERS = 3;
 
     private final Shape shape;

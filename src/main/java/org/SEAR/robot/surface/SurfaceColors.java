@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
-import org.SEAR.camera.Skin;
+import org.SEAR.camera.Appearance;
 import org.SEAR.files.Assets;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.terrain.Ground;
@@ -20,17 +20,17 @@ public final class SurfaceColors {
     private static final int HEX = 16;
 
     private final Assets assets;
-    private final Consumer<String> told;
-    private final Map<Solid, Paint> paints = new IdentityHashMap<>();
+    private final Consumer<String> reported;
+    private final Map<Solid, SurfacePaint> paints = new IdentityHashMap<>();
     private final SurfacePictures pictures;
-    private final Skins skins;
+    private final AppearanceBuilder skins;
 
     /** @param told hears what the user should know of pictures that can't be read, when a sensor looks at them first */
     public SurfaceColors(Assets assets, Consumer<String> told) {
         this.assets = assets;
-        this.told = told;
+        this.reported = told;
         pictures = new SurfacePictures(assets, told);
-        skins = new Skins(assets, pictures, told);
+        skins = new AppearanceBuilder(assets, pictures, told);
     }
 
     /** A thing of the environment, or a part or wheel of a robot. */
@@ -41,7 +41,7 @@ public final class SurfaceColors {
 
     /** The terrain. */
     public void addTerrain(Terrain terrain, Solid solid, Ground ground) {
-        paints.put(solid, new GroundPaint(terrain, ground, assets, told));
+        paints.put(solid, new GroundPaint(terrain, ground, assets, reported));
         skins.add(terrain, solid, ground);
     }
 
@@ -52,12 +52,12 @@ public final class SurfaceColors {
      * @return 0xRRGGBB
      */
     public int at(Solid solid, double[] point) {
-        Paint paint = paints.get(solid);
+        SurfacePaint paint = paints.get(solid);
         return paint == null ? GREY : paint.at(point);
     }
 
     /** What cameras see of a thing; made when one looks first. Never null. */
-    public Skin skin(Solid solid) {
+    public Appearance skin(Solid solid) {
         return skins.of(solid);
     }
 

@@ -12,13 +12,13 @@ import org.SEAR.files.Assets;
 /** The pictures of a project's surfaces, each read when a sensor looks at it first. Simulation thread. */
 final class SurfacePictures {
     private final Assets assets;
-    private final Consumer<String> told;
+    private final Consumer<String> reported;
     private final Map<String, SurfacePicture> known = new HashMap<>();
 
     /** @param told hears, once, of each that can't be read */
     SurfacePictures(Assets assets, Consumer<String> told) {
         this.assets = assets;
-        this.told = told;
+        this.reported = told;
     }
 
     /** Null for one that can't be read. */
@@ -33,11 +33,11 @@ final class SurfacePictures {
         try {
             BufferedImage image = ImageIO.read(new ByteArrayInputStream(assets.readPicture(path)));
             if (image == null) {
-                told.accept("colour and line sensors can't look at the picture " + path + ", legal: .png, .jpg, .gif or .bmp");
+                reported.accept("colour and line sensors can't look at the picture " + path + ", legal: .png, .jpg, .gif or .bmp");
             }
             return image == null ? null : new SurfacePicture(image);
         } catch (IOException e) {
-            told.accept("colour and line sensors can't look at a picture: " + e.getMessage());
+            reported.accept("colour and line sensors can't look at a picture: " + e.getMessage());
             return null;
         }
     }

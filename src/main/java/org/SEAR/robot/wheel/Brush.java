@@ -39,7 +39,7 @@ final class Brush {
         softness = 1 / (seconds * soft);
         bias = stiffness * bent / soft;
         row.impulse *= before > 0 ? seconds / before : 0;
-        row.push(body.v, row.impulse);
+        row.applyImpulse(body.v, row.impulse);
     }
 
     /**

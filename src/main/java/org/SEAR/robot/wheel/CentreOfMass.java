@@ -10,7 +10,7 @@ import org.SEAR.POJOs.Wheel;
  */
 public final class CentreOfMass {
     /** Least distance from tipping, as a share of the distance that the middle of the wheels has. */
-    private static final double LEAST_SHARE = 0.6;
+    private static final double MIN_SHARE = 0.6;
 
     private CentreOfMass() {
     }
@@ -34,7 +34,7 @@ public final class CentreOfMass {
             midZ += wheel.getZ() / wheels.size();
         }
         double y = weighed > 0 ? centroid[1] : Math.min(centroid[1], midY);
-        if (room(centroid[0], centroid[2], wheels) >= LEAST_SHARE * room(midX, midZ, wheels)) {
+        if (room(centroid[0], centroid[2], wheels) >= MIN_SHARE * room(midX, midZ, wheels)) {
             return new double[] {centroid[0], y, centroid[2]};
         }
         return new double[] {midX, y, midZ};

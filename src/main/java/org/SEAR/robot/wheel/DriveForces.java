@@ -24,7 +24,7 @@ final class DriveForces {
     /** The same as a share of what would lift a wheel off the ground. */
     private static final double TIPPING_SHARE = 0.5;
     /** What tips over anyway starts and stops so, m/s^2. */
-    private static final double LEAST_RAMP = 0.2;
+    private static final double MIN_RAMP = 0.2;
 
     /** Distance of the left from the right driven wheels, metres. */
     final double track;
@@ -68,6 +68,6 @@ final class DriveForces {
         double lowest = wheels.stream().mapToDouble(wheel -> wheel.y - wheel.getRest() - wheel.radius).min().orElse(0);
         List<Wheel> objects = wheels.stream().map(wheel -> wheel.object).collect(Collectors.toList());
         double room = CentreOfMass.room(mass[0], mass[2], objects);
-        return Math.max(LEAST_RAMP, TIPPING_SHARE * PhysicsWorld.GRAVITY * room / Math.max(mass[1] - lowest, NO_TRACK));
+        return Math.max(MIN_RAMP, TIPPING_SHARE * PhysicsWorld.GRAVITY * room / Math.max(mass[1] - lowest, NO_TRACK));
     }
 }

@@ -9,7 +9,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Vec3;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
-import org.SEAR.physics.Scenes;
+import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.SolverBody;
 import org.SEAR.robot.servo.ServoDrive;
 
@@ -19,7 +19,7 @@ import org.SEAR.robot.servo.ServoDrive;
  */
 public final class DriveTrain implements PhysicsWorld.Drive {
     /** A robot slower than this stands, m/s. */
-    private static final double LEAST_SPEED = 0.01;
+    private static final double MIN_SPEED = 0.01;
 
     private final Body body;
     private final List<RaycastWheel> wheels = new ArrayList<>();
@@ -28,7 +28,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     /** Null if no wheel is steered. */
     private final Steering steering;
     private final DriveForces forces;
-    private final DriveOrders orders;
+    private final DriveLimits orders;
     private final boolean swivels;
     /** The z of the line on which it turns, in the body frame, metres. */
     private final double centre;
@@ -47,10 +47,10 @@ public final class DriveTrain implements PhysicsWorld.Drive {
      * @param springs of its wheels
      * @param motors of the robot, which get their wheels here
      * @param servos by their names
-     * @param told takes what the user should know during the run
+     * @param reported takes what the user should know during the run
      */
     public DriveTrain(Body body, List<Wheel> objects, Spring[] springs, List<MotorDrive> motors, Function<String, ServoDrive> servos, int owner,
-            Consumer<String> told) {
+            Consumer<String> reported) {
         this.body = body;
         this.motors = motors;
         this.owner = owner;
@@ -71,7 +71,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
             .orElse(0);
         frontAxle = wheels.stream().mapToDouble(wheel -> wheel.z).max().orElse(0);
         forces = new DriveForces(body, wheels);
-        orders = new DriveOrders(body.name, wheels, forces, told);
+        orders = new DriveLimits(body.name, wheels, forces, reported);
     }
 
     /** @param newLeft m/s over ground, likewise newRight */
@@ -113,7 +113,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     }
 
     /** Tells each wheel what it is to do in this step. */
-    private void tellWheels() {
+    private void reportWheels() {
         orders.approach();
         double turn = orders.turn();
         double curvature = 0;
@@ -136,8 +136,8 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     }
 
     /** Looks for the ground under each wheel, and for what stands before it, before the physics' step. */
-    public void look(Scenes scenes) {
-        tellWheels();
+    public void look(RaycastScenes scenes) {
+        reportWheels();
         Pose pose = body.getPose();
         up.rotate(pose, 0, 1, 0);
         ahead.rotate(pose, 0, 0, 1);
@@ -146,7 +146,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         }
         body.velocities(v);
         double speed = v[0] * ahead.x + v[1] * ahead.y + v[2] * ahead.z;
-        double coasting = Math.abs(speed) > LEAST_SPEED ? speed : 0;
+        double coasting = Math.abs(speed) > MIN_SPEED ? speed : 0;
         boolean carried = false;
         boolean free = body.isFree();
         pushed.clear();
@@ -182,7 +182,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     }
 
     @Override
-    public List<Body> pushed() {
+    public List<Body> loaded() {
         return pushed;
     }
 
@@ -234,15 +234,15 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     public void steerTo(double radius, double speed) {
         steering.follow(radius == 0 ? Math.signum(speed) * Double.POSITIVE_INFINITY : 1 / radius);
         if (speed != 0) {
-            orders.tellTight(Math.abs(radius), steering, speed);
-            orders.tellSliding(speed, speed / Math.max(Math.abs(radius), steering.tightest()));
+            orders.reportTight(Math.abs(radius), steering, speed);
+            orders.reportSliding(speed, speed / Math.max(Math.abs(radius), steering.tightest()));
         }
     }
 
     /** Is told to drive on a circle where wheel speeds alone can make one. */
     public void turnBySpeeds() {
         if (steering != null) {
-            orders.tellServo(steering.getServo());
+            orders.reportServo(steering.getServo());
         }
     }
 

@@ -108,7 +108,7 @@ final class Grip {
     private void driveOn(SolverBody body) {
         forward.impulse *= driven > 0 ? body.seconds() / driven : 0;
         driven = body.seconds();
-        forward.push(body.v, forward.impulse);
+        forward.applyImpulse(body.v, forward.impulse);
     }
 
     /**

@@ -3,7 +3,7 @@ package org.SEAR.robot.wheel;
 import org.SEAR.geometry.Vec3;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.ConstraintRow;
-import org.SEAR.physics.Scenes;
+import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.SolverBody;
 import org.SEAR.raycast.Hit;
 
@@ -49,7 +49,7 @@ final class GroundContact {
      * @param rest how much farther that point is when nothing presses the wheel, metres
      * @param owner whose parts are not ground
      */
-    void look(Scenes scenes, Vec3 from, Vec3 up, double wheel, double rest, int owner) {
+    void look(RaycastScenes scenes, Vec3 from, Vec3 up, double wheel, double rest, int owner) {
         double distance = scenes.ground.cast(from.x, from.y, from.z, -up.x, -up.y, -up.z, wheel + rest, owner, hit);
         normal.set(hit.nx, hit.ny, hit.nz);
         double lean = normal.dot(up);
@@ -72,7 +72,7 @@ final class GroundContact {
     }
 
     /** Friction of what is below. */
-    double friction(Scenes scenes) {
+    double friction(RaycastScenes scenes) {
         return scenes.solid(hit.shape).getSurface().friction(under.isRobot());
     }
 

@@ -11,7 +11,7 @@ import org.SEAR.grammar.Parameter;
  * without load; with several wheels each has its share of it at its own speed, see {@link MotorShare}. Simulation thread.
  */
 public final class MotorDrive implements MotorHardware {
-    private static final double LEAST_PART = 1e-6;
+    private static final double MIN_PART = 1e-6;
 
     enum Order { FOLLOW, POWER, SPEED }
 
@@ -94,7 +94,7 @@ public final class MotorDrive implements MotorHardware {
     }
 
     /** The mean speed of its wheels that it was told, rad/s. */
-    double getTold() {
+    double getCommanded() {
         return speed;
     }
 
@@ -104,7 +104,7 @@ public final class MotorDrive implements MotorHardware {
         for (int i = 0; i < shares.size(); i++) {
             sum += shares.get(i).getPart();
         }
-        return Math.abs(sum) < LEAST_PART ? 1 : part * shares.size() / sum;
+        return Math.abs(sum) < MIN_PART ? 1 : part * shares.size() / sum;
     }
 
     /** Greatest force of one wheel at full power and standstill, N. */

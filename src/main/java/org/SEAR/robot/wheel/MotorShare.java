@@ -55,7 +55,7 @@ final class MotorShare implements WheelMotor {
     }
 
     private double target() {
-        return motor.getOrder() == MotorDrive.Order.SPEED ? motor.getTold() * reach * motor.share(part) : following;
+        return motor.getOrder() == MotorDrive.Order.SPEED ? motor.getCommanded() * reach * motor.share(part) : following;
     }
 
     @Override

@@ -4,7 +4,7 @@ import org.SEAR.geometry.TimeStep;
 import org.SEAR.geometry.Vec3;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.ConstraintRow;
-import org.SEAR.physics.Scenes;
+import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.SolverBody;
 import org.SEAR.raycast.Hit;
 
@@ -18,7 +18,7 @@ public final class Obstacle {
     public static final double GUARD = 0.8;
     /** Friction of a wheel's tread along what blocks it, level: else a robot that pushes against a wall would turn off it. */
     private static final double TREAD = 0.3;
-    private static final double LEAST_LEVEL = 0.1;
+    private static final double MIN_LEVEL = 0.1;
     /** What leans less than this (vertical part of the normal) is a wall. */
     private static final double STEEPEST = 0.35;
     /** Share of the depth that is corrected in a second. */
@@ -50,7 +50,7 @@ public final class Obstacle {
      * @param speed with which it does or is to, m/s, + forward, 0 if it stands
      * @param owner whose parts are none
      */
-    void look(Scenes scenes, Vec3 from, Vec3 way, double speed, double radius, int owner) {
+    void look(RaycastScenes scenes, Vec3 from, Vec3 way, double speed, double radius, int owner) {
         body = null;
         given = 0;
         block.impulse = 0;
@@ -82,7 +82,7 @@ public final class Obstacle {
         SolverBody other = body.solver();
         block.set(normal.x, normal.y, normal.z, point.x, point.y, point.z, robot, other);
         block.impulse = 0;
-        double level = Math.max(Math.hypot(normal.x, normal.z), LEAST_LEVEL);
+        double level = Math.max(Math.hypot(normal.x, normal.z), MIN_LEVEL);
         slide.set(normal.z / level, 0, -normal.x / level, point.x, point.y, point.z, robot, other);
         slide.impulse = 0;
         double room = seen + robot.travel(normal.x, normal.y, normal.z, point.x, point.y, point.z);

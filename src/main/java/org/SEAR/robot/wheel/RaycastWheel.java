@@ -5,7 +5,7 @@ import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Vec3;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.Scenes;
+import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.SolverBody;
 
 /**
@@ -30,7 +30,7 @@ public final class RaycastWheel {
     /** Null if nothing drives it. */
     private WheelMotor motor;
     private final Vec3 from = new Vec3();
-    private double told;
+    private double reported;
     private double length;
     private double angle;
     private double spin;
@@ -72,7 +72,7 @@ public final class RaycastWheel {
      * @param part of the speed of the robot's middle, as it is steered
      */
     void follow(double speed, double part) {
-        told = speed;
+        reported = speed;
         if (motor != null) {
             motor.follow(speed, part);
         }
@@ -96,7 +96,7 @@ public final class RaycastWheel {
      * @param up of the body, world frame, likewise {@code ahead}
      * @param coasting which way the robot moves, if it is not told to: forward if positive, 0 if it stands
      */
-    void look(Scenes scenes, Pose body, int owner, Vec3 up, Vec3 ahead, double coasting) {
+    void look(RaycastScenes scenes, Pose body, int owner, Vec3 up, Vec3 ahead, double coasting) {
         double rest = suspension.rest();
         from.transform(body, centreX(), y + radius, centreZ());
         ground.look(scenes, from, up, 2 * radius, rest, owner);
@@ -109,7 +109,7 @@ public final class RaycastWheel {
             grip.release();
         }
         from.transform(body, centreX(), y - length, centreZ());
-        obstacle.look(scenes, from, swivel == null ? ahead : swivel.rolling(), told != 0 ? told : coasting, radius, owner);
+        obstacle.look(scenes, from, swivel == null ? ahead : swivel.rolling(), reported != 0 ? reported : coasting, radius, owner);
     }
 
     /**

@@ -12,15 +12,15 @@ import org.SEAR.physics.PhysicsWorld;
 public final class SpringDesign {
     /** How far springs give way under the robot, as a share of its smallest wheel's radius, and metres at most. */
     private static final double SAG = 0.1;
-    private static final double MOST_SAG = 0.01;
+    private static final double MAX_SAG = 0.01;
     /** The moment with which springs set the robot upright is at least so many times that with which its weight lays it over. */
     private static final double UPRIGHT = 10;
     /** Length of a suspension whose stiffness is known, but not its length, and the greatest that is chosen, metres. */
     private static final double LENGTH = 0.1;
     /** A wheel that carries less than this share of an equal one counts as if it carried so much. */
-    private static final double LEAST_LOAD = 0.05;
+    private static final double MIN_LOAD = 0.05;
     /** A spring that is chosen can press its wheel down by so many times what that carries: else wheels of heavy robots would have no grip. */
-    private static final double LEAST_FORCE = 10;
+    private static final double MIN_FORCE = 10;
 
     private final Dynamics dynamics;
     private final List<Wheel> wheels;
@@ -64,7 +64,7 @@ public final class SpringDesign {
         double smallest = wheels.stream().mapToDouble(SpringDesign::radius).min().orElse(0);
         double bottom = wheels.stream().mapToDouble(wheel -> wheel.getY() - radius(wheel)).min().orElse(0);
         boolean stands = CentreOfMass.room(centre[0], centre[2], wheels) > 0;
-        double clear = Math.min(MOST_SAG, SAG * smallest);
+        double clear = Math.min(MAX_SAG, SAG * smallest);
         double ground = stands ? Math.min(bottom, lowest) - clear : bottom;
         double sag = Math.min(clear, stands ? upright(loads, centre[1] - ground) : clear);
         Spring[] springs = new Spring[wheels.size()];
@@ -76,7 +76,7 @@ public final class SpringDesign {
                 hangs = Math.max(0, rest - sag);
             }
             double square = PhysicsWorld.GRAVITY / sag;
-            double force = Math.max(dynamics.getMaxSuspensionForce(), LEAST_FORCE * PhysicsWorld.GRAVITY * loads[i]);
+            double force = Math.max(dynamics.getMaxSuspensionForce(), MIN_FORCE * PhysicsWorld.GRAVITY * loads[i]);
             springs[i] = spring(loads[i], loads[i] * square, 2 * loads[i] * Math.sqrt(square), force, rest, hangs);
         }
         return springs;
@@ -114,7 +114,7 @@ public final class SpringDesign {
             across += loads[i] * Math.pow(CentreOfMass.footX(wheels.get(i)) - centre[0], 2);
             along += loads[i] * Math.pow(CentreOfMass.footZ(wheels.get(i)) - centre[2], 2);
         }
-        return Math.min(across, along) / (UPRIGHT * dynamics.getMass() * Math.max(height, MOST_SAG));
+        return Math.min(across, along) / (UPRIGHT * dynamics.getMass() * Math.max(height, MAX_SAG));
     }
 
     /** What each wheel carries, kg, by equal springs under a stiff body. */
@@ -135,7 +135,7 @@ public final class SpringDesign {
         for (int i = 0; i < loads.length; i++) {
             double x = CentreOfMass.footX(wheels.get(i)) - centre[0];
             double z = CentreOfMass.footZ(wheels.get(i)) - centre[2];
-            loads[i] = plane == null ? equal : Math.max(LEAST_LOAD * equal, plane[0] + plane[1] * x + plane[2] * z);
+            loads[i] = plane == null ? equal : Math.max(MIN_LOAD * equal, plane[0] + plane[1] * x + plane[2] * z);
         }
         return loads;
     }

@@ -42,8 +42,8 @@ final class Suspension {
         bias = soft > 0 ? stiffness * Math.min(of.rest, of.rest - gap) / soft : 0;
         allowed = gap > 0 ? -gap / seconds : -CORRECTION * share * gap;
         mostImpulse = share * of.mostForce * seconds;
-        spring.push(body.v, spring.impulse);
-        stop.push(body.v, stop.impulse);
+        spring.applyImpulse(body.v, spring.impulse);
+        stop.applyImpulse(body.v, stop.impulse);
     }
 
     private void aim(ConstraintRow row, GroundContact ground, SolverBody body, double before) {

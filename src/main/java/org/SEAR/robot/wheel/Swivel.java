@@ -10,7 +10,7 @@ import org.SEAR.geometry.Vec3;
  */
 final class Swivel {
     /** Slower than this the way of a caster has no direction, m/s. */
-    private static final double LEAST_SPEED = 1e-6;
+    private static final double MIN_SPEED = 1e-6;
 
     private final double mountX;
     private final double mountZ;
@@ -62,7 +62,7 @@ final class Swivel {
      */
     void trail(double left, double forward) {
         double speed = Math.hypot(left, forward);
-        if (trail > 0 && speed > LEAST_SPEED) {
+        if (trail > 0 && speed > MIN_SPEED) {
             double way = Math.atan2(left, forward);
             double half = -way / 2;
             double share = Math.exp(-speed * TimeStep.SECONDS / trail);

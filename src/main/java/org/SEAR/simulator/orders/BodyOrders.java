@@ -13,7 +13,7 @@ import org.SEAR.physics.Body;
 /** Gives bodies the velocities with which they start, and what they are told while the world runs. Simulation thread. */
 public final class BodyOrders {
     private final Pushes pushes = new Pushes();
-    private final Map<Hand, Body> hands = new LinkedHashMap<>();
+    private final Map<DragSpring, Body> hands = new LinkedHashMap<>();
     private final List<Body> launched = new ArrayList<>();
     private final List<Shape> shapes = new ArrayList<>();
     private final double[] v = new double[6];
@@ -42,7 +42,7 @@ public final class BodyOrders {
      * @param body of its name; null if there is none
      * @throws IllegalArgumentException if it can't be moved
      */
-    public void obey(BodyOrder order, Body body) {
+    public void execute(BodyOrder order, Body body) {
         check(order.name, body);
         if (order.kind == BodyOrder.Kind.PUSH) {
             checkStrength(order, body);
@@ -72,7 +72,7 @@ public final class BodyOrders {
      * @param body of its name; null if there is none
      * @throws IllegalArgumentException if it can't be moved
      */
-    public void hold(Hand hand, Body body) {
+    public void hold(DragSpring hand, Body body) {
         check(hand.getName(), body);
         hands.put(hand, body);
     }
@@ -89,21 +89,21 @@ public final class BodyOrders {
     /**
      * Before the physics of a step.
      *
-     * @param told hears what hands do in it
+     * @param reported hears what hands do in it
      */
-    public void act(Consumer<BodyOrder> told) {
+    public void act(Consumer<BodyOrder> reported) {
         if (!hands.isEmpty()) {
-            hands.entrySet().removeIf(held -> !pull(held.getKey(), held.getValue(), told));
+            hands.entrySet().removeIf(held -> !pull(held.getKey(), held.getValue(), reported));
         }
         pushes.act();
     }
 
     /** @return false once it has let go */
-    private boolean pull(Hand hand, Body body, Consumer<BodyOrder> told) {
+    private boolean pull(DragSpring hand, Body body, Consumer<BodyOrder> reported) {
         BodyOrder order = hand.pull(body);
         if (order != null) {
-            obey(order, body);
-            told.accept(order);
+            execute(order, body);
+            reported.accept(order);
         }
         return order != null;
     }

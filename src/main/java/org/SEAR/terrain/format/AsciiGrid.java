@@ -17,7 +17,7 @@ final class AsciiGrid extends ElevationMap {
     /** Bytes of the head, and of white space somewhere. */
     private static final int MAX_HEAD = 1 << 16;
     /** Bytes of a height and the white space behind it: a double's digits are 24 characters at most. */
-    private static final int MOST_BYTES = 32;
+    private static final int MAX_BYTES = 32;
     private static final Set<String> NAMES = Set.of("ncols", "nrows", "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx", "dy",
         "nodata_value");
 
@@ -34,7 +34,7 @@ final class AsciiGrid extends ElevationMap {
      * @param system from the .prj, or null
      */
     static AsciiGrid open(MapBytes file, String system) throws IOException {
-        MapWords words = new MapWords(file);
+        MapTokens words = new MapTokens(file);
         Map<String, Double> head = head(file, words);
         int columns = side(file.getName(), head, "ncols");
         int rows = side(file.getName(), head, "nrows");
@@ -58,16 +58,16 @@ final class AsciiGrid extends ElevationMap {
      * @throws IOException that says what is wrong there
      */
     static void check(MapBytes file) throws IOException {
-        Map<String, Double> head = head(file, new MapWords(file));
+        Map<String, Double> head = head(file, new MapTokens(file));
         place(file.getName(), head, side(file.getName(), head, "nrows"));
     }
 
-    private static Map<String, Double> head(MapBytes file, MapWords words) throws IOException {
+    private static Map<String, Double> head(MapBytes file, MapTokens words) throws IOException {
         Map<String, Double> head = new HashMap<>();
         while (words.next() && NAMES.contains(words.text().toLowerCase(Locale.ROOT))) {
             String key = words.text().toLowerCase(Locale.ROOT);
             words.next();
-            head.put(key, MapWords.number(file.getName(), key, words.text()));
+            head.put(key, MapTokens.number(file.getName(), key, words.text()));
         }
         long posts = (long) side(file.getName(), head, "ncols") * side(file.getName(), head, "nrows");
         FileLimits.range(file.getName(), "the number of posts", posts, 4, MapLimits.MAX_POSTS);
@@ -76,7 +76,7 @@ final class AsciiGrid extends ElevationMap {
     }
 
     private static void requireSize(MapBytes file, long posts) throws IOException {
-        long most = MAX_HEAD + MOST_BYTES * posts;
+        long most = MAX_HEAD + MAX_BYTES * posts;
         if (file.size() < 2 * posts || file.size() > most) {
             throw FileLimits.wrong(file.getName(), "the file's size", file.size(), 2 * posts + " to " + most + " for " + posts + " heights"
                 + (file.size() < most ? " (is it cut off?)" : ""));

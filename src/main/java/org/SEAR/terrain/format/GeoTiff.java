@@ -18,7 +18,7 @@ import org.SEAR.terrain.tiff.TiffImage;
 final class GeoTiff extends ElevationMap {
     private static final int METADATA = 42112;
     private static final int NO_DATA = 42113;
-    private static final int MOST_METADATA = 16 << 20;
+    private static final int MAX_METADATA = 16 << 20;
     /** What GDAL and its users call metres, feet and US survey feet, in metres. */
     private static final Map<String, Double> UNITS = Map.of("m", 1.0, "metre", 1.0, "meter", 1.0, "metres", 1.0, "meters", 1.0, "ft", 0.3048,
         "foot", 0.3048, "feet", 0.3048, "us-ft", 1200 / 3937.0, "us survey foot", 1200 / 3937.0);
@@ -69,7 +69,7 @@ final class GeoTiff extends ElevationMap {
 
     /** The text of an item of GDAL's; null if there is none. */
     private static String item(TiffFile file, String role) throws IOException {
-        String text = file.text(METADATA, "GDAL_METADATA", MOST_METADATA);
+        String text = file.text(METADATA, "GDAL_METADATA", MAX_METADATA);
         Matcher item = Pattern.compile("<Item [^>]*role=\"" + role + "\"[^>]*>([^<]*)</Item>").matcher(text == null ? "" : text);
         return item.find() ? item.group(1).trim() : null;
     }

@@ -13,7 +13,7 @@ public final class GroundPicture {
         new float[] {1, 0.95f, 0.93f, 0.91f});
     /** A relief gentler than this, metres a metre, is shaded as if it were steeper, so that one sees it. */
     private static final double VISIBLE_SLOPE = 0.3;
-    private static final double MOST_EXAGGERATION = 3;
+    private static final double MAX_EXAGGERATION = 3;
     /** Share of the picture's side over which valleys and ridges are told apart. */
     private static final int RIDGES = 60;
     private static final double RIDGE_LIGHT = 0.13;
@@ -63,7 +63,7 @@ public final class GroundPicture {
         int wide = Math.max(2, Math.max(relief.width, relief.height) / RIDGES);
         float[] around = relief.blurred(wide, wide);
         double slope = relief.meanSlope();
-        double exaggeration = Math.max(1, Math.min(MOST_EXAGGERATION, VISIBLE_SLOPE / Math.max(slope, 1e-9)));
+        double exaggeration = Math.max(1, Math.min(MAX_EXAGGERATION, VISIBLE_SLOPE / Math.max(slope, 1e-9)));
         double ridges = Math.max(1e-9, slope * wide * Math.min(relief.stepX, relief.stepZ) / 2);
         float[] color = new float[3];
         for (int row = 0; row < relief.height; row++) {
@@ -95,7 +95,7 @@ public final class GroundPicture {
     /** A map: heights as tints, or the given colours where they are, with hill shading. */
     public static GroundPicture map(Relief relief, Colors given) {
         GroundPicture picture = new GroundPicture(relief);
-        double exaggeration = Math.max(1, Math.min(MOST_EXAGGERATION, VISIBLE_SLOPE / Math.max(relief.meanSlope(), 1e-9)));
+        double exaggeration = Math.max(1, Math.min(MAX_EXAGGERATION, VISIBLE_SLOPE / Math.max(relief.meanSlope(), 1e-9)));
         double range = Math.max(1e-6, relief.highest - relief.lowest);
         double level = MAP_LIGHT.at(0, 0);
         float[] color = new float[3];

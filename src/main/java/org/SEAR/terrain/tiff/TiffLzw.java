@@ -9,7 +9,7 @@ final class TiffLzw {
     private static final int END = 257;
     private static final int CODES = 4096;
     private static final int FIRST_BITS = 9;
-    private static final int MOST_BITS = 12;
+    private static final int MAX_BITS = 12;
 
     private final byte[] packed;
     private final byte[] into;
@@ -68,7 +68,7 @@ final class TiffLzw {
                     into[out++] = into[from];
                 }
             }
-            if (next + 1 >= 1 << bits && bits < MOST_BITS) {
+            if (next + 1 >= 1 << bits && bits < MAX_BITS) {
                 bits++;
             }
         }

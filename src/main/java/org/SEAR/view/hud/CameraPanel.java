@@ -13,7 +13,7 @@ import com.jme3.texture.Texture2D;
 import com.jme3.texture.image.ColorSpace;
 import com.jme3.util.BufferUtils;
 import java.nio.ByteBuffer;
-import org.SEAR.view.link.CameraShot;
+import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.scene.Materials;
 
 /** The picture of a camera in a corner of the window, with its words above it. Hidden while there is none. Window thread only. */
@@ -28,7 +28,7 @@ public final class CameraPanel {
     private final Geometry quad = new Geometry("picture", new Quad(1, 1));
     private final Material material;
     private final TextPanel words;
-    private CameraShot shown;
+    private CameraFrame shown;
     private ByteBuffer bytes;
     private Image image;
 
@@ -43,7 +43,7 @@ public final class CameraPanel {
     }
 
     /** What is shown; null for nothing. */
-    public CameraShot shown() {
+    public CameraFrame shown() {
         return shown;
     }
 
@@ -53,7 +53,7 @@ public final class CameraPanel {
      * @param shot null for none
      * @param name of the camera whose picture is awaited; null for none
      */
-    void show(CameraShot shot, String name) {
+    void show(CameraFrame shot, String name) {
         words.setText(shot != null ? shot.camera + ": " + shot.words : name != null ? name + ": no picture yet" : "");
         if (shot == shown) {
             return;
@@ -65,7 +65,7 @@ public final class CameraPanel {
         }
     }
 
-    private void draw(CameraShot shot) {
+    private void draw(CameraFrame shot) {
         boolean another = image == null || image.getWidth() != shot.width || image.getHeight() != shot.height;
         if (another) {
             bytes = BufferUtils.createByteBuffer(CHANNELS * shot.width * shot.height);

@@ -8,7 +8,7 @@ import java.util.Deque;
 import java.util.List;
 import org.SEAR.scene.SceneState;
 import org.SEAR.view.input.Key;
-import org.SEAR.view.link.CameraShot;
+import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.scene.Materials;
 
 /** The words on the window: numbers of the simulation, warnings, messages, help. Window thread only. */
@@ -75,7 +75,7 @@ public final class Hud {
         /** The one whose picture is shown; null for none. */
         public String camera;
         /** That picture; null if there is none. */
-        public CameraShot picture;
+        public CameraFrame picture;
         /** Which of them are hidden. */
         public List<String> hidden = List.of();
     }

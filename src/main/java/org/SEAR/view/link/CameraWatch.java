@@ -14,7 +14,7 @@ import org.SEAR.simulator.Simulation;
 final class CameraWatch {
     /** Nanoseconds from one look to the next. */
     private static final long PERIOD = TimeUnit.MILLISECONDS.toNanos(100);
-    private static final long PATIENCE_SECONDS = 10;
+    private static final long TIMEOUT_SECONDS = 10;
 
     private final Simulation simulation;
     private final ScheduledThreadPoolExecutor eyes = new ScheduledThreadPoolExecutor(1, task -> {
@@ -23,7 +23,7 @@ final class CameraWatch {
         return thread;
     });
     private volatile String wanted;
-    private volatile CameraShot shot;
+    private volatile CameraFrame shot;
     /** Whether it looks, or is going to. */
     private boolean looking;
     private CameraImage last;
@@ -49,7 +49,7 @@ final class CameraWatch {
     }
 
     /** The newest one; null if there is none. */
-    CameraShot shot() {
+    CameraFrame shot() {
         return shot;
     }
 
@@ -58,11 +58,11 @@ final class CameraWatch {
         String camera = wanted;
         try {
             if (camera != null) {
-                CameraImage image = simulation.ask(world -> (CameraImage) world.read(camera)).get(PATIENCE_SECONDS, TimeUnit.SECONDS);
-                CameraShot present = shot;
+                CameraImage image = simulation.ask(world -> (CameraImage) world.read(camera)).get(TIMEOUT_SECONDS, TimeUnit.SECONDS);
+                CameraFrame present = shot;
                 if (image != last || present == null || !present.camera.equals(camera)) {
                     last = image;
-                    show(camera, CameraShot.of(camera, image));
+                    show(camera, CameraFrame.of(camera, image));
                 }
             }
         } catch (ExecutionException | TimeoutException e) {
@@ -74,7 +74,7 @@ final class CameraWatch {
         again(Math.max(PERIOD, System.nanoTime() - began));
     }
 
-    private synchronized void show(String camera, CameraShot now) {
+    private synchronized void show(String camera, CameraFrame now) {
         if (camera.equals(wanted)) {
             shot = now;
         }

@@ -86,11 +86,11 @@ public final class RunnerLink implements WorldLink {
 
     @Override
     public boolean scriptDrives() {
-        return scriptDrives.getAsBoolean() || obeysCommands();
+        return scriptDrives.getAsBoolean() || runsCommands();
     }
 
     /** Whether a robot's device takes drive commands: who put a Roomba into safe or full mode drives. */
-    private boolean obeysCommands() {
+    private boolean runsCommands() {
         return simulation.snapshot().robots.stream().anyMatch(robot -> robot.commanded);
     }
 
@@ -140,7 +140,7 @@ public final class RunnerLink implements WorldLink {
     }
 
     @Override
-    public CameraShot picture() {
+    public CameraFrame picture() {
         return watch.shot();
     }
 

@@ -58,7 +58,7 @@ public interface WorldLink {
     void wantPicture(String camera);
 
     /** The newest picture of the camera that is wanted; null if there is none. */
-    CameraShot picture();
+    CameraFrame picture();
 
     /** The window goes: stops asking for readings. */
     void close();

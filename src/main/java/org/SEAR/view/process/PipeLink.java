@@ -8,7 +8,7 @@ import org.SEAR.project.Project;
 import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.BeamFans;
 import org.SEAR.scene.SceneState;
-import org.SEAR.view.link.CameraShot;
+import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.link.WorldLink;
 
 /** The world of another process: its states come in, commands go out. In the window's process. */
@@ -130,7 +130,7 @@ public final class PipeLink implements WorldLink {
     }
 
     @Override
-    public CameraShot picture() {
+    public CameraFrame picture() {
         return state == null ? null : state.picture;
     }
 

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
 import org.SEAR.scene.SceneState;
-import org.SEAR.view.link.CameraShot;
+import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.link.WorldLink;
 
 /** Everything that a {@link WorldLink} answers at one time, as it travels to a window in a process of its own. Immutable, any thread. */
@@ -26,9 +26,9 @@ public final class StateMessage {
     final double wantedSpeed;
     final boolean scriptDrives;
     /** The newest picture of a camera; null if there is none. */
-    final CameraShot picture;
+    final CameraFrame picture;
 
-    StateMessage(SceneState sceneState, boolean paused, double measuredSpeed, double wantedSpeed, boolean scriptDrives, CameraShot picture) {
+    StateMessage(SceneState sceneState, boolean paused, double measuredSpeed, double wantedSpeed, boolean scriptDrives, CameraFrame picture) {
         this.sceneState = sceneState;
         this.paused = paused;
         this.measuredSpeed = measuredSpeed;
@@ -101,7 +101,7 @@ public final class StateMessage {
     /** @param before the message that was read last; null for none */
     static StateMessage read(DataInputStream in, StateMessage before) throws IOException {
         int pictures = in.readUnsignedByte();
-        CameraShot picture = pictures == ANOTHER ? picture(in) : pictures == SAME && before != null ? before.picture : null;
+        CameraFrame picture = pictures == ANOTHER ? picture(in) : pictures == SAME && before != null ? before.picture : null;
         boolean paused = in.readBoolean();
         double measuredSpeed = in.readDouble();
         double wantedSpeed = in.readDouble();
@@ -119,7 +119,7 @@ public final class StateMessage {
         return new StateMessage(sceneState, paused, measuredSpeed, wantedSpeed, scriptDrives, picture);
     }
 
-    private static void write(DataOutputStream out, CameraShot picture) throws IOException {
+    private static void write(DataOutputStream out, CameraFrame picture) throws IOException {
         out.writeUTF(picture.camera);
         out.writeUTF(picture.words);
         out.writeShort(picture.width);
@@ -134,13 +134,13 @@ public final class StateMessage {
         out.write(bytes);
     }
 
-    private static CameraShot picture(DataInputStream in) throws IOException {
+    private static CameraFrame picture(DataInputStream in) throws IOException {
         String camera = in.readUTF();
         String words = in.readUTF();
         int width = in.readUnsignedShort();
         int height = in.readUnsignedShort();
-        if (width > CameraShot.LONGEST || height > CameraShot.LONGEST) {
-            throw new IOException("a picture of " + width + " x " + height + " comes, legal: at most " + CameraShot.LONGEST + " each way");
+        if (width > CameraFrame.LONGEST || height > CameraFrame.LONGEST) {
+            throw new IOException("a picture of " + width + " x " + height + " comes, legal: at most " + CameraFrame.LONGEST + " each way");
         }
         byte[] bytes = new byte[3 * width * height];
         in.readFully(bytes);
@@ -148,7 +148,7 @@ public final class StateMessage {
         for (int i = 0; i < pixels.length; i++) {
             pixels[i] = (bytes[3 * i] & BYTE) << 16 | (bytes[3 * i + 1] & BYTE) << 8 | bytes[3 * i + 2] & BYTE;
         }
-        return new CameraShot(camera, words, width, height, pixels);
+        return new CameraFrame(camera, words, width, height, pixels);
     }
 
     private static void write(DataOutputStream out, SceneState.RobotState robot) throws IOException {

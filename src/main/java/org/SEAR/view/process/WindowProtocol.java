@@ -41,7 +41,7 @@ public final class WindowProtocol {
      *
      * @return false for a byte that is none
      */
-    public static boolean obey(int what, DataInputStream in, WorldLink world) throws IOException {
+    public static boolean execute(int what, DataInputStream in, WorldLink world) throws IOException {
         switch (what) {
             case PAUSE:
                 world.setPaused(in.readBoolean());

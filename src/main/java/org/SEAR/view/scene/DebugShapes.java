@@ -33,14 +33,14 @@ public final class DebugShapes {
     private static final ColorRGBA RAY = new ColorRGBA(1, 0.85f, 0.1f, 1);
     /** Half the length of a cross's arm, metres. */
     private static final float ARM = 0.03f;
-    private static final int MOST_LINES = 1024;
+    private static final int MAX_LINES = 1024;
 
     private final WorldView world;
     private final Materials materials;
     private final List<Node> outlines = new ArrayList<>();
     private final List<SEARrobot> robots;
-    private final FloatBuffer points = BufferUtils.createFloatBuffer(6 * MOST_LINES);
-    private final FloatBuffer colors = BufferUtils.createFloatBuffer(8 * MOST_LINES);
+    private final FloatBuffer points = BufferUtils.createFloatBuffer(6 * MAX_LINES);
+    private final FloatBuffer colors = BufferUtils.createFloatBuffer(8 * MAX_LINES);
     private final Mesh mesh = new Mesh();
     private final Geometry lines = new Geometry("contacts and wheel rays", mesh);
     private boolean visible = true;
@@ -163,7 +163,7 @@ public final class DebugShapes {
     }
 
     private void line(Vector3f from, Vector3f to, ColorRGBA color) {
-        if (lineCount < MOST_LINES) {
+        if (lineCount < MAX_LINES) {
             lineCount++;
             points.put(from.x).put(from.y).put(from.z).put(to.x).put(to.y).put(to.z);
             for (int end = 0; end < 2; end++) {

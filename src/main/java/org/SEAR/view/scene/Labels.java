@@ -20,7 +20,7 @@ public final class Labels {
     private static final float LIFT = 20;
     private static final float LINE = 18;
     /** How far a label is moved up above others; one that has to go farther is left out, because nobody would see what it belongs to. */
-    private static final int MOST_LINES = 2;
+    private static final int MAX_LINES = 2;
     private static final ColorRGBA INK = new ColorRGBA(1, 1, 0.85f, 1);
     private static final ColorRGBA GROUND = new ColorRGBA(0.05f, 0.07f, 0.10f, 0.5f);
     private static final float MARGIN = 4;
@@ -107,7 +107,7 @@ public final class Labels {
             float left = Math.round(pixel.x - width / 2);
             float wanted = Math.round(pixel.y + LIFT);
             float top = free(left - MARGIN, left + width + MARGIN, wanted);
-            visible = top - wanted <= MOST_LINES * LINE;
+            visible = top - wanted <= MAX_LINES * LINE;
             if (visible) {
                 taken.add(new float[] {left - MARGIN, top, left + width + MARGIN});
                 label.place.setLocalTranslation(left, top, -2);

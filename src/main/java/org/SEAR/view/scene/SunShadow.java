@@ -49,7 +49,7 @@ final class SunShadow implements SceneProcessor {
     private static final float SLOPE_OFF = 2;
     private static final float STEPS_OFF = 4;
     /** Pictures for which a movement may wait until it is seen in the coarse square, and in both where there is no time. */
-    private static final int PATIENCE = 3;
+    private static final int TIMEOUT = 3;
 
     private final Node root;
     private final Material caster;
@@ -160,8 +160,8 @@ final class SunShadow implements SceneProcessor {
         casters.subList(known, casters.size()).clear();
         fine.aim(port.getCamera());
         coarse.aim(port.getCamera());
-        boolean redrawn = fine.draw(hurried ? PATIENCE : 1);
-        redrawn |= coarse.draw(PATIENCE);
+        boolean redrawn = fine.draw(hurried ? TIMEOUT : 1);
+        redrawn |= coarse.draw(TIMEOUT);
         if (redrawn) {
             Renderer renderer = manager.getRenderer();
             renderer.setFrameBuffer(port.getOutputFrameBuffer());
@@ -284,9 +284,9 @@ final class SunShadow implements SceneProcessor {
         }
 
         /** @return whether it had to be drawn */
-        boolean draw(int patience) {
+        boolean draw(int timeout) {
             waited++;
-            if (!stale && !(moved && waited >= patience)) {
+            if (!stale && !(moved && waited >= timeout)) {
                 return false;
             }
             stale = false;

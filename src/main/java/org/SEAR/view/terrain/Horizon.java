@@ -15,7 +15,7 @@ final class Horizon {
     private static final float RATIO = 1.15f;
     private static final int STEPS = 85;
     /** Pictures that look up or down more steeply have columns that are too far apart: nothing counts as hidden. */
-    private static final float LEAST_AHEAD = 0.4f;
+    private static final float MIN_AHEAD = 0.4f;
 
     private final TilePyramid ground;
     private final float highest;
@@ -42,7 +42,7 @@ final class Horizon {
         Vector3f direction = camera.getDirection();
         float level = FastMath.sqrt(direction.x * direction.x + direction.z * direction.z);
         float least = level - Math.abs(direction.y) * camera.getFrustumTop() / camera.getFrustumNear();
-        float wide = least < LEAST_AHEAD || camera.getLocation().y > highest ? 0
+        float wide = least < MIN_AHEAD || camera.getLocation().y > highest ? 0
             : camera.getFrustumRight() / camera.getFrustumNear() / least;
         float x = level > 0 ? direction.x / level : 0;
         float z = level > 0 ? direction.z / level : 0;

@@ -13,10 +13,10 @@ import org.SEAR.geometry.HeightGrid;
  */
 public final class TerrainView {
     /** Tiles in one picture at most, 512 triangles each: with a graphics card, and where the processor draws. */
-    static final int MOST_FINE = 900;
-    static final int MOST_PLAIN = 50;
+    static final int MAX_FINE = 900;
+    static final int MAX_PLAIN = 50;
     /** Tiles that are kept at most, 3.5 kB each. */
-    static final int MOST_KEPT = 2400;
+    static final int MAX_KEPT = 2400;
     /** Metres to which shadows are seen. */
     private static final float SHADOWS = 25;
 
@@ -34,7 +34,7 @@ public final class TerrainView {
     public TerrainView(HeightGrid field, GroundMaterial material, boolean fine) {
         this.material = material;
         pyramid = new TilePyramid(field);
-        choice = new TileChoice(pyramid, fine ? MOST_FINE : MOST_PLAIN);
+        choice = new TileChoice(pyramid, fine ? MAX_FINE : MAX_PLAIN);
         tiles = new Tile[pyramid.levels][];
         for (int level = 0; level < pyramid.levels; level++) {
             tiles[level] = new Tile[pyramid.rows(level) * pyramid.columns(level)];
@@ -71,7 +71,7 @@ public final class TerrainView {
         int at = row * pyramid.columns(level) + column;
         Tile tile = tiles[level][at];
         if (tile == null) {
-            tile = kept.size() < MOST_KEPT ? added() : oldest();
+            tile = kept.size() < MAX_KEPT ? added() : oldest();
             tile.fill(pyramid, level, row, column);
             tiles[level][at] = tile;
             made++;

@@ -14,7 +14,7 @@ import java.util.Arrays;
  */
 final class TileChoice {
     /** Halvings between neighbours at most: a tile's edge has no more to leave out. */
-    static final int MOST_STEPS = Integer.numberOfTrailingZeros(TilePyramid.CELLS);
+    static final int MAX_STEPS = Integer.numberOfTrailingZeros(TilePyramid.CELLS);
     /** Pixels that the far ground may be off. */
     private static final float FAR_PIXELS = 1.5f;
     /** Pixels that the near ground may be off, where things stand on it. */
@@ -163,7 +163,7 @@ final class TileChoice {
         boolean found = false;
         for (int i = 0; i < count; i++) {
             for (int side = 0; side < 4; side++) {
-                if (coarser(i, side) > MOST_STEPS) {
+                if (coarser(i, side) > MAX_STEPS) {
                     int level = neighbour(i, side);
                     int at = (neighbourRow(i, side) >> level) * pyramid.columns(level) + (neighbourColumn(i, side) >> level);
                     forced[level][at] = true;

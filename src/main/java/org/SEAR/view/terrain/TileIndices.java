@@ -9,7 +9,7 @@ import com.jme3.util.BufferUtils;
  */
 final class TileIndices {
     private static final int SIDE = TilePyramid.CELLS + 1;
-    private static final int KINDS = TileChoice.MOST_STEPS + 1;
+    private static final int KINDS = TileChoice.MAX_STEPS + 1;
 
     private final VertexBuffer[] made = new VertexBuffer[KINDS * KINDS * KINDS * KINDS];
 

@@ -16,7 +16,7 @@ final class HokuyoDevice extends AbstractLidarDevice<ScipDriver> {
     private static final int LONG_REPLY = 400;
     private static final int LONGEST_SCAN = 3400;
     /** Drivers wait a second. */
-    private static final double PATIENCE = 1;
+    private static final double TIMEOUT = 1;
 
     private final LidarModel model;
     private volatile HokuyoFan fan;
@@ -25,8 +25,8 @@ final class HokuyoDevice extends AbstractLidarDevice<ScipDriver> {
     /** The spread that was set; 0 for the whole fan. */
     private int spread;
     private double resolution;
-    private double toldSpread;
-    private double toldResolution;
+    private double reportedSpread;
+    private double reportedResolution;
     /** What was asked for last, while the answer may not be there yet. */
     private volatile boolean toStream;
 
@@ -52,12 +52,12 @@ final class HokuyoDevice extends AbstractLidarDevice<ScipDriver> {
         fan = HokuyoFan.of(HokuyoModel.of(model));
         wanted = fan.whole();
         spread = 0;
-        toldSpread = 0;
+        reportedSpread = 0;
     }
 
     @Override
     public void learn() {
-        driver().ask(new ScipRequest("the request for the parameters", TO_NORMAL, "PP", LONG_REPLY, PATIENCE, reply -> {
+        driver().ask(new ScipRequest("the request for the parameters", TO_NORMAL, "PP", LONG_REPLY, TIMEOUT, reply -> {
             if (succeeded(reply, "the request for the parameters")) {
                 listener.unit(true);
                 learnt(HokuyoFan.of(reply));
@@ -75,18 +75,18 @@ final class HokuyoDevice extends AbstractLidarDevice<ScipDriver> {
         }
     }
 
-    private synchronized void learnt(HokuyoFan told) {
-        fan = told;
-        wanted = spread == 0 ? told.whole() : told.part(spread, resolution);
+    private synchronized void learnt(HokuyoFan reported) {
+        fan = reported;
+        wanted = spread == 0 ? reported.whole() : reported.part(spread, resolution);
         if (!isStreaming()) {
-            tell(told.spread(wanted), told.resolution(wanted));
+            report(reported.spread(wanted), reported.resolution(wanted));
         }
     }
 
-    private synchronized void tell(double newSpread, double newResolution) {
-        if (newSpread != toldSpread || newResolution != toldResolution) {
-            toldSpread = newSpread;
-            toldResolution = newResolution;
+    private synchronized void report(double newSpread, double newResolution) {
+        if (newSpread != reportedSpread || newResolution != reportedResolution) {
+            reportedSpread = newSpread;
+            reportedResolution = newResolution;
             listener.scanMode(newSpread, newResolution);
         }
     }
@@ -116,7 +116,7 @@ final class HokuyoDevice extends AbstractLidarDevice<ScipDriver> {
         if (wasStreaming) {
             setStreaming(false);
         }
-        tell(fan.spread(wanted), fan.resolution(wanted));
+        report(fan.spread(wanted), fan.resolution(wanted));
         if (wasStreaming) {
             setStreaming(true);
         }
@@ -155,13 +155,13 @@ final class HokuyoDevice extends AbstractLidarDevice<ScipDriver> {
     }
 
     private void ask(String name, String command, int replyLength, Consumer<Reply> then) {
-        driver().ask(new ScipRequest(name, "", command, replyLength, PATIENCE, then));
+        driver().ask(new ScipRequest(name, "", command, replyLength, TIMEOUT, then));
     }
 
     private void scanned(Reply reply) {
         RangeScan scan = fan.scan(reply, link().now());
         keep(scan);
-        tell(scan.spread, scan.resolution);
+        report(scan.spread, scan.resolution);
         listener.scan(scan);
     }
 

@@ -22,10 +22,10 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     private static final int CONFIGURATION_AT = 1;
     private static final int SET_CONFIGURATION_AT = 2;
     /** A change of operating mode takes up to 3 s (telegram listing, chapter 4). */
-    private static final double MODE_PATIENCE = 3;
+    private static final double MODE_TIMEOUT = 3;
     /** Writing the configuration takes up to 7 s; drivers wait longer. */
-    private static final double WRITE_PATIENCE = 15;
-    private static final double SHORT_PATIENCE = 1;
+    private static final double WRITE_TIMEOUT = 15;
+    private static final double SHORT_TIMEOUT = 1;
 
     private volatile MeasuringMode measuringMode = MeasuringMode.FIELDS_A_B_DAZZLE;
     private volatile double resolution = 1;
@@ -50,7 +50,7 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     @Override
     public void learn() {
         learnConfiguration();
-        ask("the request for the status", LmsCommand.STATUS, LmsCommand.STATUS.request(), LmsStatus.SIZE + OVERHEAD, SHORT_PATIENCE,
+        ask("the request for the status", LmsCommand.STATUS, LmsCommand.STATUS.request(), LmsStatus.SIZE + OVERHEAD, SHORT_TIMEOUT,
             reply -> onStatus(LmsStatus.of(reply)));
     }
 
@@ -69,19 +69,19 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
 
     private void learnConfiguration() {
         ask("the request for the configuration", LmsCommand.GET_CONFIGURATION, LmsCommand.GET_CONFIGURATION.request(), Configuration.SIZE + OVERHEAD,
-            SHORT_PATIENCE, reply -> configured(Configuration.of(reply, CONFIGURATION_AT)));
+            SHORT_TIMEOUT, reply -> configured(Configuration.of(reply, CONFIGURATION_AT)));
     }
 
-    private void configured(Configuration told) {
-        configuration = told;
-        measuringMode = told.getMode() == null ? MeasuringMode.FIELDS_A_B_DAZZLE : told.getMode();
-        listener.unit(told.isMillimetres());
+    private void configured(Configuration reported) {
+        configuration = reported;
+        measuringMode = reported.getMode() == null ? MeasuringMode.FIELDS_A_B_DAZZLE : reported.getMode();
+        listener.unit(reported.isMillimetres());
     }
 
     @Override
     public void setBaud(int baud) {
         LmsPayload request = LmsCommand.MODE.request().add(Baud.ofRate(baud).getMode());
-        ask("the change to " + baud + " baud", LmsCommand.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> {
+        ask("the change to " + baud + " baud", LmsCommand.MODE, request, OVERHEAD, MODE_TIMEOUT, reply -> {
             if (succeeded(reply, "the change to " + baud + " baud")) {
                 driver().changeBaud(baud);
                 listener.baud(baud);
@@ -97,7 +97,7 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
                 + ", legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5");
         }
         LmsPayload request = LmsCommand.VARIANT.request().word(variant.getSpread()).word(variant.getResolution());
-        pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, LmsCommand.VARIANT, request, OVERHEAD + 3, MODE_PATIENCE,
+        pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, LmsCommand.VARIANT, request, OVERHEAD + 3, MODE_TIMEOUT,
             reply -> {
                 int nowSpread = reply.wordAt(2);
                 int nowResolution = reply.wordAt(4);
@@ -116,7 +116,7 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
             mode("installation mode", LmsCommand.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
             learnConfiguration();
             driver().ask(new LmsRequest("the change of unit", LmsCommand.SET_CONFIGURATION, () -> withUnit(millimetres),
-                Configuration.SIZE + OVERHEAD, WRITE_PATIENCE, reply -> {
+                Configuration.SIZE + OVERHEAD, WRITE_TIMEOUT, reply -> {
                     if (reply.at(1) == 1) {
                         configured(Configuration.of(reply, SET_CONFIGURATION_AT));
                     } else {
@@ -137,7 +137,7 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     @Override
     public void singleScan() {
         if (!isStreaming()) {
-            ask("a single scan", LmsCommand.SCAN, LmsCommand.SCAN.request().add(ALL_VALUES), LONGEST_SCAN, SHORT_PATIENCE, this::scanned);
+            ask("a single scan", LmsCommand.SCAN, LmsCommand.SCAN.request().add(ALL_VALUES), LONGEST_SCAN, SHORT_TIMEOUT, this::scanned);
         }
     }
 
@@ -156,7 +156,7 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     public void setStreaming(boolean on) {
         String name = on ? "streaming" : "the end of streaming";
         LmsPayload request = LmsCommand.MODE.request().add(on ? OperatingMode.STREAM_ALL : OperatingMode.ON_REQUEST);
-        ask(name, LmsCommand.MODE, request, LONGEST_SCAN, MODE_PATIENCE, reply -> {
+        ask(name, LmsCommand.MODE, request, LONGEST_SCAN, MODE_TIMEOUT, reply -> {
             if (succeeded(reply, name)) {
                 streams(on);
             }
@@ -175,11 +175,11 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     }
 
     private void mode(String name, LmsPayload request) {
-        ask(name, LmsCommand.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> succeeded(reply, name));
+        ask(name, LmsCommand.MODE, request, OVERHEAD, MODE_TIMEOUT, reply -> succeeded(reply, name));
     }
 
-    private void ask(String name, LmsCommand command, LmsPayload request, int replyLength, double patience, Consumer<Telegram> then) {
-        driver().ask(new LmsRequest(name, command, () -> request, replyLength, patience, then));
+    private void ask(String name, LmsCommand command, LmsPayload request, int replyLength, double timeout, Consumer<Telegram> then) {
+        driver().ask(new LmsRequest(name, command, () -> request, replyLength, timeout, then));
     }
 
     private boolean succeeded(Telegram reply, String what) {

@@ -17,10 +17,10 @@ final class LmsRequest extends DeviceRequest {
     /**
      * @param payload command and data
      * @param replyLength bytes
-     * @param patience seconds
+     * @param timeout seconds
      */
-    LmsRequest(String name, LmsCommand command, Supplier<LmsPayload> payload, int replyLength, double patience, Consumer<Telegram> then) {
-        super(name, () -> Telegram.request(payload.get()).toBytes(), replyLength, patience);
+    LmsRequest(String name, LmsCommand command, Supplier<LmsPayload> payload, int replyLength, double timeout, Consumer<Telegram> then) {
+        super(name, () -> Telegram.request(payload.get()).toBytes(), replyLength, timeout);
         this.command = command;
         this.then = then;
     }

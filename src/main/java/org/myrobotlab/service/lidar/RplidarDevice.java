@@ -19,9 +19,9 @@ final class RplidarDevice extends AbstractLidarDevice<RplidarDriver> {
     /** A finer resolution needs express scans, which have about twice as many values. */
     private static final double FINEST_STANDARD = 0.75;
     private static final double COARSEST = 2;
-    private static final double PATIENCE = 1;
+    private static final double TIMEOUT = 1;
     /** The motor may turn as slowly as once a second, and the turn under way is left out. */
-    private static final double TURN_PATIENCE = 4;
+    private static final double TURN_TIMEOUT = 4;
     /** After STOP; drivers wait 1 to 100 ms. */
     private static final double AFTER_STOP = 0.02;
 
@@ -92,7 +92,7 @@ final class RplidarDevice extends AbstractLidarDevice<RplidarDriver> {
     @Override
     public void singleScan() {
         if (!toStream) {
-            driver().ask(new RplidarRequest("a single scan", scanCommand(), true, TURN_PATIENCE, bytes -> { }));
+            driver().ask(new RplidarRequest("a single scan", scanCommand(), true, TURN_TIMEOUT, bytes -> { }));
             stop();
         }
     }
@@ -101,7 +101,7 @@ final class RplidarDevice extends AbstractLidarDevice<RplidarDriver> {
     public void setStreaming(boolean on) {
         toStream = on;
         if (on) {
-            driver().ask(new RplidarRequest("streaming", scanCommand(), false, PATIENCE, bytes -> streams(true)));
+            driver().ask(new RplidarRequest("streaming", scanCommand(), false, TIMEOUT, bytes -> streams(true)));
         } else {
             stop();
             ask("the end of streaming", RplidarCommand.GET_HEALTH, bytes -> streams(false));
@@ -117,7 +117,7 @@ final class RplidarDevice extends AbstractLidarDevice<RplidarDriver> {
     }
 
     private void ask(String name, RplidarCommand command, Consumer<byte[]> then) {
-        driver().ask(new RplidarRequest(name, command, false, PATIENCE, then));
+        driver().ask(new RplidarRequest(name, command, false, TIMEOUT, then));
     }
 
     private void turned(List<RplidarTurn.Sample> turn) {

@@ -18,9 +18,9 @@ final class RplidarRequest extends DeviceRequest {
     /** Takes the packet of the answer; of a scan null. */
     final Consumer<byte[]> then;
 
-    /** @param patience seconds until the answer, or, after what has none, until the next request */
-    RplidarRequest(String name, RplidarCommand command, boolean wholeTurn, double patience, Consumer<byte[]> then) {
-        super(name, () -> bytes(command), command.getDescriptor() == null ? NO_REPLY : command.getDescriptor().getLength(), patience);
+    /** @param timeout seconds until the answer, or, after what has none, until the next request */
+    RplidarRequest(String name, RplidarCommand command, boolean wholeTurn, double timeout, Consumer<byte[]> then) {
+        super(name, () -> bytes(command), command.getDescriptor() == null ? NO_REPLY : command.getDescriptor().getLength(), timeout);
         this.command = command;
         this.wholeTurn = wholeTurn;
         this.then = then;

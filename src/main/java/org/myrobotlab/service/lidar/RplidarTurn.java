@@ -9,7 +9,7 @@ import org.SEAR.protocol.rplidar.Node;
 /** Puts an RPLIDAR's samples together to turns, and turns to scans, right to left. One thread at a time. */
 final class RplidarTurn {
     /** Four times what the fastest mode of any RPLIDAR sends in its slowest turn: more is no turn. */
-    private static final int MOST_SAMPLES = 32768;
+    private static final int MAX_SAMPLES = 32768;
     private static final double CIRCLE = 360;
     private static final double STRAIGHT_AHEAD = 90;
     private static final double BEHIND = -90;
@@ -71,7 +71,7 @@ final class RplidarTurn {
     }
 
     private void add(double angle, double distance) {
-        if (begun && samples.size() < MOST_SAMPLES) {
+        if (begun && samples.size() < MAX_SAMPLES) {
             samples.add(new Sample(angle, distance));
         }
     }

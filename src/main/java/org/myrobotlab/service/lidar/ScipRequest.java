@@ -15,10 +15,10 @@ final class ScipRequest extends DeviceRequest {
     /**
      * @param before commands whose answers don't matter, each with its line feed
      * @param replyLength bytes
-     * @param patience seconds
+     * @param timeout seconds
      */
-    ScipRequest(String name, String before, String command, int replyLength, double patience, Consumer<Reply> then) {
-        super(name, () -> (before + command + "\n").getBytes(StandardCharsets.US_ASCII), replyLength, patience);
+    ScipRequest(String name, String before, String command, int replyLength, double timeout, Consumer<Reply> then) {
+        super(name, () -> (before + command + "\n").getBytes(StandardCharsets.US_ASCII), replyLength, timeout);
         this.command = command;
         this.then = then;
     }

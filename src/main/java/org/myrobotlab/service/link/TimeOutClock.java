@@ -14,7 +14,7 @@ import org.myrobotlab.serial.PortClock;
  */
 final class TimeOutClock {
     /** Of real time that went by without simulated time so much counts later: steps and calls come unevenly. Seconds. */
-    private static final double MOST_SAVED = 0.25;
+    private static final double MAX_SAVED = 0.25;
     private static final double NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final Supplier<PortClock> clock;
@@ -48,7 +48,7 @@ final class TimeOutClock {
         long nanos = nanoTime.getAsLong();
         if (!port.isLockStep()) {
             double passed = now - last;
-            saved = Math.min(MOST_SAVED, saved + (nanos - lastNanos) / NANOS);
+            saved = Math.min(MAX_SAVED, saved + (nanos - lastNanos) / NANOS);
             double counted = underWay.getAsBoolean() ? 0 : Math.max(0, Math.min(passed, saved));
             saved -= counted;
             ahead += passed - counted;

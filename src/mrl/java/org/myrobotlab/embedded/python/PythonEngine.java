@@ -160,14 +160,14 @@ public final class PythonEngine {
                 work.__call__();
             }
         } catch (PyException e) {
-            OutOfMemory.tell(e);
-            tell(e, run, threadName, daemon);
+            OutOfMemory.report(e);
+            report(e, run, threadName, daemon);
         } finally {
             leave(run);
         }
     }
 
-    private void tell(PyException e, Run run, String threadName, boolean daemon) {
+    private void report(PyException e, Run run, String threadName, boolean daemon) {
         boolean ends = run.isStopped || finishing && e.value.__tojava__(IllegalStateException.class) instanceof IllegalStateException;
         String error = ends ? null : ScriptThreads.failed(e, threadName);
         if (error != null) {
@@ -266,7 +266,7 @@ public final class PythonEngine {
             work.run();
             return ScriptResult.GOOD;
         } catch (PyException e) {
-            OutOfMemory.tell(e);
+            OutOfMemory.report(e);
             return run.isStopped ? ScriptResult.STOPPED : run.ended(e, function == null ? null : interpreter.get(function));
         } catch (StackOverflowError e) {
             return ScriptResult.failed("RuntimeError: maximum recursion depth exceeded");

@@ -55,7 +55,8 @@ public final class ScriptResult {
         }
         String message = letters(e.value.__str__().toString().trim());
         String headline = message.contains("\n") ? message.substring(0, message.indexOf('\n')) + "\n" : "";
-        return new ScriptResult(1, headline + traceback(e) + (calledBack == null ? "" : CalledBack.hint(e, calledBack)) + ScriptHints.of(e), false);
+        return new ScriptResult(1, headline + traceback(e) + (calledBack == null ? "" : CallbackErrors.hint(e,
+            calledBack)) + ScriptHints.of(e), false);
     }
 
     /** As Python ends: sys.exit(n) with n, sys.exit() with 0, sys.exit(text) with 1 and the text. */

@@ -76,15 +76,15 @@ public final class ScriptThreads {
             return null;
         }
         String[] lines = traceback.split("\n");
-        StringBuilder told = new StringBuilder("thread " + name + " has ended by an error:");
+        StringBuilder reported = new StringBuilder("thread " + name + " has ended by an error:");
         for (int i = 0; i < lines.length; i++) {
             if (OWN.matcher(lines[i]).matches()) {
                 i += i + 1 < lines.length && lines[i + 1].startsWith("    ") ? 1 : 0;
             } else {
-                told.append('\n').append(JAVA.matcher(lines[i]).replaceFirst(""));
+                reported.append('\n').append(JAVA.matcher(lines[i]).replaceFirst(""));
             }
         }
-        return told.toString().lines().distinct().collect(Collectors.joining("\n"));
+        return reported.toString().lines().distinct().collect(Collectors.joining("\n"));
     }
 
     /** What is said of a thread that the end of the script has ended. */

@@ -68,7 +68,7 @@ final class SilentMistakes extends Visitor {
         return mistakes.found;
     }
 
-    private void tell(int line, String text) {
+    private void report(int line, String text) {
         found.add("line " + line + " of " + file + ": " + text);
     }
 
@@ -85,15 +85,15 @@ final class SilentMistakes extends Visitor {
             Object left = ((Num) node.getInternalLeft()).getInternalN();
             Object right = ((Num) node.getInternalRight()).getInternalN();
             if (!trueDivision && left instanceof PyInteger && right instanceof PyInteger) {
-                tellDivision(node.getLineno(), ((PyInteger) left).getValue(), ((PyInteger) right).getValue());
+                reportDivision(node.getLineno(), ((PyInteger) left).getValue(), ((PyInteger) right).getValue());
             }
         }
         return super.visitBinOp(node);
     }
 
-    private void tellDivision(int line, int left, int right) {
+    private void reportDivision(int line, int left, int right) {
         if (right != 0 && left % right != 0) {
-            tell(line, left + " / " + right + " is " + left / right + " in Python 2.7, which divides whole numbers without a rest: write " + left
+            report(line, left + " / " + right + " is " + left / right + " in Python 2.7, which divides whole numbers without a rest: write " + left
                 + ".0 / " + right);
         }
     }
@@ -104,7 +104,7 @@ final class SilentMistakes extends Visitor {
         String line = line(node.getLineno());
         Matcher comma = DECIMAL_COMMA.matcher(line);
         if (toOne && node.getInternalValue() instanceof Tuple && comma.matches()) {
-            tell(node.getLineno(), comma.group(1) + "," + comma.group(2) + " is two numbers, " + comma.group(1) + " and " + comma.group(2)
+            report(node.getLineno(), comma.group(1) + "," + comma.group(2) + " is two numbers, " + comma.group(1) + " and " + comma.group(2)
                 + ": a decimal number is written with a point, " + comma.group(1) + "." + comma.group(2));
         }
         return super.visitAssign(node);
@@ -115,16 +115,16 @@ final class SilentMistakes extends Visitor {
         String call = node.getInternalFunc() instanceof Attribute ? ((Attribute) node.getInternalFunc()).getInternalAttr() : "";
         List<expr> values = node.getInternalArgs();
         if (ANGLES.contains(call) && values.stream().anyMatch(SilentMistakes::isOfRadians)) {
-            tell(node.getLineno(), call + " takes degrees, and this is a number of radians: 90 is a quarter of a turn");
+            report(node.getLineno(), call + " takes degrees, and this is a number of radians: 90 is a quarter of a turn");
         }
         if (call.equals("simSleep") && values.size() == 1 && number(values.get(0)) >= LONG) {
             String seconds = whole(number(values.get(0)));
-            tell(node.getLineno(), "simSleep(" + seconds + ") waits " + seconds + " s; if these are milliseconds, write simSleep("
+            report(node.getLineno(), "simSleep(" + seconds + ") waits " + seconds + " s; if these are milliseconds, write simSleep("
                 + whole(number(values.get(0)) / MILLIS) + ")");
         }
         if (node.getInternalFunc() instanceof Name && ((Name) node.getInternalFunc()).getInternalId().equals("LIDAR") && values.size() > 2
             && number(values.get(1)) >= HALF_ROUND && number(values.get(2)) < HALF_ROUND) {
-            tell(node.getLineno(), "this LIDAR sees " + whole(number(values.get(1))) + " m far and " + whole(number(values.get(2)))
+            report(node.getLineno(), "this LIDAR sees " + whole(number(values.get(1))) + " m far and " + whole(number(values.get(2)))
                 + " degrees wide: the range comes before the spread, LIDAR(name, range, spread, resolution)");
         }
         return super.visitCall(node);
@@ -136,7 +136,7 @@ final class SilentMistakes extends Visitor {
         boolean isDistance = node.getInternalLeft() instanceof Call && ((Call) node.getInternalLeft()).getInternalFunc() instanceof Attribute
             && ((Attribute) ((Call) node.getInternalLeft()).getInternalFunc()).getInternalAttr().equals("getDistanceResult");
         if (isDistance && limit >= FAR) {
-            tell(node.getLineno(), "getDistanceResult answers metres, and " + whole(limit) + " m is farther than such sensors see; if these are"
+            report(node.getLineno(), "getDistanceResult answers metres, and " + whole(limit) + " m is farther than such sensors see; if these are"
                 + " centimetres, write " + whole(limit / CENTIMETRES));
         }
         return super.visitCompare(node);
@@ -178,7 +178,7 @@ final class SilentMistakes extends Visitor {
             Attribute named = (Attribute) node.getInternalValue();
             String name = named.getInternalValue() instanceof Name ? ((Name) named.getInternalValue()).getInternalId() + "." + named.getInternalAttr()
                 : named.getInternalAttr();
-            tell(node.getLineno(), name + " is only named and not called: write " + name + "(...)");
+            report(node.getLineno(), name + " is only named and not called: write " + name + "(...)");
         }
         return super.visitExpr(node);
     }

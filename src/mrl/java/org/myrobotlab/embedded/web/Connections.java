@@ -20,7 +20,7 @@ final class Connections implements ChannelListener<StreamConnection> {
     /** Connections that stay open at the same time, unless more of them have a request. */
     static final int MOST = 256;
     /** From a request's head to its end. */
-    static final int PATIENCE_SECONDS = 30;
+    static final int TIMEOUT_SECONDS = 30;
 
     /** One that has just come is about to ask. */
     private static final long FRESH = TimeUnit.SECONDS.toNanos(1);
@@ -94,7 +94,7 @@ final class Connections implements ChannelListener<StreamConnection> {
             SocketAddress address = exchange.getConnection().getPeerAddress();
             begin(address, exchange);
             XnioExecutor.Key deadline = exchange.isRequestComplete() ? null
-                : exchange.getIoThread().executeAfter(() -> closeUnfinished(exchange), PATIENCE_SECONDS, TimeUnit.SECONDS);
+                : exchange.getIoThread().executeAfter(() -> closeUnfinished(exchange), TIMEOUT_SECONDS, TimeUnit.SECONDS);
             exchange.addExchangeCompleteListener((done, after) -> {
                 if (deadline != null) {
                     deadline.remove();

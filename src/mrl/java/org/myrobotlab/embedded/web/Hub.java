@@ -17,7 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.embedded.Json;
-import org.myrobotlab.embedded.Reasons;
+import org.myrobotlab.embedded.ErrorReasons;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.logging.LoggerFactory;
@@ -37,7 +37,7 @@ import org.xnio.XnioExecutor;
 public final class Hub {
     private static final Logger LOG = LoggerFactory.getLogger(Hub.class);
     /** Each may keep a message of {@link RequestBody#LONGEST} in memory while it comes in. */
-    private static final int MOST_PAGES = 32;
+    private static final int MAX_PAGES = 32;
     /** A page is asked so often whether it is there; where it can't be reached for a quarter of an hour, the system closes its connection. */
     private static final int PING_SECONDS = 10;
     /** One that has not answered for so long makes way for another: of a computer that has vanished nothing else tells. */
@@ -49,9 +49,9 @@ public final class Hub {
 
     private final String listener;
     private final LongSupplier clock;
-    private final Set<Client> clients = ConcurrentHashMap.newKeySet();
+    private final Set<PageClient> clients = ConcurrentHashMap.newKeySet();
     /** Names of the services of which pages were told. */
-    private final Set<String> told = ConcurrentHashMap.newKeySet();
+    private final Set<String> reported = ConcurrentHashMap.newKeySet();
 
     /** @param listener name of the service that listens in place of the pages, and gives what it hears to {@link #forward} */
     public Hub(String listener) {
@@ -69,9 +69,9 @@ public final class Hub {
      *
      * @param calls where what it calls runs
      */
-    void connect(WebSocketChannel channel, Calls calls) {
-        Client client = new Client(channel, clock);
-        if (clients.size() >= MOST_PAGES && !closeSilent()) {
+    void connect(WebSocketChannel channel, PageCalls calls) {
+        PageClient client = new PageClient(channel, clock);
+        if (clients.size() >= MAX_PAGES && !closeSilent()) {
             refuse(channel);
             return;
         }
@@ -123,7 +123,8 @@ public final class Hub {
 
     /** Answers whether a page was silent for so long that it had to go: the one that was for the longest time. */
     private boolean closeSilent() {
-        Client silent = clients.stream().max(Comparator.comparingLong(Client::silence)).filter(one -> one.silence() > SILENT_NANOS).orElse(null);
+        PageClient silent = clients.stream().max(Comparator.comparingLong(PageClient::silence))
+            .filter(one -> one.silence() > SILENT_NANOS).orElse(null);
         if (silent == null) {
             return false;
         }
@@ -135,7 +136,7 @@ public final class Hub {
 
     /** Nobody reads from the channel any more, so nobody would see that its page has gone: it is closed at once when the reason is sent. */
     private static void refuse(WebSocketChannel channel) {
-        WebSockets.sendClose(TRY_AGAIN_LATER, MOST_PAGES + " pages are open, the most that may", channel, new WebSocketCallback<Void>() {
+        WebSockets.sendClose(TRY_AGAIN_LATER, MAX_PAGES + " pages are open, the most that may", channel, new WebSocketCallback<Void>() {
             @Override
             public void complete(WebSocketChannel sent, Void nothing) {
                 IoUtils.safeClose(sent);
@@ -148,7 +149,7 @@ public final class Hub {
         });
     }
 
-    private void receive(Client client, Calls calls, String text) {
+    private void receive(PageClient client, PageCalls calls, String text) {
         Object id = null;
         try {
             Map<?, ?> msg = Json.read(text, Map.class);
@@ -182,12 +183,12 @@ public final class Hub {
         return value == null ? List.of() : (List<?>) value;
     }
 
-    private static void fail(Client client, Object id, Throwable e) {
+    private static void fail(PageClient client, Object id, Throwable e) {
         LOG.debug("message {} failed", id, e);
-        client.send(reply(id, "error", Reasons.of(e)));
+        client.send(reply(id, "error", ErrorReasons.of(e)));
     }
 
-    private synchronized void subscribe(Client client, String name, String topic) {
+    private synchronized void subscribe(PageClient client, String name, String topic) {
         if (!clients.contains(client)) {
             return;     // what it has sent before it went is worked off after that, and nobody would end the subscription
         }
@@ -198,7 +199,7 @@ public final class Hub {
         }
     }
 
-    private synchronized void unsubscribe(Client client, String name, String topic) {
+    private synchronized void unsubscribe(PageClient client, String name, String topic) {
         client.unsubscribe(name, topic);
         ServiceInterface service = Runtime.getService(name);
         if (service != null) {
@@ -206,7 +207,7 @@ public final class Hub {
         }
     }
 
-    private synchronized void forget(Client client) {
+    private synchronized void forget(PageClient client) {
         if (clients.remove(client)) {
             OpenPages.go();
         }
@@ -224,9 +225,9 @@ public final class Hub {
      * Calls without "id" run on the service's own thread, in the page's order; calls that want an answer run beside each other. A page that was told
      * of a service may call it before it hears that it has gone, as the ports of a simulation go: then there is nobody to hear it, and no error.
      */
-    private void call(Client client, Calls calls, Object id, String name, String method, List<?> data) {
+    private void call(PageClient client, PageCalls calls, Object id, String name, String method, List<?> data) {
         ServiceInterface service = Runtime.getService(name);
-        if (service == null && id == null && told.contains(name)) {
+        if (service == null && id == null && reported.contains(name)) {
             LOG.debug("{} has gone: nobody hears {}", name, method);
             return;
         }
@@ -247,7 +248,7 @@ public final class Hub {
                 }
             });
         } else {
-            throw new IllegalStateException(Calls.FULL);
+            throw new IllegalStateException(PageCalls.FULL);
         }
     }
 
@@ -262,7 +263,7 @@ public final class Hub {
     public void forward(Message msg) {
         String name = CodecUtils.getShortName(msg.sender);
         String text = null;
-        for (Client client : clients) {
+        for (PageClient client : clients) {
             if (client.wants(name, msg.sendingMethod)) {
                 text = text == null ? encoded(name, msg) : text;
                 if (NEVER_LEFT_OUT.contains(msg.sendingMethod)) {
@@ -278,7 +279,7 @@ public final class Hub {
         Map<String, Object> plain = new LinkedHashMap<>();
         plain.put("name", name);
         plain.put("method", CodecUtils.getCallbackTopicName(msg.sendingMethod));
-        plain.put("data", msg.data == null ? new Object[0] : Wire.data(msg.data));
+        plain.put("data", msg.data == null ? new Object[0] : PageMessages.data(msg.data));
         return Json.write(plain);
     }
 
@@ -288,7 +289,7 @@ public final class Hub {
     }
 
     /** Tells all pages which services there are. One that has just been registered is listened to before a page can see it. */
-    public void tellServices() {
+    public void reportServices() {
         String text = services();
         Runtime.getServices().forEach(this::listen);
         clients.forEach(client -> client.send(text));
@@ -297,7 +298,7 @@ public final class Hub {
     private String services() {
         List<Map<String, Object>> all = new ArrayList<>();
         for (ServiceInterface service : Runtime.getServices()) {
-            told.add(service.getName());
+            reported.add(service.getName());
             Map<String, Object> one = new LinkedHashMap<>();
             one.put("name", service.getName());
             one.put("simpleName", service.getSimpleName());

@@ -40,7 +40,7 @@ final class Login implements HttpHandler {
     private final HttpHandler next;
     private final Token token;
     private final Address.Names names;
-    private final Attempts attempts = new Attempts(System::nanoTime);
+    private final TokenAttempts attempts = new TokenAttempts(System::nanoTime);
 
     Login(HttpHandler next, Token token, Address.Names names) {
         this.next = next;
@@ -110,7 +110,7 @@ final class Login implements HttpHandler {
             return StatusCodes.OK;
         }
         if (attempts.count(from)) {
-            LOG.warn("{} wrong tokens from {}", Attempts.MOST, from.getHostAddress());
+            LOG.warn("{} wrong tokens from {}", TokenAttempts.MOST, from.getHostAddress());
         }
         return isOver ? StatusCodes.TOO_MANY_REQUESTS : StatusCodes.UNAUTHORIZED;
     }
@@ -168,7 +168,7 @@ final class Login implements HttpHandler {
             && !exchange.getRequestPath().startsWith(CALLS)) {
             send(exchange, status, "login.html", "");
         } else if (status == StatusCodes.TOO_MANY_REQUESTS) {
-            exchange.getResponseHeaders().put(Headers.RETRY_AFTER, String.valueOf(Attempts.WINDOW_SECONDS));
+            exchange.getResponseHeaders().put(Headers.RETRY_AFTER, String.valueOf(TokenAttempts.WINDOW_SECONDS));
             Guard.refuse(exchange, status, TOO_MANY);
         } else if (status == StatusCodes.NOT_FOUND) {
             Guard.refuse(exchange, status, "there is nothing to read here");

@@ -51,7 +51,7 @@ public final class OpenPages {
     }
 
     static void stay(InputStream terminal, double grace) throws InterruptedException {
-        long patience = (long) (grace * TimeUnit.SECONDS.toNanos(1));
+        long timeout = (long) (grace * TimeUnit.SECONDS.toNanos(1));
         Enter enter = new Enter(terminal);
         synchronized (LOCK) {
             boolean hadPages = false;
@@ -62,7 +62,7 @@ public final class OpenPages {
                     LOCK.wait();
                     left = System.nanoTime();
                 } else if (hadPages) {
-                    long more = left + patience - System.nanoTime();
+                    long more = left + timeout - System.nanoTime();
                     if (more <= 0) {
                         return;
                     }

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import org.myrobotlab.embedded.Json;
-import org.myrobotlab.embedded.Reasons;
+import org.myrobotlab.embedded.ErrorReasons;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.Runtime;
 
@@ -30,9 +30,9 @@ final class RestHandler implements HttpHandler {
     private static final int METHOD = 1;
     private static final int ARGUMENTS = 2;
 
-    private final Calls calls;
+    private final PageCalls calls;
 
-    RestHandler(Calls calls) {
+    RestHandler(PageCalls calls) {
         this.calls = calls;
     }
 
@@ -57,7 +57,7 @@ final class RestHandler implements HttpHandler {
 
     private void dispatch(HttpServerExchange exchange, Answer answer) {
         if (!calls.enter()) {
-            Guard.refuse(exchange, StatusCodes.SERVICE_UNAVAILABLE, Calls.FULL);
+            Guard.refuse(exchange, StatusCodes.SERVICE_UNAVAILABLE, PageCalls.FULL);
             return;
         }
         exchange.dispatch((Executor) calls::execute, () -> {
@@ -79,7 +79,7 @@ final class RestHandler implements HttpHandler {
             text = Json.write(e.getMessage());
         } catch (RuntimeException | StackOverflowError e) {
             exchange.setStatusCode(StatusCodes.INTERNAL_SERVER_ERROR);
-            text = Json.write(Reasons.of(e));
+            text = Json.write(ErrorReasons.of(e));
         }
         exchange.getResponseSender().send(text + "\n");
     }
@@ -134,7 +134,7 @@ final class RestHandler implements HttpHandler {
             Method method = org.myrobotlab.embedded.Methods.find(service.getClass(), name, arguments);
             return org.myrobotlab.embedded.Methods.call(service, method, arguments);
         } catch (InvocationTargetException e) {
-            throw new IllegalStateException(service.getName() + "." + name + ": " + Reasons.of(e), e);
+            throw new IllegalStateException(service.getName() + "." + name + ": " + ErrorReasons.of(e), e);
         }
     }
 }

@@ -44,7 +44,7 @@ public final class WebServer {
     private static final int IO_THREADS = 2;
     private static final int WORKERS = 8;
     /** Connections that are open at the same time when all have a request; more wait until one is closed. */
-    private static final int MOST_CONNECTIONS = 2 * Connections.MOST;
+    private static final int MAX_CONNECTIONS = 2 * Connections.MOST;
     private static final int BUFFER = 1 << 14;
     /** Connections that wait for their turn. */
     private static final int BACKLOG = 1000;
@@ -52,7 +52,7 @@ public final class WebServer {
     private static final int IDLE_MILLIS = 60_000;
     private static final int STOP_SECONDS = 5;
 
-    private final Calls calls;
+    private final PageCalls calls;
     private final XnioWorker worker;
     private final HttpOpenListener http;
     private final AcceptingChannel<StreamConnection> server;
@@ -70,7 +70,7 @@ public final class WebServer {
         for (String folder : lastFirst) {
             files = new DiskHandler(folder, files);
         }
-        calls = new Calls("web server " + port);
+        calls = new PageCalls("web server " + port);
         Address address = Address.current();
         if (!address.isLoopback() && !Token.current().isAskedFor()) {
             throw new IOException("other computers would reach this server without a token: nothing is served");
@@ -135,8 +135,8 @@ public final class WebServer {
         try {
             return worker.createStreamConnectionServer(address,
                 ChannelListeners.openListenerAdapter(connections), OptionMap.builder().set(Options.TCP_NODELAY, true)
-                    .set(Options.REUSE_ADDRESSES, true).set(Options.BACKLOG, BACKLOG).set(Options.CONNECTION_HIGH_WATER, MOST_CONNECTIONS)
-                    .set(Options.CONNECTION_LOW_WATER, MOST_CONNECTIONS).getMap());
+                    .set(Options.REUSE_ADDRESSES, true).set(Options.BACKLOG, BACKLOG).set(Options.CONNECTION_HIGH_WATER, MAX_CONNECTIONS)
+                    .set(Options.CONNECTION_LOW_WATER, MAX_CONNECTIONS).getMap());
         } catch (BindException e) {
             worker.shutdownNow();
             boolean isTaken = String.valueOf(e.getMessage()).contains("in use");

@@ -375,7 +375,7 @@ public class ColaScannerTest {
         ask(LOGIN);
         ask(COLA.get("stream scans"));
         line.hostText("\u0002sRN ST");
-        device.hungUp(line.now);
+        device.portClosed(line.now);
         line.take();
         line.pass(1);
         assertEquals("", text());

@@ -295,13 +295,13 @@ public class ProjectEditorTest extends EditedProject {
     @Test
     public void theNumberOfStepsIsBounded() throws Exception {
         edit("do", "add", "type", "Sphere", "name", "ball");
-        for (int i = 1; i <= EditJournal.MOST_STEPS + 5; i++) {
-            Files.write(project.folder().resolve(".edits/" + i + ".step"), new Step("step " + i, List.of()).toBytes());
+        for (int i = 1; i <= EditJournal.MAX_STEPS + 5; i++) {
+            Files.write(project.folder().resolve(".edits/" + i + ".step"), new UndoStep("step " + i, List.of()).toBytes());
         }
-        Files.write(project.folder().resolve(".edits/state"), ("done " + (EditJournal.MOST_STEPS + 5) + "\n").getBytes("UTF-8"));
+        Files.write(project.folder().resolve(".edits/state"), ("done " + (EditJournal.MAX_STEPS + 5) + "\n").getBytes("UTF-8"));
         edit("do", "set", "object", "ball", "set", map("x", 1));
         try (Stream<Path> files = Files.list(project.folder().resolve(".edits"))) {
-            assertEquals(EditJournal.MOST_STEPS + 1, files.count());
+            assertEquals(EditJournal.MAX_STEPS + 1, files.count());
         }
         assertEquals("move ball", editor.undo().words);
     }
@@ -309,7 +309,7 @@ public class ProjectEditorTest extends EditedProject {
     @Test
     public void aJournalFromAStrangerWritesNothingButObjects() throws Exception {
         edit("do", "add", "type", "Sphere", "name", "ball");
-        Step bad = new Step("harmless", List.of(new FileChange("../../escaped.xml", new byte[] {1}, null)));
+        UndoStep bad = new UndoStep("harmless", List.of(new FileChange("../../escaped.xml", new byte[] {1}, null)));
         Files.write(project.folder().resolve(".edits/1.step"), bad.toBytes());
         String message = assertThrows(IOException.class, editor::undo).getMessage();
         assertTrue(message, message.contains("it names \"../../escaped.xml\", legal: the file of an object"));

@@ -164,7 +164,7 @@ public class ArduinoTest {
         say("AA 03 1B 07 00 AA 03 1B 08 00");
         Worlds.run(simulation, 4);
         assertTrue("and back", simulation.getPose("rover").z < forward - 0.1);
-        line.pickUp();
+        line.open();
         Worlds.run(simulation, 1.5);
         double stopped = simulation.getPose("rover").z;
         Worlds.run(simulation, 1);
@@ -319,7 +319,7 @@ public class ArduinoTest {
     @Test
     public void openingThePortResetsTheBoard() throws Exception {
         start();
-        line.pickUp();
+        line.open();
         Worlds.run(simulation, 1.1);
         assertTrue(Bytes.hex(heard.toByteArray()).endsWith("AA 02 3A 44"));
         heard.reset();

@@ -76,15 +76,15 @@ public class BetweenStepsTest {
     public void byTheClockAnAnswerComesBeforeTheNextStepAndTakesTheTimeOfItsBytes() {
         long step = world.getStep();
         create.write(Bytes.bytes(QUERY));
-        int next = world.attend(100);
+        int next = world.serviceDevices(100);
         assertEquals("the question is on the line", 100 + PARTS_TO_DEVICE + 1, next, 1);
         assertEquals("", heard());
-        world.attend(100 + PARTS_TO_DEVICE - 1);
+        world.serviceDevices(100 + PARTS_TO_DEVICE - 1);
         assertEquals("", heard());
-        next = world.attend(next);
+        next = world.serviceDevices(next);
         assertEquals("the answer is on the line", 100 + PARTS_TO_AND_FRO, next, 1);
         assertEquals("", heard());
-        world.attend(next);
+        world.serviceDevices(next);
         assertEquals("01", heard());
         assertEquals(step, world.getStep());
         world.step();
@@ -98,8 +98,8 @@ public class BetweenStepsTest {
         create.setSink(bytes -> pieces.add(bytes.length));
         create.write(Bytes.bytes("80 8E 00"));
         int looks = 0;
-        for (int next = world.attend(100); pieces.isEmpty() && next < Simulation.PARTS; looks++) {
-            next = world.attend(next);
+        for (int next = world.serviceDevices(100); pieces.isEmpty() && next < Simulation.PARTS; looks++) {
+            next = world.serviceDevices(next);
         }
         assertEquals(List.of(26), pieces);
         assertEquals("when the question has arrived, and when the answer has left", 2, looks);
@@ -107,24 +107,24 @@ public class BetweenStepsTest {
 
     @Test
     public void longAfterTheLastByteNothingIsToBeDone() {
-        assertEquals(Simulation.PARTS, world.attend(10));
+        assertEquals(Simulation.PARTS, world.serviceDevices(10));
         create.write(Bytes.bytes(QUERY));
-        assertTrue(world.attend(20) < Simulation.PARTS);
+        assertTrue(world.serviceDevices(20) < Simulation.PARTS);
         Worlds.run(world, 0.2);
-        assertEquals(Simulation.PARTS, world.attend(10));
+        assertEquals(Simulation.PARTS, world.serviceDevices(10));
     }
 
     @Test
     public void timeOfDevicesNeverRunsBackwards() {
         create.write(Bytes.bytes(QUERY));
-        world.attend(200);
+        world.serviceDevices(200);
         create.write(Bytes.bytes("8E 23"));
-        int next = world.attend(50);
+        int next = world.serviceDevices(50);
         assertTrue("from part 200 on: " + next, next > 200);
         world.step();
         assertEquals("01 01", heard());
         create.write(Bytes.bytes(QUERY));
-        world.attend(200);
+        world.serviceDevices(200);
         world.reset();
         create.write(Bytes.bytes("80 8E 07"));
         world.step();
@@ -135,12 +135,12 @@ public class BetweenStepsTest {
     public void whileTimeStandsStillMrlCommAnswersAtOnceAndOthersWait() {
         long step = world.getStep();
         create.write(Bytes.bytes(QUERY));
-        assertFalse(world.isAsked());
+        assertFalse(world.hasQueries());
         for (int i = 0; i < 2000; i++) {
             uno.write(Bytes.bytes(DIGITAL_WRITE));
-            assertTrue(world.isAsked());
+            assertTrue(world.hasQueries());
             world.answer();
-            assertFalse(world.isAsked());
+            assertFalse(world.hasQueries());
             assertEquals("command " + i, ACK, heard());
         }
         assertEquals(step, world.getStep());
@@ -156,7 +156,7 @@ public class BetweenStepsTest {
         CountDownLatch goOn = new CountDownLatch(1);
         SynchronousQueue<String> answers = new SynchronousQueue<>();
         Thread user = new Thread(() -> {
-            uno.pickUp();
+            uno.open();
             try {
                 goOn.await();
                 answers.poll(1, TimeUnit.DAYS);
@@ -168,11 +168,11 @@ public class BetweenStepsTest {
         while (user.getState() != Thread.State.WAITING) {
             Thread.onSpinWait();
         }
-        assertFalse("it goes on and doesn't wait for the board yet", world.isAsked());
+        assertFalse("it goes on and doesn't wait for the board yet", world.hasQueries());
         world.answer();
         assertEquals("", heard());
         goOn.countDown();
-        while (!world.isAsked()) {
+        while (!world.hasQueries()) {
             Thread.onSpinWait();
         }
         world.answer();

@@ -132,7 +132,7 @@ public class TilesTest {
             }
         }
         assertTrue("only " + most, most >= 2);
-        assertTrue(most <= TileChoice.MOST_STEPS);
+        assertTrue(most <= TileChoice.MAX_STEPS);
         assertEquals(0, holes(pyramid, choice));
     }
 
@@ -172,10 +172,10 @@ public class TilesTest {
     @Test
     public void nearTheCameraTheGroundIsTheFieldsOwnAndAsManyTilesAsAllowedAreSeen() {
         TilePyramid pyramid = new TilePyramid(hills(1800, 1800, 30));
-        TileChoice choice = new TileChoice(pyramid, TerrainView.MOST_PLAIN);
+        TileChoice choice = new TileChoice(pyramid, TerrainView.MAX_PLAIN);
         float ground = (float) pyramid.field.height(100, 200);
         choice.choose(camera(100, ground + 1, 200, new Vector3f(400, ground, 400)));
-        assertTrue(choice.seen() + " tiles", choice.seen() <= TerrainView.MOST_PLAIN && choice.seen() > 3);
+        assertTrue(choice.seen() + " tiles", choice.seen() <= TerrainView.MAX_PLAIN && choice.seen() > 3);
         int under = 0;
         for (int tile = 0; tile < choice.count(); tile++) {
             under += choice.distance(tile) < 2 && choice.isSeen(tile) ? 1 : 0;

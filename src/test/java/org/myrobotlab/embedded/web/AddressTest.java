@@ -125,17 +125,17 @@ public class AddressTest {
     @Test
     public void wrongOnesAreCountedForAMinuteEachAddressByItself() throws Exception {
         long[] now = {Long.MAX_VALUE - 5};
-        Attempts attempts = new Attempts(() -> now[0]);
-        for (int i = 1; i <= Attempts.MOST; i++) {
+        TokenAttempts attempts = new TokenAttempts(() -> now[0]);
+        for (int i = 1; i <= TokenAttempts.MOST; i++) {
             assertFalse(attempts.isOver(number("10.0.0.1")));
-            assertEquals(i == Attempts.MOST, attempts.count(number("10.0.0.1")));
+            assertEquals(i == TokenAttempts.MOST, attempts.count(number("10.0.0.1")));
             attempts.count(number("2001:db8::" + i));
         }
         assertTrue(attempts.isOver(number("10.0.0.1")));
         assertTrue("one house", attempts.isOver(number("2001:db8::ffff")));
         assertFalse(attempts.isOver(number("2001:db8:0:1::1")));
         assertFalse(attempts.isOver(number("10.0.0.2")));
-        now[0] += Attempts.WINDOW_SECONDS * 1_000_000_000L;
+        now[0] += TokenAttempts.WINDOW_SECONDS * 1_000_000_000L;
         assertFalse(attempts.isOver(number("10.0.0.1")));
     }
 }

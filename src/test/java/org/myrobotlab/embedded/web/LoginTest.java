@@ -131,7 +131,7 @@ public class LoginTest {
     @Test
     public void whoTriesTooOftenWaitsAndNobodyElseDoes() throws Exception {
         String cookie = cookie(link(THERE, server.token().text()));
-        for (int i = 0; i < Attempts.MOST; i++) {
+        for (int i = 0; i < TokenAttempts.MOST; i++) {
             assertEquals(401, status(i % 2 == 0 ? form(THERE, "wrong") : link(THERE, "wrong")));
         }
         assertTrue(form(THERE, "wrong").contains("Too many wrong tokens have come from your address."));

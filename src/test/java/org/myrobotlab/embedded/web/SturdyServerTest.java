@@ -205,7 +205,7 @@ public class SturdyServerTest {
         }
         server.servesOthers();
         long seconds = TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - start);
-        assertTrue(seconds + " s: they made way only when their time was over", seconds < Connections.PATIENCE_SECONDS);
+        assertTrue(seconds + " s: they made way only when their time was over", seconds < Connections.TIMEOUT_SECONDS);
     }
 
     /** Undertow would print a trace for each. */

@@ -51,14 +51,14 @@ public class ThirdPartyVisionTest {
         System.setProperty("sear.project", project.toString());
         control = new SimulationControl(new RecordingHost(), () -> project);
         cameras = new ScriptCameras(control);
-        control.bench().open();
+        control.scriptSession().open();
     }
 
     @After
     public void stop() {
         programs.end();
         control.stop();
-        control.bench().close();
+        control.scriptSession().close();
         System.clearProperty("sear.project");
         System.clearProperty("sear.headless");
     }

@@ -11,7 +11,7 @@ public class DeviceRequest {
     /** Bytes of the whole answer, for the time it takes on the line; 0 if there is none. */
     public final int replyLength;
     /** Seconds that the device may think before it answers; after what has no answer, until the next request. */
-    public final double patience;
+    public final double timeout;
 
     /**
      * @param replyLength bytes; 0 if there is no answer
@@ -21,6 +21,6 @@ public class DeviceRequest {
         this.name = name;
         this.bytes = bytes;
         this.replyLength = replyLength;
-        this.patience = patience;
+        this.timeout = patience;
     }
 }

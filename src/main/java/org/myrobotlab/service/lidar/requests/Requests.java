@@ -13,7 +13,7 @@ import org.SEAR.protocol.Uart;
  */
 public final class Requests<R extends DeviceRequest> {
     private static final int TRIES = 3;
-    private static final int MOST_WAITING = 100;
+    private static final int MAX_WAITING = 100;
     /** Computers and converters take this long beside the device's own time. Seconds. */
     private static final double ON_THE_WAY = 0.5;
     /** Least pause before a request is repeated that was refused. Seconds. */
@@ -54,8 +54,8 @@ public final class Requests<R extends DeviceRequest> {
      * @throws IllegalStateException if the device is far behind
      */
     public void add(R request) {
-        if (waiting.size() >= MOST_WAITING) {
-            throw new IllegalStateException(MOST_WAITING + " requests wait for the LIDAR's answer already, " + request.name
+        if (waiting.size() >= MAX_WAITING) {
+            throw new IllegalStateException(MAX_WAITING + " requests wait for the LIDAR's answer already, " + request.name
                 + " was not sent: wait for scans before asking for more");
         }
         waiting.add(request);
@@ -123,11 +123,11 @@ public final class Requests<R extends DeviceRequest> {
         resend = false;
         try {
             byte[] bytes = current.bytes.get();
-            deadline = line.now() + ON_THE_WAY + current.patience + Uart.seconds(bytes.length + current.replyLength, line.getBaud());
+            deadline = line.now() + ON_THE_WAY + current.timeout + Uart.seconds(bytes.length + current.replyLength, line.getBaud());
             sending.accept(current);
             line.write(bytes);
             if (current.replyLength == 0) {
-                notBefore = line.now() + current.patience;
+                notBefore = line.now() + current.timeout;
                 current = null;
             }
         } catch (RuntimeException e) {

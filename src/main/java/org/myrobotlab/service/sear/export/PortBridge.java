@@ -11,7 +11,7 @@ import org.myrobotlab.framework.QueueStats;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.sear.Host;
-import org.myrobotlab.service.sear.run.OutsideLine;
+import org.myrobotlab.service.sear.run.ExternalLine;
 
 /**
  * Passes bytes between the virtual port of one name, whenever there is one, and programs outside. While there is none, what comes is gone. Any
@@ -30,7 +30,7 @@ final class PortBridge implements SerialDataListener {
     private final List<LineEnd> inUse = new ArrayList<>();
     private volatile VirtualSerialPort port;
     /** The short way to a simulated device; null where another end of the port is. */
-    private volatile OutsideLine line;
+    private volatile ExternalLine line;
     /** What the port was set to last, 0 for the device's own. Guarded by this. */
     private int applied;
 
@@ -45,7 +45,7 @@ final class PortBridge implements SerialDataListener {
      * @param direct the short way to the simulated device behind it; null if there is none
      * @throws IOException if another has the port
      */
-    void attach(VirtualSerialPort present, OutsideLine direct) throws IOException {
+    void attach(VirtualSerialPort present, ExternalLine direct) throws IOException {
         if (present == port && present.isOpen()) {
             return;
         }
@@ -70,7 +70,7 @@ final class PortBridge implements SerialDataListener {
     /** The port goes away, or is left to others. */
     void detach() {
         VirtualSerialPort present;
-        OutsideLine direct;
+        ExternalLine direct;
         synchronized (this) {
             present = port;
             port = null;
@@ -92,7 +92,7 @@ final class PortBridge implements SerialDataListener {
     }
 
     int getDeviceBaud() {
-        OutsideLine direct = line;
+        ExternalLine direct = line;
         return direct == null ? 0 : direct.getDeviceBaud();
     }
 
@@ -125,7 +125,7 @@ final class PortBridge implements SerialDataListener {
 
     /** From now on the rate of this end holds. */
     synchronized void use(LineEnd end) {
-        OutsideLine direct = line;
+        ExternalLine direct = line;
         if (inUse.isEmpty() && direct != null) {
             direct.pickUp();
         }
@@ -148,7 +148,7 @@ final class PortBridge implements SerialDataListener {
         if (!inUse.remove(end)) {
             return;
         }
-        OutsideLine direct = line;
+        ExternalLine direct = line;
         if (!inUse.isEmpty()) {
             apply();
         } else if (direct != null) {
@@ -177,7 +177,7 @@ final class PortBridge implements SerialDataListener {
     /** Holds the program up while the line is full, as a real port does. */
     void send(byte[] bytes) {
         VirtualSerialPort present = port;
-        OutsideLine direct = line;
+        ExternalLine direct = line;
         if (present == null) {
             return;
         }

@@ -115,7 +115,7 @@ final class PseudoTerminal implements ExternalEndpoint {
         this.slave = slave;
         this.path = path;
         this.link = link;
-        this.header = tellSettings(true) ? PACKET_HEADER : 0;
+        this.header = reportSettings(true) ? PACKET_HEADER : 0;
     }
 
     /** @param link symbolic link to make, or null */
@@ -192,11 +192,11 @@ final class PseudoTerminal implements ExternalEndpoint {
         Memory termios = new Memory(TERMIOS_SIZE);
         boolean free = open && baud > 0 && codeOf(baud) > 0 && (end == null || end.getBaud() == 0) && currentBaud(termios) == ownBaud;
         if (free) {
-            tellSettings(false);
+            reportSettings(false);
             c.tcgetattr(side(), termios);
             c.cfsetspeed(termios, new NativeLong(codeOf(baud)));
             c.tcsetattr(side(), NOW, termios);
-            tellSettings(true);
+            reportSettings(true);
             ownBaud = currentBaud(termios);
         }
     }
@@ -211,7 +211,7 @@ final class PseudoTerminal implements ExternalEndpoint {
      *
      * @return whether it does
      */
-    private boolean tellSettings(boolean on) {
+    private boolean reportSettings(boolean on) {
         Memory wanted = new Memory(Integer.BYTES);
         wanted.setInt(0, on ? 1 : 0);
         return Platform.isLinux() && c.ioctl(master, new NativeLong(PACKETS, true), wanted) == 0;
@@ -239,7 +239,7 @@ final class PseudoTerminal implements ExternalEndpoint {
             }
             int count = (found & POLL_IN) != 0 ? take(buffer) : 0;
             boolean set = header > 0 && count > 0 && (buffer[0] & HAS_SET) != 0;
-            inUse |= tellBaud(set, termios);
+            inUse |= reportBaud(set, termios);
             if (count > header) {
                 end.send(Arrays.copyOfRange(buffer, header, count));
                 inUse = true;
@@ -265,7 +265,7 @@ final class PseudoTerminal implements ExternalEndpoint {
      * @param set whether the system has told that a program sets something
      * @return whether a program has set a rate, be it the one that was there
      */
-    private synchronized boolean tellBaud(boolean set, Memory termios) {
+    private synchronized boolean reportBaud(boolean set, Memory termios) {
         int baud = open ? currentBaud(termios) : 0;
         boolean changed = baud > 0 && (set || baud != (end.getBaud() > 0 ? end.getBaud() : ownBaud));
         if (changed) {

@@ -154,7 +154,7 @@ final class Rfc2217 implements TcpSession {
         } else {
             state = State.DATA;
             if (value == SE && length <= MAX_SUBNEGOTIATION) {
-                obey();
+                execute();
             }
         }
     }
@@ -179,7 +179,7 @@ final class Rfc2217 implements TcpSession {
             side[option] = on;
             answer(aboutUs ? on ? WILL : WONT : on ? DO : DONT, option);
             if (option == OPTION_COM_PORT && command == WILL) {
-                tell(NOTIFY_MODEMSTATE, MODEM_READY);
+                report(NOTIFY_MODEMSTATE, MODEM_READY);
             }
         }
     }
@@ -188,14 +188,14 @@ final class Rfc2217 implements TcpSession {
         replies.accept(new byte[] {(byte) IAC, (byte) verb, (byte) option});
     }
 
-    private void obey() {
+    private void execute() {
         if (length < 2 || (subnegotiation[0] & BYTE) != OPTION_COM_PORT) {
             return;
         }
         int code = subnegotiation[1] & BYTE;
         if (code == SIGNATURE) {
             if (length == 2) {
-                tell(SIGNATURE + ANSWER, 'S', 'E', 'A', 'R');
+                report(SIGNATURE + ANSWER, 'S', 'E', 'A', 'R');
             }
         } else if (code == SET_BAUDRATE && length == 2 + Integer.BYTES) {
             setBaud(ByteBuffer.wrap(subnegotiation, 2, Integer.BYTES).getInt());
@@ -210,30 +210,30 @@ final class Rfc2217 implements TcpSession {
             end.setBaud(wanted);
         }
         byte[] baud = ByteBuffer.allocate(Integer.BYTES).putInt(end.getLineBaud()).array();
-        tell(SET_BAUDRATE + ANSWER, baud[0] & BYTE, baud[1] & BYTE, baud[2] & BYTE, baud[3] & BYTE);
+        report(SET_BAUDRATE + ANSWER, baud[0] & BYTE, baud[1] & BYTE, baud[2] & BYTE, baud[3] & BYTE);
     }
 
     private void set(int code, int value) {
         switch (code) {
             case SET_DATASIZE:
-                tell(code + ANSWER, EIGHT_BITS);
+                report(code + ANSWER, EIGHT_BITS);
                 break;
             case SET_PARITY:
-                tell(code + ANSWER, NO_PARITY);
+                report(code + ANSWER, NO_PARITY);
                 break;
             case SET_STOPSIZE:
-                tell(code + ANSWER, ONE_STOP_BIT);
+                report(code + ANSWER, ONE_STOP_BIT);
                 break;
             case SET_CONTROL:
-                tell(code + ANSWER, control.set(value));
+                report(code + ANSWER, control.set(value));
                 break;
             case SET_MODEMSTATE_MASK:
-                tell(code + ANSWER, value);
-                tell(NOTIFY_MODEMSTATE, MODEM_READY & value);
+                report(code + ANSWER, value);
+                report(NOTIFY_MODEMSTATE, MODEM_READY & value);
                 break;
             case SET_LINESTATE_MASK:
             case PURGE_DATA:
-                tell(code + ANSWER, value);
+                report(code + ANSWER, value);
                 break;
             default:
                 break;
@@ -241,7 +241,7 @@ final class Rfc2217 implements TcpSession {
     }
 
     /** Sends a command of the option. */
-    private void tell(int code, int... values) {
+    private void report(int code, int... values) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         out.write(IAC);
         out.write(SB);

@@ -94,7 +94,7 @@ public final class Edits {
         Object kind = edit.get("do");
         SimulationSession session = control.sessionOrNull();
         Outcome outcome = UNDO.equals(kind) ? editor().undo() : REDO.equals(kind) ? editor().redo()
-            : editor().apply(session == null ? edit : Standing.of(edit, session));
+            : editor().apply(session == null ? edit : GroundSnap.of(edit, session));
         return answer(outcome, edit.get("page"), note(outcome, session, UNDO.equals(kind)));
     }
 

@@ -67,10 +67,10 @@ public final class Projects {
      *
      * @return where it is now; null if there was none
      */
-    public synchronized Path startAnew() throws IOException {
+    public synchronized Path restart() throws IOException {
         refuseWhileRunning("newProject");
         PortArrivals.anotherProject();
-        control.bench().anotherProject();
+        control.scriptSession().anotherProject();
         return Bundle.newProject(folder(), new PercentProgress("replacing", folder(), host::progress));
     }
 
@@ -170,8 +170,8 @@ public final class Projects {
             return Bundle.load(bundle, folder(), ExampleBundles.isOne(bundle, meant), new PercentProgress("loading", meant, host::progress));
         });
         PortArrivals.anotherProject();
-        control.bench().anotherProject();
-        control.bench().projectTaken();
+        control.scriptSession().anotherProject();
+        control.scriptSession().projectTaken();
     }
 
     /**
@@ -183,7 +183,7 @@ public final class Projects {
     public synchronized String importRobot(Path file, String robot) throws IOException, ProjectException {
         refuseWhileRunning("importRobot");
         Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importRobot(bundle, folder(), robot, importing(file)));
-        tell(renamed);
+        report(renamed);
         return renamed.values().iterator().next();
     }
 
@@ -195,7 +195,7 @@ public final class Projects {
     public synchronized List<String> importEnvironment(Path file) throws IOException, ProjectException {
         refuseWhileRunning("importEnvironment");
         Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importEnvironment(bundle, folder(), importing(file)));
-        tell(renamed);
+        report(renamed);
         return new ArrayList<>(renamed.values());
     }
 
@@ -203,8 +203,8 @@ public final class Projects {
         return new PercentProgress("importing", file, host::progress);
     }
 
-    private void tell(Map<String, String> renamed) {
-        control.bench().projectTaken();
+    private void report(Map<String, String> renamed) {
+        control.scriptSession().projectTaken();
         renamed.forEach((old, now) -> {
             if (!old.equals(now)) {
                 host.progress("\"" + old + "\" is called \"" + now + "\" here, because that name was taken");

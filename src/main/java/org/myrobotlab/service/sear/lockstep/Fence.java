@@ -42,8 +42,8 @@ public final class Fence {
     /** By outbox or service, the pass that did not come back in time. */
     private final Map<Object, FencePass> late = new HashMap<>();
     private final Map<ServiceInterface, FencePass> greetings = new HashMap<>();
-    private boolean toldOfWaiting;
-    private boolean toldOfGoingOn;
+    private boolean reportedOfWaiting;
+    private boolean reportedOfGoingOn;
 
     Fence(Host host, SleepingThreads sleepers) {
         this.host = host;
@@ -61,7 +61,7 @@ public final class Fence {
 
     /** At once if nobody listens. */
     synchronized void await() throws InterruptedException {
-        long end = System.nanoTime() + Patience.nanos(Patience.END);
+        long end = System.nanoTime() + Timeouts.nanos(Timeouts.END);
         int clean = 0;
         while (clean < CLEAN_ROUNDS && System.nanoTime() < end) {
             ServiceQueues queues = new ServiceQueues(host.getName());
@@ -102,7 +102,7 @@ public final class Fence {
 
     /** Whether it carries out callbacks on a thread of its own, beside its messages. */
     private static boolean hasCallbacks(ServiceInterface service) {
-        return service instanceof Python || service instanceof CallsBack;
+        return service instanceof Python || service instanceof CallbackService;
     }
 
     private static FencePass sendToPython(ServiceInterface python) {
@@ -131,10 +131,10 @@ public final class Fence {
                 long left = end - System.nanoTime();
                 if (left < 0) {
                     late.put(entry.getKey(), pass);
-                    tellOfGoingOn(entry.getKey());
+                    reportOfGoingOn(entry.getKey());
                     break;
-                } else if (left < Patience.nanos(Patience.END - Patience.WORD)) {
-                    tellOfWaiting();
+                } else if (left < Timeouts.nanos(Timeouts.END - Timeouts.WORD)) {
+                    reportOfWaiting();
                 }
             }
             if (pass.isBack() && entry.getKey() instanceof Python) {
@@ -148,18 +148,18 @@ public final class Fence {
         return queue instanceof ServiceInterface && !((ServiceInterface) queue).isRunning();
     }
 
-    private void tellOfWaiting() {
-        if (!toldOfWaiting) {
-            toldOfWaiting = true;
-            host.warn(busy(Patience.WORD) + Patience.waits());
+    private void reportOfWaiting() {
+        if (!reportedOfWaiting) {
+            reportedOfWaiting = true;
+            host.warn(busy(Timeouts.WORD) + Timeouts.waits());
         }
     }
 
-    private void tellOfGoingOn(Object queue) {
+    private void reportOfGoingOn(Object queue) {
         log.debug("no pass came back from {}", queue);
-        if (!toldOfGoingOn) {
-            toldOfGoingOn = true;
-            host.warn(busy(Patience.END) + ": lock-step goes on and no longer waits for callbacks of that service until it ends");
+        if (!reportedOfGoingOn) {
+            reportedOfGoingOn = true;
+            host.warn(busy(Timeouts.END) + ": lock-step goes on and no longer waits for callbacks of that service until it ends");
         }
     }
 
@@ -178,7 +178,7 @@ public final class Fence {
             handlers.put(service, greeting.getHandler());
             greetings.remove(service);
         }
-        return holds(service instanceof CallsBack ? ((CallsBack) service).getCallbackThread() : handlers.get(service))
+        return holds(service instanceof CallbackService ? ((CallbackService) service).getCallbackThread() : handlers.get(service))
             || holds(service.getThisThread());
     }
 

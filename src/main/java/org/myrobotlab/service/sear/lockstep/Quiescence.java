@@ -10,7 +10,7 @@ public final class Quiescence {
     private final Host host;
     private final Fence messages;
     private VirtualSerialPort complainedOf;
-    private boolean told;
+    private boolean reported;
     private final SleepingThreads sleepers;
     private final AtomicLong disturbances = new AtomicLong();
     private volatile long settledBytes;
@@ -65,7 +65,7 @@ public final class Quiescence {
         return sum;
     }
 
-    /** Gives up on a port after {@link Patience#END}: its listener hangs. */
+    /** Gives up on a port after {@link Timeouts#END}: its listener hangs. */
     private void await() throws InterruptedException {
         boolean moved = true;
         while (moved) {
@@ -76,7 +76,7 @@ public final class Quiescence {
                         moved = true;
                     } else {
                         complainedOf = port;
-                        host.warn(unfinished(port, Patience.END) + ": lock-step goes on without it");
+                        host.warn(unfinished(port, Timeouts.END) + ": lock-step goes on without it");
                     }
                 }
             }
@@ -84,14 +84,14 @@ public final class Quiescence {
     }
 
     private boolean isHanded(VirtualSerialPort port) throws InterruptedException {
-        if (port.awaitHanded(Patience.millis(Patience.WORD))) {
+        if (port.awaitHanded(Timeouts.millis(Timeouts.WORD))) {
             return true;
         }
-        if (!told) {
-            told = true;
-            host.warn(unfinished(port, Patience.WORD) + Patience.waits());
+        if (!reported) {
+            reported = true;
+            host.warn(unfinished(port, Timeouts.WORD) + Timeouts.waits());
         }
-        return port.awaitHanded(Patience.millis(Patience.END - Patience.WORD));
+        return port.awaitHanded(Timeouts.millis(Timeouts.END - Timeouts.WORD));
     }
 
     private static String unfinished(VirtualSerialPort port, long seconds) {

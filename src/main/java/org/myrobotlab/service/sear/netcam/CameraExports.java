@@ -18,7 +18,7 @@ import org.myrobotlab.service.sear.readings.ScriptCameras;
  */
 public final class CameraExports {
     /** Milliseconds for which a client may take no byte. */
-    private static final long PATIENCE = 10_000;
+    private static final long TIMEOUT = 10_000;
 
     private final Host host;
     private final ScriptCameras cameras;
@@ -37,20 +37,20 @@ public final class CameraExports {
      * @throws IllegalArgumentException if a simulation runs that has no such camera; it names those there are
      */
     public int plain(String camera, int number) throws IOException {
-        return export(camera, number, Likeness.PLAIN);
+        return export(camera, number, DeviceProfile.PLAIN);
     }
 
     /** The same with the addresses of a product. */
     public int like(String camera, int number, String product) throws IOException {
-        return export(camera, number, Likeness.of(ScriptText.of(product)));
+        return export(camera, number, DeviceProfile.of(ScriptText.of(product)));
     }
 
-    private synchronized int export(String asked, int number, Likeness likeness) throws IOException {
+    private synchronized int export(String asked, int number, DeviceProfile profile) throws IOException {
         String camera = cameras.check(asked);
-        String key = camera + ' ' + likeness + ' ' + number;
+        String key = camera + ' ' + profile + ' ' + number;
         NetworkCamera present = made.get(key);
         if (present == null) {
-            present = NetworkCamera.open(camera, likeness, number, host, cameras, PATIENCE);
+            present = NetworkCamera.open(camera, profile, number, host, cameras, TIMEOUT);
             made.put(key, present);
         }
         return present.getNumber();

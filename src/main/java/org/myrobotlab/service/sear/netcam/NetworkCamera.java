@@ -18,20 +18,20 @@ final class NetworkCamera {
     private static final long LONGEST_REST = 1000;
 
     private final String camera;
-    private final Likeness likeness;
+    private final DeviceProfile profile;
     private final Host host;
     private final ScriptCameras cameras;
     private final Demand demand;
     private final PictureServer server;
-    private Shot last;
-    private long told = -1;
+    private EncodedFrame last;
+    private long reported = -1;
     private long published;
     private boolean watched;
     private String failure = "";
 
-    private NetworkCamera(String camera, Likeness likeness, Host host, ScriptCameras cameras, Demand demand, PictureServer server) {
+    private NetworkCamera(String camera, DeviceProfile likeness, Host host, ScriptCameras cameras, Demand demand, PictureServer server) {
         this.camera = camera;
-        this.likeness = likeness;
+        this.profile = likeness;
         this.host = host;
         this.cameras = cameras;
         this.demand = demand;
@@ -42,11 +42,11 @@ final class NetworkCamera {
      * Opens it.
      *
      * @param number of the TCP port, 0 for any free one
-     * @param patience milliseconds for which a client may take no byte
+     * @param timeout milliseconds for which a client may take no byte
      */
-    static NetworkCamera open(String camera, Likeness likeness, int number, Host host, ScriptCameras cameras, long patience) throws IOException {
+    static NetworkCamera open(String camera, DeviceProfile likeness, int number, Host host, ScriptCameras cameras, long timeout) throws IOException {
         Demand demand = new Demand();
-        PictureServer server = PictureServer.open(camera, likeness, number, demand, patience);
+        PictureServer server = PictureServer.open(camera, likeness, number, demand, timeout);
         NetworkCamera opened = new NetworkCamera(camera, likeness, host, cameras, demand, server);
         start(server::serve, "network camera " + camera);
         start(opened::supply, "pictures of network camera " + camera);
@@ -75,7 +75,7 @@ final class NetworkCamera {
 
     /** What programs open, in words. */
     String describe() {
-        return "network camera " + (likeness == Likeness.PLAIN ? "" : "(" + likeness.getTitle() + ") ") + likeness.stream(getNumber());
+        return "network camera " + (profile == DeviceProfile.PLAIN ? "" : "(" + profile.getTitle() + ") ") + profile.stream(getNumber());
     }
 
     private void supply() {
@@ -84,7 +84,7 @@ final class NetworkCamera {
                 try {
                     serve(order);
                 } catch (RuntimeException e) {
-                    tell(e);
+                    report(e);
                     server.answer(order.ticket, null);
                 }
             }
@@ -93,7 +93,7 @@ final class NetworkCamera {
         }
     }
 
-    private void tell(RuntimeException e) {
+    private void report(RuntimeException e) {
         if (!e.toString().equals(failure)) {
             failure = e.toString();
             host.warn("the network camera " + camera + " has no picture: " + failure);
@@ -106,11 +106,11 @@ final class NetworkCamera {
         watched = order.streaming;
         if (due < 0) {
             lose();
-        } else if (!order.forms.isEmpty() || fresh || order.streaming && (due != told || System.nanoTime() - published > REPEAT)) {
+        } else if (!order.forms.isEmpty() || fresh || order.streaming && (due != reported || System.nanoTime() - published > REPEAT)) {
             look(due, fresh);
         }
         if (!order.forms.isEmpty()) {
-            Shot shot = last;
+            EncodedFrame shot = last;
             if (shot != null) {
                 order.forms.forEach(shot::file);
             }
@@ -134,8 +134,8 @@ final class NetworkCamera {
         }
         boolean isNew = last == null || image != last.getImage();
         if (isNew) {
-            last = new Shot(image);
-            told = due;
+            last = new EncodedFrame(image);
+            reported = due;
         }
         if (watched && (isNew || fresh || System.nanoTime() - published > REPEAT)) {
             last.file(Form.STREAM);

@@ -24,9 +24,9 @@ import org.slf4j.LoggerFactory;
 final class PictureServer {
     static final Logger LOG = LoggerFactory.getLogger(PictureServer.class);
     /** Clients that are served at the same time; more are told so. */
-    static final int MOST_CLIENTS = 128;
+    static final int MAX_CLIENTS = 128;
     /** Those beside them that are told. */
-    private static final int MOST_TOLD = 32;
+    private static final int MAX_REPORTED = 32;
     private static final int BUSY = 503;
     private static final int HIGHEST_PORT = 65535;
     private static final byte[] LOOPBACK = {127, 0, 0, 1};
@@ -38,26 +38,26 @@ final class PictureServer {
     private static final int TRIES = 50;
 
     private final String camera;
-    private final Likeness likeness;
+    private final DeviceProfile profile;
     private final Demand demand;
-    private final long patience;
+    private final long timeout;
     private final Selector selector;
-    private final List<ServerSocketChannel> doors;
-    private final List<Client> clients = new ArrayList<>();
+    private final List<ServerSocketChannel> listeners;
+    private final List<CameraConnection> clients = new ArrayList<>();
     /** Doors at which something went wrong, such as too many files that are open: they are opened again a little later. */
     private final List<SelectionKey> resting = new ArrayList<>();
     private long rested;
     private volatile int count;
-    private volatile Client.Latest stream = Client.Latest.NONE;
-    private volatile Client.Latest still = Client.Latest.NONE;
+    private volatile CameraConnection.Latest stream = CameraConnection.Latest.NONE;
+    private volatile CameraConnection.Latest still = CameraConnection.Latest.NONE;
 
-    private PictureServer(String camera, Likeness likeness, Demand demand, long patience, Selector selector, List<ServerSocketChannel> doors) {
+    private PictureServer(String camera, DeviceProfile likeness, Demand demand, long patience, Selector selector, List<ServerSocketChannel> doors) {
         this.camera = camera;
-        this.likeness = likeness;
+        this.profile = likeness;
         this.demand = demand;
-        this.patience = patience;
+        this.timeout = patience;
         this.selector = selector;
-        this.doors = doors;
+        this.listeners = doors;
     }
 
     /**
@@ -66,12 +66,12 @@ final class PictureServer {
      * @param number of the TCP port, 0 for any free one
      * @param patience milliseconds for which a client may take no byte
      */
-    static PictureServer open(String camera, Likeness likeness, int number, Demand demand, long patience) throws IOException {
-        int highest = HIGHEST_PORT + 1 - likeness.getDoors();
+    static PictureServer open(String camera, DeviceProfile likeness, int number, Demand demand, long patience) throws IOException {
+        int highest = HIGHEST_PORT + 1 - likeness.getListeners();
         if (number < 0 || number > highest) {
             throw new IllegalArgumentException("TCP port is " + number + ", legal: 0 (any free one) to " + highest);
         }
-        List<ServerSocketChannel> doors = doors(camera, likeness.getDoors(), number);
+        List<ServerSocketChannel> doors = listeners(camera, likeness.getListeners(), number);
         Selector selector = Selector.open();
         for (ServerSocketChannel door : doors) {
             door.configureBlocking(false);
@@ -80,7 +80,7 @@ final class PictureServer {
         return new PictureServer(camera, likeness, demand, TimeUnit.MILLISECONDS.toNanos(patience), selector, doors);
     }
 
-    private static List<ServerSocketChannel> doors(String camera, int count, int number) throws IOException {
+    private static List<ServerSocketChannel> listeners(String camera, int count, int number) throws IOException {
         for (int tries = 0;; tries++) {
             List<ServerSocketChannel> doors = new ArrayList<>();
             int port = number;
@@ -88,7 +88,7 @@ final class PictureServer {
                 while (doors.size() < count) {
                     doors.add(ServerSocketChannel.open());
                     port = doors.size() == 1 ? number : port(doors.get(0)) + doors.size() - 1;
-                    doors.get(doors.size() - 1).bind(new InetSocketAddress(InetAddress.getByAddress(LOOPBACK), port), MOST_CLIENTS);
+                    doors.get(doors.size() - 1).bind(new InetSocketAddress(InetAddress.getByAddress(LOOPBACK), port), MAX_CLIENTS);
                 }
                 return doors;
             } catch (IOException | IllegalArgumentException e) {
@@ -108,7 +108,7 @@ final class PictureServer {
 
     /** The first of its ports. */
     int getNumber() {
-        return port(doors.get(0));
+        return port(listeners.get(0));
     }
 
     /** Clients that there are. Any thread. */
@@ -125,20 +125,20 @@ final class PictureServer {
                 for (Iterator<SelectionKey> keys = selector.selectedKeys().iterator(); keys.hasNext();) {
                     SelectionKey key = keys.next();
                     keys.remove();
-                    if (key.attachment() instanceof Client) {
-                        ((Client) key.attachment()).ready(buffer);
+                    if (key.attachment() instanceof CameraConnection) {
+                        ((CameraConnection) key.attachment()).ready(buffer);
                     } else if (key.isValid() && key.isAcceptable()) {
                         accept(key);
                     }
                 }
-                attend();
+                handle();
             }
         } catch (ClosedSelectorException | CancelledKeyException e) {
             LOG.debug("network camera {} closed", camera);
         } catch (IOException e) {
             LOG.warn("network camera {} ended: {}", camera, e.toString());
         } finally {
-            clients.forEach(Client::close);
+            clients.forEach(CameraConnection::close);
             clients.clear();
             count = 0;
             demand.close();
@@ -146,14 +146,14 @@ final class PictureServer {
         }
     }
 
-    private void attend() {
+    private void handle() {
         long now = System.nanoTime();
-        Client.Latest newest = stream;
-        Client.Latest answer = still;
-        clients.forEach(client -> client.attend(now, newest, answer));
-        clients.removeIf(Client::isGone);
+        CameraConnection.Latest newest = stream;
+        CameraConnection.Latest answer = still;
+        clients.forEach(client -> client.handle(now, newest, answer));
+        clients.removeIf(CameraConnection::isGone);
         count = clients.size();
-        boolean streaming = clients.stream().anyMatch(Client::isStreaming);
+        boolean streaming = clients.stream().anyMatch(CameraConnection::isStreaming);
         if (!streaming) {
             forget();
         }
@@ -180,7 +180,7 @@ final class PictureServer {
     }
 
     private void begin(SocketChannel channel, int door, int port) throws IOException {
-        if (clients.size() >= MOST_CLIENTS + MOST_TOLD) {
+        if (clients.size() >= MAX_CLIENTS + MAX_REPORTED) {
             channel.close();
             return;
         }
@@ -188,9 +188,9 @@ final class PictureServer {
             channel.configureBlocking(false);
             channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
             channel.setOption(StandardSocketOptions.SO_SNDBUF, UNSENT);
-            Client client = new Client(channel, camera, likeness, door, port, demand, patience);
-            if (clients.size() >= MOST_CLIENTS) {
-                client.refuse(Request.refused(BUSY, MOST_CLIENTS + " programs look already, which is as many as there may be"));
+            CameraConnection client = new CameraConnection(channel, camera, profile, door, port, demand, timeout);
+            if (clients.size() >= MAX_CLIENTS) {
+                client.refuse(Request.refused(BUSY, MAX_CLIENTS + " programs look already, which is as many as there may be"));
             }
             client.setKey(channel.register(selector, SelectionKey.OP_READ, client));
             clients.add(client);
@@ -201,16 +201,16 @@ final class PictureServer {
     }
 
     /** The stream's next picture; null if there is none any more. Any thread. */
-    void publish(Shot shot) {
+    void publish(EncodedFrame shot) {
         synchronized (this) {
-            stream = new Client.Latest(shot, stream.number + 1);
+            stream = new CameraConnection.Latest(shot, stream.number + 1);
         }
         selector.wakeup();
     }
 
     /** Nobody looks: whoever comes later is not to see this picture. */
     private synchronized void forget() {
-        stream = new Client.Latest(null, stream.number);
+        stream = new CameraConnection.Latest(null, stream.number);
     }
 
     /**
@@ -219,15 +219,15 @@ final class PictureServer {
      * @param ticket the last one that it answers
      * @param shot null if no simulation with this camera runs
      */
-    void answer(long ticket, Shot shot) {
-        still = new Client.Latest(shot, ticket);
+    void answer(long ticket, EncodedFrame shot) {
+        still = new CameraConnection.Latest(shot, ticket);
         selector.wakeup();
     }
 
     /** Closes its ports and connections. Any thread. */
     void close() {
         try {
-            for (ServerSocketChannel door : doors) {
+            for (ServerSocketChannel door : listeners) {
                 door.close();
             }
             selector.close();

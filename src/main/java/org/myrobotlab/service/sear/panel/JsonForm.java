@@ -67,8 +67,8 @@ abstract class JsonForm {
         if (value instanceof List && !((List<?>) value).isEmpty() && ((List<?>) value).get(0) instanceof JsonForm) {
             return ((List<?>) value).stream().map(JsonForm::plain).collect(Collectors.toList());
         }
-        if (value instanceof Ranges) {
-            return ((Ranges) value).text();
+        if (value instanceof ScanRanges) {
+            return ((ScanRanges) value).text();
         }
         return value instanceof JsonForm ? ((JsonForm) value).map() : value;
     }

@@ -24,7 +24,7 @@ import org.myrobotlab.service.sear.run.RunSettings;
  * Who has the newest one gets its stamp only. Where there is no project yet, its world has nothing in it. Any thread; one at a time.
  */
 public final class Preview {
-    private final Looks looks = new Looks();
+    private final LookTable looks = new LookTable();
     private Map<String, Object> last = Collections.emptyMap();
 
     /** @param known the stamp that the asker has; empty if none */
@@ -57,7 +57,7 @@ public final class Preview {
         }
     }
 
-    /** What the shapes of the last world look like, as {@link Looks} tells it. */
+    /** What the shapes of the last world look like, as {@link LookTable} tells it. */
     public List<Map<String, Object>> looks(List<String> wanted) {
         return looks.of(wanted);
     }

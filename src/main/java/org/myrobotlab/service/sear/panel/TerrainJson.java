@@ -22,7 +22,7 @@ final class TerrainJson extends JsonForm {
     /** Pixels of the picture's longer side at most. */
     static final int PICTURE_PIXELS = 1024;
     /** Posts of the grid on a side at most. */
-    static final int MOST_POSTS = 300;
+    static final int MAX_POSTS = 300;
     /** Points on a side at which latitude and longitude are told: between them straight is right to a metre over 100 km. */
     static final int PLACES = 33;
     private static final int PER_POST = 3;
@@ -68,8 +68,8 @@ final class TerrainJson extends JsonForm {
         west = field.z(0);
         east = field.z(field.columns - 1);
         picture = SmallPicture.address("jpeg", picture(field, detail, colors));
-        rows = Math.min(MOST_POSTS, field.rows);
-        columns = Math.min(MOST_POSTS, field.columns);
+        rows = Math.min(MAX_POSTS, field.rows);
+        columns = Math.min(MAX_POSTS, field.columns);
         double[] posts = new double[rows * columns];
         for (int i = 0; i < posts.length; i++) {
             posts[i] = field.height(between(south, north, i / columns, rows), between(west, east, i % columns, columns));

@@ -17,7 +17,7 @@ public final class WorldFeed {
     private static final double FASTEST = 1e6;
     private static final double ROUNDING = 1e3;
 
-    private final Looks looks = new Looks();
+    private final LookTable looks = new LookTable();
     private final WorldJson state = new WorldJson(looks);
     private long number;
     private Simulation world;
@@ -58,7 +58,7 @@ public final class WorldFeed {
         return message.map();
     }
 
-    /** What its shapes look like, as {@link Looks} tells it. */
+    /** What its shapes look like, as {@link LookTable} tells it. */
     public List<Map<String, Object>> looks(List<String> wanted) {
         return looks.of(wanted);
     }

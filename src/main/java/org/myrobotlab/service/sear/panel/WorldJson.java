@@ -55,18 +55,18 @@ final class WorldJson {
     private static final int LONGEST_PATH = 500;
 
     private final Map<String, List<double[]>> paths = new LinkedHashMap<>();
-    private final Looks looks;
+    private final LookTable looks;
     private final boolean looking;
     private Project project;
     private SceneStates states;
     private double lastTime;
 
-    WorldJson(Looks looks) {
+    WorldJson(LookTable looks) {
         this(looks, false);
     }
 
     /** @param looking whether it has cameras take pictures; else who wants one asks for it, see {@link CameraPicture} */
-    WorldJson(Looks looks, boolean looking) {
+    WorldJson(LookTable looks, boolean looking) {
         this.looks = looks;
         this.looking = looking;
     }
@@ -156,7 +156,7 @@ final class WorldJson {
         mover.radius = rounded(robot.getHardware().getBodyRadius(), FINE);
         mover.drives = robot.getHardware().getWheelRadius() > 0;
         mover.turns = robot.getHardware().getWheelBase() > 0;
-        mover.steered = Steered.of(robot.getObject());
+        mover.steered = SteeringKeys.of(robot.getObject());
         mover.path = new ArrayList<>(paths.get(mover.name));
         mover.parts = parts(world, robot);
         mover.leds = mover.lights == null ? null : lamps(robot);
@@ -359,7 +359,7 @@ final class WorldJson {
         if (scan == null) {
             probe.value = Optional.ofNullable(reading.value());
         } else {
-            probe.ranges = new Ranges(scan.ranges());
+            probe.ranges = new ScanRanges(scan.ranges());
         }
         if (reading.hits() != null) {
             probe.hit = reading.hits().stream().findFirst().map(hit -> point(hit, MILLIMETRES));

@@ -25,7 +25,7 @@ class WorldState extends JsonForm {
         String type;
         /** Enough points for its outline from any side, in its own frame. */
         double[][] corners;
-        /** See {@link Looks}; empty if it is not told. Of shapes, as the three that follow. */
+        /** See {@link LookTable}; empty if it is not told. Of shapes, as the three that follow. */
         String look;
         /** {@code textures/cardboard.png}. */
         Optional<String> picture;
@@ -74,7 +74,7 @@ class WorldState extends JsonForm {
         /** Whether its driven wheels turn it, by two sides at different speeds. */
         Boolean turns;
         /** If it has steered wheels. */
-        Steered steered;
+        SteeringKeys steered;
         /** Where it was, {x, z}. */
         List<double[]> path;
         List<Thing> parts;
@@ -131,7 +131,7 @@ class WorldState extends JsonForm {
         /** What scripts get; of a scanner the ranges stand in its place. */
         Optional<Object> value;
         /** Of a scanner. */
-        Ranges ranges;
+        ScanRanges ranges;
         /** Where the nearest beam met something; only if beams meet something at a place. */
         Optional<double[]> hit;
         /** {@code 1.250 m}. */

@@ -23,7 +23,7 @@ public final class Publisher {
     private static final long FINISH_SECONDS = 1;
     private static final double HIGHEST_RATE = 60;
     /** So long a listener may hear nothing, simulated s. */
-    private static final double PATIENCE = 2;
+    private static final double TIMEOUT = 2;
 
     private final SimulationControl control;
     private final ScriptReadings readings;
@@ -31,7 +31,7 @@ public final class Publisher {
     private final Host host;
     private volatile String lastFailure = "";
     private volatile boolean started;
-    private volatile boolean silenceTold;
+    private volatile boolean silenceReported;
     private final Map<String, Subscription> subscriptions = new ConcurrentSkipListMap<>();
     private final ScheduledExecutorService timer = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread thread = new Thread(work, "SEAR publisher");
@@ -58,7 +58,7 @@ public final class Publisher {
         timer.scheduleWithFixedDelay(() -> guarded(() -> {
             SimulationSession session = control.sessionOrNull();
             if (session != null) {
-                session.tellWarnings();
+                session.reportWarnings();
                 session.lookForClockTrap();
                 host.state();
             }
@@ -67,8 +67,8 @@ public final class Publisher {
 
     /** Who listens and has not said to what waits in vain. */
     private void lookForSilence(SimulationSession session) {
-        if (session != null && session.time() > PATIENCE && host.isReadingHeard()) {
-            silenceTold = true;
+        if (session != null && session.time() > TIMEOUT && host.isReadingHeard()) {
+            silenceReported = true;
             host.warn("something listens to publishReading, and no reading is published: sear.startPublishing(sensor, readings a second) begins;"
                 + " there are the sensors " + String.join(", ", readings.names()));
         }
@@ -117,7 +117,7 @@ public final class Publisher {
      * @param published run after each
      */
     public void publishDue(SleepingThreads.Work published) throws InterruptedException {
-        if (subscriptions.isEmpty() && !started && !silenceTold) {
+        if (subscriptions.isEmpty() && !started && !silenceReported) {
             lookForSilence(control.sessionOrNull());
         }
         SimulationSession session = subscriptions.isEmpty() ? null : control.sessionOrNull();

@@ -3,17 +3,17 @@ package org.myrobotlab.service.sear.readings;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import org.SEAR.POJOs.Workbench;
+import org.SEAR.POJOs.ScriptSession;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.simulator.orders.BodyOrder;
-import org.SEAR.simulator.orders.Hand;
+import org.SEAR.simulator.orders.DragSpring;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** Velocities and pushes of things and robots by call; each is obeyed between two steps, before the call returns. Any thread. */
-public final class ScriptBodies implements Workbench.Acts {
+public final class ScriptBodies implements ScriptSession.Acts {
     private final SimulationControl control;
     /** By the name of what they hold. */
-    private final Map<String, Hand> hands = new ConcurrentHashMap<>();
+    private final Map<String, DragSpring> hands = new ConcurrentHashMap<>();
 
     public ScriptBodies(SimulationControl control) {
         this.control = control;
@@ -48,11 +48,11 @@ public final class ScriptBodies implements Workbench.Acts {
             throw new IllegalArgumentException("hold: way is " + way + ", legal: three finite numbers");
         }
         String held = ScriptText.of(name);
-        Hand hand = hands.get(held);
+        DragSpring hand = hands.get(held);
         if (hand != null && hand.isHolding()) {
             hand.moveTo(to[0], to[1], to[2]);
         } else {
-            Hand fresh = new Hand(held, System::nanoTime);
+            DragSpring fresh = new DragSpring(held, System::nanoTime);
             fresh.moveTo(to[0], to[1], to[2]);
             control.session().ask(world -> {
                 world.hold(fresh, held);
@@ -64,7 +64,7 @@ public final class ScriptBodies implements Workbench.Acts {
 
     /** Nobody holds a thing or robot any more. */
     public void letGo(String name) {
-        Hand hand = hands.remove(ScriptText.of(name));
+        DragSpring hand = hands.remove(ScriptText.of(name));
         if (hand != null) {
             hand.letGo();
         }

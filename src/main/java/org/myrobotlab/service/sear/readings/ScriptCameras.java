@@ -23,7 +23,7 @@ public final class ScriptCameras {
     private static final String ENDING = ".png";
     private static final int HEX = 16;
     /** Pixels that a blob has at least. */
-    private static final int LEAST_BLOB = 4;
+    private static final int MIN_BLOB = 4;
     /** More than the rounding of a number of pictures. */
     private static final double ROUNDING = 1e-9;
 
@@ -152,7 +152,7 @@ public final class ScriptCameras {
                 + ", legal: one with a hue, such as red, orange or #2060ff; white, grey and black have none");
         }
         List<double[]> blobs = new ArrayList<>();
-        for (Blobs.Blob blob : image(name, Camera.COLOR).blobs(Integer.parseInt(hex.substring(1), HEX), LEAST_BLOB)) {
+        for (Blobs.Blob blob : image(name, Camera.COLOR).blobs(Integer.parseInt(hex.substring(1), HEX), MIN_BLOB)) {
             blobs.add(new double[] {blob.x, blob.y, blob.width, blob.height, blob.area});
         }
         return blobs;

@@ -7,7 +7,7 @@ import java.nio.file.Paths;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.plan.Plan;
 import org.SEAR.plan.PlanDrawing;
-import org.SEAR.plot.Pictures;
+import org.SEAR.plot.DrawingFiles;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
@@ -24,7 +24,7 @@ public final class Plans {
 
     /** The text of an SVG file. */
     public String svg(boolean beams) throws InterruptedException, IOException, ProjectException {
-        return Pictures.svg(new PlanDrawing(plan(beams)));
+        return DrawingFiles.svg(new PlanDrawing(plan(beams)));
     }
 
     /** Writes a PNG or SVG file. */
@@ -34,8 +34,8 @@ public final class Plans {
             throw new IllegalArgumentException("the path of the picture is missing (None), legal: a text such as \"plan.png\"");
         }
         Path file = Paths.get(text);
-        Pictures.check(file);
-        Pictures.save(new PlanDrawing(plan(true)), file);
+        DrawingFiles.check(file);
+        DrawingFiles.save(new PlanDrawing(plan(true)), file);
     }
 
     private Plan plan(boolean beams) throws InterruptedException, IOException, ProjectException {

@@ -20,7 +20,7 @@ import org.SEAR.simulator.Simulation;
 /** Pictures of numbers over time, for scripts. Any thread. */
 public final class Plots {
     /** More points than a picture has across. */
-    private static final int MOST_POINTS = 4000;
+    private static final int MAX_POINTS = 4000;
     private static final Pattern WITH_UNIT = Pattern.compile("(.*\\S)\\s*[(\\[]([^()\\[\\]]+)[)\\]]");
     private static final Map<String, String> UNITS = Map.of(".x", "m", ".y", "m", ".z", "m", ".heading", "deg", ".speed", "m/s", ".turnRate", "rad/s",
         " radius wanted", "m", " received", "bytes", " sent", "bytes", " wanted", "m/s");
@@ -82,7 +82,7 @@ public final class Plots {
      */
     public static void saveRecord(String path, List<String> names, String picture, Map<String, String> sensors) throws IOException {
         RunRecord record = Records.open(given(path, "the path of the record"));
-        Series series = Series.of(record, names, MOST_POINTS);
+        Series series = Series.of(record, names, MAX_POINTS);
         Plot plot = new Plot("time (s)", series.times);
         for (int i = 0; i < series.names.size(); i++) {
             String name = series.names.get(i);

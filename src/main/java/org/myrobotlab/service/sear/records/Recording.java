@@ -20,9 +20,9 @@ public final class Recording {
     static final String ENDING = ".searlog";
     private static final long MEGABYTE = 1 << 20;
     private static final long KEPT_MEGABYTES = 64;
-    private static final double MOST_MEGABYTES = 100000;
+    private static final double MAX_MEGABYTES = 100000;
     /** As many as a record has frames. */
-    private static final double MOST_PICTURES = 30;
+    private static final double MAX_PICTURES = 30;
 
     private final SimulationControl control;
     private final Host host;
@@ -51,11 +51,11 @@ public final class Recording {
         if (path == null || path.isEmpty()) {
             throw new IllegalArgumentException("the path is missing, legal: the path of a file, such as \"run.searlog\"");
         }
-        if (!(megabytes > 0 && megabytes <= MOST_MEGABYTES)) {
-            throw new IllegalArgumentException("recordRun: megabytes is " + megabytes + ", legal: above 0 to " + MOST_MEGABYTES);
+        if (!(megabytes > 0 && megabytes <= MAX_MEGABYTES)) {
+            throw new IllegalArgumentException("recordRun: megabytes is " + megabytes + ", legal: above 0 to " + MAX_MEGABYTES);
         }
-        if (!(pictures >= 0 && pictures <= MOST_PICTURES)) {
-            throw new IllegalArgumentException("recordRun: pictures is " + pictures + ", legal: 0 to " + MOST_PICTURES + " a second");
+        if (!(pictures >= 0 && pictures <= MAX_PICTURES)) {
+            throw new IllegalArgumentException("recordRun: pictures is " + pictures + ", legal: 0 to " + MAX_PICTURES + " a second");
         }
         if (wanted != null) {
             throw new IllegalStateException("a record is being written to " + wanted + " already: endRecord() first");

@@ -32,16 +32,16 @@ import org.myrobotlab.service.sear.readings.EulerAngles;
 /** What is in records, for scripts and panels. Any thread. */
 public final class Records {
     /** Frames of a record that scripts and tables get; of more, every second, fourth ... one. */
-    private static final int MOST_ROWS = 200000;
+    private static final int MAX_ROWS = 200000;
     /** Frames that panels get. */
-    private static final int MOST_FRAMES = 2000;
-    private static final int MOST_POINTS = 4000;
-    private static final int MOST_LISTED = 200;
+    private static final int MAX_FRAMES = 2000;
+    private static final int MAX_POINTS = 4000;
+    private static final int MAX_LISTED = 200;
     private static final double FINE = 1e4;
 
     private final Host host;
     /** What was said last. */
-    private String told = "";
+    private String reported = "";
 
     /** @param host hears of a record that is not whole */
     public Records(Host host) {
@@ -49,13 +49,13 @@ public final class Records {
     }
 
     /** Says what a record lacks, once for several looks at it. */
-    private synchronized void tell(RunRecord record, boolean whole) {
+    private synchronized void report(RunRecord record, boolean whole) {
         String words = whole ? "" : record.getPath() + (record.isBeingWritten() ? " is still being written: what it has so far is read"
             : " was cut off, by a crash or a full disk: what it has up to there is read");
-        if (!words.equals(told) && !words.isEmpty()) {
+        if (!words.equals(reported) && !words.isEmpty()) {
             host.progress(words);
         }
-        told = words;
+        reported = words;
     }
 
     /**
@@ -79,7 +79,7 @@ public final class Records {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(Paths.get(""), "*.searlog")) {
             for (Path file : files) {
                 names.add(file.getFileName().toString());
-                if (names.size() > MOST_LISTED) {
+                if (names.size() > MAX_LISTED) {
                     names.pollLast();
                 }
             }
@@ -96,7 +96,7 @@ public final class Records {
     public Map<String, Object> rerun(String path, Path project) throws IOException, ProjectException {
         RunRecord record = open(path);
         Rerun.Result result = Rerun.of(record, Project.read(project));
-        tell(record, result.whole);
+        report(record, result.whole);
         Map<String, Object> answer = new LinkedHashMap<>();
         answer.put("same", result.same);
         answer.put("seconds", result.seconds);
@@ -115,16 +115,16 @@ public final class Records {
             throw new IOException(file + " is there already and is no .csv: choose another name");
         }
         RunRecord record = open(path);
-        Series series = Series.of(record, names, MOST_ROWS);
-        tell(record, series.whole);
+        Series series = Series.of(record, names, MAX_ROWS);
+        report(record, series.whole);
         Files.write(file, series.csv().getBytes(StandardCharsets.UTF_8));
     }
 
     /** {@code {"path": .., "names": [..], "times": [..], "values": [[.., null, ..], ..]}}. */
     public Map<String, Object> values(String path, List<String> names) throws IOException {
         RunRecord record = open(path);
-        Series series = Series.of(record, names, MOST_POINTS);
-        tell(record, series.whole);
+        Series series = Series.of(record, names, MAX_POINTS);
+        report(record, series.whole);
         List<List<Object>> values = new ArrayList<>();
         for (double[] column : series.values) {
             List<Object> numbers = new ArrayList<>();
@@ -156,8 +156,8 @@ public final class Records {
      */
     public Map<String, Object> frames(String path, Map<String, Function<double[], String>> known) throws IOException {
         RunRecord record = open(path);
-        Frames frames = Frames.of(record, MOST_FRAMES);
-        tell(record, frames.whole);
+        Frames frames = Frames.of(record, MAX_FRAMES);
+        report(record, frames.whole);
         List<String> moved = new ArrayList<>();
         frames.moved.forEach(number -> moved.add(record.getHeader().objects.get(number)));
         Map<String, Object> answer = new LinkedHashMap<>();

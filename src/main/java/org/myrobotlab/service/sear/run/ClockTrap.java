@@ -34,7 +34,7 @@ final class ClockTrap {
     private final Host host;
     private double lastTime = Double.NaN;
     private boolean suspected;
-    private boolean told;
+    private boolean reported;
     private long loopSince;
     private int loopLooks;
     private final Set<String> loopLines = new TreeSet<>();
@@ -48,7 +48,7 @@ final class ClockTrap {
         double time = session.time();
         boolean still = session.isLockStep() && !session.isPaused() && time == lastTime;
         lastTime = time;
-        if (told) {
+        if (reported) {
             return;
         }
         Map<Thread, StackTraceElement[]> stacks = still ? Thread.getAllStackTraces() : Map.of();
@@ -56,7 +56,7 @@ final class ClockTrap {
             .orElse(null);
         boolean sleeping = sleeper != null;
         if (sleeping && suspected) {
-            told = true;
+            reported = true;
             host.warn(ScriptLine.added("the script waits by the computer's clock, while simulated time stands still" + REMEDY
                 + "in sleep, time.sleep, roomba.sleep, goForward(mm) or spin(degrees)", ScriptLine.of(sleeper)));
         }
@@ -77,7 +77,7 @@ final class ClockTrap {
         }
         loopLooks++;
         if (loopLooks > LOOP_LOOKS && System.nanoTime() - loopSince > LOOP_NANOS) {
-            told = true;
+            reported = true;
             host.warn("simulated time has stood still for 2 s while the script is busy at " + line + REMEDY
                 + "by itself: a loop that waits for something needs one of them");
         }

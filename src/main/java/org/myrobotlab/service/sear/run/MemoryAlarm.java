@@ -28,7 +28,7 @@ final class MemoryAlarm implements NotificationListener {
     private final double part;
     private final Consumer<String> listener;
     private final List<MemoryPoolMXBean> pools = new ArrayList<>();
-    private boolean told;
+    private boolean reported;
 
     /** @param part of the heap, 0 to 1 */
     MemoryAlarm(double part, Consumer<String> listener) {
@@ -75,10 +75,10 @@ final class MemoryAlarm implements NotificationListener {
             return;
         }
         synchronized (this) {
-            if (told || pools.isEmpty()) {
+            if (reported || pools.isEmpty()) {
                 return;
             }
-            told = true;
+            reported = true;
         }
         MemoryUsage heap = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage();
         listener.accept(String.format(Locale.ROOT, "Java's memory is nearly full: %.0f %% of %.0f MB are in use; start Java with more (-Xmx), or"

@@ -16,7 +16,7 @@ final class Pauses {
     private boolean ended;
     private Thread pauser;
     private String line = "";
-    private boolean told;
+    private boolean reported;
 
     Pauses(Host host) {
         this.host = host;
@@ -27,7 +27,7 @@ final class Pauses {
         paused = true;
         pauser = Thread.currentThread();
         line = ScriptLine.here();
-        told = false;
+        reported = false;
     }
 
     /** Time may pass again. */
@@ -68,9 +68,9 @@ final class Pauses {
         }
     }
 
-    private synchronized void tell() {
-        if (!told && !ended) {
-            told = true;
+    private synchronized void report() {
+        if (!reported && !ended) {
+            reported = true;
             host.warn(ScriptLine.added("simSleep waits, for the simulation is paused" + (line.isEmpty() ? "" : " by " + line)
                 + ": Resume in SEAR's tab, P in the window or sear.resume() lets time pass", ScriptLine.here()));
         }
@@ -87,7 +87,7 @@ final class Pauses {
             } else if (since == Long.MIN_VALUE) {
                 since = System.nanoTime();
             } else if (System.nanoTime() - since > WORD) {
-                tell();
+                report();
             }
         }
     }

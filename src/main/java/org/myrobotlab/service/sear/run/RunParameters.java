@@ -24,9 +24,9 @@ public final class RunParameters {
 
     private static final String SEED = "seed";
     /** Results that are kept until they are taken, and characters of a text. */
-    private static final int MOST_RESULTS = 1000;
+    private static final int MAX_RESULTS = 1000;
     private static final int LONGEST_TEXT = 10_000;
-    private static final int MOST_BITS = 63;
+    private static final int MAX_BITS = 63;
     private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
     /** Columns of their own in the table of a sweep. */
     private static final Set<String> TAKEN = Set.of("row", SEED, "status", "message", "version", "digest");
@@ -103,7 +103,7 @@ public final class RunParameters {
         if (!isLegal(name) || System.getProperty(PROPERTY + name) != null) {
             throw new IllegalArgumentException("result is called \"" + name + "\", legal: " + LEGAL_NAME + ", and no parameter's name");
         }
-        if (value instanceof BigInteger && ((BigInteger) value).bitLength() > MOST_BITS) {
+        if (value instanceof BigInteger && ((BigInteger) value).bitLength() > MAX_BITS) {
             throw new IllegalArgumentException("result " + name + " is " + value + ", legal: -2**63 to 2**63-1; float(value) keeps 15 digits of it");
         }
         Object kept = value instanceof CharSequence ? ScriptText.of(value.toString()) : value;
@@ -117,8 +117,8 @@ public final class RunParameters {
             throw new IllegalArgumentException("result " + name + " has " + ((String) kept).length() + " characters, legal: at most " + LONGEST_TEXT);
         }
         synchronized (RESULTS) {
-            if (RESULTS.size() >= MOST_RESULTS && !RESULTS.containsKey(name)) {
-                throw new IllegalArgumentException("result " + name + " is one too many, legal: at most " + MOST_RESULTS + " of a run");
+            if (RESULTS.size() >= MAX_RESULTS && !RESULTS.containsKey(name)) {
+                throw new IllegalArgumentException("result " + name + " is one too many, legal: at most " + MAX_RESULTS + " of a run");
             }
             RESULTS.put(name, kept);
         }

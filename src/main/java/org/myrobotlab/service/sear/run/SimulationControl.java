@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.SEAR.POJOs.Workbench;
+import org.SEAR.POJOs.ScriptSession;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
@@ -22,13 +22,13 @@ public final class SimulationControl {
 
     private final Host host;
     private final Supplier<Path> folder;
-    private final Workbench bench;
+    private final ScriptSession scriptSession;
     private volatile SimulationSession session;
     private Double speed;
     private Boolean lockStep;
     private volatile boolean groundVisible = true;
     private volatile Integer threads;
-    private Workbench.Acts acts;
+    private ScriptSession.Acts acts;
     private SimulationSession.StepListener stepListener = published -> { };
     private Consumer<Simulation> startListener = world -> { };
 
@@ -36,7 +36,7 @@ public final class SimulationControl {
     public SimulationControl(Host host, Supplier<Path> folder) {
         this.host = host;
         this.folder = folder;
-        this.bench = new Workbench(text -> host.warn(text));
+        this.scriptSession = new ScriptSession(text -> host.warn(text));
     }
 
     /**
@@ -61,16 +61,16 @@ public final class SimulationControl {
             session = SimulationSession.start(project, settings(), debugShapes, host, stepListener, startListener);
             running = this;
             session.known();
-            bench.begin(acts, this::isRunning);
+            scriptSession.begin(acts, this::isRunning);
         }
-        tellOthers(session().getSimulation().getProject());
+        reportOthers(session().getSimulation().getProject());
     }
 
-    private void tellOthers(Project project) {
+    private void reportOthers(Project project) {
         List<String> names = new ArrayList<>();
         project.getEnvironment().forEach(object -> names.add(object.getName()));
         project.getRobots().forEach(robot -> names.add(robot.getName()));
-        String others = bench.ofOthers(names);
+        String others = scriptSession.ofOthers(names);
         if (!others.isEmpty()) {
             host.progress(others);
         }
@@ -85,7 +85,7 @@ public final class SimulationControl {
     }
 
     /** What objects that were made before a start do in its world. Before the first start. */
-    public void setActs(Workbench.Acts forObjects) {
+    public void setActs(ScriptSession.Acts forObjects) {
         acts = forObjects;
     }
 
@@ -108,7 +108,7 @@ public final class SimulationControl {
             }
             if (running == this) {
                 running = null;
-                bench.end();
+                scriptSession.end();
             }
         }
     }
@@ -211,8 +211,8 @@ public final class SimulationControl {
     }
 
     /** Where the objects of the service are made; closed at first. */
-    public Workbench bench() {
-        return bench;
+    public ScriptSession scriptSession() {
+        return scriptSession;
     }
 
     /** The project's folder. */

@@ -32,7 +32,7 @@ import org.myrobotlab.service.sear.lockstep.SleepingThreads;
  */
 public final class SimulationSession {
     private static final long LOOK_AFTER_THREAD = 200;
-    private static final long READER_PATIENCE = TimeUnit.MILLISECONDS.toNanos(50);
+    private static final long READER_TIMEOUT = TimeUnit.MILLISECONDS.toNanos(50);
     private static final long READER_LOOK = TimeUnit.MICROSECONDS.toNanos(100);
     private static final long LOOK_AFTER_SLEEPERS = 1;
     private static final int LOOKS_AFTER_SLEEPERS = 500;
@@ -51,12 +51,12 @@ public final class SimulationSession {
     private final Throttle throttle;
     private final ClockTrap clockTrap;
     private final Quiescence quiescence;
-    private final PortTurns turns;
+    private final PortOrder turns;
     private final Object stepping = new Object();
     /** Who makes time pass; null if nobody does. Guarded by {@link #stepping}. */
     private Thread stepper;
     private final Pauses pauses;
-    private final DriveOrders orders = new DriveOrders();
+    private final PendingDrives orders = new PendingDrives();
     /** How often anybody has let time pass. */
     private final AtomicLong sleeps = new AtomicLong();
     private volatile SimulationClock clock;
@@ -67,7 +67,7 @@ public final class SimulationSession {
     /** Up to where the script has slept: {@link SimulationRunner#getAdvancedTime} without rounding to steps. */
     private volatile double scriptTime;
     private final SleepingThreads sleepers = new SleepingThreads();
-    private final WarningsTold warnings;
+    private final ReportedWarnings warnings;
     private final OutOfMemoryWatch memoryWatch = new OutOfMemoryWatch(this::outOfMemory);
     private final MemoryAlarm memoryAlarm;
 
@@ -80,7 +80,7 @@ public final class SimulationSession {
     private SimulationSession(Simulation simulation, RunSettings settings, Host host, StepListener stepListener) {
         this.host = host;
         this.stepListener = stepListener;
-        warnings = new WarningsTold(host);
+        warnings = new ReportedWarnings(host);
         pauses = new Pauses(host);
         this.simulation = simulation;
         runner = new SimulationRunner(simulation);
@@ -89,7 +89,7 @@ public final class SimulationSession {
         clockTrap = new ClockTrap(host);
         clock = new SimulationClock(simulation, lockStep);
         quiescence = new Quiescence(host, sleepers);
-        turns = new PortTurns(lines, this::settle);
+        turns = new PortOrder(lines, this::settle);
         memoryAlarm = new MemoryAlarm(MemoryAlarm.NEARLY_FULL, host::warn);
         thread = new Thread(this::run, "SEAR simulation");
         thread.setDaemon(true);
@@ -136,7 +136,7 @@ public final class SimulationSession {
             window.open(runner, debugShapes, orders::areRecent, host); // takes seconds, which nobody is to miss
         }
         runner.setPaused(lockStep);
-        tellWarnings();
+        reportWarnings();
     }
 
     /** Its service knows it now and brings it bytes: by the clock, those who wait for its ports are connected. */
@@ -151,7 +151,7 @@ public final class SimulationSession {
         if (lockStep || !Double.isInfinite(throttle.getSpeed())) {
             return;
         }
-        long end = System.nanoTime() + READER_PATIENCE;
+        long end = System.nanoTime() + READER_TIMEOUT;
         while (lines.stream().anyMatch(UartLine::isBehind) && System.nanoTime() < end) {
             LockSupport.parkNanos(READER_LOOK);
         }
@@ -200,8 +200,8 @@ public final class SimulationSession {
             return;
         }
         stopped = true;
-        warnings.tell(orders.replaced(runner.getAdvancedTime(), true));
-        Optional.ofNullable(orders.tooLate(runner.getAdvancedTime())).ifPresent(warnings::tellOfNoTime);
+        warnings.report(orders.replaced(runner.getAdvancedTime(), true));
+        Optional.ofNullable(orders.tooLate(runner.getAdvancedTime())).ifPresent(warnings::reportOfNoTime);
         try {
             window.close();
         } finally {
@@ -256,7 +256,7 @@ public final class SimulationSession {
      * @param userPort the port's name
      * @return null if the simulation has no such port
      */
-    public OutsideLine outsideLine(String userPort) {
+    public ExternalLine outsideLine(String userPort) {
         for (UartLine line : lines) {
             if (line.getUserPort().getName().equals(userPort)) {
                 return line;
@@ -295,7 +295,7 @@ public final class SimulationSession {
      * @param moves whether it sets the robot going
      */
     public void scriptOrders(String robot, String call, String values, boolean moves) {
-        orders.give(robot, new DriveOrders.Order(call, values, moves, runner.getAdvancedTime(), sleeps.get()));
+        orders.give(robot, new PendingDrives.Order(call, values, moves, runner.getAdvancedTime(), sleeps.get()));
     }
 
     /** Simulated seconds. */
@@ -347,7 +347,7 @@ public final class SimulationSession {
             runner.sleep(seconds, () -> sleeper.look(runner.isPaused()));
         }
         checkRunning();
-        tellWarnings();
+        reportWarnings();
     }
 
     private void sleepInLockStep(double seconds) throws InterruptedException {
@@ -406,7 +406,7 @@ public final class SimulationSession {
     /** Until ports and callbacks rest, and devices have answered who waits for them by the computer's clock. */
     private void settle() throws InterruptedException {
         quiescence.settle();
-        while (simulation.isAsked()) {
+        while (simulation.hasQueries()) {
             ask(world -> {
                 world.answer();
                 return true;
@@ -455,7 +455,7 @@ public final class SimulationSession {
             }
         });
         checkRunning();
-        tellWarnings();
+        reportWarnings();
     }
 
     /** Time stands still until {@link #resume}; the step in hand has ended when this returns. */
@@ -587,9 +587,9 @@ public final class SimulationSession {
     }
 
     /** Publishes what the simulation has warned of since the last time. */
-    public void tellWarnings() {
-        warnings.tell(simulation.snapshot().warnings);
-        warnings.tell(orders.replaced(runner.getAdvancedTime(), false));
+    public void reportWarnings() {
+        warnings.report(simulation.snapshot().warnings);
+        warnings.report(orders.replaced(runner.getAdvancedTime(), false));
     }
 
     @Override

@@ -30,13 +30,13 @@ import org.myrobotlab.service.sear.Host;
  * Serial services sits. What the user sends comes to SEAR as that service's publishBytes messages; what the device sends goes out through the
  * same service. The line keeps the baud rate, so the ports don't.
  */
-final class UartLine implements OutsideLine {
+final class UartLine implements ExternalLine {
     /** Shorter than lock-step waits for a port; longer than a busy machine leaves a thread without a processor. */
-    private static final long PATIENCE = TimeUnit.SECONDS.toMillis(50);
+    private static final long TIMEOUT = TimeUnit.SECONDS.toMillis(50);
     /** As long the simulation thread waits for MyRobotLab's messages to go out. */
-    private static final long OUTBOX_PATIENCE = TimeUnit.MILLISECONDS.toNanos(50);
+    private static final long OUTBOX_TIMEOUT = TimeUnit.MILLISECONDS.toNanos(50);
     /** So many bytes may wait for the user's port's reader before a simulation that runs as fast as possible waits: as in a driver. */
-    private static final int MOST_PENDING = 4096;
+    private static final int MAX_PENDING = 4096;
     private static final String DRIVE = "Dynamics";
     private static final String CALLBACK = "onUartBytes";
     private static final String PUBLISHER = "publishBytes";
@@ -47,7 +47,7 @@ final class UartLine implements OutsideLine {
     private final VirtualSerialPort uart;
     private final VirtualSerialPort user;
     private final RepeatedWarnings repeats = new RepeatedWarnings();
-    private final HeldBytes held = new HeldBytes();
+    private final PendingBytes held = new PendingBytes();
     private Serial serial;
     private long given;
     private volatile SerialLine.Sink reader;
@@ -113,7 +113,7 @@ final class UartLine implements OutsideLine {
         uart.setHandedHook(this::awaitDevice);
         user.setBaudListener(this::hostBaud);
         user.setBeyond(line::getWaiting);
-        user.setOpenListener(line::pickUp);
+        user.setOpenListener(line::open);
         ServiceInterface started = Runtime.start(serviceName, "Serial");
         if (!(started instanceof Serial)) {
             throw new IOException("a service named " + serviceName + " exists already and is no Serial service: release it first");
@@ -194,7 +194,7 @@ final class UartLine implements OutsideLine {
     private void send(byte[] bytes) {
         guarded(() -> {
             for (int at = 0; at < bytes.length && uart.isOpen(); at += Backlog.PIECE) {
-                Backlog.await(serial, OUTBOX_PATIENCE);
+                Backlog.await(serial, OUTBOX_TIMEOUT);
                 serial.write(Arrays.copyOfRange(bytes, at, Math.min(bytes.length, at + Backlog.PIECE)));
             }
         });
@@ -231,7 +231,7 @@ final class UartLine implements OutsideLine {
 
     @Override
     public void pickUp() {
-        line.pickUp();
+        line.open();
     }
 
     @Override
@@ -255,10 +255,10 @@ final class UartLine implements OutsideLine {
 
     /** On the UART's reader thread, after each piece: the next follows when this one has made its way through MyRobotLab's message queues. */
     private synchronized void awaitDevice(long handed) {
-        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(PATIENCE);
+        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(TIMEOUT);
         try {
             while (given < handed && System.nanoTime() < end) {
-                wait(PATIENCE);
+                wait(TIMEOUT);
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -278,7 +278,7 @@ final class UartLine implements OutsideLine {
 
     /** Whether bytes come faster than MyRobotLab and whoever has the user's port take them. */
     boolean isBehind() {
-        return Backlog.isLong(serial) || user.getPending() > MOST_PENDING;
+        return Backlog.isLong(serial) || user.getPending() > MAX_PENDING;
     }
 
     /** Whether a robot's drive sits here. */

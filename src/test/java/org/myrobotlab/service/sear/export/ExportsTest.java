@@ -39,7 +39,7 @@ import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.sear.RecordingHost;
-import org.myrobotlab.service.sear.run.OutsideLine;
+import org.myrobotlab.service.sear.run.ExternalLine;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** Any program of the computer can open a virtual port, and come and go. */
@@ -554,7 +554,7 @@ public class ExportsTest {
         String[] writer = new String[1];
         SerialLine.Sink[] reader = new SerialLine.Sink[1];
         CountDownLatch hungUp = new CountDownLatch(1);
-        bridge.attach(user, new OutsideLine() {
+        bridge.attach(user, new ExternalLine() {
             @Override
             public void write(byte[] bytes) {
                 synchronized (received) {

@@ -17,7 +17,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.sear.RecordingHost;
-import org.myrobotlab.service.sear.run.OutsideLine;
+import org.myrobotlab.service.sear.run.ExternalLine;
 
 /** The access server against the byte sequences of RFC 854 and RFC 2217. */
 @Category(Slow.class)
@@ -37,7 +37,7 @@ public class Rfc2217Test {
     public void plugIn() throws IOException {
         VirtualSerialPort.makeNullModem(device, user);
         user.setBaudListener(rate -> baud = rate);
-        bridge.attach(user, new OutsideLine() {
+        bridge.attach(user, new ExternalLine() {
             @Override
             public void write(byte[] bytes) {
                 heard.writeBytes(bytes);

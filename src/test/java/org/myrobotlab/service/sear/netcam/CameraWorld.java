@@ -35,7 +35,7 @@ final class CameraWorld extends ExternalResource {
         System.setProperty("sear.project", project.toString());
         control = new SimulationControl(host, () -> project);
         cameras = new ScriptCameras(control);
-        control.bench().open();
+        control.scriptSession().open();
         new Floor("floor", 20, 20);
         Box red = new Box("red", 0.6, 0.2, 0.6, 0);
         red.setColor("red");
@@ -79,7 +79,7 @@ final class CameraWorld extends ExternalResource {
     @Override
     protected void after() {
         control.stop();
-        control.bench().close();
+        control.scriptSession().close();
         System.clearProperty("sear.project");
         System.clearProperty("sear.headless");
         folder.delete();

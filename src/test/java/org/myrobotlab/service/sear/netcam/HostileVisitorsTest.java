@@ -41,7 +41,7 @@ public class HostileVisitorsTest {
     private NetworkCamera camera;
 
     private int open(String name) throws IOException {
-        camera = NetworkCamera.open(name, Likeness.PLAIN, 0, world.host, world.cameras, PATIENCE);
+        camera = NetworkCamera.open(name, DeviceProfile.PLAIN, 0, world.host, world.cameras, PATIENCE);
         return camera.getNumber();
     }
 
@@ -182,7 +182,7 @@ public class HostileVisitorsTest {
         world.startPaused();
         int port = open("color");
         List<Visitor> visitors = new ArrayList<>();
-        for (int i = 0; i < PictureServer.MOST_CLIENTS; i++) {
+        for (int i = 0; i < PictureServer.MAX_CLIENTS; i++) {
             visitors.add(Visitor.at(port, "/stream.mjpg"));
         }
         try (Visitor late = Visitor.at(port, "/stream.mjpg")) {
@@ -201,7 +201,7 @@ public class HostileVisitorsTest {
     public void picturesThatNobodyTakesAreNotKept() throws Exception {
         world.startPaused();
         CameraImage image = world.cameras.look("fast");
-        PictureServer server = PictureServer.open("fast", Likeness.PLAIN, 0, new Demand(), TimeUnit.HOURS.toMillis(1));
+        PictureServer server = PictureServer.open("fast", DeviceProfile.PLAIN, 0, new Demand(), TimeUnit.HOURS.toMillis(1));
         Thread thread = new Thread(server::serve);
         thread.start();
         List<Visitor> dull = new ArrayList<>();
@@ -213,7 +213,7 @@ public class HostileVisitorsTest {
             }
             CameraWorld.until("all are there", () -> server.getClients() == dull.size());
             for (int i = 0; i < 500; i++) {
-                Shot shot = new Shot(image);
+                EncodedFrame shot = new EncodedFrame(image);
                 files.add(new WeakReference<>(shot.file(Form.STREAM)));
                 server.publish(shot);
             }

@@ -1,0 +1,22 @@
+package org.SEAR.camera;
+
+/** Of what nothing is known: one colour, seen as if it looked to the eye. Immutable, any thread. */
+public final class PlainAppearance extends Appearance {
+    private final int color;
+
+    /** @param color 0xRRGGBB */
+    public PlainAppearance(int color, double temperature) {
+        super(temperature, true);
+        this.color = color;
+    }
+
+    @Override
+    protected void normal(SurfaceHit s) {
+        s.setNormal(-s.dx, -s.dy, -s.dz);
+    }
+
+    @Override
+    protected void color(SurfaceHit s) {
+        s.setColor(color);
+    }
+}

@@ -1,0 +1,253 @@
+package org.SEAR.physics;
+
+import org.SEAR.geometry.Placement;
+
+/**
+ * How a rigid body is turned, and how it turns on when nothing acts on it: its angular momentum stays, its axis of rotation wanders about it as
+ * Euler's equations say. Solved by Runge and Kutta's method of fourth order for the quaternion, with the momentum held. Simulation thread.
+ */
+final class AngularState {
+    /** It turns no more than this at once, radians. */
+    private static final double PIECE = 0.15;
+    /** No more pieces in a substep: what turns faster is a blur. */
+    private static final int MAX_PIECES = 64;
+    /** What turns by less than this, radians, has the change of its angular velocity from a series; it is good to a millionth of it. */
+    private static final double LITTLE = 0.01;
+    /** A body whose moments differ by less than this share turns evenly about any axis. */
+    private static final double EVEN = 1e-9;
+
+    private double qx;
+    private double qy;
+    private double qz;
+    private double qw = 1;
+    private double jx;
+    private double jy;
+    private double jz;
+    private double inverseX;
+    private double inverseY;
+    private double inverseZ;
+    private boolean even = true;
+    private final double[] momentum = new double[3];
+    private final double[] rate = new double[4];
+    private final double[] sum = new double[4];
+
+    /** @param x moment of inertia about its x axis, kg m^2, likewise y and z; 0: it does not turn */
+    void setMoments(double x, double y, double z) {
+        jx = x;
+        jy = y;
+        jz = z;
+        inverseX = x > 0 ? 1 / x : 0;
+        inverseY = y > 0 ? 1 / y : 0;
+        inverseZ = z > 0 ? 1 / z : 0;
+        even = Math.abs(x - y) <= EVEN * x && Math.abs(x - z) <= EVEN * x;
+    }
+
+    void set(double x, double y, double z, double w) {
+        qx = x;
+        qy = y;
+        qz = z;
+        qw = w;
+        normalize();
+    }
+
+    double qx() {
+        return qx;
+    }
+
+    double qy() {
+        return qy;
+    }
+
+    double qz() {
+        return qz;
+    }
+
+    double qw() {
+        return qw;
+    }
+
+    /** 1/(kg m^2), likewise about y and z. */
+    double inverseX() {
+        return inverseX;
+    }
+
+    double inverseY() {
+        return inverseY;
+    }
+
+    double inverseZ() {
+        return inverseZ;
+    }
+
+    /** The rotation as a matrix. */
+    void matrix(Placement into) {
+        into.setRotation(qx, qy, qz, qw);
+    }
+
+    /**
+     * Turns on for a while.
+     *
+     * @param v from index 3 on the angular velocity in the world, rad/s; becomes that at the end
+     */
+    void turn(double[] v, double seconds) {
+        double speed = Math.sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
+        if (even) {
+            turnEvenly(v, speed, seconds);
+            return;
+        }
+        toBody(v[3], v[4], v[5], momentum);
+        toWorld(momentum[0] * jx, momentum[1] * jy, momentum[2] * jz, momentum);
+        double lx = momentum[0];
+        double ly = momentum[1];
+        double lz = momentum[2];
+        int pieces = (int) Math.max(1, Math.min(MAX_PIECES, Math.ceil(speed * seconds / PIECE)));
+        for (int i = 0; i < pieces; i++) {
+            piece(lx, ly, lz, seconds / pieces);
+        }
+        toBody(lx, ly, lz, momentum);
+        toWorld(momentum[0] * inverseX, momentum[1] * inverseY, momentum[2] * inverseZ, momentum);
+        v[3] = momentum[0];
+        v[4] = momentum[1];
+        v[5] = momentum[2];
+    }
+
+    /**
+     * How its angular velocity changes in a while by its own inertia, with the body left as it is turned.
+     *
+     * @param v from index 3 on the angular velocity in the world, rad/s; becomes that at the end
+     */
+    void gyrate(double[] v, double seconds) {
+        if (even) {
+            return;
+        }
+        double square = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
+        if (square * seconds * seconds < LITTLE * LITTLE) {
+            gyrateLittle(v, seconds);
+            return;
+        }
+        double x = qx;
+        double y = qy;
+        double z = qz;
+        double w = qw;
+        turn(v, seconds);
+        qx = x;
+        qy = y;
+        qz = z;
+        qw = w;
+    }
+
+    /** Euler's equations in the body's axes by the midpoint rule, then the result as those axes have turned, up to the second order. */
+    private void gyrateLittle(double[] v, double seconds) {
+        rotate(-qx, -qy, -qz, 2, v[3], v[4], v[5], momentum);
+        double x = momentum[0];
+        double y = momentum[1];
+        double z = momentum[2];
+        double half = seconds / 2;
+        double midX = x + half * inverseX * (jy - jz) * y * z;
+        double midY = y + half * inverseY * (jz - jx) * z * x;
+        double midZ = z + half * inverseZ * (jx - jy) * x * y;
+        x += seconds * inverseX * (jy - jz) * midY * midZ;
+        y += seconds * inverseY * (jz - jx) * midZ * midX;
+        z += seconds * inverseZ * (jx - jy) * midX * midY;
+        double crossX = seconds * (midY * z - midZ * y);
+        double crossY = seconds * (midZ * x - midX * z);
+        double crossZ = seconds * (midX * y - midY * x);
+        rotate(qx, qy, qz, 2, x + crossX + half * (midY * crossZ - midZ * crossY), y + crossY + half * (midZ * crossX - midX * crossZ),
+            z + crossZ + half * (midX * crossY - midY * crossX), momentum);
+        v[3] = momentum[0];
+        v[4] = momentum[1];
+        v[5] = momentum[2];
+    }
+
+    /** Turns with the same angular velocity all the time, as what is held does. */
+    void turnHeld(double[] v, double seconds) {
+        turnEvenly(v, Math.sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]), seconds);
+    }
+
+    /** Multiplied by a quaternion of length 1 its length changes by rounding only: the first term of the root's series takes that back. */
+    private void turnEvenly(double[] v, double speed, double seconds) {
+        double half = speed * seconds / 2;
+        double sine = half < 1e-4 ? seconds / 2 * (1 - half * half / 6) : Math.sin(half) / speed;
+        double x = sine * v[3];
+        double y = sine * v[4];
+        double z = sine * v[5];
+        double w = Math.cos(half);
+        double ox = qx;
+        double oy = qy;
+        double oz = qz;
+        double ow = qw;
+        qx = w * ox + x * ow + y * oz - z * oy;
+        qy = w * oy - x * oz + y * ow + z * ox;
+        qz = w * oz + x * oy - y * ox + z * ow;
+        qw = w * ow - x * ox - y * oy - z * oz;
+        scale(1.5 - (qx * qx + qy * qy + qz * qz + qw * qw) / 2);
+    }
+
+    private void piece(double lx, double ly, double lz, double seconds) {
+        double x = qx;
+        double y = qy;
+        double z = qz;
+        double w = qw;
+        for (int i = 0; i < 4; i++) {
+            sum[i] = 0;
+        }
+        for (int stage = 0; stage < 4; stage++) {
+            rate(lx, ly, lz);
+            double weight = stage == 0 || stage == 3 ? seconds / 6 : seconds / 3;
+            double ahead = stage == 2 ? seconds : seconds / 2;
+            for (int i = 0; i < 4; i++) {
+                sum[i] += weight * rate[i];
+            }
+            qx = x + ahead * rate[0];
+            qy = y + ahead * rate[1];
+            qz = z + ahead * rate[2];
+            qw = w + ahead * rate[3];
+        }
+        set(x + sum[0], y + sum[1], z + sum[2], w + sum[3]);
+    }
+
+    /** How the quaternion changes, 1/s, under an angular momentum in the world, Nms. */
+    private void rate(double lx, double ly, double lz) {
+        toBody(lx, ly, lz, momentum);
+        double x = momentum[0] * inverseX / 2;
+        double y = momentum[1] * inverseY / 2;
+        double z = momentum[2] * inverseZ / 2;
+        rate[0] = qw * x + qy * z - qz * y;
+        rate[1] = qw * y - qx * z + qz * x;
+        rate[2] = qw * z + qx * y - qy * x;
+        rate[3] = -qx * x - qy * y - qz * z;
+    }
+
+    private void toBody(double x, double y, double z, double[] into) {
+        rotate(-qx, -qy, -qz, twice(), x, y, z, into);
+    }
+
+    private void toWorld(double x, double y, double z, double[] into) {
+        rotate(qx, qy, qz, twice(), x, y, z, into);
+    }
+
+    /** 2 for a quaternion of length 1, which it is not within a piece. */
+    private double twice() {
+        return 2 / (qx * qx + qy * qy + qz * qz + qw * qw);
+    }
+
+    private void rotate(double ax, double ay, double az, double twice, double x, double y, double z, double[] into) {
+        double tx = twice * (ay * z - az * y);
+        double ty = twice * (az * x - ax * z);
+        double tz = twice * (ax * y - ay * x);
+        into[0] = x + qw * tx + ay * tz - az * ty;
+        into[1] = y + qw * ty + az * tx - ax * tz;
+        into[2] = z + qw * tz + ax * ty - ay * tx;
+    }
+
+    private void normalize() {
+        scale(1 / Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw));
+    }
+
+    private void scale(double scale) {
+        qx *= scale;
+        qy *= scale;
+        qz *= scale;
+        qw *= scale;
+    }
+}

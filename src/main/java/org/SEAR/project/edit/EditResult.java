@@ -1,0 +1,36 @@
+package org.SEAR.project.edit;
+
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** What an edit has done. Immutable, any thread. */
+final class EditResult {
+    private static final int MAX_REPORTED = 5;
+
+    /** As in "undo: move crate". */
+    final String words;
+    /** What edits call its object from then on; null if that is gone. */
+    final String object;
+    /** What has become of other objects by it, as "motor left was deleted with wheel leftWheel". */
+    final List<String> besides;
+
+    EditResult(String words, String object) {
+        this(words, object, List.of());
+    }
+
+    EditResult(String words, String object, List<String> besides) {
+        this.words = words;
+        this.object = object;
+        this.besides = List.copyOf(besides);
+    }
+
+    /** What has become of other objects, in one line; null if nothing. */
+    String note() {
+        if (besides.isEmpty()) {
+            return null;
+        }
+        String reported = besides.stream().limit(MAX_REPORTED).collect(Collectors.joining("; "));
+        int more = besides.size() - MAX_REPORTED;
+        return reported + (more > 0 ? "; and " + more + " more" : "") + "; Undo brings back " + (besides.size() == 1 ? "both" : "all of it");
+    }
+}

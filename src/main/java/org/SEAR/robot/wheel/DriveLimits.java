@@ -1,0 +1,150 @@
+package org.SEAR.robot.wheel;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.SEAR.geometry.TimeStep;
+import org.SEAR.physics.PhysicsWorld;
+
+/**
+ * The speeds that a robot was told: what it can't reach is brought within its limits, with a word about it once, and they are approached as fast as
+ * the robot may without tipping over. Simulation thread.
+ */
+final class DriveLimits {
+    /** An order that is so much beyond what can be done is still obeyed, as a share. */
+    private static final double TOLERANCE = 1e-6;
+
+    private final String robot;
+    private final List<RaycastWheel> wheels;
+    private final DriveForces forces;
+    private final Consumer<String> reported;
+    private boolean reportedFast;
+    private boolean reportedTight;
+    private boolean reportedSliding;
+    private boolean braking;
+    private double left;
+    private double right;
+    private double commandedLeft;
+    private double commandedRight;
+
+    /** @param told takes what the robot does instead */
+    DriveLimits(String robot, List<RaycastWheel> wheels, DriveForces forces, Consumer<String> told) {
+        this.robot = robot;
+        this.wheels = wheels;
+        this.forces = forces;
+        this.reported = told;
+    }
+
+    /** @param newLeft m/s over ground, likewise newRight; both become slower in proportion until the motors can do it, so that an arc stays one */
+    void set(double newLeft, double newRight) {
+        double share = share(newLeft, newRight);
+        commandedLeft = share * newLeft;
+        commandedRight = share * newRight;
+        reportSliding((commandedLeft + commandedRight) / 2, turn(commandedLeft, commandedRight));
+        braking = braking && newLeft == 0 && newRight == 0;
+    }
+
+    /** An emergency stop, until the next command that moves. */
+    void brake() {
+        set(0, 0);
+        braking = true;
+    }
+
+    private double share(double newLeft, double newRight) {
+        double share = 1;
+        for (int i = 0; i < wheels.size(); i++) {
+            WheelMotor motor = wheels.get(i).getMotor();
+            double wanted = Math.abs((newLeft + newRight) / 2 - turn(newLeft, newRight) * wheels.get(i).x);
+            if (motor != null && wanted * share > motor.fastest()) {
+                share = motor.fastest() / wanted;
+            }
+        }
+        double fastest = Math.max(Math.abs(newLeft), Math.abs(newRight));
+        if (share < 1 - TOLERANCE && !reportedFast) {
+            reportedFast = true;
+            reported.accept(String.format(Locale.ROOT, "robot %s was told to turn its wheels at %.2f m/s, and without load its motors turn them at"
+                + " %.2f m/s at most: it goes that fast instead, or slower under load; a motor's noLoadSpeed says how fast it turns", robot, fastest,
+                share * fastest));
+        }
+        return share;
+    }
+
+    /**
+     * Says that a circle is too tight.
+     *
+     * @param radius metres, positive
+     * @param steering that turns the robot as far as it can
+     * @param speed m/s
+     */
+    void reportTight(double radius, Steering steering, double speed) {
+        if (radius < steering.tightest() * (1 - TOLERANCE) && !reportedTight) {
+            reportedTight = true;
+            reported.accept(String.format(Locale.ROOT,
+                "robot %s was told to turn %s, and its wheels steer by %s degrees at most: at %.2f m/s it goes on"
+                + " a circle of %.2f m radius instead, and turns by %.1f degrees a second", robot,
+                radius == 0 ? "in place" : String.format(Locale.ROOT, "on a circle of %.2f m radius", radius), number(steering.getMost()),
+                Math.abs(speed), steering.tightest(), Math.toDegrees(Math.abs(speed) / steering.tightest())));
+        }
+    }
+
+    /**
+     * Says that a circle is too fast for its wheels to hold the robot on it.
+     *
+     * @param speed m/s
+     * @param turn rad/s
+     */
+    void reportSliding(double speed, double turn) {
+        double needed = Math.abs(speed * turn);
+        double held = PhysicsWorld.GRAVITY * wheels.stream().filter(RaycastWheel::isGrounded).mapToDouble(wheel -> wheel.getGrip().getFriction())
+            .max().orElse(Double.POSITIVE_INFINITY);
+        if (needed > held && !reportedSliding) {
+            reportedSliding = true;
+            reported.accept(String.format(Locale.ROOT,
+                "robot %s was told to drive at %.2f m/s on a circle of %.2f m radius, where its wheels would have"
+                + " to hold it against %.1f m/s\u00b2, and here they hold %.1f at most: it slides outwards instead; drive slower or on a wider"
+                + " circle", robot, Math.abs(speed), Math.abs(speed / turn), needed, held));
+        }
+    }
+
+    private static String number(double value) {
+        return value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
+    }
+
+    /** Says that a servo steers, so that no order for the robot does. */
+    void reportServo(String servo) {
+        if (!reportedTight) {
+            reportedTight = true;
+            reported.accept("robot " + robot + " was told to drive on a circle, and its servo " + servo
+                + " steers it: it goes where that points instead;"
+                + " sear.setServo(\"" + servo + "\", degrees) turns it");
+        }
+    }
+
+    /** Brings both speeds nearer to what is commanded, in proportion, so that an arc stays the same arc. */
+    void approach() {
+        double largest = Math.max(Math.abs(commandedLeft - left), Math.abs(commandedRight - right));
+        double step = (braking ? forces.brakeRamp : forces.ramp) * TimeStep.SECONDS;
+        double share = largest <= step ? 1 : step / largest;
+        left = share == 1 ? commandedLeft : left + share * (commandedLeft - left);
+        right = share == 1 ? commandedRight : right + share * (commandedRight - right);
+    }
+
+    /** Speed of the middle, m/s. */
+    double middle() {
+        return (left + right) / 2;
+    }
+
+    /** How fast both sides turn the robot, rad/s. */
+    double turn() {
+        return turn(left, right);
+    }
+
+    private double turn(double ofLeft, double ofRight) {
+        return forces.track > DriveForces.NO_TRACK ? (ofRight - ofLeft) / forces.track : 0;
+    }
+
+    /** Whether it moves, or is to. */
+    boolean isCommanded() {
+        return left != 0 || right != 0 || commandedLeft != 0 || commandedRight != 0;
+    }
+}

@@ -1,0 +1,119 @@
+package org.SEAR.simulator;
+
+import java.util.Locale;
+import java.util.function.UnaryOperator;
+import org.SEAR.POJOs.PlacedObject;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.geometry.GeoOrigin;
+import org.SEAR.geometry.Pose;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.RaycastScenes;
+import org.SEAR.physics.start.StartPoses;
+import org.SEAR.project.problems.ProblemList;
+import org.SEAR.project.problems.ProjectException;
+
+/** Sets down on the ground what was placed there, before the first step; the ground is in the scenes already. One use, simulation thread. */
+final class GroundPlacement {
+    /** Half of the distance over which the slope below a robot is measured, if its wheels don't say, metres. */
+    private static final double HALF_BASE = 0.1;
+
+    /** Heading of what is not turned, degrees. */
+    private static final double EAST = 90;
+
+    private final GeoOrigin origin;
+    private final RaycastScenes scenes;
+    private final ProblemList problems = new ProblemList();
+
+    /** @param origin where the world lies on Earth; null if no terrain says so */
+    GroundPlacement(GeoOrigin origin, RaycastScenes scenes) {
+        this.origin = origin;
+        this.scenes = scenes;
+    }
+
+    /** A thing of the environment, which keeps its rotation. */
+    void setDown(PlacedObject object, Body body) {
+        if (object.isOnGround()) {
+            Pose written = body.getPose();
+            setDown(object, body, pose -> turned(pose, written), new double[0][], "environment/");
+        }
+    }
+
+    /**
+     * A robot, which stands on its wheels, along the slope.
+     *
+     * @param feet where its wheels touch, in the body frame
+     */
+    void setDownRobot(SEARrobot robot, Body body, double[][] feet) {
+        if (robot.isOnGround()) {
+            Pose written = robot.getPlaceHeading() == null ? body.getPose() : Pose.ofDegrees(0, 0, 0, 0, EAST - robot.getPlaceHeading(), 0);
+            setDown(robot, body, pose -> alongSlope(turned(pose, written), feet), feet, "robot/");
+        }
+    }
+
+    private static Pose turned(Pose place, Pose rotation) {
+        return new Pose(place.x, 0, place.z, rotation.qx, rotation.qy, rotation.qz, rotation.qw);
+    }
+
+    /** @param turn turns a pose that has the right place */
+    private void setDown(PlacedObject object, Body body, UnaryOperator<Pose> turn, double[][] feet, String folder) {
+        String file = folder + object.getFileName() + ".xml";
+        if (object.hasPlaceOnEarth() && origin == null) {
+            problems.add(file, 0, "placeLatitude", Parameter.format(object.getPlaceLatitude()), "a place on Earth only where there is a Terrain whose"
+                + " map says where on Earth it lies; placeAt(x, z), in metres, does without");
+            return;
+        }
+        double[] point = object.hasPlaceOnEarth() ? origin.to(object.getPlaceLatitude(), object.getPlaceLongitude())
+            : new double[] {object.getX(), object.getZ()};
+        if (!StartPoses.stand(body, turn.apply(new Pose(point[0], 0, point[1], 0, 0, 0, 1)), feet, scenes)) {
+            problems.add(file, 0, object.hasPlaceOnEarth() ? "placeLatitude, placeLongitude" : "x, z", where(object, point),
+                "a place with ground: on the terrain, a floor, or a model that is the terrain");
+        }
+    }
+
+    private static String where(PlacedObject object, double[] point) {
+        return object.hasPlaceOnEarth()
+            ? String.format(Locale.ROOT, "%s, %s (%.0f m north and %.0f m east of the origin)", Parameter.format(object.getPlaceLatitude()),
+                Parameter.format(object.getPlaceLongitude()), point[0], point[1])
+            : Parameter.format(point[0]) + ", " + Parameter.format(point[1]);
+    }
+
+    /** The pose with its up where the ground below points up, and its heading as it is; nothing changes where the ground ends. */
+    private Pose alongSlope(Pose level, double[][] feet) {
+        double base = HALF_BASE;
+        for (double[] foot : feet) {
+            base = Math.max(base, Math.hypot(foot[0], foot[2]));
+        }
+        double northward = (scenes.groundHeight(level.x + base, level.z) - scenes.groundHeight(level.x - base, level.z)) / (2 * base);
+        double eastward = (scenes.groundHeight(level.x, level.z + base) - scenes.groundHeight(level.x, level.z - base)) / (2 * base);
+        double steep = Math.hypot(northward, eastward);
+        if (!(steep > 0)) {
+            return level;
+        }
+        double half = Math.atan(steep) / 2;
+        double sine = Math.sin(half) / steep;
+        Pose lean = new Pose(level.x, level.y, level.z, -eastward * sine, 0, northward * sine, Math.cos(half));
+        return lean.times(Pose.ofDegrees(0, 0, 0, 0, stray(lean, level.rotate(0, 0, 1), northward, eastward), 0))
+            .times(new Pose(0, 0, 0, level.qx, level.qy, level.qz, level.qw));
+    }
+
+    /**
+     * By how much leaning alone would turn the heading of what goes obliquely up a slope, clockwise, degrees.
+     *
+     * @param ahead the way that it is to look, world frame
+     * @param northward by how much the ground rises a metre to the north, likewise eastward
+     */
+    private static double stray(Pose lean, double[] ahead, double northward, double eastward) {
+        double[] before = lean.rotateBack(ahead[0], northward * ahead[0] + eastward * ahead[2], ahead[2]);
+        return Math.toDegrees(Math.atan2(ahead[2], ahead[0]) - Math.atan2(before[2], before[0]));
+    }
+
+    /**
+     * Ends it.
+     *
+     * @throws ProjectException with everything that has no ground or no place
+     */
+    void end() throws ProjectException {
+        problems.throwIfAny();
+    }
+}

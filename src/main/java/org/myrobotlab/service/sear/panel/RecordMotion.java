@@ -1,0 +1,189 @@
+package org.myrobotlab.service.sear.panel;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.SEAR.project.Project;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.record.Rerun;
+import org.SEAR.record.RunRecord;
+import org.SEAR.record.ThinnedList;
+import org.SEAR.simulator.Simulation;
+
+/**
+ * What a record does not have itself and a picture of it needs: how wheels and servos turned, and what sensors saw. Its commands are run again for
+ * that, in a world of its own. One use, one thread.
+ */
+public final class RecordMotion {
+    /** Steps from one frame to the next, as often as panels hear of a running world. */
+    private static final int EVERY = 6;
+    /** Frames; where there would be more, or more numbers or beams than a message should have, every second, fourth ... one is kept. */
+    private static final int MAX_FRAMES = 2000;
+    private static final int MAX_NUMBERS = 60000;
+    private static final int MAX_BEAMS = 150000;
+    /** Beams of one scanner; of more, every second, third ... one is kept. */
+    private static final int WIDEST = 181;
+    private static final int POSE = 6;
+    private static final double CENTIMETRES = 100;
+    private static final double FINE = 1e4;
+    private static final int NOTHING = 0xffff;
+
+    private final WorldJson json = new WorldJson(new LookTable());
+    private final Answer answer = new Answer();
+    /** Numbers of the sensors whose beams are seen. */
+    private int[] seeing;
+    /** Of each of these: the numbers of the beams that are kept. */
+    private List<int[]> beams;
+    private ThinnedList<Frame> kept;
+    private long steps;
+
+    private RecordMotion() {
+    }
+
+    /** What panels get. */
+    private static final class Answer extends JsonForm {
+        String path;
+        /** Why there is nothing; null if there is. */
+        String why;
+        List<String> robots;
+        /** Sensors whose beams are seen, as {@link WorldState.Probe} has them. */
+        List<WorldState.Probe> sensors;
+        List<Frame> frames;
+    }
+
+    /** A moment. */
+    private static final class Frame extends JsonForm {
+        /** Simulated seconds since the record began. */
+        double time;
+        /** By robot: as in {@link WorldState.Mover}. */
+        double[][][] wheels;
+        double[][][] turned;
+        double[][][] leds;
+        /** By sensor: where it is. */
+        double[][] poses;
+        /** Of a scanner, else null: centimetres of each beam in 16 bits, the low ones first, in base 64; 65535 where nothing was hit. */
+        String[] ranges;
+        /** Where its nearest beam met something; null if there is no such place. */
+        double[][] hits;
+    }
+
+    /**
+     * That of a record.
+     *
+     * <pre>
+     * {"path": .., "why": "why there is none", "robots": [name, ..], "sensors": [{"name": .., "type": .., "robot": .., "cones": .., "fan": ..}, ..],
+     *  "frames": [{"time": .., "wheels": [[[x, y, z, rx, ry, rz] of each wheel, ..] of each robot, ..], "turned": likewise, of the parts of a robot
+     *  with servos, "leds": likewise, "poses": [of each sensor, ..], "ranges": [text, ..], "hits": [[x, y, z], ..]}, ..]}
+     * </pre>
+     *
+     * @param project that was recorded
+     */
+    public static Map<String, Object> of(String path, RunRecord record, Path project) throws IOException {
+        RecordMotion motion = new RecordMotion();
+        motion.answer.path = path;
+        try {
+            Rerun.of(record, Project.read(project), motion::see);
+            motion.answer.frames = motion.kept.stream().collect(Collectors.toList());
+        } catch (IOException | ProjectException e) {
+            motion.answer.why = e.getMessage();
+        }
+        return motion.answer.map();
+    }
+
+    private void see(Simulation world) {
+        if (kept == null) {
+            begin(json.whole(world, new WorldState()));
+        }
+        if (steps % EVERY == 0) {
+            if (kept.isNextKept()) {
+                kept.add(frame(json.moving(world, new WorldState())));
+            } else {
+                kept.pass();
+            }
+        }
+        steps++;
+    }
+
+    private void begin(WorldState whole) {
+        answer.robots = whole.robots.stream().map(robot -> robot.name).collect(Collectors.toList());
+        seeing = IntStream.range(0, whole.sensors.size()).filter(i -> isSeen(whole.sensors.get(i))).toArray();
+        answer.sensors = Arrays.stream(seeing).mapToObj(whole.sensors::get).map(RecordMotion::form).collect(Collectors.toList());
+        beams = Arrays.stream(seeing).mapToObj(whole.sensors::get).map(RecordMotion::beams).collect(Collectors.toList());
+        for (int i = 0; i < seeing.length; i++) {
+            int[] some = beams.get(i);
+            List<float[]> fan = answer.sensors.get(i).fan;
+            answer.sensors.get(i).fan = fan == null ? null : Arrays.stream(some).mapToObj(fan::get)
+                .map(RecordMotion::rounded).collect(Collectors.toList());
+        }
+        int poses = seeing.length + whole.robots.stream().mapToInt(RecordMotion::poses).sum();
+        int rays = beams.stream().mapToInt(some -> some.length).sum();
+        kept = new ThinnedList<>(Math.min(MAX_FRAMES, Math.min(MAX_NUMBERS / (1 + POSE * poses), MAX_BEAMS / (1 + rays))));
+    }
+
+    private static int poses(WorldState.Mover robot) {
+        return robot.wheels.length + (robot.turned == null ? 0 : robot.turned.length) + (robot.turnedLeds == null ? 0 : robot.turnedLeds.length);
+    }
+
+    private static boolean isSeen(WorldState.Probe sensor) {
+        return sensor.cones != null || sensor.hit != null || sensor.ranges != null && sensor.fan != null;
+    }
+
+    /** What stays as it is. */
+    private static WorldState.Probe form(WorldState.Probe sensor) {
+        WorldState.Probe form = new WorldState.Probe();
+        form.name = sensor.name;
+        form.type = sensor.type;
+        form.robot = sensor.robot;
+        form.cones = sensor.cones;
+        form.fan = sensor.fan;
+        return form;
+    }
+
+    private static int[] beams(WorldState.Probe sensor) {
+        int count = sensor.ranges == null ? 0 : sensor.ranges.size();
+        int each = Math.max(1, (int) Math.ceil((count - 1) / (WIDEST - 1.0)));
+        return IntStream.range(0, count).filter(i -> i % each == 0).toArray();
+    }
+
+    private static float[] rounded(float[] direction) {
+        float[] shorter = new float[direction.length];
+        for (int i = 0; i < shorter.length; i++) {
+            shorter[i] = (float) WorldJson.rounded(direction[i], FINE);
+        }
+        return shorter;
+    }
+
+    private Frame frame(WorldState now) {
+        Frame frame = new Frame();
+        frame.time = WorldJson.rounded(steps * Simulation.STEP, FINE);
+        frame.wheels = now.robots.stream().map(robot -> robot.wheels).toArray(double[][][]::new);
+        frame.turned = now.robots.stream().map(robot -> robot.turned).toArray(double[][][]::new);
+        frame.leds = now.robots.stream().map(robot -> robot.turnedLeds).toArray(double[][][]::new);
+        frame.poses = new double[seeing.length][];
+        frame.ranges = new String[seeing.length];
+        frame.hits = new double[seeing.length][];
+        for (int i = 0; i < seeing.length; i++) {
+            WorldState.Probe sensor = now.sensors.get(seeing[i]);
+            frame.poses[i] = sensor.pose;
+            frame.ranges[i] = sensor.ranges == null ? null : packed(sensor.ranges, beams.get(i));
+            frame.hits[i] = sensor.hit == null ? null : sensor.hit.orElse(null);
+        }
+        return frame;
+    }
+
+    private static String packed(ScanRanges ranges, int[] some) {
+        ByteBuffer bytes = ByteBuffer.allocate(2 * some.length).order(ByteOrder.LITTLE_ENDIAN);
+        for (int beam : some) {
+            double metres = ranges.get(beam);
+            bytes.putShort((short) (ScanRanges.isHit(metres) ? Math.min(NOTHING - 1, Math.round(metres * CENTIMETRES)) : NOTHING));
+        }
+        return Base64.getEncoder().encodeToString(bytes.array());
+    }
+}

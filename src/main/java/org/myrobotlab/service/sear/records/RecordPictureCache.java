@@ -1,0 +1,42 @@
+package org.myrobotlab.service.sear.records;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import org.SEAR.record.RecordPictures;
+import org.SEAR.record.RunRecord;
+
+/**
+ * Where the pictures of the record are that was asked for last: it is read through once, and again when it has changed; one that is being written at
+ * most every ten seconds. Any thread.
+ */
+public final class RecordPictureCache {
+    private static final long TIMEOUT = TimeUnit.SECONDS.toNanos(10);
+
+    private String stamp = "";
+    private Path known;
+    private boolean growing;
+    private long read;
+    private RecordPictures last;
+
+    /**
+     * Those of a record.
+     *
+     * @throws IOException that names the path, if it is none
+     */
+    public synchronized RecordPictures of(String path) throws IOException {
+        RunRecord record = Records.open(path);
+        Path file = record.getPath();
+        String now = file.toAbsolutePath() + " " + Files.size(file) + " " + Files.getLastModifiedTime(file);
+        boolean grows = growing && record.isBeingWritten() && file.equals(known) && System.nanoTime() - read < TIMEOUT;
+        if (!now.equals(stamp) && !grows) {
+            last = RecordPictures.of(record);
+            stamp = now;
+            known = file;
+            growing = record.isBeingWritten();
+            read = System.nanoTime();
+        }
+        return last;
+    }
+}

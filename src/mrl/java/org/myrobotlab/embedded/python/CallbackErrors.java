@@ -1,0 +1,30 @@
+package org.myrobotlab.embedded.python;
+
+import java.util.regex.Pattern;
+import org.python.core.Py;
+import org.python.core.PyBaseCode;
+import org.python.core.PyException;
+import org.python.core.PyFunction;
+import org.python.core.PyObject;
+import org.python.core.PyTraceback;
+
+/** What to add to the error of a function that was called back. The thread that has failed. */
+final class CallbackErrors {
+    private static final Pattern ARGUMENTS = Pattern.compile("\\(\\) takes .* arguments? \\(\\d+ given\\)$");
+
+    private CallbackErrors() {
+    }
+
+    /** Where the function is, and how many arguments it gets, if it takes as many as it does not get; else empty. */
+    static String hint(PyException e, PyObject function) {
+        boolean inside = e.traceback != null && e.traceback.tb_next instanceof PyTraceback;
+        String message = e.value.__str__().toString();
+        if (inside || !e.match(Py.TypeError) || !ARGUMENTS.matcher(message).find() || !(function instanceof PyFunction)) {
+            return "";
+        }
+        PyObject code = ((PyFunction) function).__code__;
+        String place = code instanceof PyBaseCode
+            ? " (line " + ((PyBaseCode) code).co_firstlineno + " of " + ((PyBaseCode) code).co_filename + ")" : "";
+        return "\na callback gets one argument: def " + ((PyFunction) function).__name__ + "(value):" + place;
+    }
+}

@@ -1,0 +1,72 @@
+package org.myrobotlab.embedded.web;
+
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.myrobotlab.logging.LoggerFactory;
+import org.slf4j.Logger;
+
+/**
+ * Runs what pages and programs call. A call may take as long as a script does, so none of them runs on the threads that serve pages. Any thread.
+ */
+final class PageCalls {
+    /** Calls that may run at the same time. */
+    static final int MOST = 64;
+    static final String FULL = "there are " + MOST + " calls running already, the most that may: wait until one has ended";
+
+    private static final Logger LOG = LoggerFactory.getLogger(PageCalls.class);
+
+    private final String name;
+    private final ThreadLocal<Boolean> isOwn = new ThreadLocal<>();
+    private final AtomicInteger number = new AtomicInteger();
+    private final Semaphore free = new Semaphore(MOST);
+    private final ExecutorService threads;
+
+    PageCalls(String name) {
+        this.name = name;
+        threads = Executors.newCachedThreadPool(this::thread);
+    }
+
+    private Thread thread(Runnable work) {
+        Thread thread = new Thread(() -> {
+            isOwn.set(true);
+            work.run();
+        }, name + " call-" + number.incrementAndGet());
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    /**
+     * Takes one of the places for calls.
+     *
+     * @return whether there was one; then {@link #leave} must follow
+     */
+    boolean enter() {
+        return free.tryAcquire();
+    }
+
+    /** Gives the place back. */
+    void leave() {
+        free.release();
+    }
+
+    /** Has work done on a thread of its own, unless the server has ended. */
+    void execute(Runnable work) {
+        try {
+            threads.execute(work);
+        } catch (RejectedExecutionException e) {
+            LOG.debug("{} has ended, a call is left out", name, e);
+        }
+    }
+
+    /** Breaks off all calls but the one that this comes from, if it does. */
+    void stop() {
+        if (isOwn.get() == null) {
+            threads.shutdownNow();
+        } else {
+            threads.shutdown();
+        }
+    }
+}

@@ -1,0 +1,173 @@
+package org.myrobotlab.embedded.web;
+
+import io.undertow.websockets.core.WebSocketCallback;
+import io.undertow.websockets.core.WebSocketChannel;
+import io.undertow.websockets.core.WebSockets;
+import java.nio.ByteBuffer;
+import java.util.ArrayDeque;
+import java.util.Map;
+import java.util.Queue;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.LongSupplier;
+import org.xnio.IoUtils;
+
+/** A page that is open in a browser. Any thread. */
+final class PageClient {
+    /** Values of a topic that may wait for a slow page; those that come then are left out. */
+    private static final int MAX_WAITING = 200;
+    /** Characters that may wait for a page; one that lets more pile up does not read, and is closed. */
+    private static final long MAX_UNREAD = 32L << 20;
+    /** Messages of a page that wait until those before them are done; the page's connection waits with more. */
+    private static final int MAX_TASKS = 100;
+    private static final int MAX_TOPICS = 10_000;
+
+    private final WebSocketChannel channel;
+    private final Set<String> topics = ConcurrentHashMap.newKeySet();
+    /** What is still to be done; the first is being done. */
+    private final Queue<Runnable> tasks = new ArrayDeque<>();
+    /** By topic, what the page has not taken yet: bytes of a serial port, one message each, must not crowd out a scan. */
+    private final Map<String, AtomicInteger> waiting = new ConcurrentHashMap<>();
+    private final AtomicLong unread = new AtomicLong();
+    private final AtomicInteger pings = new AtomicInteger();
+    private final LongSupplier clock;
+    private volatile long heard;
+
+    /** @param clock nanoseconds */
+    PageClient(WebSocketChannel channel, LongSupplier clock) {
+        this.channel = channel;
+        this.clock = clock;
+        heard = clock.getAsLong();
+    }
+
+    /** Asks the page whether it is there, unless the last such question has not even been sent yet. */
+    void ping() {
+        if (pings.get() == 0) {
+            WebSockets.sendPing(ByteBuffer.allocate(0), channel, new Sent(pings, 0));
+        }
+    }
+
+    /** Something has come from the page. */
+    void hear() {
+        heard = clock.getAsLong();
+    }
+
+    /** Nanoseconds since then. */
+    long silence() {
+        return clock.getAsLong() - heard;
+    }
+
+    /** Ends the connection, without a word to who may not be there any more. */
+    void close() {
+        IoUtils.safeClose(channel);
+    }
+
+    /** Sends a text. */
+    void send(String text) {
+        send(text, new AtomicInteger());
+    }
+
+    private void send(String text, AtomicInteger count) {
+        if (unread.get() > MAX_UNREAD) {
+            close();
+        } else {
+            WebSockets.sendText(text, channel, new Sent(count, text.length()));
+        }
+    }
+
+    /** Sends one of many values of a topic; leaves it out while the page can't keep up with that topic. */
+    void sendValue(String service, String topic, String text) {
+        AtomicInteger count = waiting.computeIfAbsent(service + "/" + topic, unused -> new AtomicInteger());
+        if (count.get() < MAX_WAITING) {
+            send(text, count);
+        }
+    }
+
+    /** Has work done after all that was given before: parts of an upload must not overtake each other. */
+    void inOrder(Executor worker, Runnable work) {
+        synchronized (tasks) {
+            tasks.add(work);
+            if (tasks.size() >= MAX_TASKS) {
+                channel.suspendReceives();
+            }
+            if (tasks.size() > 1) {
+                return;
+            }
+        }
+        worker.execute(() -> workOff(worker));
+    }
+
+    private void workOff(Executor worker) {
+        Runnable work;
+        synchronized (tasks) {
+            work = tasks.peek();
+        }
+        try {
+            work.run();
+        } finally {
+            boolean more;
+            synchronized (tasks) {
+                tasks.remove();
+                more = !tasks.isEmpty();
+                if (tasks.size() == MAX_TASKS - 1) {
+                    channel.resumeReceives();
+                }
+            }
+            if (more) {
+                worker.execute(() -> workOff(worker));
+            }
+        }
+    }
+
+    /** @throws IllegalArgumentException if the page listens to too many topics */
+    void subscribe(String service, String topic) {
+        if (topics.size() >= MAX_TOPICS) {
+            throw new IllegalArgumentException("a page may listen to " + MAX_TOPICS + " topics");
+        }
+        topics.add(service + "/" + topic);
+    }
+
+    void unsubscribe(String service, String topic) {
+        topics.remove(service + "/" + topic);
+    }
+
+    boolean wants(String service, String topic) {
+        return topics.contains(service + "/" + topic);
+    }
+
+    /** The topics of a service that the page listens to. */
+    Set<String> topicsOf(String service) {
+        Set<String> found = new TreeSet<>();
+        String prefix = service + "/";
+        topics.stream().filter(one -> one.startsWith(prefix)).forEach(one -> found.add(one.substring(prefix.length())));
+        return found;
+    }
+
+    /** Counts a message from when it is sent until it is gone, or the page is. */
+    private final class Sent implements WebSocketCallback<Void> {
+        private final AtomicInteger count;
+        private final int length;
+
+        Sent(AtomicInteger count, int length) {
+            this.count = count;
+            this.length = length;
+            count.incrementAndGet();
+            unread.addAndGet(length);
+        }
+
+        @Override
+        public void complete(WebSocketChannel to, Void nothing) {
+            count.decrementAndGet();
+            unread.addAndGet(-length);
+        }
+
+        @Override
+        public void onError(WebSocketChannel to, Void nothing, Throwable error) {
+            complete(to, nothing);
+        }
+    }
+}

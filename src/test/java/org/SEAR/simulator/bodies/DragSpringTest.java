@@ -1,0 +1,107 @@
+package org.SEAR.simulator.bodies;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertThrows;
+import static org.junit.Assert.assertTrue;
+
+import java.util.concurrent.TimeUnit;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.geometry.Pose;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.Worlds;
+import org.SEAR.simulator.orders.DragSpring;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** A hand pulls what it holds by a spring, no stronger than it may, and lets go when it is told to, or nothing. */
+public class DragSpringTest {
+    /** How far a weight stretches the spring, metres. */
+    private static final double SAG = 9.81 / 100;
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+    private long now;
+
+    @Before
+    public void ground() {
+        new Floor("floor", 40, 40);
+    }
+
+    private DragSpring hand(String name) {
+        return new DragSpring(name, () -> now);
+    }
+
+    @Test
+    public void aThingIsLiftedWhereTheHandGoesAndFallsWhenItLetsGo() throws Exception {
+        new Box("box", 0.3, 0.3, 0.3, 2).move(0, 0.15, 0);
+        try (Simulation simulation = Worlds.start(project)) {
+            Worlds.run(simulation, 0.5);
+            DragSpring hand = hand("box");
+            hand.moveTo(1, 2, -0.5);
+            simulation.hold(hand, "box");
+            Worlds.run(simulation, 2);
+            Pose held = simulation.getPose("box");
+            assertEquals(1, held.x, 0.01);
+            assertEquals(0.15 + 2 - SAG, held.y, 0.01);
+            assertEquals(-0.5, held.z, 0.01);
+            hand.moveTo(0, 2, 0);
+            Worlds.run(simulation, 2);
+            assertEquals(0, simulation.getPose("box").x, 0.01);
+            hand.letGo();
+            Worlds.run(simulation, 2);
+            assertEquals("on the floor", 0.15, simulation.getPose("box").y, 0.02);
+        }
+    }
+
+    @Test
+    public void itPullsNoStrongerThanItMay() throws Exception {
+        new Box("box", 0.3, 0.3, 0.3, 2).move(0, 10, 0);
+        try (Simulation simulation = Worlds.start(project)) {
+            DragSpring hand = hand("box");
+            hand.moveTo(1e6, 0, 0);
+            simulation.hold(hand, "box");
+            Worlds.run(simulation, 0.5);
+            double[] v = new double[6];
+            Worlds.body(simulation, "box").velocities(v);
+            assertEquals(0.5 * DragSpring.STRONGEST, v[0], 0.5);
+        }
+    }
+
+    @Test
+    public void itLetsGoWhenNobodyMovesItAnyMore() throws Exception {
+        new Box("box", 0.3, 0.3, 0.3, 2).move(0, 0.15, 0);
+        try (Simulation simulation = Worlds.start(project)) {
+            DragSpring hand = hand("box");
+            hand.moveTo(0, 1, 0);
+            simulation.hold(hand, "box");
+            Worlds.run(simulation, 1);
+            assertEquals(1.15 - SAG, simulation.getPose("box").y, 0.02);
+            now += TimeUnit.SECONDS.toNanos(1);
+            assertTrue(hand.isHolding());
+            now += TimeUnit.SECONDS.toNanos(1);
+            assertFalse(hand.isHolding());
+            Worlds.run(simulation, 2);
+            assertEquals(0.15, simulation.getPose("box").y, 0.02);
+        }
+    }
+
+    @Test
+    public void aRobotIsPulledAndWhatIsFixedIsNot() throws Exception {
+        SEARrobot robot = Worlds.roomba("roomba", 0, 0, 0);
+        new Box("wall", 1, 1, 1, 0).move(5, 0.5, 5);
+        try (Simulation simulation = Worlds.start(project)) {
+            Worlds.run(simulation, 0.5);
+            DragSpring hand = hand(robot.getName());
+            hand.moveTo(2, 0.3, 0);
+            simulation.hold(hand, "roomba");
+            assertThrows(IllegalArgumentException.class, () -> simulation.hold(hand("wall"), "wall"));
+            Worlds.run(simulation, 3);
+            assertEquals(2, simulation.getPose("roomba").x, 0.1);
+        }
+    }
+}

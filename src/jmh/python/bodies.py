@@ -173,7 +173,7 @@ def read(path):
 
 def table(results):
     """The lines of a table in Markdown: a speed that does not count stands in brackets."""
-    lines = ["| scene | engine | CPU s a simulated second | times real time | deepest overlap, mm | still moving | |", "|---|---|---|---|---|---|---|"]
+    lines = ["| scene | engine | CPU s per simulated s | times real time | deepest overlap, mm | still moving | |", "|---|---|---|---|---|---|---|"]
     for one in results:
         speed = "%.0f" % (1 / one["perSecond"]) if one["perSecond"] < 0.1 else "%.2g" % (1 / one["perSecond"])
         more = "%d fallen" % one["fallen"] if "fallen" in one else "top %+.2f mm" % (1000 * one["topOff"]) if "topOff" in one else ""

@@ -15,11 +15,11 @@ GOALS = {"colors": 30, "depths": 60}
 SAME = 0.01
 COMPARED = 90
 ROUNDS = 5
-ABOUT = ["Pictures of 320 x 240 pixels and 60° from the same places, one after the other around, by one thread; the engines go in turns. The median of",
-         "five rounds, its least and greatest in brackets, a second of processor time. All draw the same boxes, cylinders and triangles with the same",
-         "pictures on them, and one sun with shadow. MuJoCo draws by Mesa's llvmpipe (EGL, `LP_NUM_THREADS=0`) as its defaults have it; *reduced* is",
-         "without smoothing of edges, and with a shadow map of a sixteenth. pybullet draws by its TinyRenderer. The last column counts the pixels of a",
-         "picture whose depth is the same within 1 %."]
+ABOUT = ["Pictures of 320 x 240 pixels with 60° field of view from the same places, on one thread, the engines in turns. The",
+         "table shows pictures per second of processor time: the median of five rounds, with least and greatest in brackets. All",
+         "engines draw the same textured boxes, cylinders and triangles, with one sun and shadows. MuJoCo uses Mesa's llvmpipe",
+         "(EGL, `LP_NUM_THREADS=0`) with its defaults; *reduced* means no antialiasing and a shadow map of a sixteenth. pybullet",
+         "uses its TinyRenderer. The last column shows the share of pixels with the same depth within 1 %."]
 QUICK_ROUNDS = 1
 
 
@@ -109,7 +109,7 @@ class Cameras:
 
 def table(results):
     """The lines of a table in Markdown."""
-    lines = ["| world | what | engine | pictures a second of CPU time | goal | SEAR is faster | same depths |", "|---|---|---|---|---|---|---|"]
+    lines = ["| world | what | engine | pictures per CPU second | goal | SEAR is faster | same depths |", "|---|---|---|---|---|---|---|"]
     for one in results:
         sear = one["engine"] == "SEAR"
         goal = "%d, %s" % (GOALS[one["kind"]], "met" if one["perSecond"] >= GOALS[one["kind"]] else "**missed**") if sear else ""

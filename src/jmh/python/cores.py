@@ -1,17 +1,17 @@
-"""Several cores and many robots: the tables of what org.SEAR.benchmark.Cores measures."""
+"""Tables of several cores and many robots, which org.SEAR.benchmark.Cores measures."""
 GOALS = {"speedup": 1.7, "growth": 1.3, "realtime": 1}
 FLEETS = ["1x1", "10x1", "50x1", "1x0", "50x0", "200x0"]
 QUICK_FLEETS = ["1x1", "3x1", "3x0"]
 STEPS_A_SECOND = 60
-ABOUT = ["Eight LIDARs of 361 beams on one robot are due in the same step, among 20 boxes on 100 m²: microseconds until all are read, on one thread",
-         "and on two, in turns; the medians. *With noise* each beam has an error of its own.", ""]
-ABOUT_FLEETS = ["Robots in one hall, each with 20 fixed boxes on 100 m² of its own and no walls between them; all go in circles, and all LIDARs are read in the",
-                "same step, ten times a simulated second. Microseconds a step for each robot are of processor time on one thread; how many times faster",
-                "than the clock it goes is by the clock. The worlds go in turns; the medians.", ""]
+ABOUT = ["Eight LIDARs of 361 beams on one robot are due in the same step, among 20 boxes on 100 m². Median microseconds until all",
+         "are read, on one thread and on two, in turns. *With noise* each beam has an error of its own.", ""]
+ABOUT_FLEETS = ["Robots drive in circles in one hall, each among 20 fixed boxes on its own 100 m². All LIDARs are read in the same step,",
+                "ten times per simulated second. Microseconds per step and robot are processor time on one thread; speeds are by the",
+                "clock. The worlds go in turns; the table shows medians.", ""]
 
 
 def measure(run, quick):
-    """Has it measured; answers the file with the results."""
+    """Measures; returns the path of the results."""
     run.say("several cores and many robots")
     target = run.path("cores.json")
     run.call_java("Cores", target, *((1, 60, *QUICK_FLEETS) if quick else (30, 6000, *FLEETS)))
@@ -36,7 +36,7 @@ def lidar_rows(found):
 
 
 def fleet_rows(found):
-    lines = [row(["robots", "LIDARs of each", "µs a step and robot", "beside one robot", "goal", "times real time, one thread", "two threads", "goal"]),
+    lines = [row(["robots", "LIDARs of each", "µs per step and robot", "relative to one robot", "goal", "times real time, one thread", "two threads", "goal"]),
              "|---|---|---|---|---|---|---|---|"]
     fleets = [one for one in found if "fleet" in one]
     alone = {one["fleet"].partition("x")[2]: one["cpu"] for one in fleets if one["robots"] == 1}

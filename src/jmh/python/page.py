@@ -1,6 +1,7 @@
 """Makes the measured part of docs/performance.md, and its curves, from the JSON of a run."""
 import os
 import re
+import textwrap
 
 import bodies
 import cameras
@@ -10,11 +11,12 @@ import goals
 
 BEGIN = "<!-- measured: scripts/benchmark writes from here -->"
 END = "<!-- measured: to here -->"
-# Where the measured process had less of a core than this, rates are counted by CPU time
+# Below this share of a core, rates are by CPU time
 QUIET = 0.9
 PEERS = ("Embree", "MuJoCo", "pybullet", "jbullet")
 STEPS_A_SECOND = 60.0
 NOTHING = "–"
+COLUMNS = 120
 AGAIN = {"runs": "start and memory", "script": "what a script sees", "cores": "several cores and many robots"}
 
 
@@ -23,7 +25,7 @@ def size_of(world):
 
 
 def digits(value, count=3):
-    """A number with so many digits that count."""
+    """Formats a number with this many significant digits."""
     if value is None:
         return NOTHING
     text = "%.*g" % (count, value)
@@ -42,8 +44,13 @@ def table(head, rows):
     return [row(head), "|" + "---|" * len(head)] + [row(cells) for cells in rows] + [""]
 
 
+def wrapped(text):
+    """Lines of a paragraph or list item of Markdown."""
+    return textwrap.wrap(text, COLUMNS, subsequent_indent="  " if text.startswith("- ") else "", break_long_words=False, break_on_hyphens=False)
+
+
 class Results:
-    """A run's JSON, by questions."""
+    """The results of a run's JSON."""
 
     def __init__(self, found):
         self.found = found
@@ -57,14 +64,14 @@ class Results:
         return rate is not None and rate["cpuShare"] < QUIET
 
     def rate(self, engine, world):
-        """Units a second; of CPU time where others had much of the processor; None if not measured."""
+        """Units per second; per second of CPU time if the process had too little of a core; None if not measured."""
         rate = self.rates.get((engine, world))
         if rate is None:
             return None
         return rate["perSecond"] / (rate["cpuShare"] if rate["cpuShare"] < QUIET else 1)
 
     def shown(self, engine, world, unit):
-        """A rate as text, in units; with a star where it is by CPU time."""
+        """A rate as text, in units; a star marks CPU time."""
         rate = self.rate(engine, world)
         return NOTHING if rate is None else digits(rate / unit) + ("*" if self.is_busy(engine, world) else "")
 
@@ -77,7 +84,7 @@ class Results:
         return sorted({world for _, world in self.rates if re.match(prefix + r"-\d+$", world)}, key=size_of)
 
     def judge(self, key, value, more_is_better=True):
-        """A goal's cell; remembers the ones that are missed."""
+        """Returns a goal's cell; records whether the goal is met."""
         goal = goals.GOALS.get(key)
         if goal is None or value is None:
             return NOTHING if goal is None else goals.shown(key)
@@ -94,24 +101,24 @@ def machine(results):
     cpu = about["cpu"] + (" at %s MHz" % about["mhz"] if about["mhz"] != "unknown" else "")
     lines = ["Measured on %s: %s, %s cores, %s GiB of memory; %s; %s; Python %s." % (
         found["date"], cpu, about["cores"], about["memoryGiB"], about["system"], about["java"], about["python"]),
-             "Each engine had one thread to itself. The run took %.0f minutes." % found["minutes"]]
+             "Each engine had one thread. The run took %.0f minutes." % found["minutes"]]
     if "again" in found:
-        lines.append("Measured in a second run, for another program had disturbed the first: %s."
+        lines.append("Measured in a second run, because other programs disturbed the first: %s."
                      % ", ".join(AGAIN[part] for part in found["again"]))
     if "rounds" in found:
-        lines.append("In each world the engines went in turns, one repetition of each and then again; the median of %d counts." % found["rounds"])
+        lines.append("In each world the engines went in turns; the tables show the median of %d rounds." % found["rounds"])
     versions = {rate["engine"]: rate["version"] for rate in found["rates"] if "version" in rate}
-    lines.append("Engines: SEAR (this commit), jbullet (the library that SEAR uses for bodies)%s."
+    lines.append("Engines: SEAR (this commit), jbullet%s."
                  % "".join(", %s %s" % pair for pair in sorted(versions.items())))
     for what, why in sorted(found["missing"].items()):
         lines.append("Not measured: %s %s." % (what, why))
     if any(rate["cpuShare"] < QUIET for rate in found["rates"]):
-        lines.append("Numbers with a star are by CPU time: other programs had a part of the processor meanwhile (load average %.1f before the run)."
+        lines.append("Numbers with a star are by CPU time, because other programs used the processor (load average %.1f before the run)."
                      % found["loadBefore"])
-        lines.append("A JVM then spends much of its time compiling, so that SEAR and jbullet look slower than they are.")
+        lines.append("A JVM then spends much of its time compiling, so SEAR and jbullet look too slow.")
     if found["quick"]:
-        lines.append("This was a quick run, which only shows that everything runs: its numbers mean nothing.")
-    return lines + [""]
+        lines.append("This was a quick run, which only tests the benchmark: its numbers mean nothing.")
+    return [part for line in lines for part in wrapped(line)] + [""]
 
 
 def beams(results):
@@ -122,11 +129,13 @@ def beams(results):
                     + [results.shown("SEAR fan", world, 1e6), results.judge("fan " + world, fan and fan / 1e6),
                        results.shown("SEAR single", world, 1e6), results.judge("single " + world, single and single / 1e6)]
                     + [results.shown(peer, world, 1e6) for peer in results.peers])
-    fields = ["`field-N`: a height field of N posts 6 cm apart, 100 000 of them on 20 m × 20 m."] if results.worlds("field") else []
+    fields = ["- `field-N`: a height field of N grid posts, 6 cm apart; 100 000 posts cover 20 m × 20 m"] if results.worlds("field") else []
     return ["### Beams", "",
-            "Millions of beams a second. A fan is a LIDAR's scan of 361 beams over 180°, 8 m far, from 100 poses in turn; single beams are the",
-            "same ones cast one by one. `room-N`: N rotated boxes in a room of 10 m × 10 m; `hall-N`: N boxes in a hall that grows with them, 20 on",
-            "100 m²; `hills-N`: N triangles on 20 m × 20 m. The columns with / say how many times faster SEAR's fan is than the other engine.",
+            "Millions of beams per second. A fan is a LIDAR scan of 361 beams over 180° with 8 m range, from 100 poses in turn.",
+            "Single beams are the same beams, cast one by one. The columns with / show how many times faster SEAR's fan is.", "",
+            "- `room-N`: N rotated boxes in a room of 10 m × 10 m",
+            "- `hall-N`: N boxes in a hall that grows with them, 20 boxes per 100 m²",
+            "- `hills-N`: N triangles on 20 m × 20 m",
             *fields, ""] + table(
                 ["world"] + ["/ " + peer for peer in results.peers] + ["fan", "goal", "single", "goal"] + results.peers, rows)
 
@@ -139,8 +148,8 @@ def agreement(results):
     engines = [engine for engine in ("SEAR single",) + PEERS if any(key[0] == engine for key in shown)]
     worlds = list(dict.fromkeys(one["world"] for one in results.found["agreement"]))
     return ["### Do they measure the same?", "",
-            "Every engine casts the very same beams (origins, directions, range). The table counts those whose distance differs from the fan's by",
-            "more than 1 mm, or that meet something where the fan meets nothing or the other way round.", ""] + table(
+            "Every engine casts the same beams. The table counts beams whose distance differs from the fan's by more than 1 mm, and",
+            "beams that hit only in one of the two.", ""] + table(
                 ["world"] + engines, [[world] + [shown.get((engine, world), NOTHING) for engine in engines] for world in worlds])
 
 
@@ -160,13 +169,13 @@ def steps(results):
     more = [["%d boxes in a hall" % size_of(world), world] for world in growth]
     more += [["%s LIDARs, 20 boxes" % re.sub(r"\D", "", world.split("-")[0]), world] for world in lidars[1:]]
     lines = ["### Steps", "",
-             "Simulated seconds per second (how many times faster than the clock), 60 steps a simulated second. A robot with four wheels, two of",
-             "them driven, goes round among fixed boxes; each LIDAR of 361 beams is read ten times a simulated second. *Everything*: also four",
-             "PING))) sensors, GPS, compass, accelerometer and gyroscope, and the serial devices send all the time (the other engines have none",
-             "of these).", ""]
+             "Simulated seconds per second, at 60 steps per simulated second. A robot with four wheels, two of them driven, drives in",
+             "circles among fixed boxes. Each LIDAR of 361 beams is read ten times per simulated second. *Everything* adds four",
+             "PING))) sensors, GPS, compass, accelerometer, gyroscope, and serial devices that send all the time. The other engines",
+             "have none of these.", ""]
     lines += table(["what", "/ MuJoCo", "/ pybullet", "SEAR", "goal", "MuJoCo", "pybullet"], rows)
     if more:
-        lines += ["With one LIDAR in halls that grow, and with several LIDARs:", ""]
+        lines += ["With one LIDAR in growing halls, and with several LIDARs:", ""]
         lines += table(["what", "/ MuJoCo", "/ pybullet", "SEAR", "MuJoCo", "pybullet"],
                        [[name, results.ratio("SEAR", "MuJoCo", world), results.ratio("SEAR", "pybullet", world)]
                         + [results.shown(engine, world, STEPS_A_SECOND) for engine in ("SEAR", "MuJoCo", "pybullet")] for name, world in more])
@@ -179,36 +188,35 @@ def moving(results):
     rows = [[size_of(world), results.ratio("SEAR", "MuJoCo", world), results.ratio("SEAR", "pybullet", world)]
             + [digits(1e6 / results.rate(engine, world)) if results.rate(engine, world) else NOTHING for engine in engines] for world in worlds]
     lines = ["### Moving bodies", "",
-             "Microseconds a step, over the number of bodies that move: boxes of 20 kg fall from about a metre onto a floor and tumble. The",
-             "1.25 simulated seconds from letting go are counted; up to then no engine lets a body sleep.", ""]
+             "Microseconds per step. Boxes of 20 kg fall from about a metre onto a floor and tumble. The first 1.25 simulated seconds",
+             "count, in which no engine lets a body sleep.", ""]
     lines += table(["boxes", "/ MuJoCo", "/ pybullet", "SEAR", "MuJoCo", "pybullet"], rows)
-    asleep = [digits(1e6 / results.rate("SEAR", world)) + " µs a step with %d of them" % size_of(world) for world in results.worlds("asleep")]
+    asleep = [digits(1e6 / results.rate("SEAR", world)) + " µs per step for %d bodies" % size_of(world) for world in results.worlds("asleep")]
     if asleep:
-        lines += ["Once they have fallen asleep SEAR needs %s." % ", ".join(asleep), ""]
+        lines += ["When all bodies sleep, SEAR takes %s." % ", ".join(asleep), ""]
     heights = ["%s %.3f m" % (one["engine"], one["meanHeight"]) for one in results.found["outcomes"] if worlds and one["world"] == worlds[-1]]
     ways = ["%s %.2f m" % (one["engine"], one["way"]) for one in results.found["outcomes"] if one["world"] == "drive-room-20"]
     if heights:
-        lines += ["It is the same physics: 3 s after letting go the centres of the %d boxes are, on average, this high: %s." % (
-            size_of(worlds[-1]), ", ".join(heights))]
+        lines += wrapped("The physics agree. Mean height of the centres of %d boxes after 3 s: %s." % (size_of(worlds[-1]), ", ".join(heights)))
     if ways:
-        lines += ["And the robot of the table above, told to drive 0.4 m/s, comes this far in 20 simulated seconds: %s." % ", ".join(ways)]
+        lines += wrapped("Distance of the robot above in 20 simulated seconds at 0.4 m/s: %s." % ", ".join(ways))
     return lines + [""]
 
 
 def resting(results):
-    """Bodies that end at rest; nothing of a run that has not measured them."""
+    """Bodies that end at rest; empty if the run has not measured them."""
     found = results.found.get("bodies")
     if not found:
         return []
     return ["### Bodies that end at rest", "",
-            "Cubes of 0.1 to 0.3 m dropped each alone (`single-`) or onto one heap (`pile-`), dominoes, and a stack, all of 1 kg, friction 0.64, until",
-            "all lies: 10 simulated seconds, of a heap 15. Processor time of the thread that steps, at 1/60 s, Bullet and MuJoCo with their defaults. A",
-            "speed counts only where the deepest overlap at the end, by exact geometry, is below 1 mm, and nothing goes 0.1 mm in the last half second;",
-            "else it stands in brackets.", ""] + bodies.table(found) + [""]
+            "Cubes of 0.1 to 0.3 m fall separately (`single-`) or onto one pile (`pile-`); dominoes; a stack. All have 1 kg and",
+            "friction 0.64. Runs take 10 simulated seconds, piles 15. Times are processor time of the stepping thread, at 1/60 s,",
+            "with the defaults of Bullet and MuJoCo. Brackets mark speeds that do not count: the deepest overlap at the end is 1 mm",
+            "or more, or a body moves by 0.1 mm in the last half second.", ""] + bodies.table(found) + [""]
 
 
 def seen(results):
-    """Pictures of cameras; nothing of a run that has not measured them."""
+    """Pictures of cameras; empty if the run has not measured them."""
     found = results.found.get("cameras")
     if not found:
         return []
@@ -216,7 +224,7 @@ def seen(results):
 
 
 def fleets(results):
-    """Several cores and many robots; nothing of a run that has not measured them."""
+    """Several cores and many robots; empty if the run has not measured them."""
     found = results.found.get("cores")
     if not found:
         return []
@@ -231,7 +239,7 @@ def meshes(results):
         for peer in ("MuJoCo", "pybullet"):
             found = [rate for (engine, world), rate in results.rates.items()
                      if engine == peer and world.startswith("hills") and abs(size_of(world) / mesh["triangles"] - 1) < 0.1]
-            # The process grows by other things, too, which hide a small model
+            # Other memory hides the size of a small model
             size = ", %s bytes" % digits(found[0]["bytes"] / mesh["triangles"]) if found and mesh["triangles"] > 1e5 else ""
             peers.append(digits(found[0]["buildCpu"]) + " s" + size if found else NOTHING)
         first = mesh["first"] if mesh["firstCpu"] > QUIET * mesh["first"] else mesh["firstCpu"]
@@ -241,10 +249,9 @@ def meshes(results):
                      digits(mesh["medianCpu"]), digits(total), results.judge("mesh bytes", total, False) if million else NOTHING,
                      digits(mesh["jbulletCpu"]) + " s"] + peers)
     return ["### Building the hierarchy of a model", "",
-            "Seconds until the first beam can be cast: in a fresh JVM, and (CPU time) once the JVM is warm. Bytes a triangle, the model's vertices",
-            "and indices included. The other engines' columns are the CPU time and the growth of the process while they load the same model.",
-            ""] + table(
-                ["triangles", "seconds, first time", "goal", "seconds, warm", "bytes a triangle", "goal", "jbullet", "MuJoCo", "pybullet"], rows)
+            "Seconds until the first beam: in a fresh JVM, and as CPU time in a warm one. Bytes per triangle include vertices and",
+            "indices. For other engines: CPU time and growth of the process while they load the same model.", ""] + table(
+                ["triangles", "seconds, first time", "goal", "seconds, warm", "bytes per triangle", "goal", "jbullet", "MuJoCo", "pybullet"], rows)
 
 
 def start(results):
@@ -255,9 +262,9 @@ def start(results):
         seconds = run["toReadingCpu"] if busy else run["toReading"]
         rows.append(["core only, all sensors, %d boxes: from opening the project to the first LIDAR reading" % size_of(world),
                      digits(seconds) + " s" + ("*" if busy else ""), results.judge("start", seconds, False)])
-        rows.append(["the same, JVM included: most memory ever in use over 60 simulated seconds", digits(run["peakResident"] / mebi) + " MiB",
+        rows.append(["the same with JVM: peak memory over 60 simulated seconds", digits(run["peakResident"] / mebi) + " MiB",
                      results.judge("memory", run["peakResident"] / mebi, False)])
-        rows.append(["of it, the heap's objects at the end", digits(run["heap"] / mebi) + " MiB", NOTHING])
+        rows.append(["of it, heap objects at the end", digits(run["heap"] / mebi) + " MiB", NOTHING])
     script = results.found["script"]
     if script:
         busy = any(rate["cpuShare"] < QUIET for rate in results.found["rates"] if rate["engine"] == "SEAR")
@@ -266,19 +273,19 @@ def start(results):
                      digits(seconds) + " s" + ("*" if busy else ""), results.judge("start", seconds, False)])
         rows.append(["from the command `sear SCRIPT.py` to that reading, JVM, Jython and MyRobotLab included",
                      digits(script["launchToReading"]) + " s", results.judge("launch", script["launchToReading"], False)])
-        rows.append(["its most memory ever in use", digits(script["peakResident"] / mebi) + " MiB", NOTHING])
+        rows.append(["its peak memory", digits(script["peakResident"] / mebi) + " MiB", NOTHING])
         rows.append(["`sear.getLidarResult(name)` in real time: median (longest of %d)" % script["call"]["count"],
                      "%s ms (%s ms)" % (digits(1e3 * script["call"]["median"]), digits(1e3 * script["call"]["max"])), NOTHING])
         for baud in (38400, 500000):
             scan = script["scan%d" % baud]
             wire = 10.0 * (2 * script["values"] + 10) / baud
-            rows.append(["`lidar.singleScan()` to `publishLidarData` in real time at %d baud, of which %.0f ms are the telegram on the wire" % (
+            rows.append(["`lidar.singleScan()` to `publishLidarData` in real time at %d baud, including %.0f ms for the telegram on the wire" % (
                 baud, 1e3 * wire), "%s ms (%s ms)" % (digits(1e3 * scan["median"]), digits(1e3 * scan["max"])), NOTHING])
     return ["### Start, memory, latency", ""] + table(["what", "measured", "goal"], rows)
 
 
 def reference(results):
-    """How fast the machine that the goals were set on is beside this one, by each engine measured on both."""
+    """Speed of the goals' machine relative to this one, for each engine measured on both."""
     return sorted(1e6 * made / results.rate(engine, world) for (engine, world), made in goals.REFERENCE.items() if results.rate(engine, world))
 
 
@@ -294,9 +301,9 @@ def missed(results):
     count = len(results.judged)
     head = "%d of %d goals are met." % (sum(met for _, _, met in results.judged), count)
     if faster:
-        head += (" They were set on a machine on which the other engines made %s million beams where this one made 1 (median of %d measurements)."
-                 % (digits(machine), len(faster)))
-    return ["### Goals", "", head + (" These are missed:" if lines else "")] + ([""] + lines if lines else []) + [""]
+        head += " On the goals' machine the other engines are %s times as fast (median of %d measurements)." % (digits(machine), len(faster))
+    listed = [part for line in lines for part in wrapped(line)]
+    return ["### Goals", ""] + wrapped(head + (" Missed goals:" if lines else "")) + ([""] + listed if lines else []) + [""]
 
 
 def summary(results):
@@ -308,7 +315,7 @@ def summary(results):
         for world in worlds:
             if (engine, world) in results.rates:
                 rows.append(["%s, %s" % (label, world)] + [results.ratio(engine, peer, world) for peer in results.peers])
-    return ["### In one look", "", "How many times faster SEAR is (below 1: slower):", ""] + table(
+    return ["### At a glance", "", "How many times faster SEAR is (below 1: slower):", ""] + table(
         ["what"] + ["than " + peer for peer in results.peers], rows)
 
 
@@ -357,8 +364,8 @@ def growth(results):
         parts = ["%s ×%s" % (engine, digits(results.rate(engine, low) / results.rate(engine, high), 2))
                  for engine in ("SEAR fan", "SEAR single") + PEERS
                  if results.rate(engine, low) and results.rate(engine, high)]
-        lines.append("From %s to %s %s a beam costs: %s." % (digits(size_of(low), 9), digits(size_of(high), 9), label, ", ".join(parts)))
-    return lines + [""] if lines else []
+        lines.append("Growth of the cost of a beam from %s to %s %s: %s." % (digits(size_of(low), 9), digits(size_of(high), 9), label, ", ".join(parts)))
+    return [part for line in lines for part in wrapped(line)] + [""] if lines else []
 
 
 def measured(results, drawn):
@@ -370,7 +377,7 @@ def measured(results, drawn):
 
 
 def write(found, template, docs):
-    """Writes performance.md (the template with a new measured part) and images into the folder docs; answers the measured part's lines."""
+    """Writes performance.md (the template with a new measured part) and images into docs; returns the measured lines."""
     results = Results(found)
     drawn = pictures(results)
     os.makedirs(os.path.join(docs, "images"), exist_ok=True)

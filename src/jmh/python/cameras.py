@@ -15,11 +15,10 @@ GOALS = {"colors": 30, "depths": 60}
 SAME = 0.01
 COMPARED = 90
 ROUNDS = 5
-ABOUT = ["Pictures of 320 x 240 pixels with 60° field of view from the same places, on one thread, the engines in turns. The",
-         "table shows pictures per second of processor time: the median of five rounds, with least and greatest in brackets. All",
-         "engines draw the same textured boxes, cylinders and triangles, with one sun and shadows. MuJoCo uses Mesa's llvmpipe",
-         "(EGL, `LP_NUM_THREADS=0`) with its defaults; *reduced* means no antialiasing and a shadow map of a sixteenth. pybullet",
-         "uses its TinyRenderer. The last column shows the share of pixels with the same depth within 1 %."]
+ABOUT = ["Pictures of 320 x 240 pixels with 60° field of view from the same places, on one thread. Rates are the median of five",
+         "rounds, with least and greatest in brackets. All engines draw the same textured scene with one sun and shadows. MuJoCo",
+         "uses Mesa's llvmpipe (EGL, `LP_NUM_THREADS=0`) with its defaults; *reduced* means no antialiasing and a shadow map of a",
+         "sixteenth. pybullet uses its TinyRenderer. The last column shows pixels with the same depth within 1 %."]
 QUICK_ROUNDS = 1
 
 

@@ -4,10 +4,9 @@ FLEETS = ["1x1", "10x1", "50x1", "1x0", "50x0", "200x0"]
 QUICK_FLEETS = ["1x1", "3x1", "3x0"]
 STEPS_A_SECOND = 60
 ABOUT = ["Eight LIDARs of 361 beams on one robot are due in the same step, among 20 boxes on 100 m². Median microseconds until all",
-         "are read, on one thread and on two, in turns. *With noise* each beam has an error of its own.", ""]
-ABOUT_FLEETS = ["Robots drive in circles in one hall, each among 20 fixed boxes on its own 100 m². All LIDARs are read in the same step,",
-                "ten times per simulated second. Microseconds per step and robot are processor time on one thread; speeds are by the",
-                "clock. The worlds go in turns; the table shows medians.", ""]
+         "are read. *With noise* each beam has an error of its own.", ""]
+ABOUT_FLEETS = ["Robots drive in circles, each among 20 fixed boxes on 100 m². All LIDARs are read in the same step, ten times per",
+                "simulated second. Microseconds are processor time on one thread, speeds are by the clock; medians.", ""]
 
 
 def measure(run, quick):

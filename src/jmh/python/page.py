@@ -131,10 +131,10 @@ def beams(results):
                     + [results.shown(peer, world, 1e6) for peer in results.peers])
     fields = ["- `field-N`: a height field of N grid posts, 6 cm apart; 100 000 posts cover 20 m × 20 m"] if results.worlds("field") else []
     return ["### Beams", "",
-            "Millions of beams per second. A fan is a LIDAR scan of 361 beams over 180° with 8 m range, from 100 poses in turn.",
-            "Single beams are the same beams, cast one by one. The columns with / show how many times faster SEAR's fan is.", "",
+            "Millions of beams per second. A fan is a LIDAR scan of 361 beams over 180° with 8 m range, from 100 poses in turn;",
+            "single beams are cast one by one. Columns with / show how many times faster SEAR's fan is.", "",
             "- `room-N`: N rotated boxes in a room of 10 m × 10 m",
-            "- `hall-N`: N boxes in a hall that grows with them, 20 boxes per 100 m²",
+            "- `hall-N`: N boxes in a hall with 20 boxes per 100 m²",
             "- `hills-N`: N triangles on 20 m × 20 m",
             *fields, ""] + table(
                 ["world"] + ["/ " + peer for peer in results.peers] + ["fan", "goal", "single", "goal"] + results.peers, rows)
@@ -142,14 +142,15 @@ def beams(results):
 
 def agreement(results):
     shown = {}
+    beams = max((one["beams"] for one in results.found["agreement"]), default=0)
     for one in results.found["agreement"]:
-        shown[one["engine"], one["world"]] = "%s of %s" % (digits(one["over1mm"], 9), digits(one["beams"], 9)) + (
+        shown[one["engine"], one["world"]] = digits(one["over1mm"], 9) + (" of %s" % digits(one["beams"], 9) if one["beams"] < beams else "") + (
             ", worst %.2g m" % one["worst"] if one["over1mm"] else "")
     engines = [engine for engine in ("SEAR single",) + PEERS if any(key[0] == engine for key in shown)]
     worlds = list(dict.fromkeys(one["world"] for one in results.found["agreement"]))
     return ["### Do they measure the same?", "",
-            "Every engine casts the same beams. The table counts beams whose distance differs from the fan's by more than 1 mm, and",
-            "beams that hit only in one of the two.", ""] + table(
+            *wrapped("Every engine casts the same %s beams. The table counts those whose distance differs from the fan's by more than 1 mm, or"
+                     " that hit in only one of the two." % digits(beams, 9)), ""] + table(
                 ["world"] + engines, [[world] + [shown.get((engine, world), NOTHING) for engine in engines] for world in worlds])
 
 
@@ -170,10 +171,9 @@ def steps(results):
     more += [["%s LIDARs, 20 boxes" % re.sub(r"\D", "", world.split("-")[0]), world] for world in lidars[1:]]
     lines = ["### Steps", "",
              "Simulated seconds per second, at 60 steps per simulated second. A robot with four wheels, two of them driven, drives in",
-             "circles among fixed boxes. Each LIDAR of 361 beams is read ten times per simulated second. *Everything* adds four",
-             "PING))) sensors, GPS, compass, accelerometer, gyroscope, and serial devices that send all the time. The other engines",
-             "have none of these.", ""]
-    lines += table(["what", "/ MuJoCo", "/ pybullet", "SEAR", "goal", "MuJoCo", "pybullet"], rows)
+             "circles among fixed boxes and reads each LIDAR of 361 beams ten times per simulated second. *Everything* adds four",
+             "PING))) sensors, GPS, compass, accelerometer, gyroscope, and serial devices that send all the time.", ""]
+    lines += table(["sensors", "/ MuJoCo", "/ pybullet", "SEAR", "goal", "MuJoCo", "pybullet"], rows)
     if more:
         lines += ["With one LIDAR in growing halls, and with several LIDARs:", ""]
         lines += table(["what", "/ MuJoCo", "/ pybullet", "SEAR", "MuJoCo", "pybullet"],
@@ -210,9 +210,8 @@ def resting(results):
         return []
     return ["### Bodies that end at rest", "",
             "Cubes of 0.1 to 0.3 m fall separately (`single-`) or onto one pile (`pile-`); dominoes; a stack. All have 1 kg and",
-            "friction 0.64. Runs take 10 simulated seconds, piles 15. Times are processor time of the stepping thread, at 1/60 s,",
-            "with the defaults of Bullet and MuJoCo. Brackets mark speeds that do not count: the deepest overlap at the end is 1 mm",
-            "or more, or a body moves by 0.1 mm in the last half second.", ""] + bodies.table(found) + [""]
+            "friction 0.64. Runs take 10 simulated seconds (piles 15) at 1/60 s, with the defaults of Bullet and MuJoCo. Brackets",
+            "mark speeds that do not count: the final overlap reaches 1 mm, or a body moves 0.1 mm in the last half second.", ""] + bodies.table(found) + [""]
 
 
 def seen(results):
@@ -250,7 +249,7 @@ def meshes(results):
                      digits(mesh["jbulletCpu"]) + " s"] + peers)
     return ["### Building the hierarchy of a model", "",
             "Seconds until the first beam: in a fresh JVM, and as CPU time in a warm one. Bytes per triangle include vertices and",
-            "indices. For other engines: CPU time and growth of the process while they load the same model.", ""] + table(
+            "indices. Other engines: CPU time and process growth while loading the same model.", ""] + table(
                 ["triangles", "seconds, first time", "goal", "seconds, warm", "bytes per triangle", "goal", "jbullet", "MuJoCo", "pybullet"], rows)
 
 
@@ -260,9 +259,9 @@ def start(results):
     for world, run in sorted(results.found["runs"].items(), key=lambda one: size_of(one[0])):
         busy = run["toReadingCpu"] < QUIET * run["toReading"] and results.is_busy("SEAR", world)
         seconds = run["toReadingCpu"] if busy else run["toReading"]
-        rows.append(["core only, all sensors, %d boxes: from opening the project to the first LIDAR reading" % size_of(world),
+        rows.append(["core only, all sensors, %d boxes: from opening to the first LIDAR reading" % size_of(world),
                      digits(seconds) + " s" + ("*" if busy else ""), results.judge("start", seconds, False)])
-        rows.append(["the same with JVM: peak memory over 60 simulated seconds", digits(run["peakResident"] / mebi) + " MiB",
+        rows.append(["peak memory with JVM over 60 simulated seconds", digits(run["peakResident"] / mebi) + " MiB",
                      results.judge("memory", run["peakResident"] / mebi, False)])
         rows.append(["of it, heap objects at the end", digits(run["heap"] / mebi) + " MiB", NOTHING])
     script = results.found["script"]
@@ -271,7 +270,7 @@ def start(results):
         seconds = script["toReadingCpu"] if busy else script["toReading"]
         rows.append(["in the embedded MyRobotLab: `sear.startSimulation()` to the first LIDAR reading",
                      digits(seconds) + " s" + ("*" if busy else ""), results.judge("start", seconds, False)])
-        rows.append(["from the command `sear SCRIPT.py` to that reading, JVM, Jython and MyRobotLab included",
+        rows.append(["from the command `sear SCRIPT.py` to that reading",
                      digits(script["launchToReading"]) + " s", results.judge("launch", script["launchToReading"], False)])
         rows.append(["its peak memory", digits(script["peakResident"] / mebi) + " MiB", NOTHING])
         rows.append(["`sear.getLidarResult(name)` in real time: median (longest of %d)" % script["call"]["count"],

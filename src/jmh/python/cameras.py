@@ -8,7 +8,7 @@ from program import Program
 WORLDS = ["room-20", "sensors"]
 OWN_WORLDS = ["mountain"]
 ENGINES = {"sear": "SEAR", "mujoco": "MuJoCo", "mujoco-fast": "MuJoCo, reduced", "pybullet": "pybullet"}
-KINDS = {"colors": "colours with shadow", "depths": "depths"}
+KINDS = {"colors": "colours", "depths": "depths"}
 # Pictures a second of one core
 GOALS = {"colors": 30, "depths": 60}
 # Depths that differ by less than this share are the same; nearer than what the other engines see at most

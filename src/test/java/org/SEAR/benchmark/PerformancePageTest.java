@@ -107,7 +107,7 @@ public class PerformancePageTest {
         String said = run("--quick", "--no-peers", "--no-script", "--work", work.toString(), "--classpath", System.getProperty("sear.jmhClasspath"));
         String page = Files.readString(work.resolve("performance.md"));
         for (String row : new String[] {"| hall-10 |", "| hills-1000 |", "| a LIDAR, 20 boxes |", "| everything, 20 boxes |", "| 10 |",
-            "| 1 058 |", "| room-20 | colours with shadow | SEAR |", "| room-20 | depths | SEAR |",
+            "| 1 058 |", "| room-20 | colours | SEAR |", "| room-20 | depths | SEAR |",
             "| with noise | ", "| 3 | 1 | ", "| 3 | 0 | "}) {
             assertTrue(row + " is not in\n" + said, page.contains(row));
         }

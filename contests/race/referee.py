@@ -1,4 +1,4 @@
-# The race: who reaches the east end of the hall first, with few bumps.
+# The race: first to the east end of the hall, with few bumps.
 SECONDS = 90
 STARTS = ((0.6, 0, 90), (-0.6, 0, 90))      # x, z, heading
 GOAL = 5.5                                  # z

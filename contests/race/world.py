@@ -1,8 +1,8 @@
-# A hall from west to east with crates in it, and two robots with three infrared eyes and a compass each.
+# A hall from west to east with crates, and two robots, each with three infrared eyes and a compass.
 from org.SEAR.POJOs import Box, Compass, Distance, Floor, Robots
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # an existing project becomes a backup
 
 floor = Floor("floor", 8, 8, False)
 floor.move(0, 0, 3)

@@ -1,4 +1,4 @@
-# Check: a minute without a bump, through the whole room.
+# Check: a minute through the whole room without a bump.
 SECONDS = 60
 METRES = 6
 QUARTERS = 3

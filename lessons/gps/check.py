@@ -1,4 +1,4 @@
-# Check: three waypoints one after the other, and a stop at the last one.
+# Check: three waypoints in order, and a stop at the last one.
 SECONDS = 120
 PLACES = ((2, 3), (-3, 3), (-3, -2))     # metres north and east of 52.0, 13.0
 NEAR = 0.4

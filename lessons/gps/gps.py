@@ -1,4 +1,4 @@
-# Lesson: waypoints by GPS. The receiver says latitude (degrees north) and longitude (degrees east); the compass 0 for north, 90 for east.
+# Lesson: GPS waypoints. The receiver gives latitude (degrees north) and longitude (degrees east), the compass 0 for north, 90 for east.
 from math import atan2, cos, degrees, hypot, radians
 
 sear = Runtime.start("sear", "SEAR")
@@ -8,7 +8,7 @@ sear.startSimulation()
 sear.simSleep(1)
 
 WAYPOINTS = ((52.0000180, 13.0000437), (51.9999730, 13.0000437), (51.9999730, 12.9999709))
-METRES = 111320             # of a degree of latitude, about; of longitude cos(latitude) as many
+METRES = 111320             # per degree of latitude, roughly; per degree of longitude times cos(latitude)
 
 for latitude, longitude in WAYPOINTS:
     now = sear.getGpsResult("gps")

@@ -1,8 +1,8 @@
-# A yard on Earth, and a robot with a GPS receiver and a compass. North of it stands a shed.
+# A yard on Earth with a shed in the north, and a robot with a GPS receiver and a compass.
 from org.SEAR.POJOs import Box, Compass, Floor, GPS, Robots
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # an existing project becomes a backup
 
 Floor("yard", 12, 12)
 shed = Box("shed", 1, 2, 1, 0, "textures/brick.png")

@@ -1,8 +1,8 @@
-# Check: once round on the tape.
+# Check: one round on the tape.
 from math import atan2, cos, hypot, pi, sin
 
 SECONDS = 60
-OFF = 0.05                  # metres that the middle between the wheels may be off the tape
+OFF = 0.05                  # maximum distance of the middle between the wheels from the tape, metres
 
 def radius(angle):
     return 0.7 + 0.15 * cos(3 * angle)

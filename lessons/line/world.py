@@ -1,13 +1,13 @@
-# A track of black tape on a white floor, and a small robot whose three line sensors look down on it.
+# A track of black tape on a white floor, and a small robot with three line sensors.
 from org.SEAR.POJOs import Box, Dynamics, Floor, LineSensor, Motor, Robots, SEARrobot, Wheel
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # an existing project becomes a backup
 
-Floor("track", 2, 2, "textures/line-track.png")    # its tape is 20 mm wide, 0.7 + 0.15 cos 3a metres from the middle
+Floor("track", 2, 2, "textures/line-track.png")    # tape of 20 mm, 0.7 + 0.15 cos 3a metres from the middle
 
 robot = SEARrobot("robot")
-robot.addComponent(Dynamics("drive", 0.6, 400, 0.5, 0.5, 1000, 0.02, 0.85, 0.04, 0, 0, 0, 0))    # 0.6 kg, on the tape, looking along it
+robot.addComponent(Dynamics("drive", 0.6, 400, 0.5, 0.5, 1000, 0.02, 0.85, 0.04, 0, 0, 0, 0))    # 0.6 kg, on the tape, facing along it
 body = Box("chassis", 0.1, 0.14, 0.03, 0.6)
 body.setColor("blue")
 body.move(0, 0.025, 0)

@@ -1,4 +1,4 @@
-# Check: map.txt beside the room as it is. A sign counts as right if the room has it in that cell or in one beside it.
+# Check: compares map.txt with the room. A character counts as right if it fits its cell or an adjacent one.
 SECONDS = 120
 SIZE = 42
 CRATES = ((1, 1, 0.4, 0.8), (-1.1, -1, 0.6, 0.4), (0, 1.2, 0.4, 0.4))    # x, z, length, width

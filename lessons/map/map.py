@@ -1,4 +1,4 @@
-# Lesson: a map by LIDAR. The scanner has 181 beams: the first looks to the right, the 91st ahead, the last to the left.
+# Lesson: a map by LIDAR. Of the scanner's 181 beams the first looks right, the 91st ahead, the last left.
 from math import cos, radians, sin
 
 sear = Runtime.start("sear", "SEAR")
@@ -9,10 +9,10 @@ sear.simSleep(1)
 
 CELL = 0.1                          # metres
 SIZE = 42                           # cells: from 2.1 m to -2.1 m
-grid = [["?"] * SIZE for row in range(SIZE)]        # nobody knows yet
+grid = [["?"] * SIZE for row in range(SIZE)]        # unknown
 
 def mark(x, z, sign):
-    """Writes a sign at a place: x metres north, z metres east."""
+    """Writes a character at x metres north, z metres east."""
     row, column = int((2.1 - x) / CELL), int((z + 2.1) / CELL)
     if 0 <= row < SIZE and 0 <= column < SIZE:
         grid[row][column] = sign
@@ -20,7 +20,7 @@ def mark(x, z, sign):
 x, y, z, rx, ry, rz = sear.getPose("lidar")
 scan = sear.getLidarResult("lidar")
 for i in range(len(scan)):
-    angle = radians(ry + i - 90)    # of this beam
+    angle = radians(ry + i - 90)    # heading of this beam
     mark(x + scan[i] * sin(angle), z + scan[i] * cos(angle), "#")
 
 file = open("map.txt", "w")

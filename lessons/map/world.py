@@ -2,7 +2,7 @@
 from org.SEAR.POJOs import Box, Floor, LIDAR, Robots
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # an existing project becomes a backup
 
 Floor("floor", 5, 5, False)
 for name, length, width, x, z in (("north wall", 0.1, 4.2, 2.05, 0), ("south wall", 0.1, 4.2, -2.05, 0), ("east wall", 4, 0.1, 0, 2.05),

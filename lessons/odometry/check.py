@@ -1,4 +1,4 @@
-# Check: what the script says at the end beside where the robot is.
+# Check: compares the pose that the script prints with the robot's.
 import re
 from math import hypot
 

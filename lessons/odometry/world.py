@@ -1,8 +1,8 @@
-# A floor and a rover with two driven wheels, of which the left one is worn: the data sheet says 50 mm for both.
+# A floor and a rover with two driven wheels. The left one is worn: the data sheet gives 50 mm for both.
 from org.SEAR.POJOs import Floor, Motor, Robots, Wheel
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # an existing project becomes a backup
 
 Floor("floor", 12, 12)
 robot = Robots.chassis("robot")

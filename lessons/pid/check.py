@@ -1,9 +1,9 @@
-# Check: how far from the wall the robot truly is: at the end, how soon, and how far it shoots beyond.
+# Check: the robot's true distance from the wall: at the end, settling time, and overshoot.
 from math import cos, radians
 
 SECONDS = 20
-EYE = 0.07                  # metres from the robot's origin to its eye
-WALL = 3.15                 # metres from the foot of the ramp to the wall, along the slope of 12 degrees
+EYE = 0.07                  # from the robot's origin to its eye, metres
+WALL = 3.15                 # from the foot of the ramp to the wall along the slope of 12 degrees, metres
 WANTED, END, SOON, NEAREST = 0.5, 0.01, 8, 0.4
 
 def check(run):

@@ -1,4 +1,4 @@
-# Lesson: a controller of your own. Hold the robot 0.5 m before the wall, on a slope, by the power of its motors alone.
+# Lesson: a controller of your own. Hold the robot on a slope, 0.5 m before the wall, by motor power alone.
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
@@ -6,7 +6,7 @@ sear.startSimulation()
 
 WANTED = 0.5                # metres
 STEP = 0.05                 # seconds
-KP = 0.3                    # power for each metre that it is too far away
+KP = 0.3                    # power per metre of error
 
 while sear.getTime() < 20:
     error = sear.getDistanceResult("eye") - WANTED      # + too far away

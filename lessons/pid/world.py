@@ -1,15 +1,15 @@
-# A ramp with a wall at its upper end, and a rover on it that looks up to the wall.
+# A ramp with a wall at its upper end, and a rover facing the wall.
 from math import cos, radians, sin
 from org.SEAR.POJOs import Box, Distance, Floor, Robots
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # an existing project becomes a backup
 
 SLOPE = 12                  # degrees
 Floor("floor", 8, 8)
 
 def place(along, above):
-    """Height and metres east of a place on the ramp: so far along it from its foot, so far above it."""
+    """Returns y and z, metres, of a point given by its distances along the ramp from its foot, and above the ramp."""
     a = radians(SLOPE)
     return along * sin(a) + above * cos(a), along * cos(a) - above * sin(a)
 
@@ -24,7 +24,7 @@ wall.move(0, y, z)
 wall.rotate(-SLOPE, 0, 0)
 robot = Robots.rover("robot")
 for name in ("leftMotor", "rightMotor"):
-    robot.getPart(name).setNoLoadSpeed(200)    # rad/s: a motor that fast hardly brakes the rover, which is left to D
+    robot.getPart(name).setNoLoadSpeed(200)    # rad/s: such a fast motor hardly brakes, so the controller needs D
 robot.addComponent(Distance("eye", "laser", 0, 0.03, 0.07, 0, 0, 0))
 y, z = place(1.4, 0.05)
 robot.move(0, y, z)

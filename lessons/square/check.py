@@ -1,4 +1,4 @@
-# Check: three corners and back, one after the other, along the sides.
+# Check: three corners and back in order, along the sides.
 SECONDS = 60
 SQUARE = ((0, 0), (0, 1), (1, 1), (1, 0), (0, 0))    # x north, z east
 NEAR = 0.1                                           # metres

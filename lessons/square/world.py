@@ -1,8 +1,8 @@
-# A free floor with a crate in the middle of the way and a cone beside each corner.
+# A floor with a crate in the middle of the square and a cone beside each corner.
 from org.SEAR.POJOs import Box, Cone, Floor, Robots
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # an existing project becomes a backup
 
 Floor("floor", 4, 4).move(0.5, -0.05, 0.5)
 crate = Box("crate", 0.3, 0.3, 0.3, 0)

@@ -1,4 +1,4 @@
-# Check: once round the room, with the wall never near and never far.
+# Check: once round the room, never too near to the wall or too far from it.
 SECONDS = 150
 ROUND = ((-1.5, 2), (0, 2), (0, 0.5), (1.5, 0.5), (1.5, -2), (-1.5, -2), (-1.5, -1))
 NAMES = ("the south-east corner", "the cupboard's corner in the east", "the cupboard's edge", "the cupboard's corner in the north",

@@ -1,8 +1,8 @@
-# A room with a cupboard in a corner, and a robot with an eye ahead and one to the right.
+# A room with a cupboard in a corner, and a robot with one eye ahead and one to the right.
 from org.SEAR.POJOs import Box, Distance, Floor, Robots
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # an existing project becomes a backup
 
 Floor("floor", 6, 7, False)
 for name, length, width, x, z in (("north wall", 0.1, 5.2, 2.05, 0), ("south wall", 0.1, 5.2, -2.05, 0), ("east wall", 4, 0.1, 0, 2.55),

@@ -1,4 +1,4 @@
-# Away from what is near, by a turn to the freer side and a piece straight on; else eastwards by the compass.
+# Near an obstacle turns to the freer side and drives on a little, otherwise goes east by the compass.
 sear = Runtime.start("sear", "SEAR")
 sear.startSimulation()
 
@@ -13,7 +13,7 @@ while True:
         sear.driveStraight(0.25)
         sear.simSleep(1)
     else:
-        off = sear.getCompassResult("compass") - 90     # degrees that it looks too far to the right
+        off = sear.getCompassResult("compass") - 90     # heading error, degrees, + to the right
         turn = max(-0.1, min(0.1, 0.005 * off))
         sear.setWheelSpeeds(0.25 - turn, 0.25 + turn)
     sear.simSleep(0.1)

@@ -1,9 +1,9 @@
-# As fast as it can; back and round a little when something is right in front.
+# Drives fast; backs up and turns when something is right ahead.
 sear = Runtime.start("sear", "SEAR")
 sear.startSimulation()
 
 while True:
-    off = sear.getCompassResult("compass") - 90     # degrees that it looks too far to the right
+    off = sear.getCompassResult("compass") - 90     # heading error, degrees, + to the right
     turn = max(-0.1, min(0.1, 0.005 * off))
     sear.setWheelSpeeds(0.4 - turn, 0.4 + turn)
     if sear.getReading("frontEye") < 0.2:

@@ -3,26 +3,26 @@ package org.SEAR.simulator;
 import org.SEAR.robot.Robot;
 
 /**
- * What a motor, a servo, a light or the steering of a robot is told to do, by {@link Simulation#order}; a record knows it again. Immutable, any
- * thread.
+ * A command to a motor, servo, light or the steering of a robot, run by {@link Simulation#order}. Records store it.
+ * Immutable, any thread.
  */
 public final class ActuatorOrder {
-    /** What the value is, and of what. A record has their places in this list. */
+    /** Actuator and quantity of a command. Records store the ordinal. */
     public enum Kind {
-        /** Of a motor: share of the full voltage, -1 to 1. */
+        /** Motor: share of the full voltage, -1 to 1. */
         POWER,
-        /** Of a motor: speed of its wheels, rad/s. */
+        /** Motor: speed of its wheels, rad/s. */
         SPEED,
-        /** Of a servo: degrees. */
+        /** Servo: angle, degrees. */
         ANGLE,
-        /** Of a light: 0 to 1. */
+        /** Light: brightness, 0 to 1. */
         BRIGHTNESS,
-        /** Of a robot: degrees of a wheel in the middle, + to the left. */
+        /** Robot: steering angle of an imaginary wheel in the middle, degrees, + to the left. */
         STEERING
     }
 
     public final Kind kind;
-    /** Of the motor, servo or light, as {@link Simulation#getMotor} takes it; of the robot. */
+    /** Name of the motor, servo or light, as {@link Simulation#getMotor} takes it, or of the robot. */
     public final String name;
     public final double value;
 
@@ -32,7 +32,7 @@ public final class ActuatorOrder {
         this.value = value;
     }
 
-    /** @throws IllegalArgumentException that names what there is, or the legal range */
+    /** @throws IllegalArgumentException that lists the valid names or states the legal range */
     void giveTo(Simulation simulation) {
         switch (kind) {
             case POWER:

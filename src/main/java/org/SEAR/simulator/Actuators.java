@@ -12,12 +12,12 @@ import org.SEAR.devices.ServoHardware;
 import org.SEAR.project.PartNames;
 import org.SEAR.robot.RobotModel;
 
-/** Finds what moves or shines on robots by its names. What it finds belongs to the simulation thread. */
+/** Finds motors, servos and lights of all robots by name. The objects found belong to the simulation thread. */
 final class Actuators {
     private final PartNames<MotorHardware> motors = new PartNames<>();
     private final PartNames<ServoHardware> servos = new PartNames<>();
     private final PartNames<LightHardware> leds = new PartNames<>();
-    /** Full names, ordered, with their kinds. */
+    /** Kind of each actuator by full name, sorted. */
     private final TreeMap<String, String> names = new TreeMap<>();
 
     Actuators(List<RobotModel> robots) {

@@ -11,7 +11,7 @@ import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 
-/** What one device's firmware can reach. Simulation thread. */
+/** Access of one device's firmware to its line, robot and sensor. Simulation thread. */
 final class DevicePort implements DeviceContext {
     private final Cable cable;
     private final RobotModel robot;
@@ -111,7 +111,7 @@ final class DevicePort implements DeviceContext {
         warnings.accept(cable.getObjectName() + ": " + cause, cable.getObjectName() + ": " + message);
     }
 
-    /** Tells of bytes that found no room or were not understood. */
+    /** Warns of bytes that overflowed a queue and of bytes that the device did not understand. */
     void warnOfLosses() {
         String complaint = cable.complaint(time());
         if (complaint != null) {

@@ -4,11 +4,14 @@ import java.util.function.Consumer;
 import org.SEAR.robot.DriveOrder;
 import org.SEAR.robot.Robot;
 
-/** A command that moves a robot, as {@link Simulation#post} takes it; a record knows it again. Immutable, any thread. */
+/** A command that moves a robot, for {@link Simulation#post}. Records store it. Immutable, any thread. */
 public final class DriveCommand implements Consumer<Simulation> {
-    /** Number of the robot in {@code Project.getRobots()}. */
+    /** Index of the robot in {@code Project.getRobots()}. */
     public final int robot;
-    /** Whether {@link #first} and {@link #second} are the speeds of the left and right wheels, m/s; else speed and radius of a circle, m/s and m. */
+    /**
+     * True: {@link #first} and {@link #second} are the speeds of the left and right wheels, m/s. False: they are the
+     * speed, m/s, and the radius of a circle, m.
+     */
     public final boolean wheels;
     public final double first;
     public final double second;
@@ -31,9 +34,9 @@ public final class DriveCommand implements Consumer<Simulation> {
     }
 
     /**
-     * What a script has ordered.
+     * Converts a script's order into a command.
      *
-     * @throws IllegalArgumentException if the robot can't do that, with what would let it
+     * @throws IllegalArgumentException if the robot can't do that; the message says what would let it
      */
     public static DriveCommand of(Simulation world, Robot driven, DriveOrder order) {
         return new DriveCommand(world.getRobots().indexOf(driven), order.wheels, order.getFirst(driven), order.getSecond());

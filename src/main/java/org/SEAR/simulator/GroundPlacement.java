@@ -13,25 +13,30 @@ import org.SEAR.physics.start.StartPoses;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.problems.ProjectException;
 
-/** Sets down on the ground what was placed there, before the first step; the ground is in the scenes already. One use, simulation thread. */
+/**
+ * Sets objects and robots down on the ground before the first step. The ground must be in the scenes already. For one
+ * use, simulation thread.
+ */
 final class GroundPlacement {
-    /** Half of the distance over which the slope below a robot is measured, if its wheels don't say, metres. */
+    /**
+     * Half of the distance over which the slope below a robot is measured, metres, unless its wheels are further apart.
+     */
     private static final double HALF_BASE = 0.1;
 
-    /** Heading of what is not turned, degrees. */
+    /** Heading of an object without rotation, degrees. */
     private static final double EAST = 90;
 
     private final GeoOrigin origin;
     private final RaycastScenes scenes;
     private final ProblemList problems = new ProblemList();
 
-    /** @param origin where the world lies on Earth; null if no terrain says so */
+    /** @param origin position of the world's origin on Earth; null if no terrain defines it */
     GroundPlacement(GeoOrigin origin, RaycastScenes scenes) {
         this.origin = origin;
         this.scenes = scenes;
     }
 
-    /** A thing of the environment, which keeps its rotation. */
+    /** Sets an environment object down; its rotation stays. */
     void setDown(PlacedObject object, Body body) {
         if (object.isOnGround()) {
             Pose written = body.getPose();
@@ -40,9 +45,9 @@ final class GroundPlacement {
     }
 
     /**
-     * A robot, which stands on its wheels, along the slope.
+     * Sets a robot down on its wheels, along the slope.
      *
-     * @param feet where its wheels touch, in the body frame
+     * @param feet contact points of its wheels, body frame
      */
     void setDownRobot(SEARrobot robot, Body body, double[][] feet) {
         if (robot.isOnGround()) {
@@ -55,7 +60,7 @@ final class GroundPlacement {
         return new Pose(place.x, 0, place.z, rotation.qx, rotation.qy, rotation.qz, rotation.qw);
     }
 
-    /** @param turn turns a pose that has the right place */
+    /** @param turn gives the rotation to a pose at the right point */
     private void setDown(PlacedObject object, Body body, UnaryOperator<Pose> turn, double[][] feet, String folder) {
         String file = folder + object.getFileName() + ".xml";
         if (object.hasPlaceOnEarth() && origin == null) {
@@ -78,7 +83,7 @@ final class GroundPlacement {
             : Parameter.format(point[0]) + ", " + Parameter.format(point[1]);
     }
 
-    /** The pose with its up where the ground below points up, and its heading as it is; nothing changes where the ground ends. */
+    /** Tilts a pose to the slope of the ground and keeps its heading; returns it unchanged where the ground ends. */
     private Pose alongSlope(Pose level, double[][] feet) {
         double base = HALF_BASE;
         for (double[] foot : feet) {
@@ -98,10 +103,11 @@ final class GroundPlacement {
     }
 
     /**
-     * By how much leaning alone would turn the heading of what goes obliquely up a slope, clockwise, degrees.
+     * Heading error, clockwise, degrees, that the tilt alone would cause for a robot facing obliquely up a slope.
      *
-     * @param ahead the way that it is to look, world frame
-     * @param northward by how much the ground rises a metre to the north, likewise eastward
+     * @param ahead intended forward direction, world frame
+     * @param northward slope of the ground to the north, rise over run
+     * @param eastward slope of the ground to the east, rise over run
      */
     private static double stray(Pose lean, double[] ahead, double northward, double eastward) {
         double[] before = lean.rotateBack(ahead[0], northward * ahead[0] + eastward * ahead[2], ahead[2]);
@@ -109,9 +115,9 @@ final class GroundPlacement {
     }
 
     /**
-     * Ends it.
+     * Reports all placement errors.
      *
-     * @throws ProjectException with everything that has no ground or no place
+     * @throws ProjectException that lists every object without ground or without a valid place
      */
     void end() throws ProjectException {
         problems.throwIfAny();

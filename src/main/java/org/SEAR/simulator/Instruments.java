@@ -26,7 +26,7 @@ import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.SensorTypes;
 import org.SEAR.sensors.ParallelSensing;
 
-/** The sensors of all robots and the devices behind their serial ports. Simulation thread. */
+/** Sensors of all robots, and the devices on their serial ports. Simulation thread. */
 final class Instruments {
     private final List<RobotModel> robots;
     private final PartNames<Sensor<?>> sensors = new PartNames<>();
@@ -61,7 +61,7 @@ final class Instruments {
         names = carriers.keySet().stream().map(Sensor::getName).sorted().collect(Collectors.toUnmodifiableList());
     }
 
-    /** A device may look at all sensors of its robot. */
+    /** Connects a part's device to its ports. A device can reach all sensors of its robot. */
     private void connect(SearObject part, RobotModel robot, long seed, DeviceTypes types) {
         if (!(part instanceof SerialObject) || ((SerialObject) part).getUartPort() == null || ((SerialObject) part).getUserPort() == null) {
             return;
@@ -83,13 +83,13 @@ final class Instruments {
         }
     }
 
-    /** From the next restart on random numbers come from another seed. */
+    /** Sets the seed of random numbers from the next restart on. */
     void reseed(long seed) {
         carriers.keySet().forEach(sensor -> sensor.reseed(seed));
         ports.forEach(port -> port.reseed(seed));
     }
 
-    /** Everything as powered on. */
+    /** Restarts all sensors and devices, as after power-on. */
     void restart() {
         for (RobotModel robot : robots) {
             for (Sensor<?> sensor : robot.getSensors()) {
@@ -101,7 +101,7 @@ final class Instruments {
         }
     }
 
-    /** Says what is odd about the sensors in this world. */
+    /** Warns of sensors that can't work in this world, for example inside another object. */
     void warn() {
         Hit hit = new Hit();
         for (RobotModel robot : robots) {
@@ -122,14 +122,14 @@ final class Instruments {
         warnings.accept(message, message);
     }
 
-    /** Commands phase: bytes from the users' ports. */
+    /** Commands phase: takes the bytes that hosts have written. */
     void accept(double time) {
         for (int i = 0; i < ports.size(); i++) {
             ports.get(i).getCable().accept(time);
         }
     }
 
-    /** Sensors phase: those with a memory look at the step. */
+    /** Sensors phase: sensors with a memory observe the step. */
     void track() {
         for (int i = 0; i < robots.size(); i++) {
             RobotModel robot = robots.get(i);
@@ -140,9 +140,9 @@ final class Instruments {
     }
 
     /**
-     * Devices phase: scans that are expected are made side by side, then each device runs in its turn.
+     * Devices phase: measures the expected scans in parallel, then runs each device in turn.
      *
-     * @param end of the step
+     * @param end simulated time of the step's end, s
      */
     void run(double end) {
         for (int i = 0; i < scanners.size(); i++) {
@@ -162,9 +162,9 @@ final class Instruments {
     }
 
     /**
-     * Outputs phase.
+     * Outputs phase: delivers replies to the host ports.
      *
-     * @param end of the step
+     * @param end simulated time of the step's end, s
      */
     void deliver(double end) {
         for (int i = 0; i < ports.size(); i++) {
@@ -175,10 +175,10 @@ final class Instruments {
     }
 
     /**
-     * Between two steps: what lies on the lines goes on.
+     * Services lines and devices between two steps.
      *
      * @param time simulated seconds
-     * @return when to look again; infinity if nothing was to be done
+     * @return simulated time of the next service, s; infinity if there was nothing to do
      */
     double serviceDevices(double time) {
         double next = Double.POSITIVE_INFINITY;
@@ -188,7 +188,7 @@ final class Instruments {
         return next;
     }
 
-    /** Whether a device that answers at once has been asked. Any thread. */
+    /** Whether a device that answers at once has a query. Any thread. */
     boolean hasQueries() {
         for (int i = 0; i < ports.size(); i++) {
             if (ports.get(i).getCable().hasQueries()) {
@@ -198,7 +198,7 @@ final class Instruments {
         return false;
     }
 
-    /** See {@link org.SEAR.devices.Cable#isOpening}. Any thread. */
+    /** Whether a port is just being opened, see {@link org.SEAR.devices.Cable#isOpening}. Any thread. */
     boolean areOpening() {
         for (int i = 0; i < ports.size(); i++) {
             if (ports.get(i).getCable().isOpening()) {
@@ -208,7 +208,7 @@ final class Instruments {
         return false;
     }
 
-    /** Time stands still: devices that answer at once do. */
+    /** Lets devices that answer at once do so while time stands still. */
     void answer(double time) {
         for (int i = 0; i < ports.size(); i++) {
             if (ports.get(i).getCable().hasQueries()) {

@@ -7,15 +7,15 @@ import java.util.function.Consumer;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 
-/** Tells of what has fallen out of the world, and stops it far below. Simulation thread. */
+/** Warns of bodies that have fallen out of the world, and stops them far below. Simulation thread. */
 final class KillPlane {
-    /** Below everything that is fixed by this much, metres, nothing can catch a body any more. */
+    /** Depth below the lowest fixed body at which a body counts as fallen, metres; nothing can catch it there. */
     private static final double OUT = 10;
-    /** Here it stops: 1000 m farther down poses lose their last digits, and nobody looks. */
+    /** Depth at which a fallen body stops, metres. Further down its pose would lose precision. */
     private static final double END = 1000;
 
     private final List<Body> bodies;
-    /** Those that can fall: what is fixed costs nothing in a step. */
+    /** Bodies that are not fixed. */
     private final Body[] movable;
     private final Consumer<String> warnings;
     private final boolean[] reported;
@@ -28,7 +28,7 @@ final class KillPlane {
         reported = new boolean[movable.length];
     }
 
-    /** Everything is where it started. */
+    /** Finds the lowest fixed body, or the lowest body if none is fixed. Call it with all bodies at their start. */
     void restart() {
         lowest = Double.POSITIVE_INFINITY;
         Arrays.fill(reported, false);
@@ -42,7 +42,7 @@ final class KillPlane {
         }
     }
 
-    /** Looks at everything after a step. */
+    /** Checks all movable bodies after a step. */
     void look() {
         for (int i = 0; i < movable.length; i++) {
             Body body = movable[i];

@@ -1,13 +1,13 @@
 package org.SEAR.simulator;
 
 /**
- * When the next step is due, by a clock in nanoseconds. It keeps to the clock, not to the last step, so short delays are caught up; after a long one
- * (the machine slept) time goes on from there. One thread.
+ * Schedules the steps by a clock in nanoseconds. Deadlines follow the clock, not the last step, so short delays are
+ * caught up. After a long delay (the machine slept) the schedule restarts. One thread.
  */
 final class Pace {
-    /** A delay longer than this is not caught up, ns. */
+    /** Longest delay that is caught up, ns, unless two steps take longer. */
     private static final long LONGEST_DELAY = 250_000_000L;
-    /** No wait between two steps is shorter, ns: it would be all that the processor does. */
+    /** Shortest wait between two steps, ns; shorter waits would occupy the processor. */
     private static final long SHORTEST_WAIT = 100_000L;
     private static final double NANOS = 1e9;
 
@@ -15,16 +15,16 @@ final class Pace {
     private long length = 1;
     private boolean fresh = true;
 
-    /** What was before doesn't count: the next step is due at once. */
+    /** Makes the next step due immediately and forgets earlier delays. */
     void restart() {
         fresh = true;
     }
 
     /**
-     * Whether the next step's time has come; if so, the one after it counts from now on.
+     * Whether the next step is due; if so, moves the deadline on by one step.
      *
-     * @param now of the clock
-     * @param factor simulated seconds per second of the clock; infinity for always
+     * @param now clock time, ns
+     * @param factor simulated seconds per second of the clock; infinity: always due
      */
     boolean isDue(long now, double factor) {
         if (Double.isInfinite(factor)) {
@@ -43,13 +43,13 @@ final class Pace {
         return true;
     }
 
-    /** How much of the time until the next step has passed, 1 to 255 of {@link Simulation#PARTS}. */
+    /** Elapsed share of the time until the next step, 1 to 255 of {@link Simulation#PARTS}. */
     int part(long now) {
         double part = Simulation.PARTS * (1 - (deadline - now) / (double) length);
         return (int) Math.max(1, Math.min(Simulation.PARTS - 1, part));
     }
 
-    /** How long to wait for a part of the time until the next step, or for that step, ns. */
+    /** Waiting time, ns, until a part of the step or until the next step, whichever comes first. */
     long waitFor(int part, long now) {
         long left = deadline - now;
         long parts = (long) Math.ceil((Simulation.PARTS - part) * (length / (double) Simulation.PARTS));

@@ -15,7 +15,7 @@ import org.SEAR.project.PartNames;
 import org.SEAR.project.Project;
 import org.SEAR.robot.RobotModel;
 
-/** Finds where things are by their names. Simulation thread. */
+/** Finds poses of robots, parts and environment objects by name. Simulation thread. */
 final class PoseLookup {
     private final Project project;
     private final Map<String, Supplier<Pose>> whole = new HashMap<>();

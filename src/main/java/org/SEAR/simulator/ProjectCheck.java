@@ -5,17 +5,17 @@ import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 
-/** What a start of a project would say, without one. Any thread. */
+/** Checks whether a project would start, and with which warnings. Any thread. */
 public final class ProjectCheck {
     private ProjectCheck() {
     }
 
     /**
-     * Builds a world of a project and takes a step in it: a model that can't be loaded, a robot without Dynamics and one that tips over are found
-     * only then.
+     * Builds the world of a project and takes one step in it. Only that finds a model that can't be loaded, a robot
+     * without Dynamics, or one that tips over.
      *
-     * @return what the start would warn of
-     * @throws ProjectException with what keeps it from starting
+     * @return the warnings of a start
+     * @throws ProjectException with the problems that prevent a start
      */
     public static List<String> warnings(Project project) throws ProjectException {
         try (Simulation world = Simulation.of(project, 0)) {

@@ -9,55 +9,59 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.orders.BodyOrder;
 
 /**
- * Looks at everything that goes into a run and comes out of it, in its order, without changing anything; each method does nothing unless it is
+ * Observes all inputs and outputs of a run, in order, without changing anything. Each method does nothing unless
  * overridden. Simulation thread.
  */
 public interface RunListener extends LineListener {
-    /** A command is obeyed in this step. */
+    /** A drive command runs in this step. */
     default void drive(DriveCommand command) {
     }
 
-    /** Between two steps a motor, servo, light or steering was told to do something. */
+    /** Between two steps: a motor, servo, light or steering received a command. */
     default void order(ActuatorOrder order) {
     }
 
-    /** Between two steps a thing or a robot got a velocity, or somebody began to push it. */
+    /** Between two steps: an object or robot received a velocity or a force. */
     default void order(BodyOrder order) {
     }
 
-    /** Between two steps a device was switched on or off. */
+    /** Between two steps: a device was switched on or off. */
     default void power(String device, boolean on) {
     }
 
     /**
-     * Between two steps something was put elsewhere, at rest.
+     * Between two steps: an object or robot was teleported; it is at rest.
      *
-     * @param start where a reset finds it
+     * @param start its pose after a reset
      */
     default void moved(String name, Pose start, Pose to) {
     }
 
-    /** Between two steps everything went back to the start. */
+    /** Between two steps: the world goes back to its start. */
     default void reset() {
     }
 
     /**
-     * Between two steps bytes went over the lines, as far as was told before.
+     * Between two steps: lines were serviced; their bytes were reported before this call.
      *
-     * @param part of the step, as {@link Simulation#serviceDevices} has it; 0 if time stands still, as {@link Simulation#answer} has it
+     * @param part of the step, see {@link Simulation#serviceDevices}; 0 while time stands still, see
+     *     {@link Simulation#answer}
      */
     default void devicesServiced(int part) {
     }
 
-    /** A step has ended: its snapshot and outputs are there. */
+    /** A step has ended: its snapshot and outputs are available. */
     default void stepped(Simulation simulation) {
     }
 
-    /** Time stands still: called now and then, once a second at least. */
+    /** Time stands still; called once a second at least. */
     default void idle() {
     }
 
-    /** Several who look at one run, told one after the other. Who comes or leaves makes another of these. Simulation thread. */
+    /**
+     * Forwards each event to several listeners in turn. Immutable: adding or removing a listener makes a new instance.
+     * Simulation thread.
+     */
     final class Several implements RunListener {
         private final List<RunListener> all;
 
@@ -66,11 +70,11 @@ public interface RunListener extends LineListener {
         }
 
         /**
-         * Who looks when one has come or left.
+         * Returns the listeners after one was added or removed.
          *
-         * @param before null for nobody
-         * @param on whether it comes
-         * @return null for nobody
+         * @param before null for no listener
+         * @param on true: add; false: remove
+         * @return null for no listener
          */
         public static RunListener changed(RunListener before, RunListener who, boolean on) {
             List<RunListener> now = new ArrayList<>(before instanceof Several ? ((Several) before).all : before == null

@@ -30,15 +30,16 @@ import org.SEAR.simulator.orders.DragSpring;
 /**
  * A running world: physics, robots, sensors and devices, advanced in steps of 1/60 s.
  *
- * <p>One thread, the simulation thread, owns it: whoever calls {@link #step}. What other threads may call says so: {@link #post} and
- * {@link #ask}, which bring work to that thread, {@link #snapshot}, and what never changes.
+ * <p>The thread that calls {@link #step} is the simulation thread and owns the world. Other threads may call the
+ * methods marked "any thread": {@link #post} and {@link #ask}, which bring work to the simulation thread,
+ * {@link #snapshot}, and getters of constants.
  */
 public final class Simulation implements AutoCloseable {
     /** Length of a step, simulated seconds. */
     public static final double STEP = TimeStep.SECONDS;
-    /** So fine is time for devices that are attended between two steps. */
+    /** Resolution of device time between two steps, parts of a step. */
     public static final int PARTS = 256;
-    /** UTC of simulated time 0 unless set, milliseconds since 1970. */
+    /** Default UTC of simulated time 0, milliseconds since 1970. */
     public static final long EPOCH = Instant.parse("2026-01-01T12:00:00Z").toEpochMilli();
 
     private final Project project;
@@ -57,15 +58,15 @@ public final class Simulation implements AutoCloseable {
     private volatile Thread thread;
     private volatile boolean closed;
     private long step;
-    /** How much of the next step the devices have seen, of {@link #PARTS}. */
+    /** Device time within the next step, in {@link #PARTS}. */
     private int part;
     private RunOrigin origin;
     private RunListener listener;
     private final Consumer<BodyOrder> pulls = order -> report(who -> who.order(order));
-    /** What comes after a step while its outputs still belong to it. */
+    /** Events during the delivery of outputs; the listener gets them after the step. */
     private final List<Consumer<RunListener>> late = new ArrayList<>();
     private boolean delivering;
-    /** Whether a reset was asked for meanwhile. */
+    /** Whether a reset waits for the end of the delivery. */
     private boolean resetting;
 
     private Simulation(Project project, long seed, long epochMillis, boolean groundVisible) throws ProjectException {
@@ -87,7 +88,8 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Reads a SEARproject folder and builds its world. Waits while this program replaces the project, and lets nobody replace it meanwhile.
+     * Reads a SEARproject folder and builds its world. Waits while this program replaces the project; no replacement
+     * starts meanwhile.
      *
      * @param groundVisible false: beams pass through all floors and terrain
      */
@@ -100,12 +102,16 @@ public final class Simulation implements AutoCloseable {
         return of(project, seed, EPOCH);
     }
 
-    /** Builds the world of a project. Simulated time 0 is at that UTC, milliseconds since 1970. */
+    /**
+     * Builds the world of a project.
+     *
+     * @param epochMillis UTC of simulated time 0, milliseconds since 1970
+     */
     public static Simulation of(Project project, long seed, long epochMillis) throws ProjectException {
         return new Simulation(project, seed, epochMillis, true);
     }
 
-    /** Builds the world of a project as another run began. */
+    /** Builds the world of a project with the settings of another run. */
     public static Simulation of(Project project, RunOrigin origin) throws ProjectException {
         return new Simulation(project, origin.seed, origin.epochMillis, origin.groundVisible);
     }
@@ -118,13 +124,13 @@ public final class Simulation implements AutoCloseable {
         snapshot = observer.look(step);
     }
 
-    /** Advances by one step: commands in, physics, truth, sensors, devices, outputs. Simulation thread. */
+    /** Advances by one step: commands, physics, ground truth, sensors, devices, outputs. Simulation thread. */
     public void step() {
         advance();
         deliver();
     }
 
-    /** A step but for its outputs; the snapshot shows it. Simulation thread. */
+    /** Runs a step up to its outputs; the snapshot shows the result. Simulation thread. */
     void advance() {
         thread = Thread.currentThread();
         runCommands();
@@ -138,7 +144,10 @@ public final class Simulation implements AutoCloseable {
         snapshot = observer.look(step);
     }
 
-    /** The outputs of a step: who gets bytes and asks for the time reads that of this step. Simulation thread. */
+    /**
+     * Delivers the outputs of a step. A reader that asks for the time on receipt gets the time of this step. Simulation
+     * thread.
+     */
     void deliver() {
         delivering = true;
         try {
@@ -154,10 +163,12 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Between two steps, by the clock: bytes go over the lines and devices deal with them, from the truth of the last step. Simulation thread.
+     * Services lines and devices between two steps, paced by the clock, with the ground truth of the last step.
+     * Simulation thread.
      *
-     * @param newPart how much of the next step's time has passed, 1 to 255 of {@link #PARTS}; what is less than before counts as before
-     * @return at which part to look again; {@link #PARTS} if the next step is early enough, or nothing was to be done
+     * @param newPart elapsed share of the next step, 1 to 255 of {@link #PARTS}; a value below an earlier one counts as
+     *     the earlier one
+     * @return part of the next service; {@link #PARTS} if the next step is early enough or there was nothing to do
      */
     public int serviceDevices(int newPart) {
         thread = Thread.currentThread();
@@ -178,17 +189,23 @@ public final class Simulation implements AutoCloseable {
         return (int) Math.min(PARTS, Math.max(part + 1, Math.ceil((next - getTime()) / STEP * PARTS)));
     }
 
-    /** Whether {@link #answer} has something to do, or does it. Any thread. */
+    /** Whether {@link #answer} has work or is doing it. Any thread. */
     public boolean hasQueries() {
         return instruments.hasQueries();
     }
 
-    /** Whether {@link #answer} is to be tried again soon: who has just opened a port does not wait for it yet. Any thread. */
+    /**
+     * Whether {@link #answer} should be tried again soon: a host has opened a port and does not wait for its reply yet.
+     * Any thread.
+     */
     boolean isOpening() {
         return instruments.areOpening();
     }
 
-    /** While time stands still: devices that {@link org.SEAR.devices.SerialDevice#answersAtOnce} deal with what was written. Simulation thread. */
+    /**
+     * Lets devices with {@link org.SEAR.devices.SerialDevice#answersAtOnce} process their input while time stands
+     * still. Simulation thread.
+     */
     public void answer() {
         if (!hasQueries()) {
             return;
@@ -203,7 +220,7 @@ public final class Simulation implements AutoCloseable {
         devicesServiced(0);
     }
 
-    /** Time stands still, and nothing is asked for. Simulation thread. */
+    /** Called while time stands still and nothing is requested. Simulation thread. */
     void idle() {
         if (listener != null) {
             listener.idle();
@@ -228,7 +245,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Tells the tap what happens between two steps. */
+    /** Reports an event between two steps to the listener. */
     private void report(Consumer<RunListener> event) {
         if (delivering) {
             late.add(event);
@@ -250,7 +267,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Runs what was asked for with {@link #ask}, without advancing. Simulation thread. */
+    /** Answers the questions of {@link #ask} without advancing. Simulation thread. */
     public void answerQueries() {
         if (questions.isEmpty()) {
             return;
@@ -262,8 +279,8 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Everything back to step 0, as a fresh start with the same seed. Who watches what and the speed of the user's ports stay. Who calls it while a
-     * step's outputs are delivered gets it when all of them are. Simulation thread.
+     * Resets everything to step 0, as a fresh start with the same seed. Watched sensors and the baud rates of the host
+     * ports stay. During the delivery of outputs the reset waits for its end. Simulation thread.
      */
     public void reset() {
         if (delivering) {
@@ -278,29 +295,35 @@ public final class Simulation implements AutoCloseable {
         start();
     }
 
-    /** From the next {@link #reset} on random numbers come from another seed; not while somebody looks at the run. Simulation thread. */
+    /**
+     * Sets the seed of random numbers from the next {@link #reset} on. Not while a listener is attached. Simulation
+     * thread.
+     */
     public void reseed(long seed) {
         origin = new RunOrigin(seed, origin.epochMillis, origin.groundVisible);
         instruments.reseed(seed);
     }
 
-    /** Has somebody look at the run, beside those who do already, from now on or no longer. Simulation thread. */
+    /** Adds or removes a listener of the run. Simulation thread. */
     public void setListener(RunListener who, boolean on) {
         listener = RunListener.Several.changed(listener, who, on);
         instruments.getPorts().forEach(port -> port.getCable().setListener(listener));
     }
 
-    /** What, beside project and commands, decides what happens. Any thread. */
+    /** Returns the settings that determine the run besides project and commands. Any thread. */
     public RunOrigin getOrigin() {
         return origin;
     }
 
-    /** A command for the start of the next step. Any thread. A command that throws becomes a warning. */
+    /** Queues a command for the start of the next step. Any thread. An exception of the command becomes a warning. */
     public void post(Consumer<Simulation> command) {
         commands.add(command);
     }
 
-    /** A question, answered on the simulation thread between two steps (while paused too). Any thread. Fails when the simulation has ended. */
+    /**
+     * Asks a question, answered on the simulation thread between two steps, also while paused. Any thread. The future
+     * fails when the simulation has ended.
+     */
     public <T> Future<T> ask(Function<Simulation, T> question) {
         CompletableFuture<T> answer = new CompletableFuture<>();
         Runnable job = () -> {
@@ -326,7 +349,7 @@ public final class Simulation implements AutoCloseable {
         return answer;
     }
 
-    /** Who is to be told that there is a question, or something on a line. */
+    /** Sets the callback that runs when a question or bytes on a line arrive. */
     void setWakeUp(Runnable newWakeUp) {
         wakeUp = newWakeUp;
         instruments.getPorts().forEach(port -> port.getCable().setWakeUp(newWakeUp));
@@ -337,17 +360,17 @@ public final class Simulation implements AutoCloseable {
         return snapshot;
     }
 
-    /** The project this world was made from; immutable. Any thread. */
+    /** The project of this world; immutable. Any thread. */
     public Project getProject() {
         return project;
     }
 
-    /** Simulated seconds. Simulation thread; others look at the snapshot. */
+    /** Simulated seconds. Simulation thread; other threads read the snapshot. */
     public double getTime() {
         return step * STEP;
     }
 
-    /** The time up to which devices have been run. */
+    /** Simulated time up to which devices have run, s. */
     private double getDeviceTime() {
         return part == 0 ? getTime() : (step + part / (double) PARTS) * STEP;
     }
@@ -363,7 +386,8 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Points of an object that are enough to draw its outline from any side: {x, y, z} in metres, scale included, in the object's frame. Any thread.
+     * Points that suffice to draw an object's outline from any side: {x, y, z} in metres, scale included, object frame.
+     * Any thread.
      *
      * @param object of this world's project
      * @return empty for an object without a shape
@@ -372,55 +396,60 @@ public final class Simulation implements AutoCloseable {
         return world.getOutline(object);
     }
 
-    /** What a shape of this world's project looks like, in its own frame, metres; null for a terrain, drawn by its heights. Any thread. */
+    /**
+     * Surface of a shape of this world's project, shape frame, metres; null for a terrain, which is drawn from its
+     * elevations. Any thread.
+     */
     public SurfaceMesh getSurface(Shape shape) {
         return world.getSurface(shape);
     }
 
     /**
-     * A sensor by name; any thread, what the sensor does is up to the simulation thread.
+     * Finds a sensor by name. Any thread; the sensor itself belongs to the simulation thread.
      *
-     * @param name as {@code rover/ping}, or without the robot where only one has a sensor of that name
-     * @throws IllegalArgumentException that names the sensors there are, or the robots that have one of that name
+     * @param name for example {@code rover/ping}; the robot's name can be omitted if only one robot has such a sensor
+     * @throws IllegalArgumentException that lists the valid sensors, or the robots that have one of that name
      */
     public Sensor<?> getSensor(String name) {
         return instruments.sensor(name);
     }
 
     /**
-     * The present reading of a sensor. Simulation thread.
+     * Returns the present reading of a sensor. Simulation thread.
      *
-     * @throws IllegalArgumentException that names the sensors there are
+     * @throws IllegalArgumentException that lists the valid sensors
      */
     public Reading read(String sensorName) {
         return instruments.read(sensorName);
     }
 
     /**
-     * The present readings of several sensors, as {@link #read(String)} answers them; measured side by side where that pays. Simulation thread.
+     * Returns the present readings of several sensors, equal to those of {@link #read(String)}. Measures in parallel
+     * where that pays. Simulation thread.
      *
-     * @throws IllegalArgumentException that names the sensors there are
+     * @throws IllegalArgumentException that lists the valid sensors
      */
     public List<Reading> read(List<String> sensorNames) {
         return instruments.read(sensorNames);
     }
 
     /**
-     * The unit in which a sensor's reading is shown, empty if it has none. Any thread.
+     * Display unit of a sensor's reading, empty if it has none. Any thread.
      *
-     * @throws IllegalArgumentException that names the sensors there are
+     * @throws IllegalArgumentException that lists the valid sensors
      */
     public String getUnit(String sensorName) {
         return instruments.unit(sensorName);
     }
 
-    /** Names of all sensors, ordered. Any thread. */
+    /** Names of all sensors, sorted. Any thread. */
     public List<String> getSensorNames() {
         return instruments.getNames();
     }
 
     /**
-     * The world's y of the ground at a point, metres: of the terrain, a floor or a model that is the terrain; the highest of them. Simulation thread.
+     * Height (y) of the highest ground at a point, metres: terrain, floor, or a model that is the terrain. Simulation
+     * thread.
      *
      * @param x metres north
      * @param z metres east
@@ -430,85 +459,103 @@ public final class Simulation implements AutoCloseable {
         return world.groundHeight(x, z);
     }
 
-    /** What {@link #getGroundHeight} answers in the world of a project, of which only the ground is made (which can fail). Any thread. */
+    /**
+     * Returns the result of {@link #getGroundHeight} for a project without a simulation; builds only its ground. Any
+     * thread.
+     *
+     * @throws ProjectException if the ground can't be built
+     */
     public static double groundHeight(Project project, double x, double z) throws ProjectException {
         return World.groundHeight(World.ground(project), x, z);
     }
 
     /**
-     * Where something is in the world. Simulation thread.
+     * Pose of an object in the world. Simulation thread. A wheel's pose includes its suspension and rotation. A
+     * Dynamics has the pose of its robot.
      *
-     * @param name of a robot, a part of a robot ({@code rover/ping} where several have one of that name), or an environment object; a wheel is where
-     *     its suspension and motor have it now, and a Dynamics, which has no place of its own on the robot, is where the robot is
-     * @throws IllegalArgumentException if there is none of that name
+     * @param name of a robot, an environment object or a part of a robot ({@code rover/ping} where several robots have
+     *     such a part)
+     * @throws IllegalArgumentException if the name is unknown
      */
     public Pose getPose(String name) {
         return places.find(name);
     }
 
     /**
-     * A motor by name; any thread, what it does is up to the simulation thread.
+     * Finds a motor by name. Any thread; the motor itself belongs to the simulation thread.
      *
-     * @param name as {@code rover/left}, or without the robot where only one has a motor of that name
-     * @throws IllegalArgumentException that names the motors there are, or the robots that have one of that name
+     * @param name for example {@code rover/left}; the robot's name can be omitted if only one robot has such a motor
+     * @throws IllegalArgumentException that lists the valid motors, or the robots that have one of that name
      */
     public MotorHardware getMotor(String name) {
         return actuators.motor(name);
     }
 
-    /** A servo by name, as {@link #getMotor} finds a motor and throws. Any thread, likewise. */
+    /** Finds a servo by name, see {@link #getMotor}. */
     public ServoHardware getServo(String name) {
         return actuators.servo(name);
     }
 
-    /** A light by name, as {@link #getMotor} finds a motor and throws. Any thread, likewise. */
+    /** Finds a light by name, see {@link #getMotor}. */
     public LightHardware getLight(String name) {
         return actuators.led(name);
     }
 
-    /** Whether snapshots carry the sensor's reading from now on; never changes any reading. Any thread, through {@link #post}. */
+    /**
+     * Starts or stops adding a sensor's reading to snapshots; never changes a reading. Any thread, through
+     * {@link #post}.
+     */
     public void watch(String sensorName, boolean on) {
         instruments.sensor(sensorName);
         observer.watch(sensorName, on);
         snapshot = observer.look(step);
     }
 
-    /** Snapshots carry fresh readings and status lines every so many steps, 1 or more, by default 2. Simulation thread. */
+    /**
+     * Sets how often snapshots get new readings and status lines: every n-th step, n at least 1, by default 2.
+     * Simulation thread.
+     */
     void setDisplayInterval(int steps) {
         observer.setInterval(steps);
     }
 
-    /** Whether snapshots carry the points of contact from now on; default false. Any thread, through {@link #post}. */
+    /** Starts or stops adding contact points to snapshots; off by default. Any thread, through {@link #post}. */
     public void showContacts(boolean on) {
         world.setWantsContacts(on);
     }
 
     /**
-     * Tells a motor, servo, light or steering what to do from the next step on. Simulation thread.
+     * Commands a motor, servo, light or steering from the next step on. Simulation thread.
      *
-     * @throws IllegalArgumentException that names what there is, or the legal range
+     * @throws IllegalArgumentException that lists the valid names or the legal range
      */
     public void order(ActuatorOrder order) {
         order.giveTo(this);
         report(who -> who.order(order));
     }
 
-    /** Gives a thing or a robot a velocity, or has it pushed from the next step on; throws as {@link World#order} does. Simulation thread. */
+    /**
+     * Sets the velocity of an object or robot, or applies a force from the next step on. Throws as {@link World#order}.
+     * Simulation thread.
+     */
     public void order(BodyOrder order) {
         world.order(order);
         report(who -> who.order(order));
     }
 
-    /** Has a hand pull a thing or a robot from the next step on, until it lets go; throws as {@link #order(BodyOrder)} does. Simulation thread. */
+    /**
+     * Lets a drag spring pull an object or robot from the next step until its release. Throws as
+     * {@link #order(BodyOrder)}. Simulation thread.
+     */
     public void hold(DragSpring hand, String name) {
         world.hold(hand, name);
     }
 
     /**
-     * Switches the power of a serial device; what is on its line is gone. Simulation thread.
+     * Switches the power of a serial device; bytes on its line are lost. Simulation thread.
      *
      * @param name of the object with its ports, as {@link #getSensor} takes it
-     * @throws IllegalArgumentException that names the devices there are
+     * @throws IllegalArgumentException that lists the valid devices
      */
     public void power(String name, boolean on) {
         instruments.power(name, on, getDeviceTime());
@@ -516,18 +563,19 @@ public final class Simulation implements AutoCloseable {
         snapshot = observer.lookClosely(step);
     }
 
-    /** The lines of all serial devices. Any thread (the list never changes). */
+    /** Lines of all serial devices; the list never changes. Any thread. */
     public List<SerialLine> getLines() {
         return instruments.getLines();
     }
 
     /**
-     * Puts a thing of the environment or a robot, at rest, to where it starts in a newer state of the project, on top of what is there; a reset finds
-     * it there, too. All else stays as it was at the start. Simulation thread.
+     * Moves an object or robot, at rest, to its start in a newer state of the project, on top of what is there. A reset
+     * uses the new start. Everything else keeps its start. Simulation thread.
      *
-     * @param back whether an edit was taken back: it goes to where it stood before that, if it was moved since the last start or reset
-     * @return whether this world has it
-     * @throws IllegalArgumentException if it has no place there
+     * @param back true for an undone edit: the object returns to its pose before that edit, if it was moved since the
+     *     last start or reset
+     * @return whether this world has the object
+     * @throws IllegalArgumentException if it has no valid place there
      */
     public boolean place(String name, Project now, boolean back) {
         try {
@@ -548,11 +596,11 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Puts a thing of the environment or a robot elsewhere, at rest. Simulation thread.
+     * Moves an object or robot, which is then at rest. Simulation thread.
      *
-     * @param start where a reset finds it
-     * @param to where it is now
-     * @throws IllegalArgumentException if there is none of that name
+     * @param start its pose after a reset
+     * @param to its pose now
+     * @throws IllegalArgumentException if the name is unknown
      */
     public void move(String name, Pose start, Pose to) {
         if (!world.getMoves().has(name)) {
@@ -564,10 +612,10 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * How much higher, in metres, a robot's start has to be than it is to stand on what is there, when it is moved. Simulation thread.
+     * Rise, in metres, that a moved robot's start needs to stand on the ground or objects there. Simulation thread.
      *
-     * @param by what its start is moved by, in the world
-     * @return 0 for what is no robot; where nothing is below, as much as keeps it at its present height
+     * @param by displacement of its start, world frame
+     * @return 0 if the name is no robot's; where nothing is below, the rise that keeps the robot at its present height
      */
     public double rise(String robot, Pose by) {
         return world.getMoves().rise(robot, by);
@@ -578,8 +626,8 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * On how many threads sensors measure from now on, that of the simulation included; at first as many as the machine has processors. What they
-     * read does not depend on it. Simulation thread.
+     * Sets the number of threads, including the simulation's, that measure. Default: the machine's processors. Readings
+     * do not depend on it. Simulation thread.
      *
      * @throws IllegalArgumentException that names the legal range
      */
@@ -587,7 +635,7 @@ public final class Simulation implements AutoCloseable {
         world.getWorkers().setThreads(threads);
     }
 
-    /** Lets go of everything: questions that are still open fail. Simulation thread, after the last step. */
+    /** Releases all resources; open questions fail. Simulation thread, after the last step. */
     @Override
     public void close() {
         world.getWorkers().close();

@@ -7,25 +7,26 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * The body of the simulation thread: paces steps to real time, a factor of it, or as fast as possible; pauses; serves questions and
- * the lines of devices meanwhile. Whoever runs it gives it a thread. Every method but {@link #run} may be called from any thread.
+ * Loop of the simulation thread. Paces steps to real time, to a factor of it, or runs as fast as possible. Pauses,
+ * answers queries and services device lines between steps. All methods except {@link #run} may be called from any
+ * thread.
  */
 public final class SimulationRunner implements Runnable {
     private static final double NANOS = 1e9;
-    /** A step takes some 17 s then: who waits for less would take it for a fault. */
+    /** Slowest factor: one step takes some 17 s. A slower one would look like a fault. */
     public static final double SLOWEST = 0.001;
-    /** So often it is looked whether who has opened a port has come to where he waits for its device, ns. */
+    /** Interval, ns, of checks whether the host that opened a port now waits for the device. */
     private static final long LOOK_AFTER_OPENER = 2_000_000;
-    /** So often a record hears that time stands still, ns. */
+    /** Interval, ns, at which listeners get {@link Simulation#idle} while time stands still. */
     private static final long STANDING = 1_000_000_000;
     private static final long SILENT = Long.MIN_VALUE;
     private static final long LOOK_MILLIS = 200;
-    /** By which sums of steps may miss the time that was asked for, s. */
+    /** Tolerance of {@link #sleep} for rounding errors of summed steps, s. */
     private static final double ROUNDING = Simulation.STEP / 1000;
-    /** Real time over which the speed is measured, ns, and how often. */
+    /** Real time over which the speed is measured, ns, and number of samples in it. */
     private static final long SPEED_WINDOW = 1_000_000_000L;
     private static final int SPEED_SAMPLES = 8;
-    /** Snapshots carry fresh readings about this often in real time, per second. */
+    /** Rate of new readings in snapshots, per second of real time, approximately. */
     private static final double DISPLAY_RATE = 30;
 
     private final Simulation simulation;
@@ -43,20 +44,20 @@ public final class SimulationRunner implements Runnable {
     private volatile Throwable failure;
     private volatile double measured;
     private volatile Thread thread;
-    /** Steps that the world has made, and those whose outputs have gone out, too. */
+    /** Steps of the world; {@link #done} counts those whose outputs are delivered, too. */
     private volatile long advanced;
     private volatile long done;
     private volatile long ordered;
     private volatile boolean newPace;
     private final Pace pace = new Pace();
-    /** When the bell rang first since lines were attended to last, ns; {@link #SILENT} if it did not. */
+    /** Time of the first wake-up since lines were last serviced, ns; {@link #SILENT} if there was none. */
     private volatile long rung = SILENT;
 
     public SimulationRunner(Simulation simulation) {
         this.simulation = simulation;
     }
 
-    /** Runs until {@link #stop}; then closes the simulation. The thread that calls this is the simulation thread. */
+    /** Runs until {@link #stop}, then closes the simulation. The calling thread becomes the simulation thread. */
     @Override
     public void run() {
         thread = Thread.currentThread();
@@ -85,13 +86,13 @@ public final class SimulationRunner implements Runnable {
         }
     }
 
-    /** Until something is asked for, or who has just opened a port may wait for its device by now; or for a while. */
+    /** Waits for a request or a timeout; the timeout is short while a host is opening a port. */
     private void rest() {
         LockSupport.parkNanos(this, simulation.isOpening() ? LOOK_AFTER_OPENER : STANDING);
         simulation.idle();
     }
 
-    /** Whether the next step's time has come; attends to the lines and waits a while if not. */
+    /** Whether the next step is due; if not, services the lines and waits. */
     private boolean isDue() {
         if (newPace) {
             newPace = false;
@@ -105,7 +106,7 @@ public final class SimulationRunner implements Runnable {
         return false;
     }
 
-    /** Bytes are on their way from when they were written, however late a busy processor lets this thread see them. */
+    /** Bytes start at the time of their wake-up, however late a busy processor runs this thread. */
     private void serviceLines(long now) {
         long written = rung;
         if (written != SILENT) {
@@ -166,12 +167,11 @@ public final class SimulationRunner implements Runnable {
         samples = samples == 2 * SPEED_SAMPLES - 1 ? SPEED_SAMPLES : samples + 1;
     }
 
-    /** The world that is run. */
     public Simulation getSimulation() {
         return simulation;
     }
 
-    /** Called on the simulation thread after each step. */
+    /** Adds a callback that runs on the simulation thread after each step. */
     public void addStepListener(Runnable listener) {
         listeners.add(listener);
     }
@@ -184,9 +184,9 @@ public final class SimulationRunner implements Runnable {
     }
 
     /**
-     * A factor that {@link #setSpeed} takes.
+     * Returns the factor if {@link #setSpeed} accepts it.
      *
-     * @throws IllegalArgumentException that says what is legal
+     * @throws IllegalArgumentException that states the legal range
      */
     public static double checkedSpeed(double factor) {
         if (!(factor >= SLOWEST)) {
@@ -196,17 +196,17 @@ public final class SimulationRunner implements Runnable {
         return factor;
     }
 
-    /** The factor that was asked for; default 1. */
+    /** Requested factor; default 1. */
     public double getSpeed() {
         return speed;
     }
 
-    /** Simulated seconds per real second over the last second or so; 0 while paused. */
+    /** Simulated seconds per real second over about the last second; 0 while paused. */
     public double getMeasuredSpeed() {
         return measured;
     }
 
-    /** While paused (and always in lock-step) time advances only by {@link #advance}. */
+    /** Pauses or resumes. While paused (and always in lock-step) only {@link #advance} makes steps. */
     public void setPaused(boolean on) {
         paused = on;
         LockSupport.unpark(thread);
@@ -216,7 +216,7 @@ public final class SimulationRunner implements Runnable {
         return paused;
     }
 
-    /** Whether {@link #run} takes no more steps: it was told to end, broke down, or has ended. */
+    /** Whether {@link #run} makes no further steps: it is stopping, has failed, or has ended. */
     public boolean isEnding() {
         return stopped || failure != null || ended;
     }
@@ -227,9 +227,9 @@ public final class SimulationRunner implements Runnable {
     }
 
     /**
-     * Advances by so many steps, also while paused, and returns when they are done, at the speed that is set.
+     * Advances by a number of steps, also while paused. Returns when they are done, at the current speed.
      *
-     * @throws IllegalStateException if the run ended before, or when called on the simulation thread
+     * @throws IllegalStateException if the run ended before, or on the simulation thread
      */
     public void advance(long steps) throws InterruptedException {
         notOnSimulationThread("advance");
@@ -251,20 +251,20 @@ public final class SimulationRunner implements Runnable {
         }
     }
 
-    /** Simulated seconds that this has advanced the world by. A reset changes nothing about it. */
+    /** Simulated seconds that this runner has advanced the world by. A reset does not change it. */
     public double getAdvancedTime() {
         return advanced * Simulation.STEP;
     }
 
-    /** Waits so many simulated seconds, whether the world is reset meanwhile or not, or until the run has ended. */
+    /** Waits for a number of simulated seconds, regardless of resets, or until the run has ended. */
     public void sleep(double seconds) throws InterruptedException {
         sleep(seconds, () -> { });
     }
 
     /**
-     * The same.
+     * Waits as {@link #sleep(double)}.
      *
-     * @param look is called five times a second meanwhile, on the thread that waits
+     * @param look runs five times a second meanwhile, on the waiting thread
      */
     public void sleep(double seconds, Runnable look) throws InterruptedException {
         notOnSimulationThread("sleep");
@@ -289,7 +289,10 @@ public final class SimulationRunner implements Runnable {
         }
     }
 
-    /** Ends {@link #run} after the present step; waits for that unless called from the simulation thread or before {@link #run} began. */
+    /**
+     * Ends {@link #run} after the current step. Waits for its end, except on the simulation thread or before
+     * {@link #run} began.
+     */
     public void stop() {
         stopped = true;
         Thread runs = thread;

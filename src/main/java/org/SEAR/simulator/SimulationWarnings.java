@@ -5,23 +5,26 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.devices.RepeatedWarnings;
 
-/** What the user should know, each cause once, in the order in which it came up. Simulation thread. */
+/** Warnings for the user, one per cause, in order of appearance. Simulation thread. */
 final class SimulationWarnings {
-    /** Ends the key of how many of a cause there were. */
+    /** Suffix of the key under which the count of a cause is stored. */
     private static final String COUNTED = " counted";
 
     private final Map<String, String> byCause = new LinkedHashMap<>();
     private final RepeatedWarnings repeats = new RepeatedWarnings();
     private List<String> list = List.of();
 
-    /** Something that is so: said once, however often it is said. */
+    /** Adds a warning about a state; repetitions are ignored. */
     void add(String warning) {
         if (byCause.putIfAbsent(warning, warning) == null) {
             list = List.copyOf(byCause.values());
         }
     }
 
-    /** Something that has happened: the first of its cause stays, beside it stands how many there were, see {@link RepeatedWarnings}. */
+    /**
+     * Adds a warning about an event. The first one of its cause stays, followed by one with the count, see
+     * {@link RepeatedWarnings}.
+     */
     void count(String cause, String warning) {
         String text = repeats.count(cause, warning);
         if (text != null) {
@@ -30,7 +33,7 @@ final class SimulationWarnings {
         }
     }
 
-    /** Starts again with what is known from the start. */
+    /** Clears all warnings and adds those known at the start. */
     void restart(List<String> project, List<String> world, List<String> devices) {
         byCause.clear();
         repeats.clear();
@@ -40,7 +43,7 @@ final class SimulationWarnings {
         list = List.copyOf(byCause.values());
     }
 
-    /** Immutable; the same list as long as nothing new came up. */
+    /** Immutable; the same list until a warning is added. */
     List<String> list() {
         return list;
     }

@@ -6,7 +6,7 @@ import org.SEAR.devices.PinState;
 import org.SEAR.geometry.Pose;
 import org.SEAR.sensors.Reading;
 
-/** The state of the world after one step, for everybody who looks. Immutable, any thread. */
+/** State of the world after one step. Immutable, any thread. */
 public final class Snapshot {
     /** Steps since start or reset. */
     public final long step;
@@ -18,9 +18,11 @@ public final class Snapshot {
     public final List<RobotState> robots;
     /** Readings of the watched sensors by name. */
     public final Map<String, Reading> readings;
-    /** Contact points of this step, world frame {x, y, z}; empty unless debug shapes were asked for. */
+    /**
+     * Contact points of this step, {x, y, z}, world frame, metres; empty unless {@link Simulation#showContacts} is on.
+     */
     public final List<double[]> contacts;
-    /** What the user should know, in plain words. */
+    /** Warnings for the user. */
     public final List<String> warnings;
 
     Snapshot(long step, double time, List<Pose> environment, List<RobotState> robots, Map<String, Reading> readings,
@@ -36,12 +38,12 @@ public final class Snapshot {
 
     /** One serial device. Immutable. */
     public static final class DeviceState {
-        /** Of the object with its ports, as {@link Simulation#power} takes it. */
+        /** Name of the object with its ports, as {@link Simulation#power} takes it. */
         public final String name;
         public final boolean powered;
-        /** What it is doing, in words. */
+        /** Present activity, as text. */
         public final String status;
-        /** Its pins that something is wired to. */
+        /** Its connected pins. */
         public final List<PinState> pins;
 
         DeviceState(String name, boolean powered, String status, List<PinState> pins) {
@@ -51,7 +53,7 @@ public final class Snapshot {
             this.pins = pins;
         }
 
-        /** Its line for people. */
+        /** Returns its status line for users. */
         @Override
         public String toString() {
             return name + ": " + status;
@@ -62,19 +64,18 @@ public final class Snapshot {
     public static final class RobotState {
         public final String name;
         public final Pose pose;
-        /** m/s along the body's forward axis. */
+        /** Speed along the body's forward axis, m/s. */
         public final double speed;
-        /** rad/s about the body's up axis, + counter-clockwise. */
+        /** Turn rate about the body's up axis, rad/s, + counter-clockwise. */
         public final double turnRate;
-        /** Pose of each wheel in the body frame, spin included, in the order of {@code SEARrobot.getWheels()}. */
+        /** Pose of each wheel in the body frame, rotation included, in the order of {@code SEARrobot.getWheels()}. */
         public final List<Pose> wheels;
         /** Pose of each component in the body frame, in the order of {@code SEARrobot.getComponents()}; empty if no servo can turn any. */
         public final List<Pose> parts;
-        /** How bright each of its lights is, 0 to 1, in the order of {@code SEARrobot.getComponents()}. */
+        /** Brightness of each of its lights, 0 to 1, in the order of {@code SEARrobot.getComponents()}. */
         public final List<Double> lights;
-        /** Its serial devices. */
         public final List<DeviceState> devices;
-        /** Whether one of its devices takes drive commands: who sends them drives. */
+        /** Whether one of its devices accepts drive commands, so that its host drives the robot. */
         public final boolean commanded;
 
         RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<Pose> parts,

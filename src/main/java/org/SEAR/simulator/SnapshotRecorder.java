@@ -14,10 +14,10 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.robot.RobotModel;
 import org.SEAR.sensors.Reading;
 
-/** Makes the snapshots. What did not change is shared with the snapshot before. Simulation thread. */
+/** Makes the snapshots; they share unchanged parts with the snapshot before. Simulation thread. */
 final class SnapshotRecorder {
     private static final int DEFAULT_INTERVAL = 2;
-    /** A robot whose up axis points lower than this (its vertical part) lies on its side or back. */
+    /** Vertical component of the up axis below which a robot lies on its side or back. */
     private static final double OVERTURNED = 0.3;
 
     private final World world;
@@ -28,7 +28,7 @@ final class SnapshotRecorder {
     private Map<String, Reading> readings = Collections.emptyMap();
     private final Snapshot.RobotState[] states;
     private final List<List<Snapshot.DeviceState>> devices = new ArrayList<>();
-    /** Those of each robot. */
+    /** Cables of each robot. */
     private final List<List<Cable>> cables = new ArrayList<>();
     private final boolean[] commanded;
 
@@ -63,7 +63,7 @@ final class SnapshotRecorder {
         return look(step, step % interval == 0);
     }
 
-    /** With readings and devices as they are at this moment. */
+    /** Makes a snapshot with the present readings and device states, regardless of the display interval. */
     Snapshot lookClosely(long step) {
         return look(step, true);
     }
@@ -115,7 +115,7 @@ final class SnapshotRecorder {
         return true;
     }
 
-    /** @return {@code before} if that still holds */
+    /** @return {@code before} if the state has not changed */
     private static Snapshot.DeviceState after(Snapshot.DeviceState before, Cable cable) {
         String status = cable.status();
         List<PinState> pins = cable.pinStates();

@@ -18,13 +18,13 @@ import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.RobotBuilder;
 import org.SEAR.robot.RobotModel;
 
-/** Things of the environment and robots that are put elsewhere while the world runs. Simulation thread. */
+/** Moves objects and robots to other places while the world runs. Simulation thread. */
 final class Teleports {
-    /** So many moves are remembered, to be taken back; as many as edits. */
+    /** Number of remembered moves that can be undone; equal to that of edits. */
     private static final int MOST = 500;
-    /** Places nearer than this are the same, metres. */
+    /** Tolerance within which two places are the same, metres. */
     private static final double SAME = 1e-4;
-    /** A robot is put onto what is at most so much higher than it stands, else below it, metres. */
+    /** Maximum height above a robot's present one onto which it is placed, metres; otherwise it is placed below. */
     private static final double CLIMB = 0.5;
 
     private final World world;
@@ -32,7 +32,7 @@ final class Teleports {
     private final Map<String, RobotModel> robots = new HashMap<>();
     private final Deque<Move> done = new ArrayDeque<>();
 
-    /** What was moved, and where it started and stood before. */
+    /** A moved object with its start and its pose before the move. */
     private static final class Move {
         private final String name;
         private final Pose start;
@@ -51,21 +51,21 @@ final class Teleports {
         world.getRobots().forEach(robot -> robots.put(robot.getObject().getName(), robot));
     }
 
-    /** Everything is back at its start: nothing can be taken back. */
+    /** Forgets all moves, as everything is at its start. */
     void restart() {
         done.clear();
     }
 
-    /** The body of a thing or robot; null if there is none of that name. */
+    /** Returns the body of an object or robot; null if the name is unknown. */
     Body body(String name) {
         return robots.containsKey(name) ? robots.get(name).getBody() : things.get(name);
     }
 
     /**
-     * Where something starts in a newer state of the project, lifted out of all that stands there now.
+     * Start of an object in a newer state of the project, lifted above what stands there now.
      *
      * @return null if this world doesn't have it
-     * @throws ProjectException if it has no place there
+     * @throws ProjectException if it has no valid place there
      */
     Pose start(String name, Project now) throws ProjectException {
         Body body = body(name);
@@ -96,7 +96,7 @@ final class Teleports {
         return objects.stream().filter(object -> object.getName().equals(name)).findFirst().orElse(null);
     }
 
-    /** Remembers where something stands, before it is moved. */
+    /** Stores the pose of an object before it is moved. */
     void remember(String name) {
         Body body = body(name);
         done.add(new Move(name, body.getStart(), body.getPose()));
@@ -106,9 +106,10 @@ final class Teleports {
     }
 
     /**
-     * Where something stood before it was moved away from a start, which is forgotten, and what came after it.
+     * Returns the pose that an object had before it was moved away from a start. Forgets that move and later moves of
+     * the object.
      *
-     * @return the start itself if nobody has moved it from there
+     * @return the start itself if no move from there is stored
      */
     Pose undo(String name, Pose start) {
         Iterator<Move> moves = done.descendingIterator();
@@ -129,7 +130,7 @@ final class Teleports {
         return Math.abs(a.x - b.x) + Math.abs(a.y - b.y) + Math.abs(a.z - b.z) < SAME && cosine > 1 - SAME * SAME;
     }
 
-    /** Puts it elsewhere, at rest, and says where it starts from then on. */
+    /** Moves an object or robot, at rest, and sets its start. */
     void move(String name, Pose start, Pose to) {
         if (robots.containsKey(name)) {
             robots.get(name).move(world.getPhysics(), start, to);
@@ -140,7 +141,7 @@ final class Teleports {
         }
     }
 
-    /** Says what the file of a robot that was moved says now. */
+    /** Updates a moved robot with its definition in the newer project. */
     void write(String name, Project now) {
         if (robots.containsKey(name)) {
             robots.get(name).setWritten((SEARrobot) named(now.getRobots(), name));

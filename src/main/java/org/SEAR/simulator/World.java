@@ -40,27 +40,27 @@ import org.SEAR.simulator.orders.BodyOrder;
 import org.SEAR.simulator.orders.BodyOrders;
 import org.SEAR.simulator.orders.DragSpring;
 
-/** The things of a project: environment and robots in physics and before the beams. Simulation thread. */
+/** Objects of a project, environment and robots, in physics and in the ray casting scenes. Simulation thread. */
 final class World implements PhysicsWorld.Touches {
     private static final int MAX_CONTACTS = 256;
 
     private final PhysicsWorld physics = new PhysicsWorld();
     private final RaycastScenes scenes;
     private final List<Body> environment = new ArrayList<>();
-    /** Those of the environment that can move: what is fixed costs nothing in a step. */
+    /** Environment bodies that are not fixed. */
     private final Body[] movable;
     private final List<RobotModel> robots = new ArrayList<>();
-    /** Only looked up, never walked through. */
+    /** Only looked up, never iterated: its order is not reproducible. */
     private final Map<Body, RobotModel> robotOf = new IdentityHashMap<>();
     private final List<String> warnings = new ArrayList<>();
     private final VirtualWalls virtualWalls;
-    /** Of everything that has a shape; only looked up, never walked through. */
+    /** Solids of all objects with a shape. Only looked up, never iterated. */
     private final Map<SearObject, Solid> shapes = new IdentityHashMap<>();
     private List<Pose> poses;
     private final List<double[]> contacts = new ArrayList<>();
     private boolean wantsContacts;
 
-    /** Who works for this world: no helpers yet. */
+    /** Measuring threads of this world; helper threads start on demand. */
     private final WorkerPool workers = new WorkerPool(WorkerPool.threadsOfMachine());
     private final KillPlane fallen;
     private final Teleports moves;
@@ -69,8 +69,9 @@ final class World implements PhysicsWorld.Touches {
     /**
      * Builds the world of a project.
      *
-     * @param groundVisible whether beams see floors and terrain as their objects say; false: none of them
-     * @param reported takes what happens later
+     * @param groundVisible true: beams hit floors and terrain unless the object is invisible to sensors; false: beams
+     *     hit no ground
+     * @param reported receives warnings during the run
      */
     World(Project project, long epochMillis, boolean groundVisible, Consumer<String> reported) throws ProjectException {
         scenes = new RaycastScenes(!groundVisible || hasInvisible(project));
@@ -139,9 +140,9 @@ final class World implements PhysicsWorld.Touches {
     }
 
     /**
-     * Only the ground of a project.
+     * Builds only the ground of a project.
      *
-     * @throws ProjectException if it can't be made
+     * @throws ProjectException if the ground can't be built
      */
     static RaycastScenes ground(Project project) throws ProjectException {
         RaycastScenes scenes = new RaycastScenes(false);
@@ -171,7 +172,7 @@ final class World implements PhysicsWorld.Touches {
         return groundHeight(scenes, x, z);
     }
 
-    /** The same of any {@link #ground}. */
+    /** Height of the highest ground at a point, metres, see {@link Simulation#groundHeight}. */
     static double groundHeight(RaycastScenes scenes, double x, double z) {
         double height = scenes.groundHeight(x, z);
         if (Double.isNaN(height)) {
@@ -202,7 +203,7 @@ final class World implements PhysicsWorld.Touches {
             place.transform(centre[0], centre[1], centre[2]), ObjectPose.of(object));
     }
 
-    /** Everything back to its start. */
+    /** Puts everything back to its start. */
     void restart() {
         robots.forEach(RobotModel::rewind);
         physics.restart();
@@ -223,7 +224,7 @@ final class World implements PhysicsWorld.Touches {
         poses = poses();
     }
 
-    /** Puts something elsewhere, see {@link Teleports}. */
+    /** Teleports an object, see {@link Teleports}. */
     void move(String name, Pose start, Pose to) {
         moves.move(name, start, to);
         orders.forget(moves.body(name));
@@ -233,9 +234,9 @@ final class World implements PhysicsWorld.Touches {
     }
 
     /**
-     * See {@link Simulation#order(BodyOrder)}.
+     * Runs a command of {@link Simulation#order(BodyOrder)}.
      *
-     * @throws IllegalArgumentException if there is nothing of that name that can move, or the push is too strong for it
+     * @throws IllegalArgumentException if no movable body has that name, or the force is too strong for it
      */
     void order(BodyOrder order) {
         orders.execute(order, moves.body(order.name));
@@ -254,15 +255,15 @@ final class World implements PhysicsWorld.Touches {
         return scenes;
     }
 
-    /** Of the environment, in the project's order; null for what has no shape. */
+    /** Environment bodies in the project's order; null for an object without a shape. */
     List<Body> getEnvironment() {
         return environment;
     }
 
     /**
-     * The physics of a step: wheels find their ground, bodies move, wheels turn, beams' geometry follows.
+     * Physics of a step: wheels find their ground, bodies move, wheels turn, scenes follow.
      *
-     * @param reported hears what hands do in it
+     * @param reported receives the forces of drag springs
      */
     void step(Consumer<BodyOrder> reported) {
         for (int i = 0; i < robots.size(); i++) {
@@ -293,7 +294,7 @@ final class World implements PhysicsWorld.Touches {
         }
     }
 
-    /** The truth of a step. */
+    /** Updates the ground truth after a step. */
     void observe(long step) {
         for (int i = 0; i < robots.size(); i++) {
             RobotModel robot = robots.get(i);
@@ -354,7 +355,7 @@ final class World implements PhysicsWorld.Touches {
         return robots;
     }
 
-    /** What was put right before the start. */
+    /** Warnings from building the world. */
     List<String> getWarnings() {
         return warnings;
     }

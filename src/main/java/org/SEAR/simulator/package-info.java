@@ -1,6 +1,6 @@
 /**
- * The running world: loop, commands in, snapshots out. Knows neither MyRobotLab nor a display. Uses {@link org.SEAR.physics.start},
- * {@link org.SEAR.robot} and {@link org.SEAR.simulator.orders}, and what these use. {@link org.SEAR.simulator.SimulationRunner#run} is the
- * simulation thread; what other threads may call says so.
+ * The running world: the loop, commands in, snapshots out. Independent of MyRobotLab and of any display. Uses
+ * {@link org.SEAR.physics.start}, {@link org.SEAR.robot} and {@link org.SEAR.simulator.orders}, and their dependencies.
+ * {@link org.SEAR.simulator.SimulationRunner#run} is the simulation thread; methods for other threads say so.
  */
 package org.SEAR.simulator;

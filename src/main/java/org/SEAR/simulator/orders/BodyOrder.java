@@ -1,26 +1,26 @@
 package org.SEAR.simulator.orders;
 
 /**
- * What is done to a thing or a robot from outside of its world, by {@code Simulation.order}: it gets a velocity, or somebody pushes it. A
- * record knows it again. Immutable, any thread.
+ * A velocity or force that a script or page gives to an object or robot by {@code Simulation.order}. Records store it.
+ * Immutable, any thread.
  */
 public final class BodyOrder {
-    /** Longest push, seconds. */
+    /** Longest duration of a force, seconds. */
     public static final double LONGEST = 3600;
-    /** Strongest push along an axis, N. */
+    /** Strongest force along an axis, N. */
     public static final double STRONGEST = 1e7;
-    /** No order may change a speed by more in a step, m/s. */
+    /** Largest change of speed by a command in one step, m/s. */
     public static final double FASTEST = 1000;
-    /** Fastest turning, degrees a second about an axis. */
+    /** Largest angular velocity about an axis, degrees per second. */
     public static final double TURNING = 100_000;
 
-    /** What is done. A record has their places in this list. */
+    /** Quantity of a command. Records store the ordinal. */
     public enum Kind {
         /** Velocity of the centre of mass, m/s. */
         VELOCITY(FASTEST, "m/s"),
-        /** Turning, degrees a second about the axes. */
+        /** Angular velocity about the world's axes, degrees per second. */
         SPIN(TURNING, "degrees a second"),
-        /** A force on the centre of mass, N, for some time. */
+        /** A force on the centre of mass, N, for a limited time. */
         PUSH(STRONGEST, "N");
 
         private final double most;
@@ -33,17 +33,17 @@ public final class BodyOrder {
     }
 
     public final Kind kind;
-    /** Of the thing or robot. */
+    /** Name of the object or robot. */
     public final String name;
-    /** Along or about the world's axes. */
+    /** Components along or about the world's axes. */
     public final double x;
     public final double y;
     public final double z;
-    /** Of a push; else 0. */
+    /** Duration of a force; else 0. */
     public final double seconds;
 
     /**
-     * @param seconds of a push, above 0; else 0
+     * @param seconds duration of a force, above 0; else 0
      * @throws IllegalArgumentException that names value and legal range
      */
     public BodyOrder(Kind kind, String name, double x, double y, double z, double seconds) {

@@ -10,7 +10,7 @@ import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.Body;
 
-/** Gives bodies the velocities with which they start, and what they are told while the world runs. Simulation thread. */
+/** Gives bodies their start velocities, and runs commands on bodies during the run. Simulation thread. */
 public final class BodyOrders {
     private final Pushes pushes = new Pushes();
     private final Map<DragSpring, Body> hands = new LinkedHashMap<>();
@@ -18,7 +18,7 @@ public final class BodyOrders {
     private final List<Shape> shapes = new ArrayList<>();
     private final double[] v = new double[6];
 
-    /** A thing of the environment, which may have a velocity at the start. */
+    /** Adds an environment object, which may have a start velocity. */
     public void add(SearObject object, Body body) {
         if (((Shape) object).isLaunched() && !body.isFixed()) {
             launched.add(body);
@@ -26,7 +26,7 @@ public final class BodyOrders {
         }
     }
 
-    /** All bodies are at their start. */
+    /** Sets the start velocities; all bodies are at their start. */
     public void restart() {
         pushes.restart();
         for (int i = 0; i < launched.size(); i++) {
@@ -37,10 +37,10 @@ public final class BodyOrders {
     }
 
     /**
-     * Obeys an order.
+     * Runs a command.
      *
-     * @param body of its name; null if there is none
-     * @throws IllegalArgumentException if it can't be moved
+     * @param body with the command's name; null if there is none
+     * @throws IllegalArgumentException if the body can't be moved or the force is too strong
      */
     public void execute(BodyOrder order, Body body) {
         check(order.name, body);
@@ -67,10 +67,10 @@ public final class BodyOrders {
     }
 
     /**
-     * Has a hand hold something from the next step on, until it lets go.
+     * Lets a drag spring pull a body from the next step until its release.
      *
-     * @param body of its name; null if there is none
-     * @throws IllegalArgumentException if it can't be moved
+     * @param body with the spring's name; null if there is none
+     * @throws IllegalArgumentException if the body can't be moved
      */
     public void hold(DragSpring hand, Body body) {
         check(hand.getName(), body);
@@ -87,9 +87,9 @@ public final class BodyOrders {
     }
 
     /**
-     * Before the physics of a step.
+     * Applies forces before the physics of a step.
      *
-     * @param reported hears what hands do in it
+     * @param reported receives the forces of drag springs
      */
     public void act(Consumer<BodyOrder> reported) {
         if (!hands.isEmpty()) {
@@ -98,7 +98,7 @@ public final class BodyOrders {
         pushes.act();
     }
 
-    /** @return false once it has let go */
+    /** @return false after its release */
     private boolean pull(DragSpring hand, Body body, Consumer<BodyOrder> reported) {
         BodyOrder order = hand.pull(body);
         if (order != null) {
@@ -108,7 +108,7 @@ public final class BodyOrders {
         return order != null;
     }
 
-    /** A body was put elsewhere, at rest. */
+    /** Ends all forces on a teleported body. */
     public void forget(Body body) {
         pushes.forget(body);
         hands.values().removeIf(held -> held == body);

@@ -7,29 +7,30 @@ import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.Body;
 
 /**
- * Somebody's hand that pulls a thing or a robot by a damped spring, at its centre of mass: in each step a push, which a record has as any other. It
- * lets go when nobody has moved it for a while by the computer's clock, so that a page that goes away holds nothing. {@code Simulation.hold} has it
- * begin. {@link #moveTo}, {@link #letGo} and {@link #isHolding} from any thread, all else simulation thread.
+ * A damped spring that pulls an object or robot at its centre of mass, for dragging with the mouse. Each step it
+ * applies one force, recorded as any other. It releases the object after a timeout without {@link #moveTo}, so a closed
+ * page holds nothing. {@code Simulation.hold} attaches it. {@link #moveTo}, {@link #letGo} and {@link #isHolding}: any
+ * thread; the rest: simulation thread.
  */
 public final class DragSpring {
-    /** Strongest pull, N for each kilogram: five times its weight. */
+    /** Strongest force, N per kg of the body: five times its weight. */
     public static final double STRONGEST = 50;
-    /** By the computer's clock. */
+    /** Timeout without {@link #moveTo}, real time. */
     private static final long TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(1500);
-    /** How fast the spring would swing, radians a second; critically damped it does not. */
+    /** Natural frequency of the spring, rad/s; its damping is critical. */
     private static final double FREQUENCY = 10;
 
     private final String name;
     private final LongSupplier clock;
-    /** Metres from where the thing was taken, in the world; null when it is let go. */
+    /** Displacement of the target from the grab point, world frame, metres; null after the release. */
     private volatile double[] way;
     private volatile long moved;
-    /** Its centre of mass when it was taken; null before the first step. */
+    /** Centre of mass at the grab, world frame; null before the first step. */
     private double[] taken;
     private final double[] v = new double[6];
 
     /**
-     * @param name of a thing with a mass, or of a robot
+     * @param name of an object with a mass, or of a robot
      * @param clock nanoseconds, as {@link System#nanoTime}
      */
     public DragSpring(String name, LongSupplier clock) {
@@ -39,7 +40,7 @@ public final class DragSpring {
     }
 
     /**
-     * Where it pulls to, in metres from where the thing was when it was taken.
+     * Sets the target, as a displacement in metres from the object's position at the grab, world frame.
      *
      * @param x north
      * @param y up
@@ -54,7 +55,7 @@ public final class DragSpring {
         way = null;
     }
 
-    /** Whether it still holds, or will from the next step on. */
+    /** Whether it holds the object or will from the next step on. */
     public boolean isHolding() {
         return way != null && clock.getAsLong() - moved < TIMEOUT_NANOS;
     }
@@ -63,7 +64,7 @@ public final class DragSpring {
         return name;
     }
 
-    /** What the body of that name gets in the next step; null when it is let go. */
+    /** Force on the body in the next step; null after the release. */
     BodyOrder pull(Body body) {
         double[] to = way;
         if (to == null || !isHolding()) {
@@ -85,7 +86,7 @@ public final class DragSpring {
         return new BodyOrder(BodyOrder.Kind.PUSH, name, force[0] * scale, force[1] * scale, force[2] * scale, TimeStep.SECONDS);
     }
 
-    /** In the world. */
+    /** Returns the centre of mass in the world frame. */
     private static double[] centre(Body body) {
         Pose pose = body.getPose();
         double[] inside = body.getCentre();

@@ -6,12 +6,13 @@ import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.Body;
 
 /**
- * Forces that act on bodies for some time; in the step in which one ends it is as much weaker as it is shorter. Simulation thread.
+ * Forces that act on bodies for a limited time. In its last step a force is scaled by its remaining share of the step.
+ * Simulation thread.
  */
 final class Pushes {
     private final List<Push> all = new ArrayList<>();
 
-    /** One force, and for how long it still acts. */
+    /** One force with its remaining time, s. */
     private static final class Push {
         private final Body body;
         private final BodyOrder order;
@@ -28,17 +29,16 @@ final class Pushes {
         all.add(new Push(body, order));
     }
 
-    /** Nothing pushes a body any more. */
+    /** Removes all forces on a body. */
     void forget(Body body) {
         all.removeIf(push -> push.body == body);
     }
 
-    /** Nothing is pushed. */
     void restart() {
         all.clear();
     }
 
-    /** Before a step. */
+    /** Applies the forces before a step. */
     void act() {
         for (int i = all.size() - 1; i >= 0; i--) {
             Push push = all.get(i);

@@ -3,13 +3,13 @@ package org.SEAR.devices;
 import java.util.Locale;
 
 /**
- * Whether a device understands what comes over its line, in words for the user when it doesn't: a program at the wrong port, or one that has not gone
- * along with a change of speed. Told once for each program. Simulation thread.
+ * Detects a host program at the wrong port, or one that missed a change of baud rate, and words a warning. Warns once
+ * per program. Simulation thread.
  */
 final class BaudMismatch {
-    /** So many bytes are no noise. */
+    /** Number of bytes from which on they are not just noise. */
     private static final int ENOUGH = 10;
-    /** Simulated seconds from the first byte on; every program's first command is whole by then. */
+    /** Simulated seconds since the first byte; by then the first command of any program is complete. */
     private static final double TIMEOUT = 5;
 
     private final int[] first = new int[2];
@@ -21,7 +21,7 @@ final class BaudMismatch {
     private int garbledAt;
     private boolean reportedSpeed;
 
-    /** A program has come. */
+    /** Starts again for a new program. */
     void begin() {
         understood = false;
         reported = false;
@@ -30,7 +30,7 @@ final class BaudMismatch {
         reportedSpeed = false;
     }
 
-    /** A byte has come to a device that takes bytes. */
+    /** Counts a byte that the device receives at its own baud rate. */
     void heard(int value, double time) {
         if (!understood) {
             if (strange == 0) {
@@ -43,13 +43,13 @@ final class BaudMismatch {
         }
     }
 
-    /** A byte has come at another speed than the device's. */
+    /** Counts a byte that came at another baud rate than the device's. */
     void garbled(int speed) {
         garbled = garbledAt == speed ? garbled + 1 : 1;
         garbledAt = speed;
     }
 
-    /** The device has understood something: the program is at the right port, and has the right speed. */
+    /** Notes a command that the device understood: port and baud rate of the program are right. */
     void understood() {
         understood = true;
         strange = 0;
@@ -58,11 +58,11 @@ final class BaudMismatch {
     }
 
     /**
-     * What to tell the user now.
+     * Returns a warning that is due now.
      *
      * @param device with its article
-     * @param speed the device's
-     * @return null for nothing
+     * @param speed baud rate of the device
+     * @return null for none
      */
     String complaint(String device, int speed, double time) {
         if (!reported && strange >= ENOUGH && time > since + TIMEOUT) {

@@ -4,23 +4,23 @@ import java.util.List;
 import org.SEAR.protocol.Uart;
 
 /**
- * The {@link SerialLine} of one device. Both directions carry 10 bits a byte in simulated time. What a device sends waits for the line; a message for
- * which more than {@link #MAX_OUTPUT} bytes wait already is lost whole. What the user's end writes waits too, up to {@link #MAX_WAITING} bytes; what
- * comes on top is lost. Both losses are counted, as by a real UART whose buffer is full.
+ * The {@link SerialLine} of one device. Both directions carry 10 bits per byte in simulated time. A device's message
+ * waits for the line; it is lost whole if more than {@link #MAX_OUTPUT} bytes wait already. Host bytes wait, too, up to
+ * {@link #MAX_WAITING}; further bytes are lost. Both losses are counted, as by a real UART with a full buffer.
  */
 public final class Cable implements SerialLine {
-    /** Bytes of a device's output that wait for the line, as in a real UART's buffer: while more do, what it sends is lost. */
+    /** Size of the output buffer, bytes: while more wait, the device's messages are lost. */
     public static final int MAX_OUTPUT = 4096;
-    /** Most bytes from the user's end that wait for their turn. */
+    /** Size of the input buffer for bytes from the host. */
     public static final int MAX_WAITING = 1 << 20;
-    /** What a byte looks like at the wrong speed. */
+    /** Mask that distorts a byte sent at the wrong baud rate. */
     private static final int GARBLE = 0xA5;
     private static final int FIRST_SIZE = 256;
-    /** So long after the user's last byte an answer is not kept for the end of a step, s. */
+    /** For this long after the host's last byte, replies leave at once, not at the end of the step, s. */
     private static final double CONVERSATION = 0.1;
-    /** Meanwhile the device's timers run so often, s. */
+    /** Interval of the device's timers during that time, s. */
     private static final double LOOK = 0.001;
-    /** An answer that leaves the line within so long is waited for, s. */
+    /** Longest wait, s, for a reply that is still leaving the line. */
     private static final double SHORT = 0.02;
 
     private final String objectName;
@@ -40,9 +40,9 @@ public final class Cable implements SerialLine {
     private double heardAt = Double.NEGATIVE_INFINITY;
     private volatile int hostBaud;
     private volatile boolean opened;
-    /** Who has opened the user's end. */
+    /** Thread that opened the host port. */
     private volatile Thread opener;
-    /** {@link #hostBaud} as it was at the beginning of the step. */
+    /** {@link #hostBaud} at the beginning of the step. */
     private int userBaud;
     private volatile boolean closed;
     private volatile int deviceBaud;
@@ -74,7 +74,7 @@ public final class Cable implements SerialLine {
         deviceBaud = newDevice.getBaud();
     }
 
-    /** Fresh cable, fresh device with its power on. What was written and not yet carried is gone; the user's speed stays. */
+    /** Restarts cable and device, as after power-on. Bytes on the line are lost; the host's baud rate stays. */
     public void restart() {
         clear();
         baudMismatch.begin();
@@ -97,7 +97,8 @@ public final class Cable implements SerialLine {
     }
 
     /**
-     * Switches the device's power; what is on the line is gone. What comes for a device without power is gone too. Does nothing if it is so already.
+     * Switches the device's power; bytes on the line are lost, and so are bytes for a device without power. Does
+     * nothing if the power is in that state already.
      *
      * @param time simulated seconds
      */
@@ -115,7 +116,7 @@ public final class Cable implements SerialLine {
         }
     }
 
-    /** What its device is doing, in words: {@link SerialDevice#status}, or that it is off. Simulation thread. */
+    /** Status of the device, see {@link SerialDevice#status}, or "off". Simulation thread. */
     public String status() {
         return powered ? device.status() : "off";
     }
@@ -125,12 +126,14 @@ public final class Cable implements SerialLine {
         return powered ? device.pinStates() : List.of();
     }
 
-    /** Whether its device moves its robot when it is told to, see {@link SerialDevice#takesDriveCommands}. Simulation thread. */
+    /**
+     * Whether the device accepts drive commands now, see {@link SerialDevice#takesDriveCommands}. Simulation thread.
+     */
     public boolean takesDriveCommands() {
         return powered && device.takesDriveCommands();
     }
 
-    /** Commands phase: what was written until now is on its way from {@code time} on. */
+    /** Commands phase: bytes written until now start at {@code time}. */
     public void accept(double time) {
         accept(time, false);
     }
@@ -199,7 +202,7 @@ public final class Cable implements SerialLine {
         }
     }
 
-    /** How many bytes have been dropped since the last call. */
+    /** Returns the number of host bytes dropped since the last call. */
     public long takeDropped() {
         if (dropped == 0) {
             return 0;
@@ -211,14 +214,14 @@ public final class Cable implements SerialLine {
         }
     }
 
-    /** How many bytes of the device's output have been lost since the last call. Simulation thread. */
+    /** Returns the number of device bytes lost since the last call. Simulation thread. */
     public long takeLost() {
         long count = lost;
         lost = 0;
         return count;
     }
 
-    /** Devices phase: bytes arrive and the device's timers run, up to {@code end}. */
+    /** Devices phase: delivers bytes to the device and runs its timers, up to {@code end}. */
     public void run(double end) {
         run(end, 1);
     }
@@ -257,11 +260,12 @@ public final class Cable implements SerialLine {
     }
 
     /**
-     * Between two steps: bytes go to and fro, if there are any or the user has written lately. An answer goes out when its last byte has left the
-     * line, or at the step's end: each piece would be one more for which a busy processor has to wake two programs. Simulation thread.
+     * Carries bytes in both directions between two steps, if there are any or the host has written lately. A reply goes
+     * out when its last byte has left the line, or at the step's end: each further piece would wake two programs on a
+     * busy processor. Simulation thread.
      *
-     * @param time simulated seconds, never less than before
-     * @return when to look again; infinity if nothing was to be done
+     * @param time simulated seconds, never decreasing
+     * @return simulated time of the next service, s; infinity if there was nothing to do
      */
     public double serviceDevice(double time) {
         if (!hasIncoming && toDeviceFrom == toDeviceEnd && time >= heardAt + CONVERSATION) {
@@ -278,24 +282,27 @@ public final class Cable implements SerialLine {
         return toDeviceFrom < toDeviceEnd ? Math.min(next, toDeviceTime + Uart.seconds(toDeviceEnd - toDeviceFrom, speedOfHost())) : next;
     }
 
-    /** Whether the device, which answers at once, has something to answer, or is about to. Any thread. */
+    /** Whether the device answers at once and has input, or will have it. Any thread. */
     public boolean hasQueries() {
         return device.answersAtOnce() && (hasIncoming || answering || opened && isOpenerThrough());
     }
 
-    /** Whether the user's end was opened while time stands still, by who has still to go on to where he waits. Any thread. */
+    /**
+     * Whether the host port was opened while time stands still and its opener does not wait for a reply yet. Any
+     * thread.
+     */
     public boolean isOpening() {
         return device.answersAtOnce() && opened;
     }
 
-    /** MyRobotLab's Arduino service opens its port, notes the time and waits: what came before that time does not count. */
+    /** MyRobotLab's Arduino service opens its port, notes the time and waits; it ignores earlier replies. */
     private boolean isOpenerThrough() {
         Thread user = opener;
         return user == null || user == Thread.currentThread() || user.getState() == Thread.State.TIMED_WAITING
             || user.getState() == Thread.State.TERMINATED;
     }
 
-    /** Time stands still: what was written arrives, and all that the device has said leaves the line. Simulation thread. */
+    /** Carries all bytes while time stands still: input arrives, and all output leaves the line. Simulation thread. */
     public void answer(double time) {
         answering = true;
         try {
@@ -308,18 +315,19 @@ public final class Cable implements SerialLine {
         }
     }
 
-    /** Who is told that something was written. */
+    /** Sets the callback that runs when the host has written. */
     public void setWakeUp(Runnable newWakeUp) {
         wakeUp = newWakeUp;
     }
 
-    /** Its device has understood a command. Simulation thread. */
+    /** Notes that the device has understood a command. Simulation thread. */
     public void understood() {
         baudMismatch.understood();
     }
 
     /**
-     * What to tell the user of what the device doesn't understand; null for nothing. Simulation thread.
+     * Warning about bytes that the device does not understand, see {@link BaudMismatch}; null for none. Simulation
+     * thread.
      *
      * @param time simulated seconds
      */
@@ -369,9 +377,9 @@ public final class Cable implements SerialLine {
     }
 
     /**
-     * Has somebody look at the line from now on. Simulation thread.
+     * Sets the listener of the line. Simulation thread.
      *
-     * @param newListener null for nobody
+     * @param newListener null for none
      */
     public void setListener(LineListener newListener) {
         listener = newListener;
@@ -380,14 +388,14 @@ public final class Cable implements SerialLine {
         }
     }
 
-    /** Throws away what has not left the line. */
+    /** Discards all bytes that have not left the line. */
     public void clearOutput() {
         toHostFrom = 0;
         toHostEnd = 0;
         freeAt = 0;
     }
 
-    /** Throws away what has not left the line by {@code time}, but for the byte that is on it then. */
+    /** Discards the bytes that have not left the line by {@code time}, except the byte being sent then. */
     public void cutOutput(double time) {
         double byteTime = Uart.seconds(1, device.getBaud());
         while (toHostEnd > toHostFrom && toHostTimes[toHostEnd - 1] - byteTime >= time) {
@@ -396,7 +404,10 @@ public final class Cable implements SerialLine {
         }
     }
 
-    /** Outputs phase: gives the sink what has left the line by {@code end}; it is gone if the last program has just left the user's end. */
+    /**
+     * Outputs phase: gives the sink the bytes that have left the line by {@code end}. They are lost if the last program
+     * has just closed the host port.
+     */
     public void deliver(double end) {
         int count = 0;
         while (toHostFrom + count < toHostEnd && toHostTimes[toHostFrom + count] <= end) {

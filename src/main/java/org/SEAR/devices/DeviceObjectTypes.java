@@ -4,7 +4,7 @@ import java.util.Collection;
 import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.SearObject;
 
-/** Makes the parameter class of every registered device a part of the object grammar, so that its XML files are read. */
+/** Adds the parameter class of every registered device to the object grammar, so that its XML files are readable. */
 public final class DeviceObjectTypes implements ObjectTypes {
     @Override
     public Collection<Class<? extends SearObject>> types() {

@@ -2,11 +2,14 @@ package org.SEAR.devices;
 
 import org.SEAR.POJOs.SearObject;
 
-/** The registry entry of a kind of serial device; found by {@link java.util.ServiceLoader}. */
+/** Registry entry of a kind of serial device; found by {@link java.util.ServiceLoader}. */
 public interface DeviceType {
-    /** The class of the object grammar that has such a device behind its ports; being registered here makes its files readable. */
+    /**
+     * Class of the object grammar whose objects have such a device behind their ports. Registration makes its files
+     * readable.
+     */
     Class<? extends SearObject> parameterType();
 
-    /** A device for the object, powered on; null if this object has none (a LIDAR of another model). */
+    /** Creates the device of an object, powered on; null if this object has none (a LIDAR of another model). */
     SerialDevice create(SearObject parameters, DeviceContext context);
 }

@@ -9,18 +9,19 @@ import java.util.stream.Collectors;
 import org.SEAR.POJOs.SearObject;
 
 /**
- * The kinds of serial devices there are: those of SEAR and those that other jars register in {@code META-INF/services/org.SEAR.devices.DeviceType}.
- * Jars are found by SEAR's own class loader and by the thread's context class loader. Immutable, any thread.
+ * All kinds of serial devices: those of SEAR, and those that other jars register in
+ * {@code META-INF/services/org.SEAR.devices.DeviceType}. SEAR's own class loader and the thread's context class loader
+ * find them. Immutable, any thread.
  */
 public final class DeviceTypes {
     private final List<DeviceType> types;
 
-    /** @param types in the order in which they are asked */
+    /** @param types in the order in which {@link #create} tries them */
     DeviceTypes(List<DeviceType> types) {
         this.types = List.copyOf(types);
     }
 
-    /** Looks for all kinds that can be found now. */
+    /** Loads all kinds that are available now. */
     public static DeviceTypes load() {
         List<DeviceType> found = new ArrayList<>();
         ClassLoader own = DeviceTypes.class.getClassLoader();
@@ -32,20 +33,20 @@ public final class DeviceTypes {
         return new DeviceTypes(found);
     }
 
-    /** The classes of the object grammar that have devices, in the order in which their kinds are registered, each once. */
+    /** Object classes with devices, each once, in the order of registration. */
     Collection<Class<? extends SearObject>> parameterTypes() {
         return types.stream().map(DeviceType::parameterType).collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
-    /** Whether there is a kind that may sit behind an object's ports. */
+    /** Whether some kind of device may sit behind an object's ports. */
     public boolean isKnown(SearObject object) {
         return types.stream().anyMatch(type -> type.parameterType().isInstance(object));
     }
 
     /**
-     * The device of an object: that of the first kind that has one for it.
+     * Creates an object's device with the first kind that has one for it.
      *
-     * @param context what the device can reach
+     * @param context access of the device to the simulation
      * @return null if no kind has one
      */
     public SerialDevice create(SearObject object, DeviceContext context) {

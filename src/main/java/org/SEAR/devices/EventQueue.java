@@ -3,15 +3,13 @@ package org.SEAR.devices;
 import java.util.PriorityQueue;
 import java.util.function.DoubleConsumer;
 
-/**
- * What a device's firmware has to do later, in the order of time and, at one time, in the order in which it was asked for. Simulation thread only.
- */
+/** Queue of a device's timed actions, ordered by time and then by insertion. Simulation thread only. */
 public final class EventQueue {
     private final PriorityQueue<Entry> entries = new PriorityQueue<>();
     private long count;
 
     /**
-     * Runs {@code action} with its time when {@link #runUntil} gets there.
+     * Schedules an action; {@link #runUntil} runs it with its time.
      *
      * @param time simulated seconds
      */
@@ -19,7 +17,7 @@ public final class EventQueue {
         entries.add(new Entry(time, count++, action));
     }
 
-    /** Does what is due up to and including {@code time}; actions may add more. */
+    /** Runs the actions that are due up to and including {@code time}; actions may add more. */
     public void runUntil(double time) {
         while (!entries.isEmpty() && entries.peek().time <= time) {
             Entry entry = entries.remove();
@@ -27,7 +25,7 @@ public final class EventQueue {
         }
     }
 
-    /** Forgets everything that is not done yet. */
+    /** Removes all actions. */
     public void clear() {
         entries.clear();
     }

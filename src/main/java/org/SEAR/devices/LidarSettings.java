@@ -5,17 +5,16 @@ import org.SEAR.protocol.lidar.LidarModel;
 import org.SEAR.protocol.lidar.LidarProtocol;
 
 /**
- * What a LIDAR's device starts with: the fan and the speed of its object where its model has them, else the model's own, which is told to the user.
- * Immutable.
+ * Start settings of a LIDAR's device: angle range and baud rate of its object. Where the model does not have them, the
+ * model's own apply and the user gets a warning. Immutable.
  */
 public final class LidarSettings {
-    /** What the device is. */
     public final LidarModel model;
-    /** Degrees from the rightmost to the leftmost beam. */
+    /** Angle from the rightmost to the leftmost measurement, degrees. */
     public final double spread;
-    /** Degrees between two beams. */
+    /** Angle between two measurements, degrees. */
     public final double resolution;
-    /** Bits a second. */
+    /** Baud rate, bits per second. */
     public final int baud;
 
     private LidarSettings(LidarModel model, double spread, double resolution, int baud) {
@@ -26,10 +25,10 @@ public final class LidarSettings {
     }
 
     /**
-     * The settings of an object whose device speaks a protocol.
+     * Settings of an object whose device uses a protocol.
      *
-     * @param context hears what is other than the object says
-     * @return null if the object has no device, or one of another protocol
+     * @param context receives a warning for each setting that differs from the object's
+     * @return null if the object has no device, or one with another protocol
      */
     public static LidarSettings of(LIDAR lidar, LidarProtocol protocol, DeviceContext context) {
         LidarModel model = LidarModel.of(lidar.getModel());

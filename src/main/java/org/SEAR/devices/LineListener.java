@@ -1,27 +1,27 @@
 package org.SEAR.devices;
 
 /**
- * Looks at what goes over a line, in a step or between two, without changing anything; each method does nothing unless it is overridden. Simulation
- * thread.
+ * Observes the bytes and events of a line without changing anything. Each method does nothing unless overridden.
+ * Simulation thread.
  */
 public interface LineListener {
-    /** Bytes of the user's end are on their way to the device from now on; the array is the line's. */
+    /** Bytes from the host start now; the array belongs to the line. */
     default void heard(SerialLine line, byte[] bytes, int count) {
     }
 
-    /** Bytes have left the device, whether somebody reads them or not; the array is the reader's. */
+    /** Bytes have left the device, whether a program reads them or not; the array belongs to the reader. */
     default void said(SerialLine line, byte[] bytes) {
     }
 
-    /** From now on the user's end has this speed, 0 for the device's own. */
+    /** The host port has this baud rate from now on; 0: the device's own. */
     default void baud(SerialLine line, int baud) {
     }
 
-    /** The device notices that a program has opened the user's end. */
+    /** The device notices that a program has opened the host port. */
     default void opened(SerialLine line) {
     }
 
-    /** The device notices that the last program has left the user's end. */
+    /** The device notices that the last program has closed the host port. */
     default void lineClosed(SerialLine line) {
     }
 }

@@ -1,12 +1,12 @@
 package org.SEAR.devices;
 
-/** A motor of a robot as firmware and scripts see it. Simulation thread only. */
+/** A motor of a robot, for firmware and scripts. Simulation thread only. */
 public interface MotorHardware {
-    /** Its name, as that of its object. */
+    /** Name of its object. */
     String getName();
 
     /**
-     * Gives it power until the next command; 0 shorts it, so that it brakes.
+     * Applies a voltage until the next command; 0 shorts the motor, which then brakes.
      *
      * @param power share of the full voltage, -1 to 1, + forward
      * @throws IllegalArgumentException that names the motor, the value and the legal range
@@ -14,9 +14,9 @@ public interface MotorHardware {
     void setPower(double power);
 
     /**
-     * Has its controller hold a speed, with whatever power it takes, until the next command.
+     * Lets the motor's controller hold a speed until the next command, with the power that this takes.
      *
-     * @param speed of the wheels, rad/s, + forward; at most what they reach without load
+     * @param speed of the wheels, rad/s, + forward; at most their no-load speed
      * @throws IllegalArgumentException that names the motor, the value and the legal range
      */
     void setSpeed(double speed);
@@ -24,9 +24,9 @@ public interface MotorHardware {
     /** Mean speed of its wheels, rad/s, + forward. */
     double getSpeed();
 
-    /** What its encoder has counted since start or reset, + forward; 0 without an encoder. */
+    /** Encoder counts since start or reset, + forward; 0 without an encoder. */
     long getCounts();
 
-    /** Torque of its shaft now, as a share of the stall torque, -1 to 1. */
+    /** Torque of its shaft, as a share of the stall torque, -1 to 1. */
     double getLoad();
 }

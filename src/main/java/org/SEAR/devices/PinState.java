@@ -2,15 +2,15 @@ package org.SEAR.devices;
 
 import java.util.Objects;
 
-/** A pin of a device, in words for people. Immutable, any thread. */
+/** State of one pin of a device, as text for users. Immutable, any thread. */
 public final class PinState {
-    /** What is printed beside it: {@code A0}. */
+    /** Label of the pin: {@code A0}. */
     public final String pin;
-    /** The component that hangs on it and what for: {@code leftEye (volts)}. */
+    /** Component on the pin and purpose: {@code leftEye (volts)}. */
     public final String wired;
-    /** What it is set to: {@code input}. */
+    /** Pin mode: {@code input}. */
     public final String mode;
-    /** What is there: {@code 1.62 V}, {@code high}, {@code 50 %}, {@code 1472 us}. */
+    /** Value of the pin: {@code 1.62 V}, {@code high}, {@code 50 %}, {@code 1472 us}. */
     public final String value;
 
     public PinState(String pin, String wired, String mode, String value) {

@@ -4,8 +4,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Keeps warnings of one cause from becoming a flood: the first is told as it is, further ones are counted, and the count is told at 10, 100, 1000 and
- * so on. One thread at a time.
+ * Limits repeated warnings of one cause: the first one passes, further ones are counted, and the count is reported at
+ * 10, 100, 1000 and so on. One thread at a time.
  */
 public final class RepeatedWarnings {
     private static final int STEP = 10;
@@ -15,8 +15,8 @@ public final class RepeatedWarnings {
     /**
      * Counts a warning.
      *
-     * @param cause what the warnings have in common that are counted together
-     * @return what to tell now; null for nothing
+     * @param cause key of warnings that are counted together
+     * @return the text to show now; null for none
      */
     public String count(String cause, String message) {
         long count = counts.merge(cause, 1L, Long::sum);
@@ -34,7 +34,7 @@ public final class RepeatedWarnings {
         return rest == 1;
     }
 
-    /** Begins anew. */
+    /** Clears all counts. */
     public void clear() {
         counts.clear();
     }

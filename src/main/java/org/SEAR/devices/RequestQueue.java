@@ -5,10 +5,10 @@ import java.util.Deque;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * The requests to a device that answers one after the other: while it is at one, more wait, and of too many the last are dropped. Simulation thread
- * only.
+ * Requests to a device that answers them one at a time. Up to 16 more wait; further requests are dropped. Simulation
+ * thread only.
  *
- * @param <R> what is asked
+ * @param <R> type of a request
  */
 public final class RequestQueue<R> {
     private static final int MAX_WAITING = 16;
@@ -19,17 +19,17 @@ public final class RequestQueue<R> {
     private final Deque<R> waiting = new ArrayDeque<>();
     private boolean busy;
 
-    /** Does what is asked. */
+    /** Answers requests. */
     public interface Server<R> {
-        /** Does it; then, or later, {@link RequestQueue#done} has to be called. */
+        /** Answers a request; {@link RequestQueue#done} must follow, then or later. */
         void answer(R request, double time);
     }
 
     /**
-     * A queue without requests.
+     * Creates an empty queue.
      *
      * @param events of the device
-     * @param due from when a request could be served to when it is
+     * @param due maps the earliest time of an answer to its actual time
      */
     public RequestQueue(EventQueue events, DoubleUnaryOperator due, Server<R> server) {
         this.events = events;
@@ -37,7 +37,7 @@ public final class RequestQueue<R> {
         this.server = server;
     }
 
-    /** A request has come whole. */
+    /** Adds a complete request. */
     public void add(R request, double time) {
         if (waiting.size() < MAX_WAITING) {
             waiting.add(request);
@@ -45,7 +45,7 @@ public final class RequestQueue<R> {
         }
     }
 
-    /** The present request is answered: the next one's turn. */
+    /** Marks the present request as answered and schedules the next one. */
     public void done(double time) {
         busy = false;
         next(time);
@@ -59,12 +59,12 @@ public final class RequestQueue<R> {
         }
     }
 
-    /** Drops what waits; the present request is still answered. */
+    /** Drops the waiting requests; the present request is still answered. */
     public void dropWaiting() {
         waiting.clear();
     }
 
-    /** Drops everything, as its device's events are. */
+    /** Drops all requests; the device must clear its events, too. */
     public void clear() {
         waiting.clear();
         busy = false;

@@ -1,53 +1,61 @@
 package org.SEAR.devices;
 
-/** Motors and contact sensors of one robot as its firmware sees them, at the present step. Simulation thread only. */
+/** Motors and contact sensors of one robot, for its firmware, at the present step. Simulation thread only. */
 public interface RobotHardware {
-    /** Sets the speed of the left and right driven wheels over ground, m/s; a servo with limited force reaches it. */
+    /**
+     * Sets the speeds of the left and right driven wheels over ground, m/s; a servo with limited force reaches them.
+     */
     void setWheelSpeeds(double left, double right);
 
-    /** Stops the driven wheels as fast as they may without tipping the robot over: no ramp as for {@link #setWheelSpeeds}. */
+    /**
+     * Stops the driven wheels as fast as possible without tipping the robot over, without the ramp of
+     * {@link #setWheelSpeeds}.
+     */
     void brake();
 
     /**
-     * A motor by the name of its object; the same for ever.
+     * Finds a motor by the name of its object; always the same instance.
      *
-     * @return null if the robot has none of that name
+     * @return null if the robot has no such motor
      */
     MotorHardware getMotor(String name);
 
     /**
-     * A servo by the name of its object; the same for ever.
+     * Finds a servo by the name of its object; always the same instance.
      *
-     * @return null if the robot has none of that name
+     * @return null if the robot has no such servo
      */
     ServoHardware getServo(String name);
 
     /**
-     * A light by the name of its object; the same for ever.
+     * Finds a light by the name of its object; always the same instance.
      *
-     * @return null if the robot has none of that name
+     * @return null if the robot has no such light
      */
     LightHardware getLight(String name);
 
-    /** Distance between left and right driven wheels, metres. */
+    /** Distance between the left and right driven wheels, metres. */
     double getWheelBase();
 
-    /** Angle turned by the left driven wheels since start or reset, radians, + forward. */
+    /** Rotation of the left driven wheels since start or reset, radians, + forward. */
     double getLeftWheelAngle();
 
-    /** Angle turned by the right driven wheels since start or reset, radians, + forward. */
+    /** Rotation of the right driven wheels since start or reset, radians, + forward. */
     double getRightWheelAngle();
 
     /** Radius of the driven wheels, metres. */
     double getWheelRadius();
 
-    /** Share of the greatest motor force that the left wheel needs now, 0 to 1 (1: stalled). */
+    /** Force that the left wheel needs now, as a share of the motor's maximum, 0 to 1 (1: stalled). */
     double getLeftLoad();
 
-    /** Share of the greatest motor force that the right wheel needs now, 0 to 1 (1: stalled). */
+    /** Force that the right wheel needs now, as a share of the motor's maximum, 0 to 1 (1: stalled). */
     double getRightLoad();
 
-    /** Signed path of the robot's centre since start or reset, metres, + forward; not clocked up by vibration. */
+    /**
+     * Signed distance travelled by the robot's centre since start or reset, metres, + forward; vibration does not add
+     * to it.
+     */
     double getPath();
 
     /** Heading turned since start or reset, radians, + counter-clockwise seen from above; not wrapped. */
@@ -59,31 +67,39 @@ public interface RobotHardware {
     /** Whether something touches the front right quarter of the body (bumper). */
     boolean isBumpedRight();
 
-    /** Whether the left wheel hangs in its suspension without ground; not while the robot is let down at its start, up to a second. */
+    /**
+     * Whether the left wheel hangs in its suspension without ground; false while the robot settles at its start, up to
+     * a second.
+     */
     boolean isLeftWheelDropped();
 
-    /** Whether the right wheel hangs in its suspension without ground; not while the robot is let down at its start, up to a second. */
+    /**
+     * Whether the right wheel hangs in its suspension without ground; false while the robot settles at its start, up to
+     * a second.
+     */
     boolean isRightWheelDropped();
 
-    /** Whether the front idler hangs without ground; not while the robot is let down at its start, up to a second. */
+    /** Whether the front idler hangs without ground; false while the robot settles at its start, up to a second. */
     boolean isCasterDropped();
 
     /**
-     * Distance from a point of the body along a direction of the body frame to what is there, not the robot itself; infinity beyond the range.
+     * Measures the distance along a ray in the body frame to the first object other than the robot, metres; infinity
+     * beyond the range.
      *
-     * @param x body frame, metres, likewise y, z; (dx, dy, dz) unit vector in the body frame
+     * @param x origin of the ray, body frame, metres, likewise y, z; (dx, dy, dz) unit vector in the body frame
      */
     double look(double x, double y, double z, double dx, double dy, double dz, double range);
 
     /** Radius of the body about its vertical axis, metres. */
     double getBodyRadius();
 
-    /** How far before the body's middle the axle of the foremost wheel is, metres. */
+    /** Distance of the foremost axle ahead of the body's middle, metres. */
     double getFrontAxle();
 
     /**
-     * Whether the robot stands in the beam of a virtual wall: an environment object whose name begins with {@code virtualWall}. Its beam is a fan
-     * along the object's forward axis (+Z), 20 degrees wide and 2.4 m long, with a halo of 0.4 m around the object.
+     * Whether the robot is in the beam of a virtual wall: an environment object whose name begins with
+     * {@code virtualWall}. The beam points along the object's forward axis (+Z), 20 degrees wide and 2.4 m long, with a
+     * halo of 0.4 m around the object.
      */
     boolean isInVirtualWall();
 }

@@ -2,16 +2,16 @@ package org.SEAR.devices;
 
 import org.SEAR.sensors.LidarSource;
 
-/** What is the same for all scanners: what they measure with, what they do later, and what garbage and a power cut do to them. */
+/** Common part of all scanners' firmware: source of scans, timed actions, garbage and power-off. */
 public abstract class ScannerFirmware implements SerialDevice {
     protected final DeviceContext context;
     /** Measures the scans. */
     protected final LidarSource source;
-    /** What it has to do later. */
+    /** Timed actions. */
     protected final EventQueue events = new EventQueue();
 
     /**
-     * A scanner at the end of a cable.
+     * Creates the firmware of a scanner at the end of a cable.
      *
      * @param model with its article
      * @throws IllegalArgumentException unless the context's sensor is a {@link LidarSource}
@@ -24,7 +24,7 @@ public abstract class ScannerFirmware implements SerialDevice {
         this.source = (LidarSource) context.sensor();
     }
 
-    /** Forgets the request that has come in part. */
+    /** Discards a partly received request. */
     protected abstract void forgetRequest();
 
     @Override

@@ -3,49 +3,49 @@ package org.SEAR.devices;
 import java.util.List;
 
 /**
- * The firmware of a simulated device at the end of a serial line: bytes in, bytes out (through {@link DeviceContext#send}), no threads, no MRL.
- * Simulation thread only; time is simulated seconds and never runs backwards but for {@link #reset}.
+ * Firmware of a simulated device on a serial line: bytes in, bytes out (through {@link DeviceContext#send}), without
+ * threads or MyRobotLab. Simulation thread only. Time is simulated seconds and decreases only at a {@link #reset}.
  */
 public interface SerialDevice {
-    /** The speed the device's UART is set to, bits a second. */
+    /** Baud rate of the device's UART, bits per second. */
     int getBaud();
 
-    /** Whether its line is USB or a network, so that who is at the other end is understood whatever baud rate it sets. */
+    /** Whether its line is USB or a network, on which the host's baud rate does not matter. */
     default boolean hearsEveryBaud() {
         return false;
     }
 
     /**
-     * Whether it hears and answers in no time while time stands still, in lock-step or a pause: who talks to it waits for the answer by the
-     * computer's clock, and may be the one who makes time pass. Any thread; never changes.
+     * Whether it answers immediately while time stands still (lock-step or pause). Its host waits by the computer's
+     * clock, and may itself be the program that advances time. Any thread; never changes.
      */
     default boolean answersAtOnce() {
         return false;
     }
 
     /**
-     * A byte has arrived whole.
+     * Receives a complete byte.
      *
      * @param value 0 to 255
-     * @param time when its stop bit ended
+     * @param time end of its stop bit
      */
     void receive(int value, double time);
 
-    /** What it is, with its article: {@code "an LMS200"}. */
+    /** Name of the device with its article: {@code "an LMS200"}. */
     default String title() {
         return "this device";
     }
 
-    /** Whether it boots, so that bytes are lost. */
+    /** Whether it boots, so that incoming bytes are lost. */
     default boolean isStarting() {
         return false;
     }
 
-    /** A byte came at another speed than the device's: a framing error. */
+    /** Receives a byte at another baud rate than the device's: a framing error. */
     void receiveGarbage(double time);
 
     /**
-     * The last program has left the other end of its network connection. Who has a serial cable doesn't notice.
+     * The last program has closed its network connection. Devices on a serial cable don't notice.
      *
      * @param time simulated seconds
      */
@@ -53,7 +53,8 @@ public interface SerialDevice {
     }
 
     /**
-     * A program has opened the other end of its line, which nobody had open. Who has no DTR line, by which it shows on a real cable, doesn't notice.
+     * A program has opened its closed line. Devices without a DTR line, which signals this on a real cable, don't
+     * notice.
      *
      * @param time simulated seconds
      */
@@ -61,7 +62,8 @@ public interface SerialDevice {
     }
 
     /**
-     * The same while time stands still, for who {@link #answersAtOnce}: it boots in no time and says who it is.
+     * A program has opened its line while time stands still. Devices with {@link #answersAtOnce} boot immediately and
+     * identify themselves.
      *
      * @param time simulated seconds
      */
@@ -69,32 +71,33 @@ public interface SerialDevice {
         opened(time);
     }
 
-    /** Lets the device's own timers run up to a time. */
+    /** Runs the device's timers up to a time. */
     void advance(double time);
 
-    /** Everything as at the start of a simulation: delivered from the factory, with its power on since long. */
+    /** Sets the state of a simulation's start: factory settings, on for a long time. */
     void reset();
 
-    /** Its power is switched off: what it moves stands still. Until {@link #powerOn} it is asked for nothing. */
+    /** Switches its power off; what it moves stops. Nothing is called until {@link #powerOn}. */
     void powerOff();
 
     /**
-     * Its power is switched on again: what it forgets without power is as at its start, and it boots as long, and with the words, as the real one.
+     * Switches its power on again. Volatile settings are as at the start. It boots as long, and with the same output,
+     * as the real device.
      *
-     * @param time simulated seconds, from which its timers go on
+     * @param time simulated seconds, from which its timers continue
      */
     void powerOn(double time);
 
-    /** Whether it takes commands that move its robot now, so that who sends them drives. */
+    /** Whether it accepts drive commands now, so that its host drives the robot. */
     default boolean takesDriveCommands() {
         return false;
     }
 
-    /** Its pins that something is wired to, as they are now; empty for what has none. */
+    /** Its connected pins with their present state; empty for a device without pins. */
     default List<PinState> pinStates() {
         return List.of();
     }
 
-    /** State in words for people, for example {@code "OI mode: safe"}. */
+    /** Status as text for users, for example {@code "OI mode: safe"}. */
     String status();
 }

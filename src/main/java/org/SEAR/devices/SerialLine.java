@@ -1,62 +1,71 @@
 package org.SEAR.devices;
 
 /**
- * The cable between a device and the user's port. Bytes take 10 bits of simulated time each, in both directions.
- * {@link #write}, {@link #setHostBaud}, {@link #open}, {@link #hangUp} and the counters may be called from any thread; the rest is the
- * simulation thread's.
+ * The cable between a device and the host port. Each byte takes 10 bits of simulated time, in both directions.
+ * {@link #write}, {@link #setHostBaud}, {@link #open}, {@link #hangUp} and the counters: any thread; the rest:
+ * simulation thread.
  */
 public interface SerialLine {
     /** Receives the bytes that have left the device. Simulation thread. */
     interface Sink {
-        /** @param bytes in order; the array is the receiver's */
+        /** @param bytes in order; the array belongs to the receiver */
         void receive(byte[] bytes);
     }
 
-    /** Name of the sensor or dynamics object whose device sits here. */
+    /** Name of the sensor or dynamics object with this device. */
     String getObjectName();
 
-    /** Kind of that object: its class of the object grammar, for example {@code LIDAR}, {@code GPS}, {@code Dynamics}. */
+    /**
+     * Kind of that object: its class of the object grammar, for example {@code LIDAR}, {@code GPS}, {@code Dynamics}.
+     */
     String getObjectType();
 
-    /** Port name of the device's end. */
+    /** Name of the device's port. */
     String getUartPort();
 
-    /** Port name of the user's end. */
+    /** Name of the host's port. */
     String getUserPort();
 
-    /** Whether the device has power; without, it hears and says nothing. */
+    /** Whether the device has power; without power it neither receives nor sends. */
     boolean isPowered();
 
-    /** The speed that the device's UART is set to now. */
+    /** Present baud rate of the device's UART. */
     int getDeviceBaud();
 
-    /** Whether the device understands the user's end at any speed, see {@link SerialDevice#hearsEveryBaud}. */
+    /** Whether the host's baud rate does not matter, see {@link SerialDevice#hearsEveryBaud}. */
     boolean hearsEveryBaud();
 
-    /** A program has opened the user's end; the device notices where a real one does, see {@link SerialDevice#opened}. Any thread. */
+    /** A program has opened the host port; devices that can notice get {@link SerialDevice#opened}. Any thread. */
     void open();
 
-    /** The last program has left the user's end; the device notices where a real one does, see {@link SerialDevice#portClosed}. Any thread. */
+    /**
+     * The last program has closed the host port; devices that can notice get {@link SerialDevice#portClosed}. Any
+     * thread.
+     */
     void hangUp();
 
-    /** Speed of the user's end; the device takes and gives garbage while it is another than its own. 0 (default): the device's own, always. */
+    /**
+     * Sets the baud rate of the host port. Both directions carry garbage while it differs from the device's. 0
+     * (default): always the device's.
+     */
     void setHostBaud(int baud);
 
     /**
-     * Hands bytes from the user's end to the line. They are on their way from the next step on, or from now on if the simulation goes by the clock;
-     * while time stands still, a device that {@link SerialDevice#answersAtOnce} gets them now. Any thread.
+     * Writes bytes from the host to the line. They start at the next step, or immediately if the clock paces the
+     * simulation. While time stands still, a device with {@link SerialDevice#answersAtOnce} gets them immediately. Any
+     * thread.
      */
     void write(byte[] bytes);
 
-    /** Where bytes from the device go; called in the outputs phase of a step, and between steps. */
+    /** Sets the receiver of the device's bytes; called in the outputs phase of a step, and between steps. */
     void setSink(Sink sink);
 
-    /** Bytes from the user's end that have not reached the device yet. */
+    /** Number of host bytes that have not reached the device yet. */
     int getWaiting();
 
-    /** Bytes ever written by {@link #write}. */
+    /** Total number of bytes accepted by {@link #write}. */
     long getWritten();
 
-    /** Bytes ever given to the sink. */
+    /** Total number of bytes given to the sink. */
     long getDelivered();
 }

@@ -1,23 +1,26 @@
 package org.SEAR.devices;
 
-/** A servo of a robot as firmware and scripts see it. Angles in degrees, + counter-clockwise seen from above. Simulation thread only. */
+/**
+ * A servo of a robot, for firmware and scripts. Angles in degrees, + counter-clockwise seen from above. Simulation
+ * thread only.
+ */
 public interface ServoHardware {
-    /** Its name, as that of its object. */
+    /** Name of its object. */
     String getName();
 
     /**
-     * Has it turn to an angle, as fast as it can.
+     * Turns to an angle as fast as possible.
      *
      * @throws IllegalArgumentException that names the servo, the value and the legal range
      */
     void setAngle(double degrees);
 
-    /** Where it is now. */
+    /** Present angle. */
     double getAngle();
 
-    /** The smallest angle that it can have. */
+    /** Smallest possible angle. */
     double getMinAngle();
 
-    /** The greatest angle that it can have. */
+    /** Largest possible angle. */
     double getMaxAngle();
 }

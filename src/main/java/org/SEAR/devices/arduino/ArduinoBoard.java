@@ -7,13 +7,13 @@ import org.SEAR.devices.PinState;
 import org.SEAR.devices.SerialDevice;
 
 /**
- * A board with its program. Opening its port resets it, as the DTR line of a real one does: for a second its boot loader has the line, then its
- * program begins anew. Bytes that come to the boot loader are lost.
+ * A board with its program. Opening its port resets it, as the DTR line of a real board does. The boot loader then has
+ * the line for a second and loses the bytes that come; afterwards the program starts.
  */
 public final class ArduinoBoard implements SerialDevice, Firmware.Host {
-    /** How long the boot loader waits for a new program, seconds. */
+    /** Time that the boot loader waits for a new program, seconds. */
     static final double BOOT = 1;
-    /** Bytes that wait for a busy program. */
+    /** Bytes that wait while the program is busy. */
     static final int BUFFER = 64;
 
     private final String title;
@@ -28,9 +28,9 @@ public final class ArduinoBoard implements SerialDevice, Firmware.Host {
     private double busyUntil;
 
     /**
-     * A board that has been on since long.
+     * Creates a board that has been on for a long time.
      *
-     * @param title what kind of board it is and what runs on it
+     * @param title kind of the board and its program
      * @param maker makes its program
      */
     ArduinoBoard(String title, int baud, Pins pins, DeviceContext context, Function<Firmware.Host, Firmware> maker) {
@@ -109,7 +109,7 @@ public final class ArduinoBoard implements SerialDevice, Firmware.Host {
         return !Double.isNaN(startsAt);
     }
 
-    /** A framing error: a byte of nonsense comes instead. */
+    /** Delivers a zero byte for a framing error. */
     @Override
     public void receiveGarbage(double time) {
         receive(0, time);

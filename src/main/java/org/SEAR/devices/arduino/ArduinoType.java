@@ -6,7 +6,7 @@ import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.DeviceType;
 import org.SEAR.devices.SerialDevice;
 
-/** Puts a board with its program and its wires behind the ports of an {@link Arduino}. */
+/** Creates the board of an {@link Arduino}, with its program and wiring. */
 public final class ArduinoType implements DeviceType {
     @Override
     public Class<? extends SearObject> parameterType() {

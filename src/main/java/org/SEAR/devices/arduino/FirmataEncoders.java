@@ -7,7 +7,7 @@ import org.SEAR.protocol.arduino.PinUse;
 import org.SEAR.protocol.firmata.EncoderMessage;
 import org.SEAR.protocol.firmata.FirmataMessage;
 
-/** The encoder feature: counts of up to five encoders, each at two pins. What is at no encoder's pins counts nothing. */
+/** The encoder feature: counts of up to five encoders with two pins each. Pins without an encoder give no counts. */
 final class FirmataEncoders {
     private static final int PINS = 2;
 
@@ -25,7 +25,7 @@ final class FirmataEncoders {
         automatic = false;
     }
 
-    /** Whether a motor's encoder hangs on a pin. */
+    /** Whether a motor's encoder is wired to a pin. */
     boolean isTrack(int pin) {
         return IntStream.range(0, pins.board().getPins()).anyMatch(other -> other != pin && pins.encoder(pin, other) != null);
     }
@@ -76,7 +76,7 @@ final class FirmataEncoders {
         zeros[number] = encoders[number].counts();
     }
 
-    /** At each sample, where that was asked for. */
+    /** Reports all encoders at a sample, if automatic reports are on. */
     void reportAutomatic(Consumer<FirmataMessage> answer) {
         if (automatic) {
             reportAll(answer);

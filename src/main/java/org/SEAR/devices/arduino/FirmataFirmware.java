@@ -10,12 +10,13 @@ import org.SEAR.protocol.firmata.FirmataReader;
 import org.SEAR.protocol.firmata.PinMode;
 
 /**
- * StandardFirmata 2.5 with the features for encoders (61h) and for the echoes of range sensors (75h). After a reset it blinks its version, then tells
- * it with its name. Source: the behaviour of StandardFirmata.ino, protocol.md and encoder.md.
+ * StandardFirmata 2.5 with the features for encoders (61h) and for echoes of range sensors (75h). After a reset it
+ * blinks its version, then sends it with its name. Source: behaviour of StandardFirmata.ino, protocol.md and
+ * encoder.md.
  */
 final class FirmataFirmware implements Firmware {
     static final String NAME = "StandardFirmata.ino";
-    /** Two and five blinks of the LED at pin 13. */
+    /** Duration of two and five blinks of the LED at pin 13, seconds. */
     static final double BLINKING = 2.125;
     private static final int MAJOR = 2;
     private static final int MINOR = 5;
@@ -86,7 +87,10 @@ final class FirmataFirmware implements Firmware {
         send(FirmataMessage.text(Feature.STRING, new int[0], text));
     }
 
-    /** Of a Create's commands many look like writes and reports here: only what no other device is sent tells who is at the other end. */
+    /**
+     * Whether a message identifies a Firmata host. A Create's commands often look like writes and reports; only these
+     * messages differ from all other devices' commands.
+     */
     private static boolean isTelling(FirmataMessage message) {
         int command = message.getCommand();
         return command == FirmataMessage.VERSION || command == FirmataMessage.PIN_MODE || command == FirmataMessage.START_SYSEX;
@@ -237,7 +241,7 @@ final class FirmataFirmware implements Firmware {
         }
     }
 
-    /** Nothing answers on the two-wire bus. */
+    /** Warns of an I2C request, because no device is on the bus. */
     private void refuseI2c(FirmataMessage request) {
         host.warn("I2C", "nothing can be wired to its two-wire bus (I2C): who reads there gets no answer");
         if ((request.get(1) & I2C_READS) != 0) {
@@ -245,7 +249,7 @@ final class FirmataFirmware implements Firmware {
         }
     }
 
-    /** The program waits for the echo and does nothing else meanwhile. */
+    /** Measures an echo. The program is busy meanwhile. */
     private void answerEcho(FirmataMessage request) {
         int pin = request.get(0);
         if (!EchoMessage.isRequest(request) || !pins.has(pin)) {

@@ -6,9 +6,9 @@ import org.SEAR.protocol.arduino.BoardModel;
 import org.SEAR.protocol.arduino.PinUse;
 import org.SEAR.protocol.firmata.PinMode;
 
-/** Modes and values of the pins as StandardFirmata keeps them. */
+/** Modes and values of the pins in StandardFirmata. */
 final class FirmataPins {
-    /** Shortest and longest pulse of a servo that was not told others, us: those of the Servo library. */
+    /** Default pulse lengths of a servo, us: shortest and longest of the Servo library. */
     static final int SHORTEST = 544;
     static final int LONGEST = 2400;
     private static final int HALF_TURN = 180;
@@ -24,7 +24,7 @@ final class FirmataPins {
     private final int[] longest;
     private boolean resetting;
 
-    /** @param texts takes what is told to the user */
+    /** @param texts receives messages for the user */
     FirmataPins(Pins pins, FirmataReports reports, Consumer<String> texts) {
         this.pins = pins;
         this.board = pins.board();
@@ -36,7 +36,7 @@ final class FirmataPins {
         this.longest = new int[modes.length];
     }
 
-    /** Analog inputs where there are, all other pins low outputs. */
+    /** Makes analog pins inputs and all other pins low outputs. */
     void reset() {
         resetting = true;
         Arrays.fill(modes, PinMode.INPUT);
@@ -47,7 +47,7 @@ final class FirmataPins {
         resetting = false;
     }
 
-    /** Whether a pin has a mode. */
+    /** Whether a pin supports a mode. */
     boolean can(int pin, PinMode mode) {
         switch (mode) {
             case ANALOG:
@@ -67,12 +67,12 @@ final class FirmataPins {
         return modes[pin];
     }
 
-    /** What was written last; 1 for an input whose pull-up is on. */
+    /** Value written last; 1 for an input with its pull-up on. */
     int state(int pin) {
         return states[pin];
     }
 
-    /** @param code of the mode; one that the pin doesn't have changes nothing */
+    /** @param code of the mode; an unsupported one changes nothing */
     void setMode(int pin, int code, double time) {
         PinMode mode = PinMode.of(code);
         if (pin >= modes.length || mode == null) {
@@ -115,7 +115,7 @@ final class FirmataPins {
         }
     }
 
-    /** Gives a pin to a servo with a range of pulses, us. */
+    /** Attaches a servo with a range of pulses, us, to a pin. */
     void attachServo(int pin, int from, int to) {
         if (pin < modes.length && can(pin, PinMode.SERVO)) {
             setMode(pin, PinMode.SERVO.getCode(), 0);
@@ -124,7 +124,7 @@ final class FirmataPins {
         }
     }
 
-    /** Levels of the outputs of a port; at an input a 1 switches the pull-up on. */
+    /** Sets the levels of a port's outputs; at an input, a 1 switches the pull-up on. */
     void writePort(int port, int bits) {
         for (int i = 0; i < PORT && PORT * port + i < modes.length; i++) {
             int pin = PORT * port + i;
@@ -145,7 +145,7 @@ final class FirmataPins {
         }
     }
 
-    /** Duty of a PWM pin; degrees of a servo, or microseconds from the shortest pulse on. */
+    /** Sets a PWM pin's duty, or a servo's angle in degrees; values of at least {@link #SHORTEST} are a pulse in us. */
     void writeAnalog(int pin, int value) {
         if (pin >= modes.length) {
             return;

@@ -5,21 +5,21 @@ import java.util.function.DoubleConsumer;
 import org.SEAR.protocol.arduino.BoardModel;
 import org.SEAR.protocol.firmata.FirmataMessage;
 
-/** What StandardFirmata tells unasked: levels of inputs when they change, voltages at each sample. */
+/** Unsolicited messages of StandardFirmata: changed levels of inputs, and voltages at each sample. */
 final class FirmataReports {
-    /** Longest time for which an echo is waited for, seconds: more would be a program that hangs. */
+    /** Longest wait for an echo, seconds; a longer wait would look like a crash. */
     static final double LONGEST_WAIT = 2;
     private static final int PORT = 8;
     private static final int SAMPLING_INTERVAL = 19;
     private static final double MILLISECOND = 0.001;
-    /** Bytes that wait for the line before the program does. */
+    /** Size of the send buffer; the program waits when more bytes are queued. */
     private static final int SEND_BUFFER = 64;
     private static final double BITS_A_BYTE = 10;
 
     private final Firmware.Host host;
     private final Pins pins;
     private final BoardModel board;
-    /** Inputs, by pin. */
+    /** Whether a pin is a digital input. */
     private final boolean[] inputs;
     private final boolean[] analogPins;
     private final boolean[] ports;
@@ -39,13 +39,13 @@ final class FirmataReports {
         this.channels = new boolean[board.getAnalogs()];
     }
 
-    /** After a reset of the board. */
+    /** Restarts the sampling after a reset of the board. */
     void begin(double time) {
         interval = SAMPLING_INTERVAL;
         sampled = time;
     }
 
-    /** Nothing is told any more; the time between samples stays. */
+    /** Switches all reports off; the sampling interval stays. */
     void clear() {
         Arrays.fill(ports, false);
         Arrays.fill(channels, false);
@@ -53,18 +53,18 @@ final class FirmataReports {
         Arrays.fill(last, 0);
     }
 
-    /** Whether a pin's level is read, and whether its voltage is. */
+    /** Sets whether a pin's level and its voltage are read. */
     void setInput(int pin, boolean digital, boolean analog) {
         inputs[pin] = digital;
         analogPins[pin] = analog;
     }
 
-    /** @param millis time between samples, at least 1 */
+    /** @param millis sampling interval, at least 1 */
     void setInterval(int millis) {
         interval = Math.max(1, millis);
     }
 
-    /** Switches the report of a channel; when it is switched on, its voltage is told at once. */
+    /** Switches the reports of a channel; switching on sends its voltage immediately. */
     void setAnalog(int channel, boolean on, double time) {
         if (channel < channels.length) {
             channels[channel] = on;
@@ -74,7 +74,7 @@ final class FirmataReports {
         }
     }
 
-    /** Switches the report of a port; when it is switched on, its levels are told at once. */
+    /** Switches the reports of a port; switching on sends its levels immediately. */
     void setPort(int port, boolean on, double time) {
         if (port < ports.length) {
             ports[port] = on;
@@ -88,7 +88,11 @@ final class FirmataReports {
         host.send(FirmataMessage.number(FirmataMessage.ANALOG, channel, pins.readAnalog(board.getFirstAnalog() + channel)).toBytes(), time);
     }
 
-    /** Tells the levels of all reported ports that have changed. */
+    /**
+     * Sends the levels of all reported ports that have changed.
+     *
+     * @param always whether to send unchanged ports, too
+     */
     void levels(double time, boolean always) {
         for (int port = 0; port < ports.length; port++) {
             if (ports[port]) {
@@ -111,9 +115,10 @@ final class FirmataReports {
     }
 
     /**
-     * Tells voltages at each sample up to a time; none while the line has more than a buffer of bytes to send, in which a real program waits.
+     * Sends voltages at each sample up to a time. Skips samples while the line has more than a buffer of bytes queued,
+     * during which a real program waits.
      *
-     * @param also is told of each sample
+     * @param also receives the time of each sample
      */
     void samples(double time, DoubleConsumer also) {
         double step = interval * MILLISECOND;

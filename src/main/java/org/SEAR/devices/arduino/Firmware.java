@@ -1,18 +1,20 @@
 package org.SEAR.devices.arduino;
 
-/** A program on the board. It sees pins and its serial line, nothing else. Simulation thread; times are simulated seconds. */
+/**
+ * A program on the board. It can access only pins and its serial line. Simulation thread; times are simulated seconds.
+ */
 interface Firmware {
     /**
-     * Its start after power-on or a reset, all pins inputs.
+     * Starts the program after power-on or a reset; all pins are inputs.
      *
-     * @param silent whether it started long ago, so that whatever it says then has been said
+     * @param silent whether it started long ago, so that its first messages have been sent already
      */
     void setUp(double time, boolean silent);
 
     /** @param value 0 to 255 */
     void receive(int value, double time);
 
-    /** Its loop, up to a time. */
+    /** Runs its loop up to a time. */
     void advance(double time);
 
     /** See {@link org.SEAR.devices.SerialDevice#answersAtOnce}. */
@@ -20,34 +22,38 @@ interface Firmware {
         return false;
     }
 
-    /** Has just started and says at once, too, what it otherwise says by itself a little later; where it {@link #answersAtOnce}. */
+    /**
+     * Sends the messages immediately that follow a start by themselves later. For programs that {@link #answersAtOnce}.
+     */
     default void introduce() {
     }
 
-    /** What it is doing, in words for people. */
+    /** Status as text for users. */
     String status();
 
-    /** What a program can reach of its board. */
+    /** Access of a program to its board. */
     interface Host {
-        /** Its pins. */
         Pins pins();
 
         /** Puts bytes on the serial line. */
         void send(byte[] bytes, double time);
 
-        /** A command came that the program knows, and that another device's bytes don't look like. */
+        /** Notes a command that the program knows and that can't be meant for another device. */
         void understood();
 
-        /** Bits a second of the line. */
+        /** Baud rate of the line. */
         int getBaud();
 
-        /** When the last byte that was sent has left the line. */
+        /** Time when the last queued byte has left the line. */
         double lineFreeAt();
 
-        /** The program does nothing else until then; bytes that come meanwhile wait in the board's buffer, the last of more than 64 are lost. */
+        /**
+         * Keeps the program busy until a time. Bytes that arrive meanwhile wait in the board's buffer of 64; further
+         * bytes are lost.
+         */
         void busy(double until);
 
-        /** Something the user should know. */
+        /** Shows a warning to the user, see {@link org.SEAR.devices.DeviceContext#warn(String, String)}. */
         void warn(String cause, String message);
     }
 }

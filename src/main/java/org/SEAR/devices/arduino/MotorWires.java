@@ -5,8 +5,9 @@ import org.SEAR.protocol.arduino.BoardModel;
 import org.SEAR.protocol.arduino.WireRole;
 
 /**
- * A motor behind its driver, an H bridge: power by pulses and direction by a level, or pulses for either direction. Its encoder has two tracks, the
- * second of which follows the first by a quarter of a line when it turns forward: four counts a line.
+ * Wires of a motor's driver (H bridge) and encoder. The driver takes pulses for power and a level for direction, or
+ * pulses for either direction. The encoder's second track follows the first by a quarter line when turning forward:
+ * four counts per line.
  */
 final class MotorWires {
     private static final int PHASES = 4;
@@ -21,7 +22,7 @@ final class MotorWires {
         this.motor = motor;
     }
 
-    /** The wire for one purpose. */
+    /** Creates the wire with a role. */
     PinWire wire(WireRole role) {
         return role == WireRole.ENCODER_A || role == WireRole.ENCODER_B ? new Track(role) : new Power(role);
     }

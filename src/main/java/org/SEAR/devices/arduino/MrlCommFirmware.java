@@ -7,9 +7,9 @@ import org.SEAR.protocol.mrlcomm.MrlMessage;
 import org.SEAR.protocol.mrlcomm.MrlReader;
 
 /**
- * MyRobotLab's MrlComm, version 68. After a reset it sends a line of text and {@code AA 02 3A 44}; then it says what it is once a second, and an
- * acknowledgement after each command, in no time where time stands still. Its loop takes a millisecond here. Source: MyRobotLab's schema of its
- * messages and the behaviour of MrlComm.
+ * MyRobotLab's MrlComm, version 68. After a reset it sends a line of text and {@code AA 02 3A 44}. Then it sends its
+ * board info once a second, and an acknowledgement after each command, immediately while time stands still. Its loop
+ * takes a millisecond. Source: MyRobotLab's message schema and the behaviour of MrlComm.
  */
 final class MrlCommFirmware implements Firmware {
     private static final double LOOP = 0.001;
@@ -81,7 +81,9 @@ final class MrlCommFirmware implements Firmware {
         now = time;
     }
 
-    /** MyRobotLab's service waits for each acknowledgement in the thread of the script that makes time pass. */
+    /**
+     * True, because MyRobotLab's service waits for each acknowledgement in the script's thread, which makes time pass.
+     */
     @Override
     public boolean answersAtOnce() {
         return true;
@@ -190,7 +192,7 @@ final class MrlCommFirmware implements Firmware {
         return true;
     }
 
-    /** What needs hardware that can't be wired to the board. */
+    /** Reports a function whose hardware can't be wired to the board. */
     private void refuse(MrlFunction function) {
         String text = function + ": nothing like that can be wired to this board";
         complain(text);

@@ -1,10 +1,10 @@
 package org.SEAR.devices.arduino;
 
-/** A device that a service of MyRobotLab has attached to MrlComm. */
+/** A device that a MyRobotLab service has attached to MrlComm. */
 interface MrlDevice {
-    /** What it does in each loop of the program. */
+    /** Runs in each loop of the program. */
     void loop(double time);
 
-    /** It is given up. */
+    /** Releases the device's pins. */
     void detach();
 }

@@ -7,14 +7,14 @@ import org.SEAR.protocol.arduino.PinUse;
 import org.SEAR.protocol.mrlcomm.MrlFunction;
 import org.SEAR.protocol.mrlcomm.MrlMessage;
 
-/** The devices that services of MyRobotLab have attached: servos and ultrasonic sensors, at most 256 as their numbers are bytes. */
+/** Servos and ultrasonic sensors that MyRobotLab services have attached; at most 256, as their numbers are bytes. */
 final class MrlDevices {
     private final Firmware.Host host;
     private final Pins pins;
     private final Consumer<String> errors;
     private final Map<Integer, MrlDevice> devices = new TreeMap<>();
 
-    /** @param errors takes what MyRobotLab is told then */
+    /** @param errors receives error texts for MyRobotLab */
     MrlDevices(Firmware.Host host, Consumer<String> errors) {
         this.host = host;
         this.pins = host.pins();
@@ -30,7 +30,7 @@ final class MrlDevices {
         return devices.size();
     }
 
-    /** The number of each; as many as fit in a message. */
+    /** Returns the number of each device. */
     byte[] summary() {
         byte[] numbers = new byte[devices.size()];
         int at = 0;
@@ -46,7 +46,7 @@ final class MrlDevices {
         }
     }
 
-    /** @return whether it is a function for such devices */
+    /** @return whether the function is one for attached devices */
     boolean execute(MrlFunction function, MrlMessage message, double time) {
         switch (function) {
             case DEVICE_DETACH:

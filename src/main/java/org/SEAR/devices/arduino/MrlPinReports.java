@@ -4,7 +4,10 @@ import java.util.Arrays;
 import org.SEAR.protocol.mrlcomm.MrlFunction;
 import org.SEAR.protocol.mrlcomm.MrlMessage;
 
-/** The pins that MrlComm reads: each at its own rate, told together as address and value, three bytes a pin, at most 20 of them in a message. */
+/**
+ * Pins that MrlComm reads, each at its own rate. Their readings share messages: address and value, three bytes per pin,
+ * at most 20 pins per message.
+ */
 final class MrlPinReports {
     private static final int MOST = 20;
     private static final int SECOND = 1000;
@@ -38,9 +41,9 @@ final class MrlPinReports {
     }
 
     /**
-     * Reads a pin from now on; nothing changes if it is read already.
+     * Starts reading a pin; does nothing if it is read already.
      *
-     * @param rate readings a second; 0 for one in each loop
+     * @param rate readings per second; 0 for one in each loop
      */
     void enable(int pin, boolean isAnalog, int rate) {
         if (indexOf(pin) >= 0) {
@@ -72,7 +75,7 @@ final class MrlPinReports {
         return -1;
     }
 
-    /** Tells what is due; nothing while the line is busy, in which a real program waits. */
+    /** Sends the readings that are due. Skips the loop while the line is busy, during which a real program waits. */
     void loop(double time) {
         if (count == 0 || host.lineFreeAt() > time) {
             return;

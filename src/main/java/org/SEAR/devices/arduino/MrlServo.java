@@ -4,13 +4,16 @@ import org.SEAR.protocol.mrlcomm.MrlFunction;
 import org.SEAR.protocol.mrlcomm.MrlMessage;
 
 /**
- * A servo of MrlComm: it moves the length of its pulses towards a target with a speed, and tells when it begins and when it is there. A sweep goes to
- * and fro by steps of a loop.
+ * A servo of MrlComm. It changes its pulse length towards a target at a set speed, and reports start and arrival. A
+ * sweep goes back and forth by one step per loop.
  */
 final class MrlServo implements MrlDevice {
     private static final int STARTED = 0;
     private static final int STOPPED = 1;
-    /** From this target on a speed in degrees a second is one in microseconds a second. */
+    /**
+     * Target from which the velocity means degrees per second and is converted to us per second; below, it is us per
+     * second.
+     */
     private static final int FIRST_PULSE = 500;
     private static final double MICROS_A_DEGREE = (2400 - 544) / 180.0;
     private static final int ACCELERATION_SHARE = 10;
@@ -32,9 +35,9 @@ final class MrlServo implements MrlDevice {
     private double last;
 
     /**
-     * Attached to a pin, at its first position.
+     * Attaches the servo to a pin, at its first position.
      *
-     * @param velocity degrees a second; below 0 as fast as it goes
+     * @param velocity degrees per second; below 0: unlimited
      */
     MrlServo(int id, Firmware.Host host, int pin, int position, int velocity) {
         this.id = id;

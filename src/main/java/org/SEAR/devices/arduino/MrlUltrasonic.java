@@ -3,9 +3,12 @@ package org.SEAR.devices.arduino;
 import org.SEAR.protocol.mrlcomm.MrlFunction;
 import org.SEAR.protocol.mrlcomm.MrlMessage;
 
-/** An ultrasonic sensor of MrlComm: pings one after another, and tells whole centimetres when they change; 0 for nothing within 500. */
+/**
+ * An ultrasonic sensor of MrlComm. It pings continuously and reports whole centimetres when they change; 0 without an
+ * echo within 500 cm.
+ */
 final class MrlUltrasonic implements MrlDevice {
-    /** Microseconds of echo for a centimetre, as its library reckons. */
+    /** Microseconds of echo per centimetre, as in its library. */
     private static final int MICROS_A_CENTIMETRE = 57;
     private static final int MAX_CENTIMETRES = 500;
     private static final double MICROSECOND = 1e-6;

@@ -1,22 +1,22 @@
 package org.SEAR.devices.arduino;
 
-/** What hangs on a pin, as electricity sees it. Simulation thread. */
+/** The electrical connection of one pin. Simulation thread. */
 interface PinWire {
-    /** Volts that it puts on the pin; NaN if it leaves the pin alone. */
+    /** Voltage that it puts on the pin, V; NaN if it does not drive the pin. */
     default double volts() {
         return Double.NaN;
     }
 
     /**
-     * What the board puts on the pin from now on.
+     * Sets the board's output to the pin.
      *
-     * @param level share of the supply, as a mean over its pulses; NaN if the board leaves the pin alone, as an input does, see {@link #pull}
+     * @param level mean share of the supply voltage; NaN if the board does not drive the pin, see {@link #pull}
      */
     default void drive(double level) {
     }
 
     /**
-     * The pin is an input from now on. A pull-up resistor is too weak for a light and enough for a driver's inputs.
+     * Makes the pin an input. A pull-up resistor is too weak for a light but enough for a driver's inputs.
      *
      * @param up whether its pull-up is on
      */
@@ -24,31 +24,31 @@ interface PinWire {
         drive(Double.NaN);
     }
 
-    /** @param micros length of the servo pulses that the board puts on the pin from now on; 0 for none */
+    /** @param micros length of the board's servo pulses to the pin; 0 for none */
     default void pulse(int micros) {
     }
 
     /**
-     * How long the echo takes that this pin's pulse brings to another pin, or to itself.
+     * Delay between a pulse at this pin and its echo at another pin, or at the same.
      *
-     * @return seconds, +infinity if none comes; NaN if the two don't belong together
+     * @return seconds, +infinity without an echo; NaN if the pins don't belong to one sensor
      */
     default double echo(PinWire listened) {
         return Double.NaN;
     }
 
-    /** The encoder whose first track this is and whose second one the other; null if they don't belong together. */
+    /** The encoder with this first track and the given second track; null if they don't belong to one encoder. */
     default Encoder encoder(PinWire second) {
         return null;
     }
 
-    /** In words for people: the component and what the wire is for. */
+    /** Component and purpose of the wire, as text for users. */
     String describe();
 
     /** Counts of an encoder since the start. */
     @FunctionalInterface
     interface Encoder {
-        /** Up forward, down in reverse. */
+        /** Counts up forward and down in reverse. */
         long counts();
     }
 }

@@ -11,22 +11,21 @@ import org.SEAR.protocol.arduino.PinUse;
 import org.SEAR.sensors.CounterRandom;
 
 /**
- * The pins of a board: what its program has set each to, and what that does to the things that hang on them. A pin that nothing drives floats: it has
- * any voltage, another one at each step, unless its pull-up resistor holds it. Simulation thread.
+ * Pins of a board: their modes and values, and their effects on the connected components. An undriven pin floats at a
+ * random voltage that changes each step, unless its pull-up resistor is on. Simulation thread.
  */
 public final class Pins {
-    /** Steps of the analog inputs. */
+    /** Resolution of the analog inputs, steps. */
     static final int ANALOG_STEPS = 1024;
-    /** Greatest duty of pulses. */
+    /** Maximum PWM duty. */
     static final int FULL = 255;
-    /** Share of the supply from which on a level is high: data sheet of the ATmega328P. */
+    /** Lowest share of the supply voltage that reads as high. Source: data sheet of the ATmega328P. */
     private static final double HIGH = 0.6;
-    /** Time from one servo pulse to the next, us. */
+    /** Period of servo pulses, us. */
     private static final double SERVO_PERIOD = 20000;
     private static final double STEPS_A_SECOND = 60;
     private static final double PERCENT = 100;
 
-    /** What a pin is set to. */
     enum Mode { INPUT, PULLUP, OUTPUT, PWM, SERVO }
 
     private static final PinWire NOTHING = () -> "";
@@ -39,7 +38,7 @@ public final class Pins {
     private final PinWire[] wires;
     private CounterRandom random;
 
-    /** Nothing is wired; all pins are inputs. */
+    /** Creates pins without wires, all of them inputs. */
     Pins(BoardModel board, String name, DeviceContext context) {
         this.board = board;
         this.context = context;
@@ -60,12 +59,11 @@ public final class Pins {
         return board;
     }
 
-    /** Whether there is such a pin. */
     boolean has(int pin) {
         return pin >= 0 && pin < modes.length;
     }
 
-    /** All pins as after a reset: inputs. */
+    /** Makes all pins inputs, as after a reset. */
     void release() {
         random = new CounterRandom(context.seed(), name);
         for (int pin = 0; pin < modes.length; pin++) {
@@ -77,7 +75,7 @@ public final class Pins {
         return modes[pin];
     }
 
-    /** Sets a pin to a mode; an output is low then. */
+    /** Sets the mode of a pin; an output is low then. */
     void setMode(int pin, Mode mode) {
         if (modes[pin] == Mode.SERVO && mode != Mode.SERVO) {
             wires[pin].pulse(0);
@@ -91,7 +89,7 @@ public final class Pins {
         }
     }
 
-    /** Writes a level; at an input it switches the pull-up resistor. */
+    /** Writes a level; at an input, it switches the pull-up resistor. */
     void write(int pin, boolean high) {
         if (modes[pin] == Mode.INPUT || modes[pin] == Mode.PULLUP) {
             modes[pin] = high ? Mode.PULLUP : Mode.INPUT;
@@ -107,9 +105,9 @@ public final class Pins {
     }
 
     /**
-     * Puts pulses on a pin; one that has none for them is high from half the duty on.
+     * Sets the PWM duty of a pin. A pin without PWM is high above half the duty.
      *
-     * @param duty 0 to 255; what is beyond counts as the nearest of these
+     * @param duty 0 to 255; other values are clamped
      */
     void writeDuty(int pin, int duty) {
         int legal = Math.max(0, Math.min(FULL, duty));
@@ -134,7 +132,7 @@ public final class Pins {
         wires[pin].pulse(micros);
     }
 
-    /** Volts of a pin against ground, of pulses their mean. */
+    /** Voltage of a pin against ground, V; the mean for pulses. */
     double volts(int pin) {
         switch (modes[pin]) {
             case OUTPUT:
@@ -158,20 +156,20 @@ public final class Pins {
         return modes[pin] == Mode.INPUT && Double.isNaN(wires[pin].volts());
     }
 
-    /** The level of a pin. */
+    /** Reads the level of a pin. */
     boolean read(int pin) {
         return volts(pin) >= HIGH * BoardModel.VOLTS;
     }
 
-    /** The voltage of a pin, 0 to 1023 for 0 to 5 V. */
+    /** Reads the voltage of a pin, 0 to 1023 for 0 to 5 V. */
     int readAnalog(int pin) {
         return (int) Math.max(0, Math.min(ANALOG_STEPS - 1, Math.floor(volts(pin) * ANALOG_STEPS / BoardModel.VOLTS)));
     }
 
     /**
-     * How long the echo takes that a pulse at one pin brings to another, or to the same.
+     * Delay between a pulse at one pin and its echo at another, or at the same.
      *
-     * @return seconds, +infinity if none comes
+     * @return seconds, +infinity without an echo
      */
     double echo(int trigger, int listened) {
         double seconds = wires[trigger].echo(wires[listened]);
@@ -183,12 +181,12 @@ public final class Pins {
         return wires[first].encoder(wires[second]);
     }
 
-    /** Whether a range sensor answers at the pin that starts it. */
+    /** Whether a range sensor answers at its trigger pin. */
     boolean hasEcho(int pin) {
         return !Double.isNaN(wires[pin].echo(wires[pin]));
     }
 
-    /** What hangs on the pins, and what is there now, for people. */
+    /** State of the connected pins, as text for users. */
     List<PinState> states() {
         List<PinState> states = new ArrayList<>();
         for (int pin = 0; pin < wires.length; pin++) {

@@ -4,9 +4,11 @@ import org.SEAR.devices.DeviceContext;
 import org.SEAR.protocol.arduino.WireRole;
 import org.SEAR.sensors.Sensor;
 
-/** A wire of a sensor: its voltage, the pulse that lasts as long as the sound is on its way, or a switch that joins the pin to ground. */
+/**
+ * A wire of a sensor: its voltage, a pulse as long as the sound travels, or a switch that connects the pin to ground.
+ */
 final class SensorWire implements PinWire {
-    /** Longest pulses, seconds, which they give when nothing comes back: data sheets of the PING))) and the HC-SR04. */
+    /** Pulse lengths without an echo, seconds. Source: data sheets of the PING))) and the HC-SR04. */
     static final double PING_SILENCE = 0.0185;
     static final double HC_SILENCE = 0.038;
 

@@ -3,8 +3,9 @@ package org.SEAR.devices.arduino;
 import org.SEAR.devices.ServoHardware;
 
 /**
- * The wire of a servo. A pulse of 1472 us, an Arduino's 90 degrees, is the servo's 0 degrees; a longer one turns it counter-clockwise, by a degree
- * for 10.31 us as in the Servo library. Beyond its range it stays at its end, and without pulses where it is told to be last.
+ * The wire of a servo. A pulse of 1472 us, an Arduino's 90 degrees, is the servo's 0 degrees. Longer pulses turn it
+ * counter-clockwise, one degree per 10.31 us as in the Servo library. The angle is limited to the servo's range.
+ * Without pulses the servo keeps its last target.
  */
 final class ServoWire implements PinWire {
     private static final double MIDDLE = (FirmataPins.SHORTEST + FirmataPins.LONGEST) / 2.0;

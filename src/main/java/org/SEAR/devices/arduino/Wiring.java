@@ -10,7 +10,7 @@ import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.ServoHardware;
 import org.SEAR.sensors.Sensor;
 
-/** Hangs the components that an {@link Arduino} names on its pins. */
+/** Connects the components that an {@link Arduino} names to its pins. */
 final class Wiring {
     private final DeviceContext context;
     private final Map<String, MotorWires> motors = new HashMap<>();
@@ -51,7 +51,7 @@ final class Wiring {
         }
     }
 
-    /** A light between a pin and ground: as bright as the pin is high, by the mean of its pulses. */
+    /** A light between a pin and ground; its brightness is the mean level of the pin. */
     private static final class LightWire implements PinWire {
         private final LightHardware light;
 

@@ -7,14 +7,14 @@ import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.LidarSource;
 
 /**
- * The turning head: it samples 2000 times a second, in express scans 4000 times, clockwise from straight ahead, as many samples a turn as the motor's
- * speed makes it. All distances of a turn are of the instant at which it begins.
+ * The rotating head. It takes 2000 samples per second, 4000 in express scans, clockwise from straight ahead. The
+ * motor's speed sets the samples per turn. All distances of a turn are of the instant at which it begins.
  */
 final class Head {
-    /** Seconds of so many samples as are sent at once: 16 nodes, or the 32 samples of a capsule. */
+    /** Duration, seconds, of the samples sent together: 16 nodes, or the 32 samples of a capsule. */
     static final double BLOCK_SECONDS = 0.008;
     private static final int NODES = 16;
-    /** What the device tells of a sample with distance; 15 is usual. */
+    /** Reported quality of a sample with a distance; 15 is usual. */
     private static final int QUALITY = 15;
     private static final double CIRCLE = 360;
     private static final double MILLIMETRES = 1000;
@@ -28,8 +28,8 @@ final class Head {
     private int sample;
 
     /**
-     * @param resolution degrees between two samples of a standard scan: the faster the motor, the more
-     * @param nearest metres from where on it measures
+     * @param resolution degrees between two samples of a standard scan; grows with the motor's speed
+     * @param nearest shortest measurable distance, metres
      */
     Head(double resolution, double nearest, LidarSource source, DeviceContext context) {
         this.context = context;
@@ -38,12 +38,12 @@ final class Head {
         this.nearest = nearest;
     }
 
-    /** Turns a second. */
+    /** Speed of the head, turns per second. */
     double turnsPerSecond() {
         return NODES / BLOCK_SECONDS / samplesPerTurn;
     }
 
-    /** The next block, measured by {@code time}, is the first of a new scan. */
+    /** Starts a scan; its first block is measured by {@code time}. */
     void start(boolean express, double time) {
         perTurn = express ? 2 * samplesPerTurn : samplesPerTurn;
         sample = 0;
@@ -51,7 +51,7 @@ final class Head {
     }
 
     /**
-     * Says when the next turn will begin.
+     * Announces the begin of the next turn to the source.
      *
      * @param time when the next block is measured
      * @param samples of a block
@@ -61,14 +61,13 @@ final class Head {
         source.expect(time + blocks * BLOCK_SECONDS, CIRCLE, CIRCLE / perTurn);
     }
 
-    /** The next block of a scan, measured by {@code time}, of nodes or a capsule. */
+    /** Returns the next block of a scan, measured by {@code time}: nodes or a capsule. */
     byte[] block(boolean express, boolean first, double time) {
         byte[] bytes = express ? capsule(first) : nodes();
         expectTurn(time + BLOCK_SECONDS, express ? Capsule.SAMPLES : NODES);
         return bytes;
     }
 
-    /** The next nodes. */
     private byte[] nodes() {
         byte[] bytes = new byte[NODES * Node.SIZE];
         for (int i = 0; i < NODES; i++) {
@@ -80,7 +79,7 @@ final class Head {
         return bytes;
     }
 
-    /** @param first whether it is the first one after the request */
+    /** @param first whether it is the first capsule after the request */
     private byte[] capsule(boolean first) {
         double start = sample * CIRCLE / perTurn;
         int[] distances = new int[Capsule.SAMPLES];
@@ -90,7 +89,7 @@ final class Head {
         return Capsule.of(first, start, distances).toBytes();
     }
 
-    /** Millimetres of the next sample; 0 for none. */
+    /** Returns the next sample in millimetres; 0 without a return. */
     private double next() {
         if (sample == 0) {
             turn = source.scan(context.truth(), CIRCLE, CIRCLE / perTurn);

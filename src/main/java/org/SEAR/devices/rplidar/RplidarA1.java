@@ -10,24 +10,24 @@ import org.SEAR.protocol.rplidar.RplidarCommand;
 import org.SEAR.protocol.rplidar.RplidarRequestPacket;
 
 /**
- * The firmware 1.20 of an RPLIDAR A1M8. Its motor turns as long as there is power: on the real one the line DTR of the USB adapter switches it,
- * which a simulated port doesn't have; requests for a motor's speed are of other models and are left unanswered, as requests that it doesn't know
- * are. Source: Slamtec, interface protocol and application notes.
+ * Firmware 1.20 of an RPLIDAR A1M8. Its motor turns while there is power. On the real device the DTR line of the USB
+ * adapter switches it, which a simulated port lacks. Requests for a motor's speed belong to other models; like unknown
+ * requests, they get no answer. Source: Slamtec, interface protocol and application notes.
  */
 public final class RplidarA1 extends ScannerFirmware {
-    /** The only speed of its line, bits a second. */
+    /** The only baud rate of its line, bits per second. */
     public static final int BAUD = 115200;
-    /** From a request to its answer; undocumented. Seconds. */
+    /** Delay between a request and its answer, seconds; undocumented. */
     private static final double ANSWER = 0.001;
-    /** RESET to the next request that is heard. Seconds. */
+    /** Time after RESET without reception, seconds. */
     private static final double RESTART = 0.002;
-    /** From power-on until the motor turns and requests are heard; undocumented. Seconds. */
+    /** Time from power-on until it turns and receives requests, seconds; undocumented. */
     private static final double BOOT = 1;
     private static final int EXPRESS_PAYLOAD = 5;
     private static final byte[] SERIAL = {(byte) 0xEB, (byte) 0xB3, (byte) 0x99, (byte) 0xF6, (byte) 0xC9, (byte) 0xE5, (byte) 0x9A, (byte) 0xD2,
         (byte) 0xC5, (byte) 0xE5, (byte) 0x9C, (byte) 0xF7, 0x17, 0x61, 0x34, 0x12};
     private static final Info INFO = new Info(Info.A1M8, 1, 20, 0, SERIAL);
-    /** Microseconds of a sample: 500 in standard scans, 250 in express scans. */
+    /** Duration of a sample, us: 500 in standard scans, 250 in express scans. */
     private static final byte[] SAMPLE_RATE = {(byte) 0xF4, 0x01, (byte) 0xFA, 0x00};
 
     private final Head head;
@@ -40,7 +40,7 @@ public final class RplidarA1 extends ScannerFirmware {
 
     /**
      * @param resolution degrees between two samples of a standard scan
-     * @param nearest metres from where on it measures
+     * @param nearest shortest measurable distance, metres
      * @throws IllegalArgumentException unless the context's sensor is a LIDAR
      */
     public RplidarA1(double resolution, double nearest, DeviceContext context) {
@@ -156,7 +156,7 @@ public final class RplidarA1 extends ScannerFirmware {
         send(command, session, true, time + Head.BLOCK_SECONDS);
     }
 
-    /** A block is measured by {@code time}. */
+    /** Schedules the block measured by {@code time}, and all later blocks of the scan. */
     private void send(RplidarCommand command, int wanted, boolean first, double time) {
         events.at(time, t -> {
             if (wanted == session) {

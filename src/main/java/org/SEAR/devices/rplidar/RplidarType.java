@@ -8,7 +8,10 @@ import org.SEAR.devices.LidarSettings;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.protocol.lidar.LidarProtocol;
 
-/** Puts an RPLIDAR A1 behind the ports of a LIDAR of that model. It always scans the whole circle; the object's resolution is its motor's speed. */
+/**
+ * Creates the RPLIDAR A1 of a LIDAR of that model. It always scans the whole circle; the object's resolution sets its
+ * motor's speed.
+ */
 public final class RplidarType implements DeviceType {
     @Override
     public Class<? extends SearObject> parameterType() {

@@ -1,4 +1,5 @@
 /**
- * The firmware of Slamtec's RPLIDAR A1. Uses {@link org.SEAR.devices} and {@link org.SEAR.protocol.rplidar}, and what these use. Simulation thread.
+ * Firmware of Slamtec's RPLIDAR A1. Uses {@link org.SEAR.devices} and {@link org.SEAR.protocol.rplidar}, and their
+ * dependencies. Simulation thread.
  */
 package org.SEAR.devices.rplidar;

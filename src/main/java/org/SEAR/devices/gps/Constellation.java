@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** The satellites that a simulated receiver sees: always the same. */
+/** Satellites in view of a simulated receiver; always the same. */
 enum Constellation {
     GPS("GP", 0, 0, new int[][] {{21, 72, 40, 50}, {28, 63, 144, 48}, {8, 52, 251, 46}, {26, 44, 320, 45},
         {15, 37, 88, 44}, {10, 29, 196, 42}, {18, 21, 290, 40}, {3, 16, 12, 38}}),
     GLONASS("GL", 6, 64, new int[][] {{2, 58, 75, 44}, {9, 47, 210, 43}, {17, 33, 330, 41}, {18, 24, 130, 39}});
 
-    /** Dilutions of precision of both together, and near enough of one. */
+    /** Dilutions of precision of both systems together, also used for one system. */
     static final double HDOP = 1.02;
     static final double PDOP = 1.88;
     static final double VDOP = 1.58;
@@ -23,7 +23,7 @@ enum Constellation {
     private final String talker;
     private final int ubxId;
     private final int nmeaOffset;
-    /** Number, elevation, azimuth in degrees, signal to noise in dB. */
+    /** Satellites: number, elevation and azimuth in degrees, signal-to-noise ratio in dB. */
     private final int[][] satellites;
 
     Constellation(String talker, int ubxId, int nmeaOffset, int[][] satellites) {
@@ -37,7 +37,7 @@ enum Constellation {
         return satellites.length;
     }
 
-    /** Its number in UBX. */
+    /** System identifier in UBX. */
     int getUbxId() {
         return ubxId;
     }
@@ -47,22 +47,22 @@ enum Constellation {
         return satellites[satellite][0];
     }
 
-    /** Degrees. */
+    /** Elevation of a satellite, degrees. */
     int elevation(int satellite) {
         return satellites[satellite][ELEVATION];
     }
 
-    /** Degrees. */
+    /** Azimuth of a satellite, degrees. */
     int azimuth(int satellite) {
         return satellites[satellite][AZIMUTH];
     }
 
-    /** Decibels. */
+    /** Signal-to-noise ratio of a satellite, dB. */
     int signal(int satellite) {
         return satellites[satellite][SIGNAL];
     }
 
-    /** {@code ,21,28,...}: the twelve places of GSA, empty ones without a fix. */
+    /** The twelve satellite fields of GSA, {@code ,21,28,...}; all empty without a fix. */
     String used(boolean fix) {
         StringBuilder places = new StringBuilder();
         for (int i = 0; i < PLACES_OF_GSA; i++) {
@@ -71,7 +71,7 @@ enum Constellation {
         return places.toString();
     }
 
-    /** {@code GPGSV,2,1,08,21,72,040,50,...}, four satellites a sentence. */
+    /** Bodies of the GSV sentences, {@code GPGSV,2,1,08,21,72,040,50,...}, four satellites per sentence. */
     List<String> gsv(boolean seen) {
         int count = seen ? size() : 0;
         int sentences = Math.max(1, (count + PER_SENTENCE - 1) / PER_SENTENCE);

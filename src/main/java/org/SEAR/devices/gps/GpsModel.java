@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.Map;
 import org.SEAR.protocol.nmea.Nmea;
 
-/** What distinguishes receivers: data. Source: recordings of real ones. */
+/** Differences between receivers, as data. Source: recordings of real receivers. */
 public enum GpsModel {
     /** San Jose Navigation FV-M8, FV-M11. */
     MT3301(SentenceStyle.MT3301, 200, "MTK3301_1.0") {
@@ -49,9 +49,9 @@ public enum GpsModel {
     }
 
     /**
-     * The model of that name, in any spelling; FV-M8 and FV-M11 are MT3301, u-blox is NEO-M8N.
+     * Finds a model by name, in any spelling. FV-M8 and FV-M11 are MT3301, u-blox is NEO-M8N.
      *
-     * @throws IllegalArgumentException that names the models there are
+     * @throws IllegalArgumentException that lists the valid models
      */
     public static GpsModel of(String name) {
         String plain = name.replaceAll("[^A-Za-z0-9]", "").toUpperCase(Locale.ROOT);
@@ -67,16 +67,16 @@ public enum GpsModel {
         return style;
     }
 
-    /** Milliseconds from fix to fix at the highest rate. */
+    /** Shortest fix interval, milliseconds. */
     public int getShortestPeriod() {
         return shortestPeriod;
     }
 
-    /** The firmware, as it answers when it is asked. */
+    /** Firmware version as reported to a query. */
     String getRelease() {
         return release;
     }
 
-    /** First sentences after power-on. */
+    /** Sentences sent at power-on. */
     abstract String getGreeting();
 }

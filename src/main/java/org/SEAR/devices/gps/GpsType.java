@@ -6,7 +6,7 @@ import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.DeviceType;
 import org.SEAR.devices.SerialDevice;
 
-/** Puts a receiver behind the ports of a GPS. */
+/** Creates the receiver of a GPS object. */
 public final class GpsType implements DeviceType {
     @Override
     public Class<? extends SearObject> parameterType() {

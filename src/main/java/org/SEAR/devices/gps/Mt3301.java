@@ -10,11 +10,11 @@ import org.SEAR.protocol.nmea.SentenceReader;
 import org.SEAR.sensors.GpsFix;
 
 /**
- * The firmware of a MediaTek GPS receiver (San Jose Navigation FV-M8 class): sentences out with each fix, PMTK commands in with acknowledgements.
- * Sources: recordings of FV-M11 and MT3329 receivers, MTK NMEA packet manual.
+ * Firmware of a MediaTek GPS receiver (San Jose Navigation FV-M8 class): sentences out with each fix, PMTK commands in
+ * with acknowledgements. Sources: recordings of FV-M11 and MT3329 receivers, MTK NMEA packet manual.
  */
 public final class Mt3301 extends Receiver {
-    /** Bits a second of a receiver as delivered. */
+    /** Factory baud rate, bits per second. */
     public static final int DEFAULT_BAUD = 38400;
     private static final int CHANNELS = 32;
     private static final int TRACKED = 2;
@@ -28,8 +28,8 @@ public final class Mt3301 extends Receiver {
 
     /**
      * @param model MT3301 or MT3329
-     * @param baud bits a second at power-on
-     * @param rate fixes a second at power-on
+     * @param baud baud rate at power-on, bits per second
+     * @param rate fixes per second at power-on
      * @param timeToFix seconds without a fix after power-on
      */
     public Mt3301(GpsModel model, int baud, double rate, double timeToFix, DeviceContext context) {
@@ -39,7 +39,7 @@ public final class Mt3301 extends Receiver {
         reset();
     }
 
-    /** It keeps nothing that was set. */
+    /** Does little: the receiver has no settings that survive power-off. */
     @Override
     void deliver() {
         heardAt = 0;
@@ -58,7 +58,7 @@ public final class Mt3301 extends Receiver {
         reader.accept(value);
     }
 
-    /** Commands without checksum are not obeyed. */
+    /** Runs a command; sentences without a valid checksum are ignored. */
     private void onSentence(String sentence) {
         String body = Nmea.body(sentence);
         if (body != null) {
@@ -97,7 +97,7 @@ public final class Mt3301 extends Receiver {
         }
     }
 
-    /** {@code PMTKCHN,21502,...}: satellite, signal and state of each of 32 channels. */
+    /** Satellite, signal and state of each of 32 channels: {@code PMTKCHN,21502,...}. */
     private static String channels() {
         StringBuilder body = new StringBuilder("PMTKCHN");
         Constellation sky = Constellation.GPS;
@@ -112,9 +112,9 @@ public final class Mt3301 extends Receiver {
     }
 
     /**
-     * Milliseconds from fix to fix.
+     * Sets the fix interval, milliseconds.
      *
-     * @return whether the model can do that
+     * @return whether the model supports it
      */
     boolean takePeriod(int millis, double time) {
         boolean can = millis >= getModel().getShortestPeriod() && millis <= PmtkCommands.MAX_PERIOD;

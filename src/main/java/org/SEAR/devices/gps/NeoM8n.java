@@ -14,12 +14,12 @@ import org.SEAR.protocol.ubx.UbxReader;
 import org.SEAR.sensors.GpsFix;
 
 /**
- * The firmware of a u-blox NEO-M8N (protocol 18): NMEA sentences and UBX messages out with each fix, as its settings say, UBX commands in. NMEA
- * commands are not obeyed. What CFG-CFG has saved it keeps without power. Sources: recordings of NEO-M8N and M8T, the field tables of gpsd and
- * pyubx2.
+ * Firmware of a u-blox NEO-M8N (protocol 18). Its settings select the NMEA sentences and UBX messages of each fix. It
+ * runs UBX commands and ignores NMEA commands. Settings saved by CFG-CFG survive power-off. Sources: recordings of
+ * NEO-M8N and M8T, the field tables of gpsd and pyubx2.
  */
 public final class NeoM8n extends Receiver {
-    /** Bits a second of a receiver as delivered. */
+    /** Factory baud rate, bits per second. */
     public static final int DEFAULT_BAUD = 9600;
     private static final String NAME = "NEO-M8N";
     private static final String[] EXTENSIONS =
@@ -30,7 +30,7 @@ public final class NeoM8n extends Receiver {
     private static final int STOP = 8;
     private static final int GO = 9;
     private static final int ALL = -1;
-    /** Order in which the sentences of a fix come. */
+    /** Order of a fix's sentences and messages. */
     private static final UbxMessage[] ORDER = {UbxMessage.NMEA_RMC, UbxMessage.NMEA_VTG, UbxMessage.NMEA_GGA, UbxMessage.NMEA_GSA,
         UbxMessage.NMEA_GSV, UbxMessage.NMEA_GLL, UbxMessage.NMEA_ZDA, UbxMessage.NAV_POSECEF, UbxMessage.NAV_POSLLH, UbxMessage.NAV_STATUS,
         UbxMessage.NAV_DOP, UbxMessage.NAV_SOL, UbxMessage.NAV_PVT, UbxMessage.NAV_VELECEF, UbxMessage.NAV_VELNED, UbxMessage.NAV_TIMEGPS,
@@ -48,8 +48,8 @@ public final class NeoM8n extends Receiver {
     private long firstFixAfter;
 
     /**
-     * @param baud bits a second as delivered
-     * @param rate fixes a second as delivered
+     * @param baud factory baud rate, bits per second
+     * @param rate factory rate, fixes per second
      * @param timeToFix seconds without a fix after power-on
      */
     public NeoM8n(int baud, double rate, double timeToFix, DeviceContext context) {
@@ -161,7 +161,7 @@ public final class NeoM8n extends Receiver {
         }
     }
 
-    /** Answers with what it knew at its last fix. */
+    /** Answers a poll from the last fix. */
     void answerPoll(UbxMessage message, double time) {
         if (message == UbxMessage.MON_VER) {
             answer(new UbxFrame(message, version()), time);
@@ -183,7 +183,7 @@ public final class NeoM8n extends Receiver {
         return text.array();
     }
 
-    /** Goes on at the speed that its settings say, if it is another. */
+    /** Changes to the baud rate of the settings, if it differs. */
     void followBaud(double time) {
         if (settings.baud() != getBaud()) {
             changeBaud(settings.baud(), time);
@@ -191,10 +191,10 @@ public final class NeoM8n extends Receiver {
     }
 
     /**
-     * CFG-RST.
+     * Runs CFG-RST.
      *
-     * @param cold whether it forgets anything of the sky
-     * @param mode 2 what looks at the sky only, 8 that stops, 9 that goes on, others the processor
+     * @param cold whether any satellite data is cleared
+     * @param mode 2 GNSS only, 8 stop, 9 start, others the whole receiver
      */
     void restart(boolean cold, int mode, double time) {
         if (mode == STOP || mode == GO) {

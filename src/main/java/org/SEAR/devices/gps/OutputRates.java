@@ -2,7 +2,7 @@ package org.SEAR.devices.gps;
 
 import java.util.Arrays;
 
-/** Which sentence comes with every how many-th fix: the 19 fields of PMTK314. */
+/** Output interval of each sentence in fixes: the 19 fields of PMTK314. */
 final class OutputRates {
     static final int GLL = 0;
     static final int RMC = 1;
@@ -21,7 +21,7 @@ final class OutputRates {
         setDefault();
     }
 
-    /** As recorded: GGA, RMC, VTG with each fix, GSA and GSV with every fifth. */
+    /** Sets the recorded default: GGA, RMC, VTG with each fix, GSA and GSV with every fifth. */
     void setDefault() {
         Arrays.fill(every, 0);
         every[GGA] = 1;
@@ -32,7 +32,7 @@ final class OutputRates {
     }
 
     /**
-     * @param fields as they stand in PMTK314
+     * @param fields as in PMTK314
      * @return whether they are legal: 19 numbers from 0 to 5
      */
     boolean set(int[] fields) {
@@ -47,7 +47,7 @@ final class OutputRates {
         return every[sentence] > 0 && fixNumber % every[sentence] == 0;
     }
 
-    /** As PMTK514 tells them. */
+    /** Fields as in PMTK514. */
     String describe() {
         StringBuilder text = new StringBuilder();
         for (int value : every) {

@@ -3,15 +3,15 @@ package org.SEAR.devices.gps;
 import java.util.Arrays;
 import org.SEAR.protocol.nmea.Pmtk;
 
-/** The commands of MediaTek receivers, for example {@code $PMTK220,200*2C}, each answered by {@code $PMTK001,220,3*30}. */
+/** Commands of MediaTek receivers, for example {@code $PMTK220,200*2C}, answered by {@code $PMTK001,220,3*30}. */
 final class PmtkCommands {
-    /** Longest time from fix to fix, milliseconds. */
+    /** Longest fix interval, milliseconds. */
     static final int MAX_PERIOD = 10000;
     private static final int INVALID = 0;
     private static final int UNSUPPORTED = 1;
     private static final int FAILED = 2;
     private static final int DONE = 3;
-    /** From this number on commands are questions, which are answered instead of acknowledged. */
+    /** First number of queries; a query gets an answer, but no acknowledgement. */
     private static final int FIRST_QUERY = 400;
 
     private final Mt3301 device;
@@ -22,7 +22,7 @@ final class PmtkCommands {
         this.device = device;
     }
 
-    /** @param body a sentence without its frame, checked */
+    /** @param body a sentence without its frame, checksum verified */
     void execute(String body, double time) {
         String[] parts = body.split(",", -1);
         if (parts[0].equals("PQBAUD") && parts.length == 3) {
@@ -51,9 +51,9 @@ final class PmtkCommands {
     }
 
     /**
-     * Questions.
+     * Answers a query.
      *
-     * @return whether it was one
+     * @return whether the command is one
      */
     private boolean answer(Pmtk command, double time) {
         switch (command) {
@@ -119,7 +119,7 @@ final class PmtkCommands {
         return device.getRates().set(a) ? DONE : INVALID;
     }
 
-    /** The first argument if it is there and legal, else {@code fallback}. */
+    /** The only argument if it is legal, else {@code fallback}. */
     private static int first(int[] a, int fallback, int max) {
         return a.length == 1 && a[0] >= 0 && a[0] <= max ? a[0] : fallback;
     }

@@ -5,7 +5,7 @@ import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.sensors.GpsFix;
 
-/** What all receivers have in common: the clock of their fixes, the time to the first one, and how they change their line's speed. */
+/** Common part of all receivers: schedule of fixes, time to first fix, and changes of baud rate. */
 abstract class Receiver implements SerialDevice {
     static final double MILLIS = 1000;
 
@@ -30,9 +30,9 @@ abstract class Receiver implements SerialDevice {
     }
 
     /**
-     * Milliseconds from fix to fix of a rate.
+     * Converts a rate in Hz to a fix interval in milliseconds.
      *
-     * @throws IllegalArgumentException if the model can't do that
+     * @throws IllegalArgumentException if the model doesn't support it
      */
     static int period(GpsModel model, double rate) {
         int millis = (int) Math.round(MILLIS / rate);
@@ -42,22 +42,28 @@ abstract class Receiver implements SerialDevice {
         return millis;
     }
 
-    /** Forgets everything that was set, as if it came from the factory. */
+    /** Restores the factory settings. */
     abstract void deliver();
 
-    /** Forgets what it does without power; calls {@link #begin}. */
+    /** Restores the state of power-on; calls {@link #begin}. */
     abstract void boot();
 
-    /** What it sends with a fix, null for none; at a UTC in milliseconds since 1970; the number counts from power-on. */
+    /**
+     * Output of a fix.
+     *
+     * @param fix null for none
+     * @param millis UTC, milliseconds since 1970
+     * @param number of the fix, counted from power-on
+     */
     abstract byte[] output(GpsFix fix, long millis, long number);
 
-    /** A byte that has come whole. */
+    /** Receives a complete byte. */
     abstract void take(int value, double time);
 
-    /** Forgets a command that was begun. */
+    /** Discards an incomplete command. */
     abstract void forgetInput();
 
-    /** Its line's speed and milliseconds from fix to fix from now on. */
+    /** Sets baud rate and fix interval, milliseconds, at a start. */
     final void begin(int newBaud, int newPeriod) {
         baud = newBaud;
         nextBaud = 0;
@@ -128,7 +134,7 @@ abstract class Receiver implements SerialDevice {
         }
     }
 
-    /** Sends what belongs to a fix; while that of the last one is still on the line there is no new fix. */
+    /** Sends the output of a fix; skips the fix while earlier output is still on the line. */
     private void fix(long millis) {
         double time = millis / MILLIS;
         if (context.lineFreeAt() > time) {
@@ -141,7 +147,7 @@ abstract class Receiver implements SerialDevice {
         }
     }
 
-    /** Where it is; null if it doesn't know. */
+    /** Returns the fix at a simulated time in milliseconds; null without a valid one. */
     final GpsFix fixAt(long millis) {
         GpsFix fix = millis >= firstFix ? (GpsFix) context.read(context.sensor()) : null;
         return fix != null && fix.isValid() ? fix : null;
@@ -159,7 +165,7 @@ abstract class Receiver implements SerialDevice {
         context.understood();
     }
 
-    /** Goes on at another speed once what was sent has left. */
+    /** Changes the baud rate when all output has left the line. */
     final void changeBaud(int newBaud, double time) {
         nextBaud = newBaud;
         switchAt = Math.max(time, context.lineFreeAt());
@@ -170,7 +176,7 @@ abstract class Receiver implements SerialDevice {
         return period;
     }
 
-    /** Milliseconds from fix to fix, from the next multiple of them on. */
+    /** Sets the fix interval, milliseconds; fixes are at its multiples. */
     final void setPeriod(int millis, double time) {
         period = millis;
         nextFix = nextFixAfter(time);
@@ -180,14 +186,14 @@ abstract class Receiver implements SerialDevice {
         return (long) Math.floor(time * MILLIS / period) * period + period;
     }
 
-    /** Starts anew; a cold one takes its time to the first fix. */
+    /** Restarts the receiver and sends its greeting; a cold start takes the time to first fix. */
     final void restart(boolean cold, double time) {
         refresh(cold, time);
         startedAt = Math.round(time * MILLIS);
         send(model.getGreeting(), time);
     }
 
-    /** Looks at the sky anew; a cold one takes its time to the first fix. */
+    /** Restarts the satellite search; a cold one takes the time to first fix. */
     final void refresh(boolean cold, double time) {
         firstFix = cold ? Math.round(time * MILLIS) + timeToFix : 0;
     }
@@ -201,7 +207,7 @@ abstract class Receiver implements SerialDevice {
         return context.epochMillis() + Math.round(time * MILLIS);
     }
 
-    /** Milliseconds from its last start to a UTC. */
+    /** Milliseconds from the last start to a UTC. */
     final long sinceStart(long utc) {
         return utc - context.epochMillis() - startedAt;
     }

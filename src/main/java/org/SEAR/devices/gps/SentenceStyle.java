@@ -6,20 +6,20 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 
-/** In what makers' NMEA sentences differ: data. Source: recordings of real receivers. */
+/** Differences between makers' NMEA sentences, as data. Source: recordings of real receivers. */
 enum SentenceStyle {
     MT3301("GP", "HHmmss.SSS", 6, 3, "%d", true, "8960.000000,N,00000.000000,E", "137.000,M,13.000,M", "", ",T,,M,,N,,K", Constellation.GPS),
     MT3329("GP", "HHmmss.SSS", 4, 1, "%d", true, ",,,", ",M,,M", "", ",T,,M,,N,,K", Constellation.GPS),
     UBLOX("GN", "HHmmss.SS", 5, 1, "%02d", false, ",,,", ",,,", "99.99", ",,,,,,,", Constellation.GPS, Constellation.GLONASS);
 
-    /** Who says what concerns all constellations. */
+    /** Talker of sentences that concern all constellations. */
     final String talker;
     final DateTimeFormatter time;
     final int minuteDecimals;
-    /** Of metres, of the altitude and the geoid separation. */
+    /** Decimals of altitude and geoid separation, metres. */
     final int altitudeDecimals;
     final String satelliteFormat;
-    /** Whether it names a course, 0, while it stands. */
+    /** Whether a standing receiver reports the course 0. */
     final boolean courseWhileStanding;
     /** Fields 2 to 5 of GGA without a fix. */
     final String noPosition;
@@ -29,7 +29,7 @@ enum SentenceStyle {
     final String noDop;
     /** Fields 1 to 8 of VTG without a fix. */
     final String noCourse;
-    /** Whose satellites it sees. */
+    /** Constellations whose satellites it sees. */
     final List<Constellation> sky;
 
     SentenceStyle(String talker, String time, int minuteDecimals, int altitudeDecimals, String satelliteFormat, boolean courseWhileStanding,
@@ -47,7 +47,7 @@ enum SentenceStyle {
         this.sky = Collections.unmodifiableList(Arrays.asList(sky));
     }
 
-    /** Satellites that it uses for a fix. */
+    /** Number of satellites used for a fix. */
     int satellites() {
         return sky.stream().mapToInt(Constellation::size).sum();
     }

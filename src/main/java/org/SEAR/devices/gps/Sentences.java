@@ -12,15 +12,15 @@ import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.sensors.GpsFix;
 
 /**
- * The sentences of one fix, without their frame. Fields as in recordings of an MT3301, for example
- * {@code GPGGA,081436.000,5212.982135,N,00653.101394,E,1,3,2.88,102.907,M,47.093,M,,}.
+ * Sentences of one fix, without their frame. Fields as in recordings of an MT3301, for example {@code
+ * GPGGA,081436.000,5212.982135,N,00653.101394,E,1,3,2.88,102.907,M,47.093,M,,}.
  */
 final class Sentences {
     private static final DateTimeFormatter DATE = DateTimeFormatter.ofPattern("ddMMyy", Locale.ROOT);
     private static final DateTimeFormatter ZDA_DATE = DateTimeFormatter.ofPattern("dd,MM,yyyy", Locale.ROOT);
     private static final double KNOTS = 3600 / 1852.0;
     private static final double KILOMETRES_PER_HOUR = 3.6;
-    /** Slower than this is standing, m/s. */
+    /** Speed below which the receiver stands, m/s. */
     private static final double STANDING = 0.1;
 
     private final SentenceStyle style;
@@ -30,7 +30,7 @@ final class Sentences {
 
     /**
      * @param fix null for none
-     * @param millis UTC since 1970; null if it isn't known
+     * @param millis UTC since 1970; null if unknown
      */
     Sentences(SentenceStyle style, GpsFix fix, Long millis) {
         this.style = style;
@@ -77,7 +77,7 @@ final class Sentences {
         return style.talker + "ZDA," + time + "," + (when == null ? ",," : ZDA_DATE.format(when)) + ",00,00";
     }
 
-    /** One for each constellation: {@code GPGSA,A,3,21,28,...,1.88,1.02,1.58}. */
+    /** One body for each constellation: {@code GPGSA,A,3,21,28,...,1.88,1.02,1.58}. */
     List<String> gsa() {
         List<String> bodies = new ArrayList<>();
         for (Constellation each : style.sky) {
@@ -87,7 +87,7 @@ final class Sentences {
         return bodies;
     }
 
-    /** Some for each constellation. */
+    /** Several bodies for each constellation. */
     List<String> gsv(boolean seen) {
         List<String> bodies = new ArrayList<>();
         style.sky.forEach(each -> bodies.addAll(each.gsv(seen)));

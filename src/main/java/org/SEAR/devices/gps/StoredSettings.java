@@ -9,17 +9,17 @@ import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 
 /**
- * Settings of a u-blox receiver that are kept and answered, and change neither a sentence nor a fix: drivers set them as they start, and some end
- * when they are refused. Simulation thread.
+ * Settings of a u-blox receiver that have no effect on sentences or fixes. They are stored and reported, because
+ * drivers set them at their start and some fail on a rejection. Simulation thread.
  */
 final class StoredSettings {
     private static final int NMEA_SIZE = 20;
-    /** Older lengths of CFG-NMEA are taken, too. */
+    /** Accepted lengths of CFG-NMEA, older ones included. */
     private static final List<Integer> NMEA_SIZES = Arrays.asList(4, 12, NMEA_SIZE);
     private static final int NAV5_SIZE = 36;
     private static final int MODEL = 1;
     private static final int FIX_MODE = 1 << 2;
-    /** A bit of the mask of CFG-NAV5, where its values begin, and where they end. */
+    /** Parts of CFG-NAV5: bit of its mask, begin and end of its values. */
     private static final int[][] NAV5_PARTS = {{MODEL, 2, 3}, {1 << 1, 12, 13}, {FIX_MODE, 3, 12}, {1 << 3, 13, 14}, {1 << 4, 14, 16},
         {1 << 4, 18, 20}, {1 << 5, 16, 18}, {1 << 5, 20, 22}, {1 << 6, 22, 23}, {1 << 6, 28, 30}, {1 << 7, 23, 24}, {1 << 8, 24, 26},
         {1 << 10, 30, 31}};
@@ -28,13 +28,13 @@ final class StoredSettings {
     private static final int SBAS_SIZE = 8;
     private static final int GNSS_HEAD = 4;
     private static final int GNSS_BLOCK = 8;
-    /** GPS, SBAS, Galileo, BeiDou, IMES, QZSS and GLONASS, each with its channels, at least and at most, and whether it is used. */
+    /** Channels of GPS, SBAS, Galileo, BeiDou, IMES, QZSS and GLONASS: identifier, minimum, maximum and flags. */
     private static final byte[][] SYSTEMS = {{0, 8, 16, 0, 1, 0, 1, 1}, {1, 1, 3, 0, 1, 0, 1, 1}, {2, 4, 8, 0, 0, 0, 1, 1}, {3, 8, 16, 0, 0, 0, 1, 1},
         {4, 0, 8, 0, 0, 0, 1, 3}, {5, 0, 3, 0, 1, 0, 1, 5}, {6, 8, 14, 0, 1, 0, 1, 1}};
 
     private final Map<UbxMessage, byte[]> payloads = new EnumMap<>(UbxMessage.class);
 
-    /** As delivered. */
+    /** Creates the factory settings. */
     StoredSettings() {
         payloads.put(UbxMessage.CFG_NMEA, UbxFrame.room(NMEA_SIZE).put(1, (byte) 0x40).put(3, (byte) 2).put(15, (byte) 1).array());
         payloads.put(UbxMessage.CFG_NAV5, UbxFrame.room(NAV5_SIZE).putShort(0, (short) -1).put(3, (byte) 3).putInt(8, 10000).put(12, (byte) 5)
@@ -47,20 +47,20 @@ final class StoredSettings {
         payloads.put(UbxMessage.CFG_GNSS, systems.array());
     }
 
-    /** Takes over all of another's. */
+    /** Copies all settings of another instance. */
     void copy(StoredSettings other) {
         other.payloads.forEach((message, payload) -> payloads.put(message, payload.clone()));
     }
 
-    /** What a setting is now; null for one that is not kept here. */
+    /** Returns the payload of a setting; null if it is not stored here. */
     byte[] get(UbxMessage message) {
         return payloads.get(message);
     }
 
     /**
-     * Sets a setting, or the parts of it that the message says.
+     * Changes a setting, or the parts that the message selects.
      *
-     * @return whether it is one that is kept here, with legal values
+     * @return whether the setting is stored here and the values are legal
      */
     boolean set(UbxMessage message, byte[] values) {
         byte[] kept = payloads.get(message);

@@ -5,8 +5,8 @@ import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 
 /**
- * The commands of u-blox receivers: what is set is acknowledged, what is asked for is answered. A setting that isn't known here, or whose value is
- * none, is refused (ACK-NAK); other unknown messages are not answered.
+ * Commands of u-blox receivers. Settings are acknowledged and polls answered. Unknown settings and illegal values get
+ * ACK-NAK; other unknown messages get no answer.
  */
 final class UbxCommands {
     private static final int USED_MODE_BITS = 0x3CC0;
@@ -15,7 +15,7 @@ final class UbxCommands {
     private static final int MAX_CYCLES = 127;
     private static final int OUT_MASK = UbxSettings.UBX | UbxSettings.NMEA;
     private static final int IN_MASK = OUT_MASK | UbxSettings.RTCM;
-    /** UART 2, which this receiver doesn't have. */
+    /** Number of UART 2, which this receiver lacks. */
     private static final int NO_PORT = 2;
     private static final int LAST_PORT = 4;
 
@@ -40,9 +40,9 @@ final class UbxCommands {
     }
 
     /**
-     * Answers a question for a setting.
+     * Answers a poll of a setting.
      *
-     * @return whether it was one that has an answer
+     * @return whether it is a poll with an answer
      */
     private boolean poll(UbxFrame frame, double time) {
         byte[] answer = settingAskedFor(frame);
@@ -134,7 +134,7 @@ final class UbxCommands {
         return legal;
     }
 
-    /** Forgets what was saved, saves what is set, and goes on with what is saved: each with a mask. */
+    /** Clears saved settings, saves the present ones, and loads saved ones, each with a mask (CFG-CFG). */
     private boolean configure(UbxFrame frame, double time) {
         boolean legal = frame.getLength() == MASKS_SIZE || frame.getLength() == MASKS_SIZE + 1;
         if (legal) {
@@ -149,7 +149,7 @@ final class UbxCommands {
         return legal;
     }
 
-    /** A mask of what it knows of the sky, 0 for a hot start, and whether the processor starts anew, too. */
+    /** Runs CFG-RST: a mask of the data to clear, 0 for a hot start, and the reset mode. */
     private void reset(UbxFrame frame, double time) {
         if (frame.getLength() == RESET_SIZE) {
             ByteBuffer payload = frame.read();

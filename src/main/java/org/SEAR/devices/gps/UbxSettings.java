@@ -6,11 +6,11 @@ import java.util.Map;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 
-/** What a u-blox receiver is set to, in the form in which its messages have it. Simulation thread. */
+/** Settings of a u-blox receiver, stored as payloads of its messages. Simulation thread. */
 final class UbxSettings {
-    /** Its only port that is connected. */
+    /** The only connected port. */
     static final int UART = 1;
-    /** Ports that a message's rate is set for: DDC, UART 1 and 2, USB, SPI, one more. */
+    /** Number of ports with a message rate: DDC, UART 1 and 2, USB, SPI, one more. */
     static final int PORTS = 6;
     static final int PORT_SIZE = 20;
     static final int BAUD_AT = 8;
@@ -19,7 +19,7 @@ final class UbxSettings {
     static final int MODE_AT = 4;
     /** 8 bits, no parity, one stop bit. */
     static final int MODE = 0x08D0;
-    /** Bits of the masks of protocols. */
+    /** Bits of the protocol masks. */
     static final int UBX = 1;
     static final int NMEA = 2;
     static final int RTCM = 4;
@@ -27,13 +27,13 @@ final class UbxSettings {
 
     /** Payloads of CFG-PRT. */
     final byte[][] ports = new byte[PORTS][];
-    /** Every how many-th fix a message is sent on each port. */
+    /** Output interval of a message in fixes, for each port. */
     final Map<UbxMessage, byte[]> rates = new EnumMap<>(UbxMessage.class);
     /** Payload of CFG-RATE. */
     final byte[] rate;
     final StoredSettings kept = new StoredSettings();
 
-    /** As delivered. */
+    /** Creates the factory settings. */
     UbxSettings(int baud, int period) {
         for (int i = 0; i < PORTS; i++) {
             ByteBuffer port = UbxFrame.room(PORT_SIZE);
@@ -52,7 +52,7 @@ final class UbxSettings {
         rate = UbxFrame.room(RATE_SIZE).putShort((short) period).putShort((short) 1).putShort((short) 1).array();
     }
 
-    /** Takes over some of another's settings; each is a bit of a mask, as CFG-CFG has it. */
+    /** Copies the groups of settings that a mask of CFG-CFG selects. */
     void copy(UbxSettings other, int mask) {
         if ((mask & Group.PORTS.bit) != 0) {
             for (int i = 0; i < PORTS; i++) {
@@ -68,7 +68,7 @@ final class UbxSettings {
         }
     }
 
-    /** Parts of the settings that are kept or forgotten together. */
+    /** Settings that are saved or cleared together. */
     private enum Group {
         PORTS(1), MESSAGES(2), NAVIGATION(8);
 
@@ -96,7 +96,7 @@ final class UbxSettings {
         return ByteBuffer.wrap(ports[UART]).order(java.nio.ByteOrder.LITTLE_ENDIAN).getInt(BAUD_AT);
     }
 
-    /** Milliseconds from fix to fix. */
+    /** Fix interval, milliseconds. */
     int period() {
         return number(rate, 0) * number(rate, 2);
     }

@@ -10,11 +10,14 @@ import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 import org.SEAR.sensors.GpsFix;
 
-/** What a u-blox receiver knows at one moment, as payloads of its messages of class NAV. Accuracies are the data sheet's. Simulation thread. */
+/**
+ * Solution of a u-blox receiver at one moment, as payloads of class NAV. Accuracies are from the data sheet. Simulation
+ * thread.
+ */
 final class UbxSolution {
-    /** Satellites' clocks are ahead of UTC by so much since 2017, seconds. */
+    /** GPS time minus UTC since 2017, seconds. */
     private static final int LEAP_SECONDS = 18;
-    /** 1980-01-06, milliseconds since 1970. */
+    /** 1980-01-06 in milliseconds since 1970. */
     private static final long GPS_EPOCH = 315964800000L;
     private static final long WEEK = 604800000L;
     private static final long MILLIS = 1000;
@@ -41,7 +44,7 @@ final class UbxSolution {
     private static final int THREE_D = 3;
     private static final int TIME_VALID = 7;
     private static final int GPS_TIME_KNOWN = 0x0C;
-    /** Signal with code and carrier, used, healthy, its orbit from its own message. */
+    /** Flags of NAV-SAT: code and carrier locked, used, healthy, orbit from the satellite's own ephemeris. */
     private static final int USED = 0x191F;
 
     private final GpsFix fix;
@@ -54,8 +57,8 @@ final class UbxSolution {
     /**
      * @param fix null for none
      * @param utc milliseconds since 1970
-     * @param timeKnown whether it has got the time from satellites
-     * @param firstFixAfter milliseconds from its start to its first fix, 0 if there was none
+     * @param timeKnown whether satellites have supplied the time
+     * @param firstFixAfter milliseconds from start to first fix, 0 if there was none
      * @param sinceStart milliseconds since its start
      */
     UbxSolution(GpsFix fix, long utc, boolean timeKnown, long firstFixAfter, long sinceStart) {
@@ -67,7 +70,7 @@ final class UbxSolution {
         this.gpsTime = utc - GPS_EPOCH + LEAP_SECONDS * MILLIS;
     }
 
-    /** The payload of a message of class NAV. */
+    /** Returns the payload of a message of class NAV. */
     byte[] payload(UbxMessage message) {
         switch (message) {
             case NAV_POSECEF:
@@ -131,7 +134,7 @@ final class UbxSolution {
         return fix == null ? UNKNOWN_DOP : scaled(value, HUNDREDTHS);
     }
 
-    /** Above the ellipsoid, metres. */
+    /** Height above the ellipsoid, metres. */
     private double height() {
         return fix.getAltitude() + Geoid.separation(fix.getLatitude(), fix.getLongitude());
     }
@@ -144,7 +147,10 @@ final class UbxSolution {
         return fix.getSpeed() * Math.sin(Math.toRadians(fix.getCourse()));
     }
 
-    /** Metres from the Earth's centre, towards the equator and Greenwich, the equator and 90 degrees east, the north pole; zeros without a fix. */
+    /**
+     * Position in ECEF, metres: x towards the equator and Greenwich, y towards the equator and 90 degrees east, z
+     * towards the north pole; zeros without a fix.
+     */
     private double[] place() {
         if (fix == null) {
             return new double[3];
@@ -157,7 +163,7 @@ final class UbxSolution {
         return new double[] {out * Math.cos(longitude), out * Math.sin(longitude), (curve * (1 - square) + height()) * Math.sin(latitude)};
     }
 
-    /** Metres a second in the directions of {@link #place}. */
+    /** Velocity in ECEF, m/s, axes as in {@link #place}. */
     private double[] velocity() {
         if (fix == null) {
             return new double[3];
@@ -176,7 +182,7 @@ final class UbxSolution {
         return to.putInt(accuracy(accuracy));
     }
 
-    /** Longitude, latitude, both heights and their accuracies. */
+    /** Appends longitude, latitude, both heights and their accuracies. */
     private ByteBuffer position(ByteBuffer to) {
         boolean known = fix != null;
         to.putInt(known ? scaled(fix.getLongitude(), DEGREES_1E7) : 0).putInt(known ? scaled(fix.getLatitude(), DEGREES_1E7) : 0);
@@ -249,7 +255,7 @@ final class UbxSolution {
         return to;
     }
 
-    /** All that it sees; without a fix none. */
+    /** NAV-SAT with all satellites in view; none without a fix. */
     private byte[] satellites() {
         ByteBuffer to = start(8 + 12 * used()).put((byte) 1).put((byte) used()).putShort((short) 0);
         if (fix != null) {

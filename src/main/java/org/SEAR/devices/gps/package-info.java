@@ -1,5 +1,5 @@
 /**
- * The firmware of the GPS receivers of MediaTek and u-blox. Uses {@link org.SEAR.devices}, {@link org.SEAR.protocol.nmea} and
- * {@link org.SEAR.protocol.ubx}, and what these use. Simulation thread.
+ * Firmware of the GPS receivers of MediaTek and u-blox. Uses {@link org.SEAR.devices}, {@link org.SEAR.protocol.nmea}
+ * and {@link org.SEAR.protocol.ubx}, and their dependencies. Simulation thread.
  */
 package org.SEAR.devices.gps;

@@ -4,12 +4,13 @@ import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.SerialDevice;
 
 /**
- * A Honeywell HMC6352 compass behind a serial bridge that hands on the chip's own commands and answers, and answers {@code 8E 2F} as the controller
- * of the dissertation's Listing 9 does: a heading at once. Headings are 0 to 3599 tenths of a degree in steps of five, the high byte first. Sources:
- * the data sheet's commands as RobTillaart's library and Linux' driver have them; Listings 9 and 10.
+ * A Honeywell HMC6352 compass behind a serial bridge. The bridge passes the chip's commands and replies. It answers
+ * {@code 8E 2F} with an immediate heading, as the controller of the dissertation's Listing 9 does. Headings are 0 to
+ * 3599 tenths of a degree in steps of five, high byte first. Sources: commands of the data sheet in RobTillaart's
+ * library and Linux' driver; Listings 9 and 10.
  */
 public final class Hmc6352 implements SerialDevice {
-    /** From the command to the answer, seconds. */
+    /** Delay between command and answer, seconds. */
     private static final double CONVERSION = 0.006;
     private static final int SENSOR_REQUEST = 0x8E;
     private static final int COMPASS = 0x2F;
@@ -33,7 +34,7 @@ public final class Hmc6352 implements SerialDevice {
     private int command;
     private int address = -1;
 
-    /** @param baud bits a second of the bridge */
+    /** @param baud baud rate of the bridge, bits per second */
     public Hmc6352(int baud, DeviceContext context) {
         this.baud = baud;
         this.context = context;
@@ -117,7 +118,7 @@ public final class Hmc6352 implements SerialDevice {
         }
     }
 
-    /** A reading that has dropped out is the one before. */
+    /** Sends the heading; a dropped reading repeats the one before. */
     private void answerHeading(double time) {
         context.understood();
         double degrees = context.read(context.sensor()).numbers()[0];
@@ -155,7 +156,7 @@ public final class Hmc6352 implements SerialDevice {
 
     @Override
     public void advance(double time) {
-        // it says nothing unasked
+        // No unsolicited messages.
     }
 
     @Override

@@ -6,7 +6,7 @@ import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.DeviceType;
 import org.SEAR.devices.SerialDevice;
 
-/** Puts an HMC6352 behind the ports of a Compass. */
+/** Creates the HMC6352 of a Compass. */
 public final class Hmc6352Type implements DeviceType {
     @Override
     public Class<? extends SearObject> parameterType() {

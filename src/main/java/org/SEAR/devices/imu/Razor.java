@@ -8,8 +8,9 @@ import org.SEAR.devices.SerialDevice;
 import org.SEAR.sensors.ImuReading;
 
 /**
- * The firmware of SparkFun's Razor 9DOF inertial measurement unit: a frame every 20 ms, of angles, or of its sensors, as text or binary, as commands
- * after a {@code #} say. Source: the list of commands and the formats that its firmware 1.4.2 (Peter Bartz, TU Berlin) publishes.
+ * Firmware of SparkFun's Razor 9DOF inertial measurement unit. It sends a frame every 20 ms with angles or sensor
+ * values, as text or binary. Commands begin with {@code #}. Source: command list and formats published with its
+ * firmware 1.4.2 (Peter Bartz, TU Berlin).
  */
 public final class Razor implements SerialDevice {
     private static final double INTERVAL = 0.02;
@@ -18,7 +19,7 @@ public final class Razor implements SerialDevice {
     private static final String[] CALIBRATED = {"accel x,y,z (min/max) = ", "magn x,y,z (min/max) = ", "gyro x,y,z (current/average) = "};
     private static final int GYROSCOPE = 2;
 
-    /** What a frame has in it. */
+    /** Contents of a frame. */
     private enum Mode { ANGLES, MOTION, CALIBRATED, RAW, BOTH, CALIBRATION }
 
     private final int baud;
@@ -35,14 +36,14 @@ public final class Razor implements SerialDevice {
     private long frame;
     private ImuReading last;
 
-    /** @param baud bits a second, always */
+    /** @param baud fixed baud rate, bits per second */
     public Razor(int baud, DeviceContext context) {
         this.baud = baud;
         this.context = context;
         reset();
     }
 
-    /** It keeps nothing that was set. */
+    /** Same as power-on: no setting survives power-off. */
     @Override
     public void reset() {
         powerOn(0);
@@ -85,9 +86,9 @@ public final class Razor implements SerialDevice {
     }
 
     /**
-     * Obeys what follows a {@code #} once it is whole.
+     * Runs the command after a {@code #} when it is complete.
      *
-     * @return whether it is over, known or not
+     * @return whether it has ended, known or not
      */
     private boolean execute(String text, double time) {
         if (text.isEmpty()) {
@@ -170,7 +171,7 @@ public final class Razor implements SerialDevice {
         }
     }
 
-    /** A frame that would have to wait for the last one is left out. */
+    /** Sends a frame; skips it while the last one is still on the line. */
     private void send(double time) {
         if (context.lineFreeAt() > time) {
             return;
@@ -203,7 +204,9 @@ public final class Razor implements SerialDevice {
         }
     }
 
-    /** Least and most of each axis since the calibration began, or of the gyroscope the present value and the mean. */
+    /**
+     * Minimum and maximum of each axis since the calibration began; for the gyroscope the present value and the mean.
+     */
     private String calibration(double[] values) {
         StringBuilder text = new StringBuilder(CALIBRATED[calibrated]);
         samples++;

@@ -8,8 +8,9 @@ import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.sensors.ImuReading;
 
 /**
- * The frames of a Razor 9DOF: angles in degrees; accelerations negated, 256 for 9.81 m/s^2 (raw 250); the magnetic field as 100 (raw 600) for all of
- * it; rates of turn in the gyroscope's units of 0.06957 degrees a second. Binary numbers are floats, the low byte first.
+ * Frames of a Razor 9DOF. Angles are in degrees. Accelerations are negated, 256 for 9.81 m/s^2 (raw 250). The magnetic
+ * field's magnitude is 100 (raw 600). Turn rates have the gyroscope's unit of 0.06957 degrees per second. Binary
+ * numbers are floats, low byte first.
  */
 final class RazorFrames {
     static final int AXES = 3;
@@ -19,7 +20,7 @@ final class RazorFrames {
     private static final double FIELD = 100;
     private static final double RAW_FIELD = 600;
     private static final double GYRO_DEGREES = 0.06957;
-    /** Range of the accelerometer, 2 g, and of the gyroscope. */
+    /** Range of the accelerometer, 2 g; the next one is the gyroscope's, in its units. */
     private static final double MAX_ACCELERATION = 2 * GRAVITY;
     private static final double MAX_RATE = 32767;
 
@@ -35,7 +36,7 @@ final class RazorFrames {
         return new double[] {reading.getYaw(), reading.getPitch(), reading.getRoll()};
     }
 
-    /** Angles, accelerations and rates of turn, these in rad/s, as text. */
+    /** Angles in degrees, accelerations, and turn rates in rad/s, as text. */
     static byte[] motion(ImuReading reading) {
         double[] values = new double[3 * AXES];
         System.arraycopy(angles(reading), 0, values, 0, AXES);
@@ -46,7 +47,7 @@ final class RazorFrames {
         return line("#YPRAG=", values);
     }
 
-    /** All three sensors as they are read, or with their calibration applied. */
+    /** All three sensors, raw or calibrated. */
     static byte[] sensors(ImuReading reading, boolean raw, boolean binary) {
         double[][] values = {new double[AXES], new double[AXES], new double[AXES]};
         for (int i = 0; i < AXES; i++) {
@@ -64,7 +65,7 @@ final class RazorFrames {
         return bytes.toByteArray();
     }
 
-    /** One sensor's values as it reads them: 0 acceleration, 1 magnetic field, 2 rates of turn. */
+    /** Raw values of one sensor: 0 acceleration, 1 magnetic field, 2 turn rates. */
     static double[] raw(ImuReading reading, int sensor) {
         ByteBuffer floats = ByteBuffer.wrap(sensors(reading, true, true)).order(ByteOrder.LITTLE_ENDIAN);
         double[] values = new double[AXES];

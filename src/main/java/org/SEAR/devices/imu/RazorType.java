@@ -6,7 +6,7 @@ import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.DeviceType;
 import org.SEAR.devices.SerialDevice;
 
-/** Puts a Razor 9DOF behind the ports of an IMU. */
+/** Creates the Razor 9DOF of an IMU. */
 public final class RazorType implements DeviceType {
     @Override
     public Class<? extends SearObject> parameterType() {

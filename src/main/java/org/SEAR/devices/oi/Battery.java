@@ -1,14 +1,14 @@
 package org.SEAR.devices.oi;
 
-/** A rechargeable battery: it drains by what is drawn, its voltage falls as it drains. */
+/** A rechargeable battery. The drawn current drains it, and its voltage falls with its charge. */
 final class Battery {
-    /** mAh; the capacity in the documents' examples. */
+    /** Capacity, mAh, as in the documents' examples. */
     static final int CAPACITY = 2702;
-    /** Drawn while the robot stands and listens, mA. */
+    /** Current of the idle robot, mA. */
     static final int IDLE = 200;
-    /** Drawn while it sleeps, mA. */
+    /** Current of the sleeping robot, mA. */
     static final int ASLEEP = 5;
-    /** Drawn by a stalled wheel motor, mA. */
+    /** Current of a stalled wheel motor, mA. */
     static final int STALLED_WHEEL = 1000;
     private static final double EMPTY_VOLTAGE = 12920;
     private static final double VOLTAGE_SPAN = 2000;
@@ -17,23 +17,23 @@ final class Battery {
     private double charge = CAPACITY;
     private double current;
 
-    /** Draws so many mA for so many seconds. */
+    /** Draws a current for some time. */
     void drain(double milliamperes, double seconds) {
         current = milliamperes;
         charge = Math.max(0, charge - milliamperes * seconds / SECONDS_PER_HOUR);
     }
 
-    /** Packet 25, mAh. */
+    /** Charge, mAh (packet 25). */
     int getCharge() {
         return (int) Math.round(charge);
     }
 
-    /** Packet 22, mV. */
+    /** Voltage, mV (packet 22). */
     int getVoltage() {
         return (int) Math.round(EMPTY_VOLTAGE + VOLTAGE_SPAN * charge / CAPACITY);
     }
 
-    /** Packet 23, mA, negative: out of the battery. */
+    /** Current, mA, negative: out of the battery (packet 23). */
     int getCurrent() {
         return (int) -Math.round(current);
     }

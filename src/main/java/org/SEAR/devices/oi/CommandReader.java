@@ -1,16 +1,19 @@
 package org.SEAR.devices.oi;
 
-/** Puts bytes together to commands; an unfinished one waits for its argument bytes. Holds at most one command. One thread. */
+/**
+ * Assembles bytes to commands; an incomplete command waits for its argument bytes. Holds at most one command. One
+ * thread.
+ */
 final class CommandReader {
-    /** Takes whole commands. */
+    /** Receives complete commands. */
     interface Listener {
-        /** @param arguments bytes 0 to 255, not to be kept */
+        /** @param arguments bytes 0 to 255; valid only during the call */
         void onCommand(Opcode opcode, int[] arguments, int count, double time);
 
         void onUnknown(int code);
     }
 
-    /** A song of 255 notes, the longest that can be said. */
+    /** Length of a song of 255 notes, the longest possible argument list. */
     private static final int MAX_ARGUMENTS = 2 + 2 * 255;
 
     private final OiModel model;

@@ -3,8 +3,9 @@ package org.SEAR.devices.oi;
 import java.util.Arrays;
 
 /**
- * A Create's script: up to 100 bytes of commands that it carries out by itself, and the waiting of commands 155 to 158, in a script or outside. While
- * it waits the robot reacts to no input; so a script without end is ended by power off only ({@link RoombaFirmware#reset}).
+ * A Create's script of up to 100 bytes of commands, and the wait commands 155 to 158 in or outside a script. The robot
+ * ignores all input while it waits or runs a script. Only power-off ends an endless script ({@link
+ * RoombaFirmware#reset}).
  */
 final class CreateScript {
     private static final int MAX_BYTES = 100;
@@ -23,7 +24,7 @@ final class CreateScript {
     }
 
     /**
-     * Command 152.
+     * Stores the script of command 152.
      *
      * @return whether it fits
      */
@@ -35,7 +36,7 @@ final class CreateScript {
         return true;
     }
 
-    /** The script as command 154 shows it: length and bytes. */
+    /** Returns the script as command 154 sends it: length and bytes. */
     byte[] show() {
         byte[] out = new byte[bytes.length + 1];
         out[0] = (byte) bytes.length;
@@ -45,7 +46,7 @@ final class CreateScript {
         return out;
     }
 
-    /** Command 153: from the beginning, with the next tick. */
+    /** Starts the script at the next tick (command 153). */
     void play() {
         next = bytes.length == 0 ? -1 : 0;
     }
@@ -62,9 +63,9 @@ final class CreateScript {
     }
 
     /**
-     * Commands 155 to 158.
+     * Starts a wait of commands 155 to 158.
      *
-     * @return whether it is possible
+     * @return whether the arguments are legal
      */
     boolean await(Opcode wait, int[] arguments, double time) {
         if (wait == Opcode.WAIT_TIME) {
@@ -86,7 +87,10 @@ final class CreateScript {
         return true;
     }
 
-    /** Every 15 ms: goes on with the script up to its next wait. At most one run through the script, so one without a wait holds nothing up. */
+    /**
+     * Continues the script up to its next wait; call it every 15 ms. Runs each byte of the script at most once per
+     * call, so that a loop without a wait can't block.
+     */
     void tick(double time) {
         if (waiting != null && !isHit(time)) {
             return;

@@ -2,7 +2,7 @@ package org.SEAR.devices.oi;
 
 import org.SEAR.devices.RobotHardware;
 
-/** The wheels as commands 137, 145 and 146 set them. Velocities in mm/s, radius in mm, positive to the left. */
+/** Wheel speeds as set by commands 137, 145 and 146. Velocities in mm/s; radius in mm, + to the left. */
 final class Drive {
     static final int MAX_VELOCITY = 500;
     private static final int MAX_RADIUS = 2000;
@@ -25,7 +25,10 @@ final class Drive {
         this.hardware = hardware;
     }
 
-    /** Command 137. Radius 8000h and 7FFFh are straight on, -1 and 1 turn in place. A wheel that would be too fast slows both. */
+    /**
+     * Sets velocity and radius (command 137). Radius 8000h and 7FFFh mean straight, -1 and 1 turn in place. If a wheel
+     * exceeds the maximum, both slow down in proportion.
+     */
     void arc(int wantedVelocity, int wantedRadius) {
         velocity = clamp(wantedVelocity, MAX_VELOCITY);
         radius = wantedRadius;
@@ -45,7 +48,7 @@ final class Drive {
         }
     }
 
-    /** Command 145. */
+    /** Sets both wheel velocities (command 145). */
     void direct(int wantedRight, int wantedLeft) {
         velocity = 0;
         radius = 0;
@@ -54,7 +57,7 @@ final class Drive {
         set(requestedLeft, requestedRight);
     }
 
-    /** Command 146: shares of the battery's voltage, -255 to 255. */
+    /** Sets both wheels as shares of the battery's voltage, -255 to 255 (command 146). */
     void pwm(int wantedRight, int wantedLeft) {
         velocity = 0;
         radius = 0;
@@ -67,7 +70,7 @@ final class Drive {
         direct(0, 0);
     }
 
-    /** An emergency stop. */
+    /** Stops in an emergency, without a ramp. */
     void brake() {
         stop();
         hardware.brake();
@@ -83,7 +86,7 @@ final class Drive {
         return left + right > 0;
     }
 
-    /** Whether it goes backwards round a centre that lies under the robot's body. */
+    /** Whether the robot drives backwards around a centre below its own body. */
     boolean isBackwardAndTight() {
         double sum = left + right;
         double turn = Math.abs(right - left);

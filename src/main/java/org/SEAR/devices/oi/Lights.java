@@ -1,6 +1,9 @@
 package org.SEAR.devices.oi;
 
-/** Lights, brush and vacuum motors as they were last set, for those who look. The simulated robot has none of them, and no outputs or digits. */
+/**
+ * Last settings of lights, brush and vacuum motors, for display. The simulated robot has no such hardware, and no
+ * outputs or digit displays.
+ */
 public final class Lights {
     private int bits;
     private int colour;
@@ -8,9 +11,9 @@ public final class Lights {
     private int motors;
 
     /**
-     * Commands 138, 139, 144, 147, 162 to 164.
+     * Runs commands 138, 139, 144, 147 and 162 to 164.
      *
-     * @return whether it was one of these
+     * @return whether the command is one of these
      */
     boolean set(Opcode opcode, int[] a) {
         switch (opcode) {

@@ -1,6 +1,9 @@
 package org.SEAR.devices.oi;
 
-/** What distinguishes the robots that speak this protocol: data. Sources: SCI specification 2005, Create OI 2006, Create 2 OI 2016. */
+/**
+ * Differences between the robots with this protocol, as data. Sources: SCI specification 2005, Create OI 2006, Create 2
+ * OI 2016.
+ */
 public enum OiModel {
     /** Roomba 400 and older: the Serial Command Interface. */
     ROOMBA400("roomba400", true, 16, 3, 255, true),
@@ -26,9 +29,9 @@ public enum OiModel {
     }
 
     /**
-     * The model of that name.
+     * Finds a model by name.
      *
-     * @throws IllegalArgumentException that names the models there are
+     * @throws IllegalArgumentException that lists the valid models
      */
     public static OiModel of(String name) {
         for (OiModel model : values()) {
@@ -44,12 +47,12 @@ public enum OiModel {
         return name;
     }
 
-    /** Whether modes are climbed one at a time: 128, 130, 132. */
+    /** Whether modes change one step at a time: 128, 130, 132. */
     public boolean isLadder() {
         return ladder;
     }
 
-    /** Number of songs it remembers. */
+    /** Number of songs that it stores. */
     public int getSongs() {
         return songs;
     }
@@ -59,17 +62,17 @@ public enum OiModel {
         return lastPacket;
     }
 
-    /** Packet 17 while nothing is received. */
+    /** Value of packet 17 without a received byte. */
     public int getNoInfrared() {
         return noInfrared;
     }
 
-    /** Whether packet 7 tells a drop of the front wheel. */
+    /** Whether packet 7 reports a drop of the front wheel. */
     public boolean hasCasterSwitch() {
         return caster;
     }
 
-    /** Whether packet 20 counts millimetres that a wheel is ahead instead of degrees. */
+    /** Whether packet 20 is the right wheel's lead in millimetres instead of degrees. */
     public boolean isAngleInMillimetres() {
         return this == ROOMBA400;
     }

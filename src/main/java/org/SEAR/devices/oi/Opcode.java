@@ -7,7 +7,10 @@ import static org.SEAR.devices.oi.Opcode.Needs.ONLY_PASSIVE;
 import static org.SEAR.devices.oi.Opcode.Needs.ONLY_SAFE;
 import static org.SEAR.devices.oi.Opcode.Needs.STARTED;
 
-/** The commands: number, argument bytes, and the modes in which each is obeyed. Source: the command tables of the three specifications. */
+/**
+ * Commands with their number, number of argument bytes, and the modes that accept them. Source: the command tables of
+ * the three specifications.
+ */
 public enum Opcode {
     RESET(7, Who.C2, 0, ANY),
     START(128, Who.ALL, 0, ANY),
@@ -50,7 +53,7 @@ public enum Opcode {
     SET_TIME(168, Who.C2, 3, STARTED),
     STOP(173, Who.C2, 0, STARTED);
 
-    /** Modes in which a command is obeyed. */
+    /** Modes that accept a command. */
     enum Needs {
         ANY, STARTED, ACTIVE, ONLY_PASSIVE, ONLY_SAFE, ONLY_FULL;
 
@@ -72,7 +75,7 @@ public enum Opcode {
         }
     }
 
-    /** Models by bit. */
+    /** Bit masks of models. */
     private static final class Who {
         static final int R4 = 1;
         static final int C1 = 2;
@@ -101,7 +104,7 @@ public enum Opcode {
         this.ladderNeeds = ladderNeeds;
     }
 
-    /** The command of that number on that model; null if it has none such. */
+    /** Finds a model's command by number; null if the model has no such command. */
     public static Opcode of(int code, OiModel model) {
         for (Opcode opcode : values()) {
             if (opcode.code == code && (opcode.models & 1 << model.ordinal()) != 0) {
@@ -111,17 +114,16 @@ public enum Opcode {
         return null;
     }
 
-    /** Number of the command. */
     public int getCode() {
         return code;
     }
 
-    /** Whether a model in that mode obeys. */
+    /** Whether a model accepts the command in a mode. */
     public boolean isAllowed(OiModel model, OiMode mode) {
         return (model.isLadder() ? ladderNeeds : needs).allows(mode);
     }
 
-    /** How many argument bytes the command has, given those that have come; -1 while that is not yet known. */
+    /** Number of argument bytes, given the bytes received so far; -1 while still unknown. */
     public int argumentCount(int[] come, int count) {
         if (arguments >= 0) {
             return arguments;

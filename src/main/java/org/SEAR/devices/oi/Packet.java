@@ -4,8 +4,8 @@ import java.io.ByteArrayOutputStream;
 import java.util.Arrays;
 
 /**
- * The sensor packets of the Open Interface: number, bytes on the line (words have their high byte first), sign, meaning. Sources: the packet tables
- * of the SCI specification 2005, Create OI 2006, Create 2 OI 2016.
+ * Sensor packets of the Open Interface: number, bytes on the line (words high byte first), sign and meaning. Sources:
+ * the packet tables of the SCI specification 2005, Create OI 2006 and Create 2 OI 2016.
  */
 public enum Packet {
     BUMPS_AND_WHEEL_DROPS(7, 1, false, "bit 0 right bumper, 1 left, 2 right wheel dropped, 3 left, 4 front"),
@@ -93,7 +93,7 @@ public enum Packet {
     }
 
     /**
-     * The packet of a number, or those of a group, in the order in which they are sent; none for other numbers.
+     * Returns the packet of a number, or the packets of a group in sending order; empty for other numbers.
      *
      * @param number 0 to 255
      */
@@ -102,7 +102,7 @@ public enum Packet {
     }
 
     /**
-     * Number of data bytes of a packet or group; 0 for none such.
+     * Number of data bytes of a packet or group; 0 for other numbers.
      *
      * @param number 0 to 255
      */
@@ -114,7 +114,7 @@ public enum Packet {
         return sum;
     }
 
-    /** 7 to 58. */
+    /** Packet number, 7 to 58. */
     public int getNumber() {
         return number;
     }
@@ -124,27 +124,27 @@ public enum Packet {
         return size;
     }
 
-    /** Whether the value is two's complement. */
+    /** Whether the value is in two's complement. */
     public boolean isSigned() {
         return signed;
     }
 
-    /** What the value tells, with its unit. */
+    /** Meaning of the value, with its unit. */
     public String getMeaning() {
         return meaning;
     }
 
-    /** The least value that fits. */
+    /** Smallest value that fits. */
     public int getLeast() {
         return signed ? -(1 << size * BYTE_BITS - 1) : 0;
     }
 
-    /** The greatest value that fits. */
+    /** Largest value that fits. */
     public int getGreatest() {
         return signed ? (1 << size * BYTE_BITS - 1) - 1 : (1 << size * BYTE_BITS) - 1;
     }
 
-    /** Appends a value as it goes over the line; what doesn't fit holds at the end of its range. */
+    /** Appends a value in its form on the line, clamped to its range. */
     void write(int value, ByteArrayOutputStream out) {
         int held = Math.max(getLeast(), Math.min(getGreatest(), value));
         if (size == 2) {

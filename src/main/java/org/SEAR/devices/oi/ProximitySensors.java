@@ -2,21 +2,27 @@ package org.SEAR.devices.oi;
 
 import org.SEAR.devices.RobotHardware;
 
-/** The robot's short-range eyes: cliff sensors, wall sensor, light bumpers, in the simulated world. Distances in metres. */
+/** The robot's short-range sensors: cliff sensors, wall sensor and light bumpers. Distances in metres. */
 final class ProximitySensors {
     /** Bearings of the four cliff sensors, degrees from forward, + left: left, front left, front right, right. */
     private static final double[] CLIFFS = {60, 10, -10, -60};
-    /** Share of the body's radius at which the cliff sensors sit, below the rim of the bumper. */
+    /** Distance of the cliff sensors from the middle, as a share of the body's radius; just inside the bumper's rim. */
     private static final double CLIFF_RADIUS = 0.99;
-    /** At least so far before the foremost axle, metres: what carries the robot's front must not be over the edge when it has stopped. */
+    /**
+     * Minimum lead of the cliff sensors over the foremost axle, metres. The supporting front wheel must stop before the
+     * edge.
+     */
     private static final double CLIFF_LEAD = 0.04;
-    /** How much lower than under the robot's middle the ground has to be. */
+    /** Minimum drop of the ground from that under the robot's middle, metres, that counts as a cliff. */
     private static final double CLIFF_DEPTH = 0.03;
     private static final double GROUND_RANGE = 1;
     private static final double WALL_BEARING = -60;
     private static final double WALL_RANGE = 0.1;
     private static final double WALL_NEAR = 0.05;
-    /** Bearings of the six light bumpers: left, front left, centre left, centre right, front right, right. */
+    /**
+     * Bearings of the six light bumpers, degrees from forward, + left: left, front left, centre left, centre right,
+     * front right, right.
+     */
     private static final double[] LIGHT_BUMPERS = {65, 38, 12, -12, -38, -65};
     private static final double LIGHT_RANGE = 0.1;
     private static final int SIGNAL_MAX = 4095;
@@ -26,7 +32,7 @@ final class ProximitySensors {
     private final int wallSignalMax;
     private double ground = Double.POSITIVE_INFINITY;
 
-    /** @param wallSignalMax greatest value of packet 27 */
+    /** @param wallSignalMax maximum of packet 27 */
     public ProximitySensors(RobotHardware hardware, int wallSignalMax) {
         this.hardware = hardware;
         this.wallSignalMax = wallSignalMax;
@@ -84,7 +90,7 @@ final class ProximitySensors {
         return hardware.look(x, 0, z, 0, -1, 0, GROUND_RANGE);
     }
 
-    /** Distance from the body's edge. */
+    /** Distance from the body's edge to the nearest object at a bearing. */
     private double ahead(double bearing, double range) {
         double angle = Math.toRadians(bearing);
         double radius = hardware.getBodyRadius();

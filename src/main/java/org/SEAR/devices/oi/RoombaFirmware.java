@@ -9,15 +9,16 @@ import org.SEAR.devices.SerialDevice;
 import org.SEAR.protocol.Uart;
 
 /**
- * The firmware of a Roomba 400, Create or Create 2: commands in, sensor packets out, a beat of 15 ms for streams, scripts, safety and battery. A
- * command that its mode does not permit is swallowed with its arguments. Sources: see {@link OiModel}.
+ * Firmware of a Roomba 400, Create or Create 2: commands in, sensor packets out. A beat of 15 ms drives streams,
+ * scripts, safety and battery. A command that the present mode does not accept is consumed with its arguments. Sources:
+ * see {@link OiModel}.
  */
 public final class RoombaFirmware implements SerialDevice, CommandReader.Listener {
-    /** Time between two readings of the sensors, seconds. */
+    /** Period of sensor updates, seconds. */
     public static final double BEAT = 0.015;
-    /** Speeds of command 129, by its argument. */
+    /** Baud rates of command 129, by its argument. */
     private static final int[] BAUDS = {300, 600, 1200, 2400, 4800, 9600, 14400, 19200, 28800, 38400, 57600, 115200};
-    /** A Create 2 goes to sleep after so long in passive mode without a command, seconds. */
+    /** Time in passive mode without a command after which a Create 2 sleeps, seconds. */
     private static final double SLEEP_AFTER = 300;
     private static final int WALL_SIGNAL_MAX = 1023;
     private static final int WALL_SIGNAL_MAX_CREATE = 4095;
@@ -47,7 +48,7 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
     private double lastCommand;
 
     /**
-     * @param baud at power-on, bits a second
+     * @param baud baud rate at power-on, bits per second
      * @param headerSummed whether the checksum of a stream covers its header byte
      */
     public RoombaFirmware(OiModel model, int baud, boolean headerSummed, DeviceContext context) {
@@ -74,7 +75,7 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         enter(OiMode.OFF);
     }
 
-    /** As after command 7, which stands for taking the battery out and in again. */
+    /** Boots as after command 7, which is equivalent to reinserting the battery. */
     @Override
     public void powerOn(double time) {
         beats = (long) Math.floor(time / BEAT);
@@ -160,7 +161,7 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         }
     }
 
-    /** What ends safe mode, in words; null if nothing does. */
+    /** Cause that ends safe mode, as text; null if there is none. */
     private String danger() {
         if (hardware.isLeftWheelDropped() || hardware.isRightWheelDropped() || model.hasCasterSwitch() && hardware.isCasterDropped()) {
             return "a wheel has dropped";
@@ -168,7 +169,7 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         return (drive.isForward() || drive.isBackwardAndTight()) && proximity.isAnyCliff() ? "a cliff" : null;
     }
 
-    /** Changes the mode; motors and lights obey only in safe and full mode. */
+    /** Changes the mode; leaving safe and full mode stops the motors. */
     private void enter(OiMode next) {
         if (!next.isActive()) {
             drive.stop();
@@ -254,9 +255,9 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
     }
 
     /**
-     * Motors, lights, songs.
+     * Runs commands of motors, lights and songs.
      *
-     * @return whether it was one of these and possible
+     * @return whether the command is one of these and possible
      */
     private boolean act(Opcode opcode, int[] a, double time) {
         switch (opcode) {
@@ -300,9 +301,9 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
     }
 
     /**
-     * Sensors, streams, scripts.
+     * Runs commands of sensors, streams and scripts.
      *
-     * @return whether it was one of these and possible
+     * @return whether the command is one of these and possible
      */
     private boolean report(Opcode opcode, int[] a, int count, double time) {
         switch (opcode) {
@@ -367,17 +368,19 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         return (short) (a[at] << 8 | a[at + 1]);
     }
 
-    /** A byte of the script. */
+    /** Receives a byte of the script. */
     void feed(int value, double time) {
         reader.accept(value, time);
     }
 
-    /** A command that the script leaves unfinished never comes to its end. */
+    /** Discards a command that the script leaves incomplete. */
     void endOfScript() {
         reader.clear();
     }
 
-    /** Whether an event of command 158 is there; the simulated robot has no docks, pressed buttons and digital inputs. */
+    /**
+     * Whether an event of command 158 is present. The simulated robot has no docks, pressed buttons or digital inputs.
+     */
     boolean isEvent(int event) {
         int contacts = packets.bumpsAndDrops();
         switch (event) {
@@ -413,12 +416,12 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         }
     }
 
-    /** The mode of packet 35. */
+    /** Mode as in packet 35. */
     public OiMode getMode() {
         return mode;
     }
 
-    /** What shines and sounds, for the window. */
+    /** Lights and motors, for display. */
     public Lights getLights() {
         return lights;
     }

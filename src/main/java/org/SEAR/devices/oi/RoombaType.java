@@ -6,7 +6,7 @@ import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.DeviceType;
 import org.SEAR.devices.SerialDevice;
 
-/** Puts the drive of a Roomba 400, Create or Create 2 behind the ports of a robot's dynamics. */
+/** Creates the Roomba 400, Create or Create 2 of a robot's dynamics. */
 public final class RoombaType implements DeviceType {
     @Override
     public Class<? extends SearObject> parameterType() {

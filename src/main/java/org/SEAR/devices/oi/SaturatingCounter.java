@@ -1,13 +1,16 @@
 package org.SEAR.devices.oi;
 
-/** A 16 bit count that is cleared by reading (packets 19, 20): holds at 32767 and -32768. What is less than a unit stays for the next reading. */
+/**
+ * A 16-bit count that reading clears (packets 19, 20). It saturates at 32767 and -32768. Fractions of a unit stay for
+ * the next reading.
+ */
 final class SaturatingCounter {
     private double base;
 
     /**
-     * The units since the last reading.
+     * Returns the units since the last reading and clears them.
      *
-     * @param total since start
+     * @param total units since start
      */
     int read(double total) {
         long units = Math.round(total - base);
@@ -19,7 +22,7 @@ final class SaturatingCounter {
         return (int) units;
     }
 
-    /** The units since the last reading, which stay. */
+    /** Returns the units since the last reading without clearing them. */
     double peek(double total) {
         return total - base;
     }

@@ -3,7 +3,7 @@ package org.SEAR.devices.oi;
 import java.io.ByteArrayOutputStream;
 import org.SEAR.devices.RobotHardware;
 
-/** What the sensor packets of one robot tell, see {@link Packet}. */
+/** Values of one robot's sensor packets, see {@link Packet}. */
 final class SensorPackets {
     private static final int ROOM_TEMPERATURE = 25;
     private static final double ENCODER_COUNTS_PER_TURN = 508.8;
@@ -37,7 +37,7 @@ final class SensorPackets {
         }
     }
 
-    /** Forgets distance and angle so far. */
+    /** Clears distance and angle. */
     void clearCounters() {
         distance.clear(distanceTotal());
         angle.clear(angleTotal());

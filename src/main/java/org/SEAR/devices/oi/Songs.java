@@ -2,7 +2,7 @@ package org.SEAR.devices.oi;
 
 import java.util.Arrays;
 
-/** The songs that a robot remembers, and which one sounds. Durations are in 1/64 s; one of no duration is a song, too. */
+/** Songs that a robot stores, and the playing song. Durations are in 1/64 s. A song of duration 0 is defined, too. */
 final class Songs {
     private static final int MAX_NOTES = 16;
     private static final double TICK = 1 / 64.0;
@@ -16,15 +16,15 @@ final class Songs {
         Arrays.fill(durations, Double.NaN);
     }
 
-    /** Whether a robot has so many songs. */
+    /** Whether a song number is in the robot's range. */
     boolean has(int song) {
         return song < durations.length;
     }
 
     /**
-     * Command 140: number, count, then note and duration for each.
+     * Stores a song (command 140): number, count, then note and duration for each.
      *
-     * @return whether there is room for such a song
+     * @return whether the number and length are legal
      */
     boolean define(int[] arguments) {
         int notes = arguments[1];
@@ -40,7 +40,7 @@ final class Songs {
     }
 
     /**
-     * Command 141; a song that sounds is not disturbed.
+     * Plays a song (command 141), unless one is playing.
      *
      * @return whether it is defined
      */
@@ -59,7 +59,7 @@ final class Songs {
         return time < end;
     }
 
-    /** Packet 36: the song last played. */
+    /** Song last played (packet 36). */
     int getNumber() {
         return number;
     }

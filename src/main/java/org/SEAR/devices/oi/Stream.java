@@ -2,7 +2,7 @@ package org.SEAR.devices.oi;
 
 import java.io.ByteArrayOutputStream;
 
-/** Command 148: the packets that a robot sends every 15 ms, {@code 13 | size | id data ... | checksum}. */
+/** Stream of packets that a robot sends every 15 ms (command 148), {@code 13 | size | id data ... | checksum}. */
 final class Stream {
     private static final int HEADER = 19;
 
@@ -10,7 +10,7 @@ final class Stream {
     private int[] ids = new int[0];
     private boolean running;
 
-    /** @param headerSummed whether all bytes of a frame sum to 0 modulo 256, or all but the header */
+    /** @param headerSummed true: all bytes of a frame sum to 0 modulo 256; false: all bytes except the header */
     Stream(boolean headerSummed) {
         this.headerSummed = headerSummed;
     }
@@ -32,12 +32,12 @@ final class Stream {
         return running;
     }
 
-    /** Packet 38. */
+    /** Number of packets (packet 38). */
     int getLength() {
         return ids.length;
     }
 
-    /** Size of a frame for these packets. */
+    /** Size of a frame with these packets, bytes. */
     static int frameSize(int[] packets) {
         int size = 3;
         for (int id : packets) {
@@ -59,7 +59,7 @@ final class Stream {
         return frame(data.toByteArray(), headerSummed);
     }
 
-    /** Puts header, size and checksum around data. */
+    /** Adds header, size and checksum to data. */
     static byte[] frame(byte[] data, boolean headerSummed) {
         byte[] frame = new byte[data.length + 3];
         frame[0] = HEADER;

@@ -1,5 +1,5 @@
 /**
- * The firmware of iRobot's Roomba and Create: commands, modes, sensor packets and streams of the Open Interface. Uses {@link org.SEAR.devices}, and
- * what that uses. Simulation thread.
+ * Firmware of iRobot's Roomba and Create: commands, modes, sensor packets and streams of the Open Interface. Uses
+ * {@link org.SEAR.devices} and its dependencies. Simulation thread.
  */
 package org.SEAR.devices.oi;

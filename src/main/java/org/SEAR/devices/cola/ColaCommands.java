@@ -11,17 +11,17 @@ import org.SEAR.protocol.cola.ColaPayload;
 import org.SEAR.protocol.cola.ColaTelegram;
 
 /**
- * What each request does, and its answer: a row for each. Requests that change something need a login. Simulation thread. Source: SICK's telegram
- * listing, {@code sick_scan_xd}, recorded telegrams.
+ * Table of requests with their actions and answers. Requests that change something need a login. Simulation thread.
+ * Source: SICK's telegram listing, {@code sick_scan_xd}, recorded telegrams.
  */
 final class ColaCommands {
     private static final int NO_CLIENT = 0;
     private static final int CLIENT = 3;
-    /** Passwords by level. */
+    /** Hashed passwords by access level. */
     private static final Map<Integer, Integer> PASSWORDS = Map.of(2, 0xB21ACE26, CLIENT, 0xF4724744, 4, 0x81BE23AA);
-    /** Verbs of requests and of their answers. */
+    /** Verb of the answer to each request. */
     private static final Map<String, String> ANSWERS = Map.of("sRN", "sRA", "sRI", "sRA", "sWN", "sWA", "sMN", "sAN", "sEN", "sEA");
-    /** Events that may be subscribed to and never happen here. */
+    /** Events that accept a subscription but never occur here. */
     private static final Set<String> QUIET_EVENTS = Set.of("LFErec", "LIDoutputstate", "LIDinputstate", "LMDscandatamon");
     private static final int DONE = 1;
     private static final int TENTHS_OF_AN_HOUR = 360;
@@ -35,7 +35,7 @@ final class ColaCommands {
     private static final int WRONG_AREA = 4;
     private static final int WRONG_OTHER = 5;
 
-    /** Reads the values of a request and writes those of its answer. */
+    /** Reads the values of a request and writes those of the answer. */
     private interface Action {
         void run(ColaTelegram in, ColaPayload out) throws ColaException;
     }
@@ -70,7 +70,7 @@ final class ColaCommands {
         rows.put(request, new Row(needed, action));
     }
 
-    /** Nobody is logged in. */
+    /** Logs the client out. */
     void logOut() {
         level = NO_CLIENT;
     }
@@ -79,7 +79,7 @@ final class ColaCommands {
         return level > NO_CLIENT;
     }
 
-    /** The framed answer to a request at a time. */
+    /** Returns the framed answer to a request. */
     byte[] answer(ColaTelegram request, double time) {
         now = time;
         String verb = ANSWERS.get(request.getVerb());
@@ -155,13 +155,13 @@ final class ColaCommands {
             String clock = String.format(Locale.ROOT, "%02d:%02d:%02d", up / 3600 % 24, up / 60 % 60, up % 60);
             out.u2(device.state().code).u1(0).text(clock).text("01.01.1970").u1(0).u1(0).u1(0);
         });
-        // four inputs, which nothing is wired to, and no time of a change
+        // four unconnected inputs, and no time of a change
         row("sRN LIDinputstate", NO_CLIENT, (in, out) -> out.u2(0).i4((int) (long) (device.upTime(now) * MICROSECONDS))
             .u1(0).u1(0).u1(0).u1(0).u2(0));
         row("sRN SCdevicestate", NO_CLIENT, (in, out) -> out.u1(device.state() == ColaScanner.State.MEASURING ? 1 : 0));
     }
 
-    /** 0 if it may be done and has been, 1 if nobody is logged in. */
+    /** Runs a change of the state and returns 0; returns 1 without a login. */
     private int started(DoubleConsumer change) {
         if (level < CLIENT) {
             return 1;
@@ -199,7 +199,10 @@ final class ColaCommands {
         out.i4(settings().rate.frequency).u2(1).i4(settings().rate.resolution).i4(model.firstAngle).i4(model.lastAngle);
     }
 
-    /** The angles are those of the widest fan, always: what is sent of it, LMPoutputRange says. */
+    /**
+     * Sets frequency and resolution. The angles must be within the model's range and have no effect; LMPoutputRange
+     * sets the transmitted angles.
+     */
     private int setRate(int frequency, int sectors, int resolution, int start, int stop) {
         if (sectors != 1) {
             return WRONG_OTHER;
@@ -220,7 +223,7 @@ final class ColaCommands {
         return known == fits ? WRONG_BOTH : known ? WRONG_RESOLUTION : WRONG_FREQUENCY;
     }
 
-    /** Fields that it would watch for things, of which nobody has taught it one: they have no segments, as in SICK's own emulator. */
+    /** Monitoring fields. None is configured, so they have no segments, as in SICK's own emulator. */
     private void fields() {
         for (int i = 1; i <= FIELDS; i++) {
             int number = i;

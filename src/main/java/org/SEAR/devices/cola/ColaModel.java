@@ -4,23 +4,23 @@ import java.util.List;
 import org.SEAR.protocol.lidar.LidarModel;
 
 /**
- * What distinguishes scanners that speak CoLa: data. A further one is a further row here and in {@link LidarModel}. Sources: SICK's telegram listing,
- * recorded telegrams, {@code sick_scan_xd}.
+ * Differences between CoLa scanners, as data. A further scanner is a further row here and in {@link LidarModel}.
+ * Sources: SICK's telegram listing, recorded telegrams, {@code sick_scan_xd}.
  */
 enum ColaModel {
     LMS111(LidarModel.LMS111, "LMS10x_FieldEval", "V1.36-21.10.2010", 7, 15, true, new ScanRate(5000, 5000, 360), new ScanRate(2500, 2500, 360),
         new ScanRate(2500, 5000, 360)),
     TIM561(LidarModel.TIM561, "TiM561", "V2.60-20.02.15", 1, 8, false, new ScanRate(1500, 3333, 162)),
-    /** It has the rate that its object asks for, and no other. */
+    /** Has exactly the rate of its object. */
     COLA(LidarModel.COLA, "SEAR", "V1.00-22.11.2026", 0, 1, false);
 
-    /** Scans a second, the angle between beams, and beams a second, which belong together. Immutable. */
+    /** A valid combination of scan rate, angular resolution and measurement rate. Immutable. */
     static final class ScanRate {
-        /** 1/100 Hz. */
+        /** Scan rate, 1/100 Hz. */
         final int frequency;
-        /** 1/10000 degree, cut off: 3333 is a third. */
+        /** Angle between measurements, 1/10000 degree, truncated: 3333 is a third. */
         final int resolution;
-        /** 100 beams a second. */
+        /** Measurement rate, 100 measurements per second. */
         final int beams;
 
         ScanRate(int frequency, int resolution, int beams) {
@@ -29,23 +29,23 @@ enum ColaModel {
             this.beams = beams;
         }
 
-        /** Hz. */
+        /** Scan rate, Hz. */
         double hertz() {
             return frequency / 100.0;
         }
 
-        /** Degrees between two beams. */
+        /** Angle between measurements, degrees. */
         double degrees() {
             return resolution == THIRD ? 1 / 3.0 : resolution / TEN_THOUSANDTHS;
         }
     }
 
-    /** Of a degree: angles are counted in them. */
+    /** Units of the protocol's angles per degree. */
     static final double TEN_THOUSANDTHS = 10000;
     /** Straight ahead, 1/10000 degree. */
     static final int FORWARD = 900000;
     private static final int THIRD = 3333;
-    /** Scans a second of a model without rates of its own. */
+    /** Scan rate, Hz, of a model without rates of its own. */
     private static final int HERTZ = 10;
     private static final int CENTI = 100;
     private static final double CIRCLE = 360;
@@ -53,13 +53,13 @@ enum ColaModel {
     final LidarModel lidar;
     final String type;
     final String version;
-    /** The second word of the digital outputs in a scan: a bit for each output. */
+    /** Second word of the digital outputs in a scan: a bit per output. */
     final int outputs;
-    /** Seconds from power-on to the first measurement. */
+    /** Time from power-on to the first measurement, seconds. */
     final double boot;
-    /** Whether frequency and resolution can be set by mLMPsetscancfg. */
+    /** Whether mLMPsetscancfg can set frequency and resolution. */
     final boolean scanConfigurable;
-    /** Where the widest fan begins and ends, 1/10000 degree. */
+    /** First and last angle of the whole range, 1/10000 degree. */
     final int firstAngle;
     final int lastAngle;
     final List<ScanRate> rates;
@@ -78,9 +78,9 @@ enum ColaModel {
     }
 
     /**
-     * The row of a model.
+     * Finds the row of a LIDAR model.
      *
-     * @throws IllegalArgumentException if it has none
+     * @throws IllegalArgumentException if there is none
      */
     static ColaModel of(LidarModel lidar) {
         for (ColaModel model : values()) {
@@ -91,7 +91,7 @@ enum ColaModel {
         throw new IllegalArgumentException("no firmware with CoLa is known of " + lidar.withArticle());
     }
 
-    /** The fastest rate with beams so many degrees apart. */
+    /** Returns the rate whose resolution is nearest to an angle in degrees; the fastest if several are equally near. */
     ScanRate rateWith(double degrees) {
         if (rates.isEmpty()) {
             return new ScanRate(HERTZ * CENTI, (int) Math.round(degrees * TEN_THOUSANDTHS),

@@ -10,23 +10,24 @@ import org.SEAR.protocol.cola.ColaTelegram;
 import org.SEAR.sensors.LidarScan;
 
 /**
- * The firmware of SICK's LMS1xx and TiM: requests of CoLa A and B, each answered in its own dialect, and a stream of scans. It measures scan
- * after scan at its own rate; a request for a scan gets the newest one. What the requests do stands in {@link ColaCommands}. One client at a time.
+ * Firmware of SICK's LMS1xx and TiM. It answers requests of CoLa A and B, each in its own dialect, and sends a stream
+ * of scans. It measures continuously at its own rate; a request for a scan gets the newest one. {@link ColaCommands}
+ * contains the requests. One client at a time.
  */
 public final class ColaScanner extends ScannerFirmware {
-    /** End of a request to its answer, seconds; real ones take a few milliseconds. */
+    /** Delay between request and answer, seconds; real devices take a few milliseconds. */
     private static final double ANSWER = 0.001;
-    /** An unfinished request is forgotten after so many seconds without a byte. */
+    /** Time without a byte after which an incomplete request is discarded, seconds. */
     private static final double TIMEOUT = 1;
-    /** Of a request, bytes; the longest are below 100. */
+    /** Longest request, bytes; real ones are below 100. */
     private static final int LONGEST = 1024;
-    /** Seconds from the start of measuring to the first scan: with the motor running, and from standby. */
+    /** Time from the start of measuring to the first scan, seconds: with the motor running, and from standby. */
     private static final double LASER_ON = 1;
     private static final double SPIN_UP = 8;
-    /** Guards a number of scans against the last bit of a product. */
+    /** Tolerance for rounding errors in a number of scans. */
     private static final double SLACK = 1e-9;
 
-    /** What STlms tells. */
+    /** States as in STlms. */
     enum State {
         BOOTING(1), IDLE(3), ROTATED(4), PREPARING(5), MEASURING(7);
 
@@ -50,15 +51,15 @@ public final class ColaScanner extends ScannerFirmware {
     private double lastByte;
     private ScanTelegram newest;
     private long telegrams;
-    /** Counts starts and ends of streams and of measuring, so that what was planned before is not done after. */
+    /** Incremented at each start and end of a stream or connection; events of earlier streams are ignored. */
     private int session;
 
     /**
-     * A device whose power is on since long.
+     * Creates a device that has been on for a long time.
      *
-     * @param spread degrees
-     * @param resolution degrees
-     * @param baud bits a second of its network
+     * @param spread range of angles, degrees
+     * @param resolution angle between measurements, degrees
+     * @param baud bit rate of its network, bits per second
      * @throws IllegalArgumentException unless the context's sensor is a LIDAR
      */
     ColaScanner(ColaModel model, double spread, double resolution, int baud, DeviceContext context) {
@@ -89,7 +90,7 @@ public final class ColaScanner extends ScannerFirmware {
         }
     }
 
-    /** Login and stream belong to a connection. */
+    /** Ends login and stream, which belong to a connection. */
     @Override
     public void portClosed(double time) {
         advance(time);
@@ -173,13 +174,13 @@ public final class ColaScanner extends ScannerFirmware {
         return settings;
     }
 
-    /** Works with other settings from the next scan on. */
+    /** Changes the settings from the next scan on. */
     void set(ScannerSettings changed) {
         settings = changed;
         newest = null;
     }
 
-    /** Keeps the settings without power. */
+    /** Saves the settings for the next power-on. */
     void save() {
         saved = settings;
     }
@@ -216,7 +217,7 @@ public final class ColaScanner extends ScannerFirmware {
         newest = null;
     }
 
-    /** The answer with the newest scan; null while it doesn't measure. */
+    /** Returns the answer with the newest scan; null unless measuring. */
     byte[] newestScan(ColaDialect dialect, double time) {
         return state == State.MEASURING ? encode(dialect, "sRA", time) : null;
     }
@@ -230,7 +231,10 @@ public final class ColaScanner extends ScannerFirmware {
         return newest.encode(dialect, verb, telegrams++, number / settings.rate.hertz(), up, context.epochMillis());
     }
 
-    /** The beams of the settings, right to left: a fan about the forward axis that has them all, cut to them. */
+    /**
+     * Measures the ranges of the settings, right to left, metres: takes a scan symmetric about the forward axis and
+     * cuts it.
+     */
     private double[] measure() {
         int skipped = skipped();
         LidarScan scan = source.scan(context.truth(), spread(skipped), settings.rate.degrees());
@@ -241,7 +245,7 @@ public final class ColaScanner extends ScannerFirmware {
         return ranges;
     }
 
-    /** How many beams of the fan about the forward axis lie to the right of those of the settings. */
+    /** Number of measurements of the symmetric scan to the right of the settings' first one. */
     private int skipped() {
         double step = settings.rate.degrees();
         double first = settings.firstAngle();
@@ -250,12 +254,12 @@ public final class ColaScanner extends ScannerFirmware {
         return 2 * (skipped * step - first) < step ? skipped + 1 : skipped;
     }
 
-    /** Degrees of the fan about the forward axis. */
+    /** Angle of the symmetric scan, degrees. */
     private double spread(int skipped) {
         return 2 * (skipped * settings.rate.degrees() - settings.firstAngle());
     }
 
-    /** Sends every so many-th scan from now on in a dialect; null for none. */
+    /** Starts a stream of every n-th scan in a dialect, with n from the settings; null stops it. */
     void stream(ColaDialect dialect, double time) {
         session++;
         if (dialect != null) {

@@ -8,7 +8,7 @@ import org.SEAR.devices.LidarSettings;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.protocol.lidar.LidarProtocol;
 
-/** Puts a SICK LMS1xx or TiM behind the ports of a LIDAR whose model is one. */
+/** Creates the SICK LMS1xx or TiM of a LIDAR of such a model. */
 public final class ColaType implements DeviceType {
     @Override
     public Class<? extends SearObject> parameterType() {

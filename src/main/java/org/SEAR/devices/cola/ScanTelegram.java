@@ -7,17 +7,18 @@ import org.SEAR.protocol.cola.ColaDialect;
 import org.SEAR.protocol.cola.ColaPayload;
 
 /**
- * A scan as LMDscandata tells it: state, counters, times, a channel of distances for each echo, one of remissions, and what else the settings ask
- * for. Distances are millimetres; 0 where nothing was hit or what was hit is nearer or farther than the model measures. No second echo and no
- * remission is simulated: the second echo is 0 everywhere, the remission {@link #REMISSION} where something was hit. Immutable.
+ * A scan as LMDscandata sends it: state, counters, times, a channel of distances per echo, one of remissions, and
+ * further data by the settings. Distances are in millimetres; 0 without a hit, or outside the model's range. Second
+ * echoes and remission are not simulated: the second echo is always 0, the remission {@link #REMISSION} for every hit.
+ * Immutable.
  */
 final class ScanTelegram {
-    /** Of whatever was hit; a scanner's own unit. */
+    /** Remission of a hit, in the scanner's unit. */
     private static final int REMISSION = 100;
     static final int SERIAL_NUMBER = 18340008;
     private static final int MM_PER_METRE = 1000;
     private static final int MICROSECONDS = 1000000;
-    /** In a microsecond. */
+    /** Nanoseconds in a microsecond. */
     private static final int NANOSECONDS = 1000;
     private static final int WORD = 0xFFFF;
 
@@ -28,10 +29,10 @@ final class ScanTelegram {
     private final double time;
 
     /**
-     * @param settings that it was measured with
-     * @param metres by beam, right to left
+     * @param settings of the measurement
+     * @param metres distances, right to left
      * @param number of the scan since power-on
-     * @param time simulated seconds of its end
+     * @param time end of the scan, simulated seconds
      */
     ScanTelegram(ColaModel model, ScannerSettings settings, double[] metres, long number, double time) {
         this.model = model;
@@ -45,18 +46,18 @@ final class ScanTelegram {
         }
     }
 
-    /** Which scan since power-on. */
+    /** Number of the scan since power-on. */
     long getNumber() {
         return number;
     }
 
     /**
-     * The framed telegram.
+     * Returns the framed telegram.
      *
-     * @param verb sRA for an answer, sSN for one of a stream
+     * @param verb sRA for an answer, sSN for a stream
      * @param telegramNumber since power-on
-     * @param up seconds since power-on of the scan
-     * @param sent seconds since power-on of the telegram
+     * @param up time of the scan, seconds since power-on
+     * @param sent time of the telegram, seconds since power-on
      * @param epochMillis UTC of simulated time 0
      */
     byte[] encode(ColaDialect dialect, String verb, long telegramNumber, double up, double sent, long epochMillis) {
@@ -115,7 +116,7 @@ final class ScanTelegram {
         out.fixed(channel).real(1).real(0).i4(settings.start).u2(settings.rate.resolution).u2(distances.length);
     }
 
-    /** Position, name, comment, time, event; position, comment and events it has none. */
+    /** Writes position, name, comment, time and event. Position, comment and events are always absent. */
     private void writeFlags(ColaPayload out, long epochMillis) {
         out.u2(0).u2(settings.hasName() ? 1 : 0);
         if (settings.hasName()) {

@@ -5,9 +5,7 @@ import org.SEAR.protocol.cola.ColaException;
 import org.SEAR.protocol.cola.ColaPayload;
 import org.SEAR.protocol.cola.ColaTelegram;
 
-/**
- * What a scanner can be told and keeps by mEEwriteall: rate, angles, name, and what a scan telegram carries. Immutable.
- */
+/** Settings of a scanner that mEEwriteall saves: rate, angles, name, and contents of a scan telegram. Immutable. */
 final class ScannerSettings {
     private static final double SLACK = 1e-6;
     private static final int BOTH_ECHOES = 3;
@@ -21,10 +19,10 @@ final class ScannerSettings {
     private static final int[] AS_DELIVERED = {1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1};
 
     final ColaModel.ScanRate rate;
-    /** 1/10000 degree; 90 degrees is straight ahead. */
+    /** First and last angle, 1/10000 degree; 90 degrees is straight ahead. */
     final int start;
     final int stop;
-    /** Of the place where it is mounted. */
+    /** Location name. */
     final String name;
     /** The values of LMDscandatacfg. */
     private final int[] content;
@@ -38,9 +36,9 @@ final class ScannerSettings {
     }
 
     /**
-     * As delivered.
+     * Creates the factory settings.
      *
-     * @param spread degrees
+     * @param spread range of angles, degrees
      */
     static ScannerSettings of(ColaModel.ScanRate rate, double spread) {
         int half = (int) Math.round(spread / 2 * ColaModel.TEN_THOUSANDTHS);
@@ -56,9 +54,9 @@ final class ScannerSettings {
     }
 
     /**
-     * With other angles, 1/10000 degree.
+     * Changes the angles, 1/10000 degree.
      *
-     * @throws ColaException if they are not within those of the model's widest fan
+     * @throws ColaException if they exceed the model's range
      */
     ScannerSettings withAngles(ColaModel model, int first, int last) throws ColaException {
         if (first < model.firstAngle || last > model.lastAngle || first > last) {
@@ -68,9 +66,9 @@ final class ScannerSettings {
     }
 
     /**
-     * With the values of LMDscandatacfg: {@code 01 00 0 1 0 00 00 0 0 0 0 +1}.
+     * Reads the values of LMDscandatacfg: {@code 01 00 0 1 0 00 00 0 0 0 0 +1}.
      *
-     * @throws ColaException if one is missing or not legal
+     * @throws ColaException if one is missing or illegal
      */
     ScannerSettings withContent(ColaTelegram in) throws ColaException {
         int[] read = new int[AS_DELIVERED.length];
@@ -87,7 +85,7 @@ final class ScannerSettings {
         return new ScannerSettings(rate, start, stop, name, read);
     }
 
-    /** The values of LMDscandatacfg. */
+    /** Writes the values of LMDscandatacfg. */
     void writeContent(ColaPayload out) {
         for (int i = 0; i < EVERY; i++) {
             out.u1(content[i]);
@@ -95,18 +93,18 @@ final class ScannerSettings {
         out.u2(content[EVERY]);
     }
 
-    /** Degrees from the forward axis to the first beam, + to the left. */
+    /** Angle from the forward axis to the first measurement, degrees, + to the left. */
     double firstAngle() {
         return (start - ColaModel.FORWARD) / ColaModel.TEN_THOUSANDTHS;
     }
 
-    /** Number of beams. */
+    /** Number of measurements. */
     int beams() {
         return (int) Math.floor((stop - start) / ColaModel.TEN_THOUSANDTHS / rate.degrees() + SLACK) + 1;
     }
 
     /**
-     * Whether distances of an echo are sent.
+     * Whether the distances of an echo are sent.
      *
      * @param echo 1 or 2
      */
@@ -119,7 +117,7 @@ final class ScannerSettings {
         return content[REMISSION] == 1;
     }
 
-    /** Whether remissions are words, else bytes. */
+    /** Whether remissions are words; else bytes. */
     boolean isRemissionWide() {
         return content[REMISSION_16_BIT] == 1;
     }
@@ -134,7 +132,7 @@ final class ScannerSettings {
         return content[TIME] == 1;
     }
 
-    /** Every so many-th scan is sent. */
+    /** Interval of transmitted scans: every n-th. */
     int every() {
         return content[EVERY];
     }

@@ -15,14 +15,16 @@ import org.SEAR.protocol.lms.Variant;
 import org.SEAR.sensors.LidarScan;
 
 /**
- * The firmware of a SICK LMS200 and of its sisters for outdoors, LMS221 and LMS291: telegrams in ({@link TelegramReader}), an ACK and a reply out,
- * one request after the other, and streams of scans.
- * What the commands do stands in {@link LmsCommands}. Source: SICK telegram listing 8007954/Q501/2006-08-01.
+ * Firmware of a SICK LMS200 and of its outdoor variants LMS221 and LMS291. It answers one request at a time: a telegram
+ * in ({@link TelegramReader}), an ACK and a reply out. It also sends streams of scans. {@link LmsCommands} contains the
+ * commands. Source: SICK telegram listing 8007954/Q501/2006-08-01.
  */
 public final class Lms200 extends ScannerFirmware implements TelegramReader.Listener {
-    /** A byte may look late by the step of the simulation in which the host wrote it. */
+    /**
+     * Longest pause between bytes of a request, seconds; a byte can seem late by the simulation step of its writing.
+     */
     private static final double GAP = Timing.HOST_GAP + TimeStep.SECONDS;
-    /** MyRobotLab's old driver sends each baud telegram with the checksum of 9600 baud. */
+    /** Baud telegrams of MyRobotLab's old driver; both have the checksum of 9600 baud. */
     private static final byte[] OLD_DRIVER_19200 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x41, 0x52, 0x08};
     private static final byte[] OLD_DRIVER_38400 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x40, 0x52, 0x08};
 
@@ -36,11 +38,11 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
     private double readUntil;
     private int stream;
     private int telegramIndex;
-    /** When the last telegram of a stream has left the line. */
+    /** When the last telegram of a stream has left the line, simulated seconds. */
     private double streamUntil;
     private int partial;
 
-    /** @throws IllegalArgumentException unless the context's sensor is a LIDAR and the baud rate one of an LMS200 */
+    /** @throws IllegalArgumentException unless the context's sensor is a LIDAR and the baud rate is one of an LMS200 */
     public Lms200(PowerOnSettings powerOn, DeviceContext context) {
         super("an LMS200", context);
         if (Baud.ofRate(powerOn.baud) == null) {
@@ -139,7 +141,7 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
         commands.execute(request, time);
     }
 
-    /** The answer has to come within 60 ms: for it, a scan of the stream that is on the line is broken off. */
+    /** Sends ACK or NAK. It is due within 60 ms, so it cuts off a scan of the stream on the line. */
     private void acknowledge(int answer, double time) {
         if (streamUntil > time && streamUntil == context.lineFreeAt()) {
             context.cutOutput(time);
@@ -147,18 +149,18 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
         context.send(new byte[] {(byte) answer}, time);
     }
 
-    /** Sends the reply to the present request and goes on to the next. */
+    /** Sends the reply to the present request and continues with the next request. */
     void reply(byte[] payload, double time) {
         send(payload, time);
         requests.done(time);
     }
 
-    /** Sends the reply to the present request after a delay. */
+    /** Sends the reply to the present request after a delay in seconds. */
     void replyAfter(double delay, byte[] payload, double time) {
         events.at(time + delay, t -> reply(payload, t));
     }
 
-    /** Sends a telegram, whoever asked for it. */
+    /** Sends a telegram without ending a request. */
     void send(byte[] payload, double time) {
         context.send(new Telegram(powerOn.identity.getAddress() | Telegram.FROM_DEVICE, payload).toBytes(), time);
     }
@@ -167,7 +169,7 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
         events.at(time, action);
     }
 
-    /** Sends the reply at the present speed and goes on at another once it has left. */
+    /** Sends the reply, then changes the baud rate when it has left the line. */
     void replyAndSwitch(byte[] payload, Baud next, double time) {
         send(payload, time);
         events.at(Math.max(time, context.lineFreeAt()), t -> {
@@ -177,7 +179,7 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
         });
     }
 
-    /** Restarts: mute until the power-on telegram, which comes at the speed that holds from then on. */
+    /** Restarts the device. It is silent until the power-on telegram, which has the new baud rate. */
     void restart(byte[] last, double time) {
         send(last, time);
         double down = Math.max(time, context.lineFreeAt());
@@ -214,7 +216,10 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
         return baud;
     }
 
-    /** Scans from the end of the scan under way on, as often as the kind asks for, then hands over command, values and status. */
+    /**
+     * Measures the scans that a format needs, from the end of the present scan. The listener gets command, values and
+     * status.
+     */
     void measure(ScanFormat format, double time, MeasureListener listener) {
         Variant variant = commands.variant();
         ScanReply reply = new ScanReply(format, variant, commands.configuration());
@@ -249,7 +254,7 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
         stream++;
     }
 
-    /** Sends scans of that kind, as fast as mirror and line allow, until {@link #stopStream}. */
+    /** Sends scans of a format, as fast as mirror and line permit, until {@link #stopStream}. */
     void startStream(ScanFormat format, double time) {
         int session = ++stream;
         cycle(format, session, time);
@@ -279,7 +284,7 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
         });
     }
 
-    /** Takes measured values. */
+    /** Receives measured values. */
     interface MeasureListener {
         void measured(byte[] payload, double time);
     }

@@ -10,7 +10,7 @@ import org.SEAR.protocol.lidar.LidarProtocol;
 import org.SEAR.protocol.lms.Identity;
 import org.SEAR.protocol.lms.Variant;
 
-/** Puts a SICK LMS2xx behind the ports of a LIDAR whose model is one. */
+/** Creates the SICK LMS2xx of a LIDAR of such a model. */
 public final class Lms200Type implements DeviceType {
     private static final int HUNDREDTHS = 100;
 

@@ -12,7 +12,7 @@ import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.Variant;
 
 /**
- * What each request does, and its reply. A request that the present mode does not permit, or that is unknown, is answered by 92h. Source: SICK
+ * Requests and their replies. A request that is unknown or not permitted in the present mode gets 92h. Source: SICK
  * telegram listing, chapter 7.
  */
 final class LmsCommands {
@@ -35,7 +35,7 @@ final class LmsCommands {
         this.powerOn = powerOn;
     }
 
-    /** Back to what the device was delivered with. */
+    /** Restores the factory settings. */
     void toFactory() {
         configuration = Configuration.ofFactory().withMillimetres(powerOn.identity.isIndoor());
         restartBaud = Baud.ofRate(powerOn.baud);
@@ -44,9 +44,9 @@ final class LmsCommands {
     }
 
     /**
-     * What it forgets without power is as delivered; the configuration and a permanent baud rate stay.
+     * Restores the volatile settings at power-on; the configuration and a permanent baud rate stay.
      *
-     * @return the speed that it starts with
+     * @return the baud rate at start
      */
     Baud powerOn() {
         variant = powerOn.variant;
@@ -54,7 +54,7 @@ final class LmsCommands {
         return restartBaud;
     }
 
-    /** The telegram that it sends when it has started. */
+    /** Telegram that it sends after its start. */
     byte[] greeting() {
         return new LmsPayload(LmsCommand.POWER_ON).text(powerOn.identity.getType()).add(StatusByte.OK).toBytes();
     }
@@ -72,7 +72,7 @@ final class LmsCommands {
         return variant.getSpread() + " degrees every " + variant.getResolution() / 100.0 + ", " + unit + ", mode " + Integer.toHexString(mode) + "h";
     }
 
-    /** Carries out a request whose ACK has just been sent. */
+    /** Runs a request whose ACK has just been sent. */
     void execute(Telegram request, double time) {
         LmsCommand command = LmsCommand.of(request.getCommand());
         if (command == null) {
@@ -110,7 +110,7 @@ final class LmsCommands {
         }
     }
 
-    /** Replies that only tell something. */
+    /** Replies that only report something. */
     private byte[] answer(LmsCommand command) {
         LmsPayload reply = command.reply();
         switch (command) {
@@ -193,7 +193,7 @@ final class LmsCommands {
         return true;
     }
 
-    /** The stream that a 20h request asks for; null if it asks for none. */
+    /** Format of the stream that a 20h request starts; null if it starts none. */
     private ScanFormat streamKind(Telegram request) {
         if (request.size() < 2) {
             return null;

@@ -3,13 +3,13 @@ package org.SEAR.devices.lms;
 import org.SEAR.protocol.lms.Identity;
 import org.SEAR.protocol.lms.Variant;
 
-/** What one LMS2xx is set to when its power comes on. Immutable. */
+/** Settings of an LMS2xx at power-on. Immutable. */
 public final class PowerOnSettings {
-    /** Variant until another is chosen. */
+    /** Initial variant. */
     public final Variant variant;
-    /** Bits a second. */
+    /** Baud rate, bits per second. */
     public final int baud;
-    /** Whether the baud telegrams of MyRobotLab's old driver are obeyed although their checksum is wrong. */
+    /** Whether it accepts the baud telegrams of MyRobotLab's old driver in spite of their wrong checksum. */
     public final boolean lenient;
     /** Type, serial number, address. */
     public final Identity identity;

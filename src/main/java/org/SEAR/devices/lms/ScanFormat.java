@@ -2,9 +2,9 @@ package org.SEAR.devices.lms;
 
 import org.SEAR.protocol.lms.Variant;
 
-/** Which values of a scan a telegram carries, and in what form. Immutable. */
+/** Selection and form of a scan's values in a telegram. Immutable. */
 final class ScanFormat {
-    /** Every value, B0h. */
+    /** All values, B0h. */
     static final ScanFormat ALL = new ScanFormat(Form.EVERY, 1, 1, 0, 0);
     /** One turn of the mirror, B0h. */
     static final ScanFormat PARTIAL = new ScanFormat(Form.PARTIAL, 1, 1, 0, 0);
@@ -17,9 +17,9 @@ final class ScanFormat {
     enum Form { EVERY, PARTIAL, MINIMUM, CONTOUR, MEAN, RANGE, MEAN_RANGE }
 
     final Form form;
-    /** Every so many-th value. */
+    /** Interval of the values: every n-th. */
     final int stride;
-    /** Number of scans the mean is taken of. */
+    /** Number of scans in the mean. */
     final int scans;
     /** First and last value of a sub-range, from 1. */
     final int first;
@@ -38,7 +38,7 @@ final class ScanFormat {
         return new ScanFormat(Form.EVERY, stride, 1, 0, 0);
     }
 
-    /** Mean of so many scans, B6h. */
+    /** Mean of several scans, B6h. */
     static ScanFormat mean(int scans) {
         return new ScanFormat(Form.MEAN, 1, scans, 0, 0);
     }
@@ -48,12 +48,12 @@ final class ScanFormat {
         return new ScanFormat(Form.RANGE, 1, 1, first, last);
     }
 
-    /** Mean of values first to last, BFh. */
+    /** Mean of values first to last over several scans, BFh. */
     static ScanFormat meanRange(int scans, int first, int last) {
         return new ScanFormat(Form.MEAN_RANGE, 1, scans, first, last);
     }
 
-    /** Seconds that one of the scans takes. */
+    /** Duration of one of the scans, seconds. */
     double scanTime(Variant variant) {
         return form == Form.PARTIAL ? Variant.TURN : variant.getScanTime();
     }

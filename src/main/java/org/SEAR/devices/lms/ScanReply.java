@@ -8,8 +8,8 @@ import org.SEAR.protocol.lms.Variant;
 import org.SEAR.sensors.LidarScan;
 
 /**
- * The telegrams with measured values: B0h, B6h, B7h, BFh, for example {@code B0 B5 00 | 181 words | 10}. Collects as many scans as the kind asks for
- * and then writes their mean. Source: SICK telegram listing, chapters 7 and 10.
+ * Telegrams with measured values: B0h, B6h, B7h, BFh, for example {@code B0 B5 00 | 181 words | 10}. Collects the scans
+ * that the format needs, then writes their mean. Source: SICK telegram listing, chapters 7 and 10.
  */
 final class ScanReply {
     private static final int QUARTERS = 4;
@@ -32,9 +32,9 @@ final class ScanReply {
     }
 
     /**
-     * Takes a scan of the variant's fan.
+     * Adds a scan with the variant's angles.
      *
-     * @return whether that was the last one
+     * @return whether it was the last one
      */
     boolean add(LidarScan scan) {
         double limit = (configuration.getMode().getBeyondRange() - 1.0) / configuration.getUnitsPerMetre();
@@ -51,11 +51,11 @@ final class ScanReply {
     }
 
     /**
-     * Command, values and status.
+     * Returns command, values and status.
      *
-     * @param partial which partial scan, from 0; looked at only by that kind
-     * @param scanIndex and
-     * @param telegramIndex appended if the configuration asks for them
+     * @param partial number of the partial scan, from 0; used by the partial format only
+     * @param scanIndex appended with the next one if the configuration includes indices
+     * @param telegramIndex appended likewise
      */
     byte[] toBytes(int partial, int scanIndex, int telegramIndex, int status) {
         LmsPayload payload;
@@ -124,7 +124,7 @@ final class ScanReply {
         return beyond[i] > 0 ? configuration.getMode().getBeyondRange() : configuration.getMode().getNothingHit();
     }
 
-    /** The smallest distance measured at right angles to the line from 0 to 180 degrees. */
+    /** Smallest distance, perpendicular to the line from 0 to 180 degrees, in the configured unit. */
     private int minimum() {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < sums.length; i++) {

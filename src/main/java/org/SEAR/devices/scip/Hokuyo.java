@@ -9,15 +9,16 @@ import org.SEAR.protocol.scip.ScanCommand;
 import org.SEAR.protocol.scip.ScipStatus;
 
 /**
- * The firmware of a Hokuyo scanner that speaks SCIP 2.0: a line in, its echo and a reply out, one command after the other, and streams of scans
- * meanwhile. What the commands do stands in {@link ScipCommands}. Source: SCIP 2.0 specification C-42-03320B.
+ * Firmware of a Hokuyo scanner with SCIP 2.0. It runs one command at a time: a line in, its echo and a reply out.
+ * Streams of scans run meanwhile. {@link ScipCommands} contains the commands. Source: SCIP 2.0 specification
+ * C-42-03320B.
  */
 public final class Hokuyo extends ScannerFirmware {
-    /** A command has at most 15 characters and a string of 16 after a semicolon. */
+    /** Longest line; a command has at most 15 characters, and a string of 16 after a semicolon. */
     private static final int LONGEST_LINE = 64;
-    /** From the end of a command to its reply; undocumented, drivers wait 100 ms and more. Seconds. */
+    /** Delay between a command and its reply, seconds; undocumented, drivers wait 100 ms and more. */
     private static final double ANSWER = 0.001;
-    /** From power-on until the mirror turns and commands are taken; undocumented. Seconds. */
+    /** Time from power-on until it rotates and takes commands, seconds; undocumented. */
     private static final double BOOT = 2;
 
     private final HokuyoModel model;
@@ -32,8 +33,8 @@ public final class Hokuyo extends ScannerFirmware {
     private boolean streaming;
 
     /**
-     * @param baud at power-on; {@link HokuyoModel#USB} at a USB port
-     * @throws IllegalArgumentException unless the context's sensor is a LIDAR and the baud rate one of the model's
+     * @param baud baud rate at power-on; {@link HokuyoModel#USB} at a USB port
+     * @throws IllegalArgumentException unless the context's sensor is a LIDAR and the baud rate is one of the model's
      */
     public Hokuyo(HokuyoModel model, int baud, DeviceContext context) {
         super("a " + model.getName(), context);
@@ -110,13 +111,13 @@ public final class Hokuyo extends ScannerFirmware {
         return model.getName() + ": " + commands.describe() + (isUsb() ? ", USB" : ", " + baud + " baud");
     }
 
-    /** Sends the reply to the present command and goes on to the next. */
+    /** Sends the reply to the present command and continues with the next command. */
     void reply(ReplyWriter reply, double time) {
         context.send(reply.toBytes(), time);
         requests.done(time);
     }
 
-    /** Sends the reply at the present speed and goes on at another once it has left. */
+    /** Sends the reply, then changes the baud rate when it has left the line. */
     void replyAndSwitch(ReplyWriter reply, int next, double time) {
         context.send(reply.toBytes(), time);
         events.at(Math.max(time, context.lineFreeAt()), t -> {
@@ -147,19 +148,19 @@ public final class Hokuyo extends ScannerFirmware {
         streaming = false;
     }
 
-    /** Measures one scan and answers the present command with it. */
+    /** Measures one scan and sends it as the reply to the present command. */
     void answerScan(String echo, ScanCommand command, double time) {
         scanner.measure(command, time, events, (scan, end) -> reply(scan.write(new ReplyWriter(echo, ScipStatus.OK)), end));
     }
 
-    /** Sends scans until there were as many as wanted, or {@link #stopStream}. */
+    /** Sends scans until their requested number is reached or {@link #stopStream}. */
     void startStream(ScanCommand command, double time) {
         int session = ++stream;
         streaming = true;
         cycle(session, command, command.getCount(), time);
     }
 
-    /** A scan that ends while the line is still busy is left out. */
+    /** Measures and sends one scan of a stream, then schedules the next; skips a scan while the line is busy. */
     private void cycle(int session, ScanCommand command, int left, double time) {
         scanner.measure(command, time, events, (scan, end) -> {
             if (session != stream) {

@@ -9,7 +9,7 @@ import org.SEAR.devices.SerialDevice;
 import org.SEAR.protocol.lidar.LidarProtocol;
 import org.SEAR.protocol.scip.HokuyoModel;
 
-/** Puts a Hokuyo behind the ports of a LIDAR whose model speaks SCIP 2.0. It has the model's whole fan; commands ask for a part of it. */
+/** Creates the Hokuyo of a LIDAR with SCIP 2.0. It measures the model's whole angle; commands request a part of it. */
 public final class HokuyoType implements DeviceType {
     @Override
     public Class<? extends SearObject> parameterType() {

@@ -9,20 +9,20 @@ import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.LidarSource;
 
 /**
- * The turning mirror: when which step is measured, and what is told of it. Turn k begins, with step 0 at the rear, at k times the time of a scan;
- * all distances of a turn are of the instant at which it looks ahead.
+ * The rotating mirror: when each step is measured, and with which value. Turn k begins, with step 0 at the rear, at k
+ * times the scan time. All distances of a turn are of the instant at which it looks ahead.
  */
 final class Scanner {
     private static final double MILLIMETRES = 1000;
     private static final double PERCENT = 100;
     private static final double MILLIS = 1000;
-    /** Guards a ceiling against the last bit of a quotient. */
+    /** Tolerance for rounding errors before a ceiling. */
     private static final double SLACK = 1e-9;
 
     private final HokuyoModel model;
     private final DeviceContext context;
     private final LidarSource source;
-    /** Steps to the farther side. */
+    /** Steps from the front to the further end of the measured angle. */
     private final int half;
     private int slower;
     private double clockZero;
@@ -34,7 +34,7 @@ final class Scanner {
         this.half = Math.max(model.getFront() - model.getFirst(), model.getLast() - model.getFront());
     }
 
-    /** @param percent by which it turns slower than it can, 0 to 10 */
+    /** @param percent reduction of the motor's speed, 0 to 10 */
     void setSlower(int percent) {
         slower = percent;
     }
@@ -43,27 +43,30 @@ final class Scanner {
         return slower;
     }
 
-    /** Turns a minute. */
+    /** Speed of the motor, turns per minute. */
     int getTurns() {
         return (int) Math.round(model.getTurns() * (PERCENT - slower) / PERCENT);
     }
 
-    /** Seconds of a turn. */
+    /** Duration of a turn, seconds. */
     double scanTime() {
         return model.getScanTime() * PERCENT / (PERCENT - slower);
     }
 
-    /** Milliseconds of the sensor's clock at a time. */
+    /** Sensor clock at a time, milliseconds. */
     long clock(double time) {
         return Math.max(0, (long) Math.floor((time - clockZero) * MILLIS + SLACK));
     }
 
-    /** The sensor's clock begins anew. */
+    /** Sets the sensor clock to zero at a time. */
     void setClockZero(double time) {
         clockZero = time;
     }
 
-    /** Measures in the first turn that looks ahead at {@code time} or later, and tells it when that turn's last step has passed. */
+    /**
+     * Measures in the first turn that looks ahead at {@code time} or later; the listener gets the scan after the turn's
+     * last step.
+     */
     void measure(ScanCommand command, double time, EventQueue events, Listener listener) {
         double scanTime = scanTime();
         double ahead = (double) model.getFront() / model.getSteps();
@@ -84,7 +87,7 @@ final class Scanner {
         return values;
     }
 
-    /** The least distance of some steps; the first one's code if there is none. */
+    /** Shortest distance of some steps; the code of the first step if none has a distance. */
     private int nearest(LidarScan scan, int from, int count) {
         int code = value(scan, from);
         int least = Integer.MAX_VALUE;
@@ -107,12 +110,12 @@ final class Scanner {
         return rounded < model.getLeast() ? model.getTooNear() : (int) rounded;
     }
 
-    /** Takes a scan when its last step has passed. */
+    /** Receives a scan after its last step. */
     interface Listener {
         void measured(Scan scan, double time);
     }
 
-    /** What was measured in one turn. */
+    /** Values of one turn. */
     static final class Scan {
         private final long stamp;
         private final int[] values;

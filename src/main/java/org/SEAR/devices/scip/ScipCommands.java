@@ -6,7 +6,10 @@ import org.SEAR.protocol.scip.ReplyWriter;
 import org.SEAR.protocol.scip.ScanCommand;
 import org.SEAR.protocol.scip.ScipStatus;
 
-/** What each command does, and its reply. A command that is unknown, or not permitted now, is answered by 0E. Source: SCIP 2.0, chapters 8 to 12. */
+/**
+ * Commands and their replies. An unknown command, or one not permitted at present, gets status 0E. Source: SCIP 2.0,
+ * chapters 8 to 12.
+ */
 final class ScipCommands {
     private static final int MAX_STRING = 16;
     private static final int LETTERS = 2;
@@ -27,7 +30,7 @@ final class ScipCommands {
         this.scanner = scanner;
     }
 
-    /** As after power-on at a time. */
+    /** Restores the state of power-on. */
     void toStart(double time) {
         scanner.setClockZero(time);
         laser = false;
@@ -44,7 +47,7 @@ final class ScipCommands {
         return "laser " + (laser ? "on" : "off") + (device.isStreaming() ? ", sending scans" : "") + (adjusting ? ", adjusting its clock" : "");
     }
 
-    /** Carries out a line. */
+    /** Runs the command of a line. */
     void execute(String line, double time) {
         int parameters = line.length() < LETTERS ? -1 : parameters(line.substring(0, LETTERS));
         String fault = parameters < 0 || adjusting && !isForAdjusting(line) ? ScipStatus.UNKNOWN : fault(line, LETTERS + parameters);
@@ -97,14 +100,14 @@ final class ScipCommands {
     }
 
     /**
-     * What is obeyed while the clock is adjusted: a reset ends that, and in a UTM-30LX {@code QT} does, too; a URG-04LX answers that by 0E, by which
-     * drivers know that they have to send {@code TM2}.
+     * Whether a command is accepted while the clock is adjusted. A reset ends the adjustment; in a UTM-30LX {@code QT}
+     * ends it, too. A URG-04LX answers {@code QT} with 0E, so that drivers send {@code TM2}.
      */
     private boolean isForAdjusting(String line) {
         return line.startsWith("TM") || line.startsWith("RS") || line.startsWith("RT") || line.startsWith("QT") && model == HokuyoModel.UTM_30LX;
     }
 
-    /** Characters of parameters that belong to a command; below 0 if there is no such command. */
+    /** Number of parameter characters of a command; negative if the command is unknown. */
     private static int parameters(String letters) {
         switch (letters) {
             case "VV":
@@ -171,7 +174,7 @@ final class ScipCommands {
         return reply.property("TIME", String.format(Locale.ROOT, "%06X", scanner.clock(time) & 0xFFFFFF)).property("STAT", "Sensor works well.");
     }
 
-    /** A UTM-30LX leaves the remark out of the checksum. */
+    /** Appends a setting; a UTM-30LX omits the remark from the checksum. */
     private void setting(ReplyWriter reply, String text) {
         String whole = text + "<-Default setting by user";
         reply.counted(whole, model == HokuyoModel.UTM_30LX ? text : whole);

@@ -6,16 +6,16 @@ import java.util.function.IntPredicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** An Arduino board: how many pins it has, and what each can do. Immutable. */
+/** An Arduino board: its pins and their functions. Immutable. */
 public enum BoardModel {
     /** ATmega328P. */
     UNO("Uno", 2, 14, 6, new int[] {3, 5, 6, 9, 10, 11}, new int[] {2, 3}, new int[] {18, 19}, 20),
     /** ATmega2560. */
     MEGA("Mega", 1, 54, 16, new int[] {2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 44, 45, 46}, new int[] {2, 3, 18, 19, 20, 21}, new int[] {20, 21}, 50);
 
-    /** Volts of supply and of a high level. */
+    /** Supply voltage and high level, V. */
     public static final double VOLTS = 5;
-    /** Pins below this one are the serial line's. */
+    /** First free pin; the pins below belong to the serial line. */
     private static final int FIRST_FREE = 2;
 
     private final String title;
@@ -38,7 +38,7 @@ public enum BoardModel {
         this.servoEnd = servoEnd;
     }
 
-    /** The board of a name, {@code uno} or {@code mega} in whatever capitals; null if there is none. */
+    /** Finds a board by name, {@code uno} or {@code mega}, ignoring case; null if unknown. */
     public static BoardModel of(String name) {
         for (BoardModel model : values()) {
             if (model.title.equalsIgnoreCase(name)) {
@@ -48,12 +48,12 @@ public enum BoardModel {
         return null;
     }
 
-    /** {@code Uno}. */
+    /** Title, for example {@code Uno}. */
     public String getTitle() {
         return title;
     }
 
-    /** {@code uno}, as scripts and files say it. */
+    /** Name in scripts and files, for example {@code uno}. */
     public String getWord() {
         return title.toLowerCase(Locale.ROOT);
     }
@@ -63,27 +63,27 @@ public enum BoardModel {
         return mrlType;
     }
 
-    /** How many pins it has, the first of which is 0. */
+    /** Number of pins; the first is 0. */
     public int getPins() {
         return firstAnalog + analogs;
     }
 
-    /** The pin of analog channel 0. */
+    /** Pin of analog channel 0. */
     public int getFirstAnalog() {
         return firstAnalog;
     }
 
-    /** How many analog channels it has. */
+    /** Number of analog channels. */
     public int getAnalogs() {
         return analogs;
     }
 
-    /** The analog channel of a pin; -1 if it has none. */
+    /** Analog channel of a pin; -1 if it has none. */
     public int channelOf(int pin) {
         return pin >= firstAnalog && pin < getPins() ? pin - firstAnalog : -1;
     }
 
-    /** Whether there is such a pin and it can be used so. Pins 0 and 1 are the serial line's and can't. */
+    /** Whether a pin exists and supports a use. Pins 0 and 1 support none, as they belong to the serial line. */
     public boolean can(int pin, PinUse use) {
         if (pin < FIRST_FREE || pin >= getPins()) {
             return false;
@@ -109,9 +109,9 @@ public enum BoardModel {
     }
 
     /**
-     * The number of a pin as people write it: {@code 7}, {@code D7}, {@code A0}.
+     * Parses the usual name of a pin: {@code 7}, {@code D7}, {@code A0}.
      *
-     * @return -1 if there is none
+     * @return -1 if there is no such pin
      */
     public int pinOf(String name) {
         String plain = name == null ? "" : name.trim().toUpperCase(Locale.ROOT);
@@ -127,17 +127,17 @@ public enum BoardModel {
         return number < getPins() ? number : -1;
     }
 
-    /** What is printed beside a pin: {@code 7}, {@code A0}. */
+    /** Label of a pin: {@code 7}, {@code A0}. */
     public String nameOf(int pin) {
         return pin >= firstAnalog ? "A" + (pin - firstAnalog) : Integer.toString(pin);
     }
 
-    /** The pins that can be used so, with commas between; runs of more than two as {@code 2 to 13}. */
+    /** Lists the pins that support a use, separated by commas; runs of more than two as {@code 2 to 13}. */
     public String pinsFor(PinUse use) {
         return pinsFor(use, pin -> true);
     }
 
-    /** Likewise, of those that the test lets through; {@code none} if there are none. */
+    /** Lists the pins that support a use and pass a test; {@code none} if there are none. */
     public String pinsFor(PinUse use, IntPredicate test) {
         int[] pins = IntStream.range(0, getPins()).filter(pin -> can(pin, use) && test.test(pin)).toArray();
         StringBuilder text = new StringBuilder();
@@ -154,7 +154,7 @@ public enum BoardModel {
         return text.length() == 0 ? "none" : text.toString();
     }
 
-    /** The words of all boards, with commas between. */
+    /** Names of all boards, separated by commas. */
     public static String words() {
         return Arrays.stream(values()).map(BoardModel::getWord).collect(Collectors.joining(", "));
     }

@@ -1,18 +1,18 @@
 package org.SEAR.protocol.arduino;
 
-/** What a pin can be used for. */
+/** Uses of a pin. */
 public enum PinUse {
-    /** A level is read or written. */
+    /** Reads or writes a level. */
     DIGITAL("a digital pin"),
-    /** A voltage is read with 10 bits. */
+    /** Reads a voltage with 10 bits. */
     ANALOG("an analog input"),
-    /** The hardware makes pulses of any width. */
+    /** Makes pulses of any width in hardware. */
     PWM("a PWM pin"),
-    /** The servo library makes its pulses. */
+    /** Makes servo pulses with the Servo library. */
     SERVO("a pin for servos"),
-    /** A change of level interrupts the program. */
+    /** Interrupts the program at a change of level. */
     INTERRUPT("a pin with an interrupt"),
-    /** Two-wire bus. */
+    /** Two-wire bus (I2C). */
     I2C("a pin of the two-wire bus");
 
     private final String words;
@@ -21,7 +21,7 @@ public enum PinUse {
         this.words = words;
     }
 
-    /** What such a pin is called, with its article. */
+    /** Name of such a pin, with its article. */
     public String getWords() {
         return words;
     }

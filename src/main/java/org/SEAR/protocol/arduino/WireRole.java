@@ -1,16 +1,16 @@
 package org.SEAR.protocol.arduino;
 
-/** What the wire between a pin and a component is for. */
+/** Purpose of the wire between a pin and a component. */
 public enum WireRole {
-    /** The component puts a voltage on the pin. */
+    /** Voltage from the component to the pin. */
     VOLTS("volts", PinUse.ANALOG),
-    /** One pin for the trigger and the echo of a range sensor, as a PING))) has it. */
+    /** Trigger and echo of a range sensor on one pin, as for a PING))). */
     PING("ping", PinUse.DIGITAL),
-    /** The pin starts a range sensor, as an HC-SR04's. */
+    /** Trigger of a range sensor, as for an HC-SR04. */
     TRIGGER("trigger", PinUse.DIGITAL),
-    /** The pin is high as long as the sound travels, as an HC-SR04's. */
+    /** Echo of a range sensor, high while the sound travels, as for an HC-SR04. */
     ECHO("echo", PinUse.DIGITAL),
-    /** Power of a motor; forward, if it has another for reverse. */
+    /** Power of a motor; forward only, if the motor also has {@link #REVERSE}. */
     PWM("pwm", PinUse.PWM),
     /** Power of a motor in reverse. */
     REVERSE("reverse", PinUse.PWM),
@@ -18,7 +18,7 @@ public enum WireRole {
     DIRECTION("direction", PinUse.DIGITAL),
     /** First track of a motor's encoder. */
     ENCODER_A("encoderA", PinUse.INTERRUPT),
-    /** Second track of a motor's encoder, a quarter of a line behind the first when it turns forward. */
+    /** Second track of a motor's encoder, a quarter line behind the first when turning forward. */
     ENCODER_B("encoderB", PinUse.DIGITAL),
     /** Pulses for a servo. */
     SERVO("servo", PinUse.SERVO),
@@ -35,7 +35,7 @@ public enum WireRole {
         this.use = use;
     }
 
-    /** The role of a word as {@link #getWord} has it, in whatever capitals; null if there is none. */
+    /** Finds a role by its word, ignoring case; null if unknown. */
     public static WireRole of(String word) {
         for (WireRole role : values()) {
             if (role.word.equalsIgnoreCase(word)) {
@@ -45,12 +45,12 @@ public enum WireRole {
         return null;
     }
 
-    /** As scripts and files say it. */
+    /** Word in scripts and files. */
     public String getWord() {
         return word;
     }
 
-    /** What the pin must be able to do. */
+    /** Required use of the pin. */
     public PinUse getUse() {
         return use;
     }

@@ -3,11 +3,12 @@ package org.SEAR.protocol.cola;
 import java.io.ByteArrayOutputStream;
 
 /**
- * The two forms of a telegram. A: {@code 02 text 03}. B: {@code 02 02 02 02}, four bytes length of the payload with the high byte first, the payload,
- * the exclusive or of its bytes: {@code 02 02 02 02 00 00 00 09 73 52 4E 20 53 54 6C 6D 73 3A} is {@code sRN STlms}.
+ * The two forms of a telegram. A: {@code 02 text 03}. B: {@code 02 02 02 02}, four bytes payload length with the high
+ * byte first, the payload, and the exclusive or of its bytes.
+ * {@code 02 02 02 02 00 00 00 09 73 52 4E 20 53 54 6C 6D 73 3A} is {@code sRN STlms}.
  */
 public enum ColaDialect {
-    /** Text: words with a space between, numbers in hexadecimal. */
+    /** Text: words separated by spaces, numbers in hexadecimal. */
     A {
         @Override
         public byte[] frame(byte[] payload) {
@@ -18,7 +19,7 @@ public enum ColaDialect {
             return out.toByteArray();
         }
     },
-    /** Command and name as text, values as bytes with the high one first. */
+    /** Command and name as text, values in binary, high byte first. */
     B {
         @Override
         public byte[] frame(byte[] payload) {
@@ -35,19 +36,19 @@ public enum ColaDialect {
         }
     };
 
-    /** Begins a telegram. */
+    /** First byte of a telegram. */
     static final int STX = 0x02;
-    /** Ends a telegram of CoLa A. */
+    /** Last byte of a telegram of CoLa A. */
     static final int ETX = 0x03;
-    /** So many STX begin a telegram of CoLa B. */
+    /** Number of STX at the begin of a telegram of CoLa B. */
     static final int STX_OF_B = 4;
-    /** Bytes around the payload of CoLa B. */
+    /** Number of bytes around the payload of CoLa B. */
     private static final int B_FRAME = 9;
 
-    /** A payload with what lies around it on the wire. */
+    /** Adds the frame to a payload. */
     public abstract byte[] frame(byte[] payload);
 
-    /** The exclusive or of the first bytes. */
+    /** Exclusive or of the first bytes. */
     static int checksum(byte[] bytes, int count) {
         int sum = 0;
         for (int i = 0; i < count; i++) {

@@ -1,6 +1,6 @@
 package org.SEAR.protocol.cola;
 
-/** Why a scanner refuses a request, told by {@code sFA code}. Source: SICK's telegram listing and {@code sick_scan_xd}. */
+/** Error codes of a scanner, sent as {@code sFA code}. Source: SICK's telegram listing and {@code sick_scan_xd}. */
 public enum ColaError {
     ACCESS_DENIED(0x1),
     UNKNOWN_METHOD(0x2),
@@ -20,12 +20,12 @@ public enum ColaError {
         this.code = code;
     }
 
-    /** The number after {@code sFA}. */
+    /** Number after {@code sFA}. */
     public int getCode() {
         return code;
     }
 
-    /** The telegram that tells it: text {@code sFA 3}, or {@code sFA} and two bytes. */
+    /** Telegram of the error: text {@code sFA 3}, or {@code sFA} and two bytes. */
     public byte[] telegram(ColaDialect dialect) {
         return new ColaPayload(dialect).verb("sFA").u2(code).toTelegram();
     }

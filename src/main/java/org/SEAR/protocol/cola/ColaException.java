@@ -1,6 +1,6 @@
 package org.SEAR.protocol.cola;
 
-/** A request that can't be carried out as it is. */
+/** A request that a scanner answers with an error. */
 public final class ColaException extends Exception {
     private static final long serialVersionUID = 1L;
 
@@ -11,7 +11,6 @@ public final class ColaException extends Exception {
         this.error = error;
     }
 
-    /** Why. */
     public ColaError getError() {
         return error;
     }

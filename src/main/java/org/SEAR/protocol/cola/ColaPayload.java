@@ -4,8 +4,8 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Builds a telegram value by value, in either dialect: in CoLa A each value is a word after a space, in hexadecimal without leading zeros; in CoLa B
- * it is one, two or four bytes, the high one first. One thread at a time.
+ * Builds a telegram value by value, in either dialect. In CoLa A each value is a word after a space, in hexadecimal
+ * without leading zeros. In CoLa B it is one, two or four bytes, high byte first. One thread at a time.
  */
 public final class ColaPayload {
     private static final int HEX_DIGIT = 4;
@@ -18,13 +18,13 @@ public final class ColaPayload {
         this.dialect = dialect;
     }
 
-    /** A command or answer without a name: {@code sFA}. */
+    /** Appends a command or answer without a name: {@code sFA}. */
     public ColaPayload verb(String verb) {
         return ascii(verb);
     }
 
     /**
-     * Command or answer, and its name; in CoLa B a space ends the name.
+     * Appends command or answer with its name; in CoLa B a space ends the name.
      *
      * @param verb {@code sRA}
      * @param name {@code STlms}
@@ -34,17 +34,17 @@ public final class ColaPayload {
         return dialect == ColaDialect.B ? ascii(" ") : this;
     }
 
-    /** One byte, 0 to 255. */
+    /** Appends one byte, 0 to 255. */
     public ColaPayload u1(int value) {
         return number(value & 0xFF, 1);
     }
 
-    /** Two bytes, 0 to 65535. */
+    /** Appends two bytes, 0 to 65535. */
     public ColaPayload u2(int value) {
         return number(value & 0xFFFF, 2);
     }
 
-    /** Four bytes; a negative one is written as its two's complement. */
+    /** Appends four bytes in two's complement. */
     public ColaPayload i4(int value) {
         return number(value, 4);
     }
@@ -68,7 +68,7 @@ public final class ColaPayload {
         }
     }
 
-    /** A number with a point, four bytes; in CoLa A always eight digits. */
+    /** Appends a 32-bit float; in CoLa A always eight digits. */
     public ColaPayload real(float value) {
         int bits = Float.floatToIntBits(value);
         if (dialect == ColaDialect.A) {
@@ -79,12 +79,12 @@ public final class ColaPayload {
         return number(bits, 4);
     }
 
-    /** A text of a length that both sides know: {@code DIST1}. */
+    /** Appends a text of fixed length: {@code DIST1}. */
     public ColaPayload fixed(String text) {
         return dialect == ColaDialect.A ? ascii(" ").ascii(text) : ascii(text);
     }
 
-    /** A text with its length before it. */
+    /** Appends a text after its length. */
     public ColaPayload text(String text) {
         u2(text.length());
         return text.isEmpty() ? this : fixed(text);
@@ -96,7 +96,7 @@ public final class ColaPayload {
         return this;
     }
 
-    /** What was built, framed. */
+    /** Returns the telegram with its frame. */
     public byte[] toTelegram() {
         return dialect.frame(bytes.toByteArray());
     }

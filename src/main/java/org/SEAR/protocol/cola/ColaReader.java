@@ -4,8 +4,8 @@ import java.io.ByteArrayOutputStream;
 import java.util.function.Consumer;
 
 /**
- * Finds telegrams of CoLa A and B in a stream of bytes, each by itself in either dialect; what lies between them is skipped, and so is what is too
- * long or has a wrong checksum. Holds at most one telegram. One thread at a time.
+ * Finds telegrams of CoLa A and B, also mixed, in a stream of bytes. Skips bytes between telegrams, too long telegrams,
+ * and wrong checksums. Holds at most one telegram. One thread at a time.
  */
 public final class ColaReader {
     private static final int LENGTH_BYTES = 4;
@@ -20,15 +20,15 @@ public final class ColaReader {
     private long length;
 
     /**
-     * @param longest bytes of a payload; a longer one is skipped
-     * @param telegrams gets each telegram
+     * @param longest length of a payload, bytes; longer ones are skipped
+     * @param telegrams receives each telegram
      */
     public ColaReader(int longest, Consumer<ColaTelegram> telegrams) {
         this.longest = longest;
         this.telegrams = telegrams;
     }
 
-    /** Takes bytes as they come, in pieces of any size. */
+    /** Takes bytes in pieces of any size. */
     public void accept(byte[] bytes) {
         for (byte value : bytes) {
             accept(value);
@@ -38,7 +38,7 @@ public final class ColaReader {
     /**
      * Takes the next byte.
      *
-     * @param value its lowest eight bits count
+     * @param value only its low eight bits count
      */
     public void accept(int value) {
         int b = value & 0xFF;
@@ -116,12 +116,12 @@ public final class ColaReader {
         }
     }
 
-    /** Whether part of a telegram is there. */
+    /** Whether part of a telegram has arrived. */
     public boolean isPending() {
         return state != State.OUTSIDE;
     }
 
-    /** Forgets what came of an unfinished telegram. */
+    /** Discards an incomplete telegram. */
     public void clear() {
         payload.reset();
         state = State.OUTSIDE;

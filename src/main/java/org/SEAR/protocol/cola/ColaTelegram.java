@@ -3,8 +3,9 @@ package org.SEAR.protocol.cola;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A telegram without its frame, and the place up to which its values have been read. Its first three letters are the verb ({@code sRN}), then come
- * name and values. Numbers of CoLa A are decimal with a sign and hexadecimal without: {@code +5000} is {@code 1388}. One thread at a time.
+ * A telegram without its frame, with the position of the next value to read. Its first three letters are the verb
+ * ({@code sRN}); name and values follow. Numbers of CoLa A are decimal with a sign and hexadecimal without:
+ * {@code +5000} is {@code 1388}. One thread at a time.
  */
 public final class ColaTelegram {
     private static final int VERB = 3;
@@ -51,17 +52,19 @@ public final class ColaTelegram {
         return end;
     }
 
-    /** In which form it came. */
     public ColaDialect getDialect() {
         return dialect;
     }
 
-    /** {@code sRN}, {@code sWN}, {@code sMN}, {@code sEN}, {@code sRI}, or of an answer {@code sRA}, {@code sSN} and so on. */
+    /**
+     * Verb of a request, {@code sRN}, {@code sWN}, {@code sMN}, {@code sEN} or {@code sRI}, or of an answer,
+     * {@code sRA}, {@code sSN} and so on.
+     */
     public String getVerb() {
         return verb;
     }
 
-    /** What it is about: {@code LMDscandata}. */
+    /** Name of the variable, method or event: {@code LMDscandata}. */
     public String getName() {
         return name;
     }
@@ -72,18 +75,18 @@ public final class ColaTelegram {
     }
 
     /**
-     * The next value, one byte without sign.
+     * Reads the next value, an unsigned byte.
      *
-     * @throws ColaException if it is missing, no number, or greater
+     * @throws ColaException if it is missing, no number, or too large
      */
     public int u1() throws ColaException {
         return unsigned(1);
     }
 
     /**
-     * The next value, two bytes without sign.
+     * Reads the next value, an unsigned 16-bit number.
      *
-     * @throws ColaException if it is missing, no number, or greater
+     * @throws ColaException if it is missing, no number, or too large
      */
     public int u2() throws ColaException {
         return unsigned(2);
@@ -98,7 +101,7 @@ public final class ColaTelegram {
     }
 
     /**
-     * The next value, four bytes, as a number with sign.
+     * Reads the next value, a signed 32-bit number.
      *
      * @throws ColaException if it is missing, no number, or does not fit
      */
@@ -140,9 +143,9 @@ public final class ColaTelegram {
     }
 
     /**
-     * The next value, a text with its length before it.
+     * Reads the next value, a text after its length.
      *
-     * @throws ColaException if it is shorter than it says
+     * @throws ColaException if it is shorter than its length
      */
     public String text() throws ColaException {
         int length = u2();
@@ -153,7 +156,7 @@ public final class ColaTelegram {
     }
 
     /**
-     * The next value, a text of a length that both sides know.
+     * Reads the next value, a text of fixed length.
      *
      * @throws ColaException if it is shorter
      */
@@ -172,7 +175,7 @@ public final class ColaTelegram {
         return text(at - length, at);
     }
 
-    /** The whole of it as text, as far as it is text. */
+    /** Returns the payload as text; binary values are unreadable. */
     @Override
     public String toString() {
         return text(0, payload.length);

@@ -1,8 +1,9 @@
 package org.SEAR.protocol.firmata;
 
 /**
- * The request for an echo and its answer, as PingFirmata and johnny-five have them: {@code F0 75 pin level pulse timeout F7} and
- * {@code F0 75 pin duration F7}. Times are microseconds in 32 bits, the high byte first, each byte as two of seven bits; in the answer the pin, too.
+ * Request for an echo and its answer, as in PingFirmata and johnny-five: {@code F0 75 pin level pulse timeout F7} and
+ * {@code F0 75 pin duration F7}. Times are microseconds in 32 bits, high byte first, each byte as two of seven bits.
+ * The pin of the answer is split, too.
  */
 public final class EchoMessage {
     private static final int TIME_SIZE = 8;
@@ -16,12 +17,12 @@ public final class EchoMessage {
     private EchoMessage() {
     }
 
-    /** Whether a message asks for an echo. */
+    /** Whether a message requests an echo. */
     public static boolean isRequest(FirmataMessage message) {
         return message.isSysex() && message.getId() == Feature.ECHO && message.size() == REQUEST_SIZE;
     }
 
-    /** A request for an echo. */
+    /** Creates a request for an echo. */
     public static FirmataMessage request(int pin, boolean high, long pulse, long timeout) {
         int[] data = new int[REQUEST_SIZE];
         data[0] = pin;
@@ -31,7 +32,7 @@ public final class EchoMessage {
         return FirmataMessage.sysex(Feature.ECHO, data);
     }
 
-    /** @param micros how long the echo took; 0 if none came in time */
+    /** @param micros duration of the echo; 0 if none came in time */
     public static FirmataMessage answer(int pin, long micros) {
         int[] data = new int[2 + TIME_SIZE];
         data[0] = pin & SEVEN_BITS;
@@ -40,12 +41,12 @@ public final class EchoMessage {
         return FirmataMessage.sysex(Feature.ECHO, data);
     }
 
-    /** How long to wait for the echo, microseconds. */
+    /** Timeout of the request, microseconds. */
     public static long timeout(FirmataMessage request) {
         return get(request, TIMEOUT);
     }
 
-    /** How long the echo took, microseconds. */
+    /** Duration of the echo, microseconds. */
     public static long duration(FirmataMessage answer) {
         return get(answer, 2);
     }

@@ -1,20 +1,20 @@
 package org.SEAR.protocol.firmata;
 
-/** The messages of the encoder feature; up to {@link #ENCODERS} encoders, positions of 28 bits and a sign. */
+/** Messages of the encoder feature: up to {@link #ENCODERS} encoders, positions of 28 bits and a sign. */
 public final class EncoderMessage {
-    /** Most encoders. */
+    /** Maximum number of encoders. */
     public static final int ENCODERS = 5;
-    /** First byte of data of a request: an encoder's pins follow. */
+    /** Attach an encoder; its pins follow. This and the next constants are the first data byte of a request. */
     public static final int ATTACH = 0;
     /** Report one encoder. */
     public static final int REPORT = 1;
     /** Report all encoders. */
     public static final int REPORT_ALL = 2;
-    /** The position of an encoder is 0 now. */
+    /** Set the position of an encoder to 0. */
     public static final int RESET = 3;
-    /** Report all of them at each sample, or no more. */
+    /** Report all encoders at each sample, or stop that. */
     public static final int AUTOMATIC = 4;
-    /** An encoder is given up. */
+    /** Detach an encoder. */
     public static final int DETACH = 5;
     private static final int SIZE = 5;
     private static final int NEGATIVE = 0x40;
@@ -24,10 +24,10 @@ public final class EncoderMessage {
     }
 
     /**
-     * Positions, {@code F0 61 (number, position)... F7}.
+     * Creates a report of positions, {@code F0 61 (number, position)... F7}.
      *
      * @param numbers of the encoders
-     * @param positions of these, in their order
+     * @param positions in the order of the numbers
      */
     public static FirmataMessage positions(int[] numbers, long[] positions) {
         int[] data = new int[SIZE * numbers.length];

@@ -1,23 +1,23 @@
 package org.SEAR.protocol.firmata;
 
-/** Ids of sysex messages. */
+/** Identifiers of sysex messages. */
 public final class Feature {
     /** Encoders, see {@link EncoderMessage}. */
     public static final int ENCODER = 0x61;
-    /** Which analog channel each pin has. */
+    /** Analog channel of each pin. */
     public static final int ANALOG_MAPPING_QUERY = 0x69;
     public static final int ANALOG_MAPPING_RESPONSE = 0x6A;
-    /** What each pin can do. */
+    /** Modes of each pin. */
     public static final int CAPABILITY_QUERY = 0x6B;
     public static final int CAPABILITY_RESPONSE = 0x6C;
     /** Mode and value of a pin. */
     public static final int PIN_STATE_QUERY = 0x6D;
     public static final int PIN_STATE_RESPONSE = 0x6E;
-    /** Analog write to any pin, of any width. */
+    /** Analog write to any pin, with any number of bits. */
     public static final int EXTENDED_ANALOG = 0x6F;
     /** Range of a servo's pulses. */
     public static final int SERVO_CONFIG = 0x70;
-    /** A text. */
+    /** Text message. */
     public static final int STRING = 0x71;
     /** Echo of a range sensor, see {@link EchoMessage}. */
     public static final int ECHO = 0x75;
@@ -26,7 +26,7 @@ public final class Feature {
     public static final int I2C_CONFIG = 0x78;
     /** Name and version of the firmware. */
     public static final int FIRMWARE = 0x79;
-    /** Time between two samples of the analog channels, ms. */
+    /** Sampling interval of the analog channels, ms. */
     public static final int SAMPLING_INTERVAL = 0x7A;
 
     private Feature() {

@@ -3,31 +3,31 @@ package org.SEAR.protocol.firmata;
 import java.util.Arrays;
 
 /**
- * A message in either direction: a command with its channel and data, for example {@code 91 04 00} (digital port 1), or a sysex with its id and data,
- * {@code F0 79 F7}. Immutable.
+ * A message in either direction: a command with channel and data, for example {@code 91 04 00} (digital port 1), or a
+ * sysex with identifier and data, {@code F0 79 F7}. Immutable.
  */
 public final class FirmataMessage {
-    /** Analog value of a channel, or of a pin towards the board. */
+    /** Analog value of a channel; towards the board, of a pin. */
     public static final int ANALOG = 0xE0;
     /** Levels of eight pins. */
     public static final int DIGITAL = 0x90;
-    /** Whether an analog channel is reported. */
+    /** Switches the report of an analog channel. */
     public static final int REPORT_ANALOG = 0xC0;
-    /** Whether a port of eight pins is reported. */
+    /** Switches the report of a port of eight pins. */
     public static final int REPORT_DIGITAL = 0xD0;
     /** Mode of a pin. */
     public static final int PIN_MODE = 0xF4;
     /** Level of a pin. */
     public static final int PIN_VALUE = 0xF5;
-    /** Version of the protocol, or the question for it. */
+    /** Protocol version, or the query for it. */
     public static final int VERSION = 0xF9;
-    /** Everything as at the start. */
+    /** Resets the board's state. */
     public static final int RESET = 0xFF;
     /** First byte of a sysex. */
     public static final int START_SYSEX = 0xF0;
     /** Last byte of a sysex. */
     public static final int END_SYSEX = 0xF7;
-    /** Commands below this have a channel in their low half. */
+    /** First command without a channel; lower ones have a channel in their low half. */
     static final int FIRST_WITHOUT_CHANNEL = 0xF0;
     private static final int LOW_HALF = 0x0F;
     private static final int SEVEN_BITS = 0x7F;
@@ -44,7 +44,7 @@ public final class FirmataMessage {
     }
 
     /**
-     * A command with its data.
+     * Creates a command with its data.
      *
      * @param command with the channel in its low half, if it has one
      * @param data 0 to 127 each
@@ -54,7 +54,7 @@ public final class FirmataMessage {
     }
 
     /**
-     * A sysex.
+     * Creates a sysex.
      *
      * @param id of the feature
      * @param data 0 to 127 each
@@ -63,15 +63,15 @@ public final class FirmataMessage {
         return new FirmataMessage(START_SYSEX, id, sevenBits(data));
     }
 
-    /** {@code E3 2A 03}: a number of 14 bits for a channel, port or pin. */
+    /** Creates a message with a 14-bit number for a channel, port or pin: {@code E3 2A 03}. */
     public static FirmataMessage number(int command, int channel, int value) {
         return of(command | channel, value & SEVEN_BITS, value >> BITS & SEVEN_BITS);
     }
 
     /**
-     * A text, each character of which is two bytes.
+     * Creates a text message; each character is two bytes.
      *
-     * @param before what stands between the id and the text
+     * @param before data between the identifier and the text
      */
     public static FirmataMessage text(int id, int[] before, String text) {
         int[] data = Arrays.copyOf(before, before.length + 2 * text.length());
@@ -90,7 +90,6 @@ public final class FirmataMessage {
         return bytes;
     }
 
-    /** Whether it is a sysex. */
     public boolean isSysex() {
         return command == START_SYSEX;
     }
@@ -100,32 +99,32 @@ public final class FirmataMessage {
         return command < FIRST_WITHOUT_CHANNEL ? command & ~LOW_HALF : command;
     }
 
-    /** The channel, port or pin in the command's low half; 0 if it has none. */
+    /** Channel, port or pin in the command's low half; 0 if it has none. */
     public int getChannel() {
         return command < FIRST_WITHOUT_CHANNEL ? command & LOW_HALF : 0;
     }
 
-    /** Id of a sysex; 0 for any other message. */
+    /** Identifier of a sysex; 0 for other messages. */
     public int getId() {
         return id;
     }
 
-    /** How many bytes of data it has. */
+    /** Number of data bytes. */
     public int size() {
         return data.length;
     }
 
-    /** A byte of data, 0 to 127; 0 beyond its end. */
+    /** Returns a data byte, 0 to 127; 0 beyond the end. */
     public int get(int index) {
         return index < data.length ? data[index] : 0;
     }
 
-    /** Two bytes of data as a number of 14 bits. */
+    /** Returns two data bytes as a 14-bit number. */
     public int getNumber(int index) {
         return get(index) | get(index + 1) << BITS;
     }
 
-    /** The text that begins at a byte of data. */
+    /** Returns the text from a data byte on. */
     public String getText(int from) {
         StringBuilder text = new StringBuilder();
         for (int i = from; i + 1 < data.length; i += 2) {
@@ -134,7 +133,7 @@ public final class FirmataMessage {
         return text.toString();
     }
 
-    /** As it goes over the line. */
+    /** Returns the bytes on the line. */
     public byte[] toBytes() {
         if (!isSysex()) {
             byte[] bytes = new byte[1 + data.length];

@@ -4,13 +4,13 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * Finds messages in a stream of bytes. Data without a command and commands that nobody knows are left out; so is a sysex with more data than
- * {@code mostData}, and one that another command breaks off. One thread at a time.
+ * Finds messages in a stream of bytes. Skips data without a command, unknown commands, a sysex with more than
+ * {@code mostData} bytes, and a sysex interrupted by a command. One thread at a time.
  */
 public final class FirmataReader {
-    /** Bytes of data that an Arduino's buffer takes. */
+    /** Maximum sysex data of an Arduino's buffer, bytes. */
     public static final int BOARD = 64;
-    /** Enough for whatever a board sends. */
+    /** Maximum sysex data for a host, bytes; enough for any board. */
     public static final int HOST = 4096;
     private static final int FIRST_COMMAND = 0x80;
     private static final int LOW_HALF = 0x0F;
@@ -22,7 +22,7 @@ public final class FirmataReader {
     private int expected;
     private int count;
 
-    /** @param mostData how long a sysex may be, {@link #BOARD} or {@link #HOST} */
+    /** @param mostData maximum data of a sysex, {@link #BOARD} or {@link #HOST} */
     public FirmataReader(int mostData, Consumer<FirmataMessage> messages) {
         this.mostData = mostData;
         this.messages = messages;
@@ -69,9 +69,9 @@ public final class FirmataReader {
     }
 
     /**
-     * Bytes of data after a command.
+     * Number of data bytes after a command.
      *
-     * @return -1 for a command that nobody knows
+     * @return -1 for an unknown command
      */
     private int length(int value) {
         switch (value < FirmataMessage.FIRST_WITHOUT_CHANNEL ? value & ~LOW_HALF : value) {
@@ -93,7 +93,7 @@ public final class FirmataReader {
         }
     }
 
-    /** Forgets what is unfinished. */
+    /** Discards an incomplete message. */
     public void clear() {
         command = 0;
         count = 0;

@@ -1,6 +1,6 @@
 package org.SEAR.protocol.firmata;
 
-/** Modes of a pin, with their code and, in the answer to a capability query, their resolution in bits. */
+/** Pin modes with their code and their resolution in bits, as in the capability response. */
 public enum PinMode {
     /** Digital input. */
     INPUT(0x00, 1),
@@ -25,7 +25,7 @@ public enum PinMode {
         this.resolution = resolution;
     }
 
-    /** The mode of a code; null if there is none that is known here. */
+    /** Finds a mode by code; null if unknown. */
     public static PinMode of(int code) {
         for (PinMode mode : values()) {
             if (mode.code == code) {
@@ -35,12 +35,12 @@ public enum PinMode {
         return null;
     }
 
-    /** Its byte. */
+    /** Code in messages. */
     public int getCode() {
         return code;
     }
 
-    /** Bits. */
+    /** Resolution, bits. */
     public int getResolution() {
         return resolution;
     }

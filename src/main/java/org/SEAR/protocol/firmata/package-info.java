@@ -1,6 +1,6 @@
 /**
- * The Firmata protocol 2.5 as firmware and drivers share it: messages, their reader, pin modes, the features for echoes and encoders. Uses no other
- * package of SEAR. Any thread. Numbers of 14 bits are two bytes of seven, the low one first. Source: protocol.md, servos.md and encoder.md of
- * firmata/protocol.
+ * The Firmata protocol 2.5 for firmware and drivers: messages, their reader, pin modes, and the features for echoes and
+ * encoders. Uses no other package of SEAR. Any thread. Numbers of 14 bits are two bytes of seven, low one first.
+ * Source: protocol.md, servos.md and encoder.md of firmata/protocol.
  */
 package org.SEAR.protocol.firmata;

@@ -5,21 +5,19 @@ import java.math.RoundingMode;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 
-/**
- * Fans of one model: its widest spread, whether it can be told to send less of it, and the angles between its beams. Immutable, any thread.
- */
+/** Angle ranges and resolutions of one model, and whether commands can reduce them. Immutable, any thread. */
 final class Fans {
-    /** Degrees by which an angle may differ from the device's: 0.333 is a third. */
+    /** Tolerance of an angle, degrees: 0.333 is a third. */
     private static final double TOLERANCE = 5e-4;
     private static final int DECIMALS = 7;
 
-    /** Degrees. */
+    /** Widest angle, degrees. */
     final double spread;
-    /** Between beams, degrees. */
+    /** Smallest angle between measurements, degrees. */
     final double finest;
     private final boolean cut;
     private final double[] resolutions;
-    /** Up to so many beams are put together, or sent one of; 0: any angle from the finest to the coarsest. */
+    /** Maximum number of measurements merged or skipped to one; 0: any angle from the finest to the coarsest. */
     private final int clusters;
 
     private Fans(double spread, boolean cut, int clusters, double... resolutions) {
@@ -30,27 +28,27 @@ final class Fans {
         this.finest = Arrays.stream(resolutions).min().getAsDouble();
     }
 
-    /** This spread only, with one of these resolutions. */
+    /** Exactly this angle, with one of these resolutions. */
     static Fans of(double spread, double... resolutions) {
         return new Fans(spread, false, 1, resolutions);
     }
 
-    /** Any spread up to this one, with one of these resolutions. */
+    /** Any angle up to this one, with one of these resolutions. */
     static Fans upTo(double spread, double... resolutions) {
         return new Fans(spread, true, 1, resolutions);
     }
 
-    /** Any spread up to this one, with a resolution of 1 to so many steps. */
+    /** Any angle up to this one, with a resolution of 1 to {@code most} steps. */
     static Fans ofSteps(double spread, double step, int most) {
         return new Fans(spread, true, most, step);
     }
 
-    /** Any spread up to this one with any resolution between the two. */
+    /** Any angle up to this one, with any resolution between the two. */
     static Fans between(double spread, double finest, double coarsest) {
         return new Fans(spread, true, 0, finest, coarsest);
     }
 
-    /** Whether the model can send that fan, degrees. */
+    /** Whether the model supports an angle and a resolution, degrees. */
     boolean has(double wantedSpread, double wantedResolution) {
         boolean fits = Math.abs(wantedSpread - spread) < TOLERANCE || cut && wantedSpread < spread;
         return fits && hasResolution(wantedResolution);
@@ -69,7 +67,7 @@ final class Fans {
         return false;
     }
 
-    /** {@code 100 with 1, 0.5 or 0.25}. */
+    /** Returns the text for users: {@code 100 with 1, 0.5 or 0.25}. */
     @Override
     public String toString() {
         return (cut ? "up to " : "") + format(spread) + " with " + angles();
@@ -87,7 +85,7 @@ final class Fans {
         return last < 0 ? list : list.substring(0, last) + " or " + list.substring(last + 2);
     }
 
-    /** A number without needless digits. */
+    /** Formats a number without trailing zeros. */
     static String format(double number) {
         BigDecimal decimal = BigDecimal.valueOf(number).setScale(DECIMALS, RoundingMode.HALF_UP).stripTrailingZeros();
         return decimal.signum() == 0 ? "0" : decimal.toPlainString();

@@ -6,39 +6,43 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /**
- * The LIDARs that can be behind a port: data. A further model of a known protocol is a further row. Sources: SICK's technical description 8008970 of
- * the LMS2xx, Hokuyo's SCIP 2.0 specification, Slamtec's data sheet of the A1M8, recordings of LMS1xx and TiM.
+ * LIDAR models that can be behind a port, as data. A further model of a known protocol is a further row. Sources:
+ * SICK's technical description 8008970 of the LMS2xx, Hokuyo's SCIP 2.0 specification, Slamtec's data sheet of the
+ * A1M8, recordings of LMS1xx and TiM.
  */
 public enum LidarModel {
-    /** SICK, indoor; millimetres up to 8 m at first, by configuration up to 81.91 m. */
+    /** SICK, indoor, millimetres: up to 8 m as delivered, configurable up to 81.91 m. */
     LMS200("LMS200", "SICK", LidarProtocol.LMS, 8.191, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25), Fans.of(180, 1, 0.5)),
     /** SICK, outdoor, centimetres. */
     LMS221("LMS221", "SICK", LidarProtocol.LMS, 80, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25), Fans.of(180, 1, 0.5)),
     /** SICK, outdoor, centimetres. */
     LMS291("LMS291", "SICK", LidarProtocol.LMS, 80, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25), Fans.of(180, 1, 0.5)),
-    /** SICK, outdoor, on the network; 50 scans a second every half degree, 25 every quarter. */
+    /** SICK, outdoor, network; 50 scans per second at half a degree, 25 at a quarter. */
     LMS111("LMS111", "SICK", LidarProtocol.COLA, 20, 20, 0.5, 270, 0.5, 50, Rates.ETHERNET, Fans.upTo(270, 0.5, 0.25)),
-    /** SICK, on the network. */
+    /** SICK, network. */
     TIM561("TiM561", "SICK", LidarProtocol.COLA, 10, 10, 0.05, 270, 1 / 3.0, 15, Rates.ETHERNET, Fans.upTo(270, 1 / 3.0)),
-    /** Hokuyo, indoor; steps of 1/1024 turn, 341 to either side of the middle. */
+    /** Hokuyo, indoor; steps of 1/1024 turn, 341 to either side of the front. */
     URG_04LX("URG-04LX", "Hokuyo", LidarProtocol.SCIP, 5.6, 5.6, 0.02, 682 * 360 / 1024.0, 360 / 1024.0, 10, Rates.URG,
         Fans.ofSteps(682 * 360 / 1024.0, 360 / 1024.0, 99)),
     /** Hokuyo, outdoor; steps of 1/1440 turn. */
     UTM_30LX("UTM-30LX", "Hokuyo", LidarProtocol.SCIP, 30, 60, 0.023, 270, 0.25, 40, Rates.USB, Fans.ofSteps(270, 0.25, 99)),
-    /** Slamtec, indoor; its beams are as far apart as motor and sample rate make it. */
+    /** Slamtec, indoor; motor speed and sample rate set its resolution. */
     RPLIDAR_A1("RPLIDAR-A1", "Slamtec", LidarProtocol.RPLIDAR, 12, 12, 0.15, 360, 1, 5.5, Rates.RPLIDAR, Fans.between(360, 0.18, 1.8)),
-    /** Nobody's: a scanner with whatever fan, as drivers for CoLa take it. A step of 1/10000 degree and a distance in millimetres are a word each. */
+    /**
+     * Generic scanner with any angles, for CoLa drivers. A step of 1/10000 degree and a distance in millimetres fit a
+     * word each.
+     */
     COLA("CoLa", "any", LidarProtocol.COLA, 30, 65.535, 0, 270, 0.25, 10, Rates.ETHERNET, Fans.between(360, 0.01, 6.5535));
 
-    /** Speeds of lines, bits a second, the first that at power-on. */
+    /** Baud rates, bits per second; the first one is that at power-on. */
     private static final class Rates {
         static final int[] RS422 = {9600, 19200, 38400, 500000};
         /** RS-232 or USB. */
         static final int[] URG = {19200, 38400, 57600, 115200, 250000, 500000, 750000, 12000000};
         static final int[] RPLIDAR = {115200};
-        /** USB of full speed, which knows no other. */
+        /** Full-speed USB, the only rate. */
         static final int[] USB = {12000000};
-        /** Fast Ethernet, which knows no other. */
+        /** Fast Ethernet, the only rate. */
         static final int[] ETHERNET = {100000000};
     }
 
@@ -71,15 +75,15 @@ public enum LidarModel {
         this.fans = List.of(fans);
     }
 
-    /** Whether there is a model of that name, in whatever spelling: {@code urg04lx} is a URG-04LX. */
+    /** Whether a model name is known, in any spelling: {@code urg04lx} is a URG-04LX. */
     public static boolean isKnown(String name) {
         return find(name) != null;
     }
 
     /**
-     * The model of that name, in whatever spelling.
+     * Finds a model by name, in any spelling.
      *
-     * @throws IllegalArgumentException that names the models there are
+     * @throws IllegalArgumentException that lists the valid models
      */
     public static LidarModel of(String name) {
         LidarModel model = find(name);
@@ -98,92 +102,90 @@ public enum LidarModel {
         return name.replaceAll("[^A-Za-z0-9]", "").toUpperCase(Locale.ROOT);
     }
 
-    /** The names of all models, with commas. */
+    /** Names of all models, separated by commas. */
     public static String names() {
         return ALL;
     }
 
-    /** The names of the models that can send a fan, with commas; empty if none can. */
+    /** Names of the models that support an angle and a resolution, separated by commas; empty if none does. */
     public static String namesWith(double spread, double resolution) {
         return Arrays.stream(values()).filter(model -> model.hasFan(spread, resolution)).map(LidarModel::getName).collect(Collectors.joining(", "));
     }
 
-    /** As its maker writes it: {@code URG-04LX}. */
+    /** Name as its maker writes it: {@code URG-04LX}. */
     public String getName() {
         return name;
     }
 
-    /** Its name as it is spoken in a sentence: {@code an LMS200}. */
+    /** Name with its article: {@code an LMS200}. */
     public String withArticle() {
         return ("CTU".indexOf(name.charAt(0)) >= 0 ? "a " : "an ") + name;
     }
 
-    /** Who makes it. */
     public String getMaker() {
         return maker;
     }
 
-    /** Which firmware it has. */
     public LidarProtocol getProtocol() {
         return protocol;
     }
 
-    /** Metres that it measures as delivered. */
+    /** Range as delivered, metres. */
     public double getRange() {
         return range;
     }
 
-    /** Metres that it can tell at most, however it is configured. */
+    /** Longest distance that it can report in any configuration, metres. */
     public double getFarthest() {
         return farthest;
     }
 
-    /** Metres from where on it measures. */
+    /** Shortest distance that it measures, metres. */
     public double getNearest() {
         return nearest;
     }
 
-    /** Degrees from its rightmost to its leftmost beam, as delivered. */
+    /** Angle from the rightmost to the leftmost measurement as delivered, degrees. */
     public double getSpread() {
         return spread;
     }
 
-    /** Degrees between two beams, as delivered. */
+    /** Angle between two measurements as delivered, degrees. */
     public double getResolution() {
         return resolution;
     }
 
-    /** Scans a second with that fan. */
+    /** Scan rate as delivered, scans per second. */
     public double getScanRate() {
         return scanRate;
     }
 
-    /** Bits a second at power-on; a device on USB or a network has its speed. */
+    /** Baud rate at power-on, bits per second; the bit rate of USB or network devices. */
     public int getBaud() {
         return rates[0];
     }
 
-    /** The speeds of its line, bits a second, that at power-on first. */
+    /** Baud rates, bits per second, the power-on rate first. */
     public int[] rates() {
         return rates.clone();
     }
 
-    /** Whether its line can have that speed, bits a second. */
+    /** Whether it supports a baud rate, bits per second. */
     public boolean hasBaud(int baud) {
         return Arrays.stream(rates).anyMatch(rate -> rate == baud);
     }
 
-    /** The speeds of its line, with commas. */
+    /** Baud rates, separated by commas. */
     public String bauds() {
         return Arrays.stream(rates).mapToObj(String::valueOf).collect(Collectors.joining(", "));
     }
 
-    /** Whether it can send that fan, degrees. */
+    /** Whether it supports an angle and a resolution, degrees. */
     public boolean hasFan(double wantedSpread, double wantedResolution) {
         return fans.stream().anyMatch(one -> one.has(wantedSpread, wantedResolution));
     }
 
-    /** The fans it can send, in words: {@code 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5}. */
+    /** Supported angles and resolutions as text: {@code 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5}. */
     public String fans() {
         return fans.stream().map(Fans::toString).collect(Collectors.joining("; "));
     }
@@ -192,17 +194,17 @@ public enum LidarModel {
         return fans.get(fans.size() - 1);
     }
 
-    /** Degrees: the spread that it starts with when it is to have a fan that it can't send. */
+    /** Initial angle if its object requests an unsupported one, degrees. */
     public double getWidestSpread() {
         return widest().spread;
     }
 
-    /** Degrees: the resolution that it starts with when it is to have a fan that it can't send. */
+    /** Initial resolution if its object requests an unsupported one, degrees. */
     public double getFinestResolution() {
         return widest().finest;
     }
 
-    /** That spread and resolution in words: {@code 180 and 0.5}. */
+    /** That angle and resolution as text: {@code 180 and 0.5}. */
     public String widestFan() {
         return Fans.format(getWidestSpread()) + " and " + Fans.format(getFinestResolution());
     }

@@ -1,6 +1,6 @@
 package org.SEAR.protocol.lidar;
 
-/** What a LIDAR speaks; each has one firmware, which answers for all models of that protocol. */
+/** Protocols of LIDARs; each has one firmware for all its models. */
 public enum LidarProtocol {
     /** SICK's telegrams of the LMS2xx. */
     LMS,

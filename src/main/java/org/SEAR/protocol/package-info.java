@@ -1,2 +1,2 @@
-/** What firmware and drivers share about serial lines. Uses no other package of SEAR. Any thread. */
+/** Properties of serial lines shared by firmware and drivers. Uses no other package of SEAR. Any thread. */
 package org.SEAR.protocol;

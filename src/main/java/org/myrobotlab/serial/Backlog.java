@@ -4,14 +4,15 @@ import java.util.concurrent.locks.LockSupport;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 
 /**
- * Keeps bytes from coming faster than MyRobotLab's messages carry them: its Serial service publishes each byte as a message of its own, and an outbox
- * complains of more than 1024. So bytes go to a service in pieces of {@link #PIECE}, and the next piece waits until few messages wait. Any thread.
+ * Limits the rate of bytes to what MyRobotLab's messages carry: its Serial service publishes each byte as a message,
+ * and an outbox complains of more than 1024. A service therefore gets bytes in pieces of {@link #PIECE}; the next piece
+ * waits until few messages are queued. Any thread.
  */
 public final class Backlog {
-    /** Bytes at a time. MyRobotLab's own reader fails on more than 999. */
+    /** Size of a piece, bytes. MyRobotLab's own reader fails on more than 999. */
     public static final int PIECE = 100;
 
-    /** As many messages may wait in an outbox before the next piece. */
+    /** Maximum number of queued messages before the next piece. */
     private static final int MAX_MESSAGES = 500;
     private static final long LOOK_NANOS = 50_000;
 
@@ -19,9 +20,9 @@ public final class Backlog {
     }
 
     /**
-     * Whether a service has more messages on their way out than a piece may be added to.
+     * Whether a service has too many queued messages for the next piece.
      *
-     * @param listener a service, or anything else: false
+     * @param listener a service; other objects give false
      */
     public static boolean isLong(Object listener) {
         return listener instanceof ServiceInterface && ((ServiceInterface) listener).getOutbox().isRunning()
@@ -29,9 +30,9 @@ public final class Backlog {
     }
 
     /**
-     * Waits until a service has few messages on their way out.
+     * Waits until a service has few queued messages.
      *
-     * @param timeout nanoseconds after which this returns all the same
+     * @param timeout maximum wait, nanoseconds
      */
     public static void await(Object listener, long timeout) {
         long end = System.nanoTime() + timeout;

@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
 
-/** Bytes on their way over a virtual cable, each with the time when its stop bit ends. Its port's lock guards it. */
+/** Bytes on their way over a virtual cable, each with the end of its stop bit. Guarded by the port's lock. */
 final class ByteQueue {
     private static final double ROUNDING = 1e-9;
 
@@ -12,15 +12,15 @@ final class ByteQueue {
     private PortClock lineClock;
     private double lineFreeAt;
 
-    /** Bytes that are there at once. */
+    /** Adds bytes that arrive immediately. */
     void add(byte[] bytes) {
         bursts.add(new Burst(bytes, null, 0, 0));
     }
 
     /**
-     * Bytes that follow one another over the line.
+     * Adds bytes that arrive one after another.
      *
-     * @param byteTime seconds a byte
+     * @param byteTime duration of a byte, seconds
      */
     void add(byte[] bytes, PortClock clock, double byteTime) {
         double now = clock.now();
@@ -39,7 +39,7 @@ final class ByteQueue {
         lineClock = null;
     }
 
-    /** Up to {@code most} bytes that have arrived; empty if none has. */
+    /** Removes and returns up to {@code most} bytes that have arrived; empty if none has. */
     byte[] take(int most) {
         byte[] taken = new byte[most];
         int count = 0;
@@ -59,7 +59,7 @@ final class ByteQueue {
         return count == most ? taken : Arrays.copyOf(taken, count);
     }
 
-    /** The first burst; null if there is none. */
+    /** Returns the first burst; null if there is none. */
     Burst head() {
         return bursts.peek();
     }
@@ -79,7 +79,7 @@ final class ByteQueue {
             this.byteTime = byteTime;
         }
 
-        /** How many of its bytes have arrived: all of them once their clock is gone, or delivers at once. */
+        /** Number of its bytes that have arrived; all if its clock has ended or is in lock-step. */
         private int arrived() {
             if (clock == null || clock != PortClock.current() || clock.isLockStep()) {
                 return bytes.length;
@@ -87,7 +87,7 @@ final class ByteQueue {
             return (int) Math.min(bytes.length, Math.floor((clock.now() - start) / byteTime + ROUNDING));
         }
 
-        /** Waits until its next byte arrives. */
+        /** Waits until the next byte arrives. */
         void await() throws InterruptedException {
             if (clock != null) {
                 clock.await(start + (taken + 1) * byteTime);

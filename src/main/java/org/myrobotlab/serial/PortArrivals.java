@@ -5,17 +5,20 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Who is to be connected again as soon as a simulation has a port, and gives way to whoever then asks for it himself. Any thread. */
+/**
+ * Services to be reconnected when a simulation provides their port. A reconnected service gives its port up to another
+ * service that requests it. Any thread.
+ */
 public final class PortArrivals {
-    /** By name of who waits; in the order in which they began. Guarded by itself. */
+    /** Waiting services by name, in order of waiting. Guarded by itself. */
     private static final Map<String, PortUser> WAITING = new LinkedHashMap<>();
-    /** Who was connected by {@link #arrived}, by name. Guarded by {@link #WAITING}. */
+    /** Services reconnected by {@link #arrived}, by name. Guarded by {@link #WAITING}. */
     private static final Map<String, PortUser> CONNECTED = new LinkedHashMap<>();
 
     private PortArrivals() {
     }
 
-    /** Waits for a port; whatever the same one waited for before is forgotten. */
+    /** Waits for a port; replaces an earlier wait of the same service. */
     public static void await(PortUser user) {
         synchronized (WAITING) {
             forget(user.name);
@@ -23,7 +26,10 @@ public final class PortArrivals {
         }
     }
 
-    /** Ends {@link #await}, and whoever is connected has done it himself. Does nothing if he does not wait. */
+    /**
+     * Ends {@link #await}; if the service is connected, it counts as connected by itself. Does nothing for an unknown
+     * service.
+     */
     public static void forget(String who) {
         synchronized (WAITING) {
             WAITING.remove(who);
@@ -31,14 +37,14 @@ public final class PortArrivals {
         }
     }
 
-    /** Another project is opened: nobody waits for the devices of the one before. */
+    /** Ends the waits for the last project's devices when another project is opened. */
     public static void anotherProject() {
         synchronized (WAITING) {
             WAITING.values().removeIf(user -> user.ofThisProject);
         }
     }
 
-    /** A port is there: whoever waits for it is connected, unless others have been quicker. */
+    /** Connects the services that wait for a port, unless the port is in use already. */
     public static void arrived(VirtualSerialPort port) {
         List<PortUser> due = new ArrayList<>();
         synchronized (WAITING) {
@@ -54,7 +60,7 @@ public final class PortArrivals {
         }
     }
 
-    /** Somebody asks for a port that is in use: whoever was only connected again leaves it. */
+    /** Disconnects a merely reconnected service from a port that another service requests. */
     static void giveWay(String port) {
         List<PortUser> due = new ArrayList<>();
         synchronized (WAITING) {

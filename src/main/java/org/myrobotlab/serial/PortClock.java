@@ -3,17 +3,15 @@ package org.myrobotlab.serial;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 
-/**
- * The time by which bytes travel over virtual ports: simulated time while a simulation runs, else the computer's. Any thread.
- */
+/** Clock of the bytes on virtual ports: simulated time while a simulation runs, else the computer's. Any thread. */
 public abstract class PortClock {
-    /** The computer's time: seconds since some fixed moment. */
+    /** The computer's clock: seconds since some fixed moment. */
     public static final PortClock WALL = new Wall();
 
     private static final double NANOS = TimeUnit.SECONDS.toNanos(1);
     private static volatile PortClock current = WALL;
 
-    /** The clock that holds now. */
+    /** Returns the clock in use. */
     public static PortClock current() {
         return current;
     }
@@ -23,26 +21,29 @@ public abstract class PortClock {
         current = this;
     }
 
-    /** Gives the ports back to the computer's time, if this is their clock. */
+    /** Restores the computer's clock, if this clock is in use. */
     public void uninstall() {
         if (current == this) {
             current = WALL;
         }
     }
 
-    /** Seconds. */
+    /** Time, seconds. */
     public abstract double now();
 
-    /** Waits until {@link #now} has reached {@code time}, or this is no longer the ports' clock, or it has changed to lock-step. */
+    /**
+     * Waits until {@link #now} has reached {@code time}, until another clock is in use, or until this one changes to
+     * lock-step.
+     */
     public abstract void await(double time) throws InterruptedException;
 
-    /** Whether time stands still but for the calls that advance it; what is sent between two users is then delivered at once. */
+    /** Whether only calls advance time; bytes between two users then arrive immediately. */
     public abstract boolean isLockStep();
 
-    /** Has something run after each step of lock-step, on the thread that advances time; does nothing on a clock that runs by itself. */
+    /** Runs a callback after each step in lock-step mode, on the thread that advances time; does nothing on a free-running clock. */
     public abstract void addTicker(Runnable ticker);
 
-    /** Ends {@link #addTicker}. */
+    /** Removes a callback of {@link #addTicker}. */
     public abstract void removeTicker(Runnable ticker);
 
     private static final class Wall extends PortClock {
@@ -68,12 +69,12 @@ public abstract class PortClock {
 
         @Override
         public void addTicker(Runnable ticker) {
-            // The computer's time is never advanced by a call.
+            // No call advances the computer's time.
         }
 
         @Override
         public void removeTicker(Runnable ticker) {
-            // Nothing was added.
+            // No callback was added.
         }
     }
 }

@@ -1,6 +1,6 @@
 package org.myrobotlab.serial;
 
-/** A service that is to be connected again. Immutable; any thread. */
+/** A service that waits for reconnection. Immutable; any thread. */
 public final class PortUser {
     final String name;
     final String port;
@@ -10,8 +10,8 @@ public final class PortUser {
 
     /**
      * @param name of the service
-     * @param ofThisProject whether it waits for the device that it had, which doesn't come back when another project is opened
-     * @param connect opens the port; run on the thread that brings it
+     * @param ofThisProject whether it waits for a device of the open project, which another project does not have
+     * @param connect opens the port; runs on the thread that adds it
      * @param leave closes the port if the service still has it
      */
     public PortUser(String name, String port, boolean ofThisProject, Runnable connect, Runnable leave) {

@@ -8,9 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.myrobotlab.service.Serial;
 
-/**
- * Makes virtual ports known to MyRobotLab's Serial service, whose table of ports has no public way in. Any thread.
- */
+/** Adds virtual ports to MyRobotLab's Serial service, whose table of ports has no public access. Any thread. */
 public final class SerialDeviceFactory {
     private static final String PORTS = "ports";
     private static final String PORT_NAMES = "portNames";
@@ -22,7 +20,7 @@ public final class SerialDeviceFactory {
     }
 
     /**
-     * Adds a port. One of the same name is closed and replaced, so that a script can be run again.
+     * Adds a port. Closes and replaces one of the same name, so that a script can run again.
      *
      * @throws IllegalStateException if the name belongs to a running simulation, or to a real port that is open
      */
@@ -50,7 +48,7 @@ public final class SerialDeviceFactory {
         }
     }
 
-    /** Closes a port and takes it out of the table. Does nothing if it isn't there. */
+    /** Closes and removes a port. Does nothing if the table does not contain it. */
     public static void remove(VirtualSerialPort port) {
         port.unplug();
         port.close();
@@ -61,21 +59,21 @@ public final class SerialDeviceFactory {
         }
     }
 
-    /** The port of that name, real or virtual, that was ever opened or added; null if there is none. */
+    /** Finds a port, real or virtual, that was ever opened or added; null if there is none. */
     public static Port get(String name) {
         synchronized (Serial.class) {
             return ports().get(name);
         }
     }
 
-    /** Whether a name is known only because somebody has tried to open it, or because its adapter was there before. */
+    /** Whether a name is known only from a failed attempt to open it, or from an adapter that is unplugged. */
     public static boolean isGone(String name) {
         Port port = get(name);
         return port != null && port.isHardware() && !port.isOpen() && !port.getPortNames().contains(name)
             && !new File(name).exists();
     }
 
-    /** All virtual ports made here. */
+    /** Returns all virtual ports. */
     public static List<VirtualSerialPort> getVirtualPorts() {
         List<VirtualSerialPort> found = new ArrayList<>();
         synchronized (Serial.class) {

@@ -13,8 +13,9 @@ import org.SEAR.protocol.Uart;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
 /**
- * A serial port that exists in memory only. Two of them joined by {@link #makeNullModem} and made known by {@link SerialDeviceFactory#add} are what a
- * null-modem cable between two real ports is: MyRobotLab's Serial service opens them by name like any other port.
+ * A serial port in memory. {@link #makeNullModem} joins two of them like a null-modem cable joins two real ports.
+ * {@link SerialDeviceFactory#add} makes them known, so that MyRobotLab's Serial service opens them by name like any
+ * other port.
  *
  * <pre>
  * uart = VirtualSerialPort("/dev/my_Controller01")
@@ -24,21 +25,22 @@ import org.myrobotlab.service.interfaces.SerialDataListener;
  * SerialDeviceFactory.add(user)
  * </pre>
  *
- * <p>Bytes take 10 bits of time each at the slower end's baud rate, by {@link PortClock}. Bytes for a port that nobody has opened are lost, as on
- * a real cable. Any thread may call; listeners are called by the port's own reader thread, which lives while the port is open.
+ * <p>Each byte takes 10 bits of time at the slower end's baud rate, by {@link PortClock}. Bytes for a closed port are
+ * lost, as on a real cable. Any thread may call. The port's own reader thread, which lives while the port is open,
+ * calls the listeners.
  */
 public class VirtualSerialPort extends Port {
-    /** Slowest and fastest rate that can be set, bits a second. */
+    /** Slowest and fastest baud rate, bits per second. */
     public static final int LOWEST_BAUD = 50;
     public static final int HIGHEST_BAUD = 4_000_000;
-    /** Bytes that a real port takes before its writer has to wait, see {@link #awaitRoom}. */
+    /** Size of the buffer, bytes; a writer with {@link #awaitRoom} waits when it is full. */
     public static final int BUFFER = 4096;
 
-    /** How often a full line is looked at again, milliseconds. */
+    /** Interval of checks for room, milliseconds. */
     private static final long LOOK_FOR_ROOM = 10;
     private static final String WAY_OUT = "disconnect() there first";
     private static final int DEFAULT_BAUD = 115200;
-    /** How long the reader waits for a service whose messages don't go out. */
+    /** Maximum wait of the reader thread for a service with too many queued messages, ns. */
     private static final long TIMEOUT = TimeUnit.SECONDS.toNanos(1);
 
     private final Object lock = new Object();
@@ -68,7 +70,7 @@ public class VirtualSerialPort extends Port {
         return portName;
     }
 
-    /** Joins two ports: what is written to one is read from the other. A cable that was plugged into either is pulled out. */
+    /** Joins two ports: bytes written to one are read from the other. Removes cables that either port has already. */
     public static void makeNullModem(VirtualSerialPort a, VirtualSerialPort b) {
         if (a == null || b == null || a == b) {
             throw new IllegalArgumentException("a null-modem cable has two ends: give it two different virtual ports");
@@ -79,7 +81,7 @@ public class VirtualSerialPort extends Port {
         b.peer = a;
     }
 
-    /** Pulls the cable out of both ends. */
+    /** Removes the cable from both ends. */
     public void unplug() {
         VirtualSerialPort other = peer;
         peer = null;
@@ -88,22 +90,32 @@ public class VirtualSerialPort extends Port {
         }
     }
 
-    /** The port at the other end of the cable; null without cable. */
+    /** Port at the other end of the cable; null without cable. */
     public VirtualSerialPort getPeer() {
         return peer;
     }
 
-    /** Whether bytes sent and received here take the time that the baud rate says; default true. False where a simulated device keeps that time. */
+    /**
+     * Sets whether bytes take the time of the baud rate here; default true. False if a simulated device keeps that
+     * time.
+     */
     public void setPaced(boolean on) {
         paced = on;
     }
 
-    /** Who else may not have a port of this name, in words, for example {@code "LIDAR myLidar of the running simulation"}; null for nobody. */
+    /**
+     * Reserves the port's name.
+     *
+     * @param who owner as text, for example {@code "LIDAR myLidar of the running simulation"}; null for none
+     */
     public void setOwner(String who) {
         owner = who;
     }
 
-    /** What a service does that wants this port while another has it, in words; null for "disconnect() there first". */
+    /**
+     * Sets the advice for a service that requests this port while another service has it; null for "disconnect() there
+     * first".
+     */
     public void setWayOut(String advice) {
         wayOut = advice == null ? WAY_OUT : advice;
     }
@@ -113,31 +125,34 @@ public class VirtualSerialPort extends Port {
         return owner;
     }
 
-    /** Told each time the user sets this port's baud rate, and 0 when the port is closed. */
+    /** Sets the callback for each change of this port's baud rate; it gets 0 when the port closes. */
     public void setBaudListener(IntConsumer listener) {
         baudListener = listener;
     }
 
-    /** Told each time the port is opened, as DTR tells on a real one. */
+    /** Sets the callback for each opening of the port, like DTR on a real one. */
     public void setOpenListener(Runnable listener) {
         openListener = listener;
     }
 
-    /** Called by the reader thread after each piece with all bytes ever handed over; the next piece waits for its return. */
+    /**
+     * Sets the callback of the reader thread after each piece, with the total number of bytes delivered. The next piece
+     * waits for its return.
+     */
     public void setHandedHook(LongConsumer hook) {
         handedHook = hook;
     }
 
-    /** How many bytes wait behind the other end of the cable, beyond its listeners: a simulated device's line takes its time. */
+    /** Sets the source of the number of bytes that wait behind the other end, on a simulated device's line. */
     public void setBeyond(IntSupplier waiting) {
         beyond = waiting;
     }
 
     /**
-     * Waits until the other end takes bytes again: no more than {@link #BUFFER} wait there for their turn. Whoever writes without asking is not held
-     * up.
+     * Waits until the other end accepts bytes, that is until fewer than {@link #BUFFER} wait there. Writing without
+     * this call never blocks.
      *
-     * @return how many bytes it takes now, above 0; 0 if this port was closed meanwhile
+     * @return number of bytes that it accepts now, above 0; 0 if this port was closed meanwhile
      */
     public int awaitRoom() throws InterruptedException {
         while (opened) {
@@ -155,13 +170,13 @@ public class VirtualSerialPort extends Port {
         return 0;
     }
 
-    /** Time as whoever uses this port should measure his time-outs. */
+    /** Clock for the time-outs of this port's user. */
     public PortClock getClock() {
         PortClock own = clock;
         return own == null ? PortClock.WALL : own;
     }
 
-    /** Sets {@link #getClock}; null for the computer's. */
+    /** Sets {@link #getClock}; null for the computer's clock. */
     public void setClock(PortClock newClock) {
         clock = newClock;
     }
@@ -200,7 +215,7 @@ public class VirtualSerialPort extends Port {
         }
     }
 
-    /** Closes the port, ends its reader thread and forgets its listeners; bytes on the way are lost. */
+    /** Closes the port, ends its reader thread and removes its listeners; bytes on their way are lost. */
     @Override
     public void close() {
         synchronized (lock) {
@@ -208,7 +223,7 @@ public class VirtualSerialPort extends Port {
             incoming.clear();
             handed = accepted;
             rate = DEFAULT_BAUD;
-            listeners.clear(); // under this lock, else the reader thread would see them half gone
+            listeners.clear(); // under this lock, else the reader thread would see a partly cleared map
             lock.notifyAll();
         }
         super.close(); // waits for the reader thread, which needs the lock to end
@@ -220,7 +235,7 @@ public class VirtualSerialPort extends Port {
         baudListener.accept(0);
     }
 
-    /** Whether somebody gets this port's bytes. */
+    /** Whether the port has a listener that receives its bytes. */
     boolean isInUse() {
         synchronized (lock) {
             return readingThread != null && !listeners.isEmpty();
@@ -233,7 +248,7 @@ public class VirtualSerialPort extends Port {
         }
     }
 
-    /** @throws IllegalStateException if another service has the port, which it has not only got back by itself */
+    /** @throws IllegalStateException if another service has the port and was not merely reconnected to it */
     @Override
     public void listen(Map<String, SerialDataListener> added) {
         if (isOthers(added)) {
@@ -249,7 +264,7 @@ public class VirtualSerialPort extends Port {
         }
     }
 
-    /** Those who get this port's bytes. */
+    /** Listeners that receive this port's bytes. */
     public List<SerialDataListener> getListeners() {
         synchronized (lock) {
             return new ArrayList<>(listeners.values());
@@ -257,9 +272,9 @@ public class VirtualSerialPort extends Port {
     }
 
     /**
-     * Sets the speed and form of this end.
+     * Sets baud rate and format of this end.
      *
-     * @param newRate bits a second, 50 to 4000000
+     * @param newRate bits per second, 50 to 4000000
      */
     @Override
     public boolean setParams(int newRate, int newDataBits, int newStopBits, int newParity) {
@@ -275,7 +290,7 @@ public class VirtualSerialPort extends Port {
         return true;
     }
 
-    /** The speed that was set holds no more: a simulated device at the other end is understood at any. */
+    /** Restores the default baud rate, for a simulated device that works at any rate. */
     public void forgetBaud() {
         rate = DEFAULT_BAUD;
         baudListener.accept(0);
@@ -314,7 +329,7 @@ public class VirtualSerialPort extends Port {
         }
     }
 
-    /** Waits for bytes; null once the port is closed. */
+    /** Waits for bytes; returns null when the port is closed. */
     @Override
     public byte[] readBytes() throws InterruptedException {
         while (true) {
@@ -336,7 +351,7 @@ public class VirtualSerialPort extends Port {
         }
     }
 
-    /** The reader thread: hands bytes to the listeners until the port is closed. */
+    /** Loop of the reader thread: delivers bytes to the listeners until the port is closed. */
     @Override
     public void run() {
         try {
@@ -375,7 +390,7 @@ public class VirtualSerialPort extends Port {
         }
     }
 
-    /** Bytes that have ever come over the cable while the port was open. */
+    /** Total number of bytes that have arrived while the port was open. */
     public long getAccepted() {
         synchronized (lock) {
             return accepted;
@@ -388,7 +403,9 @@ public class VirtualSerialPort extends Port {
         }
     }
 
-    /** Bytes that came over the cable and that the listeners have not yet finished with; 0 for the reader thread, which is busy with them. */
+    /**
+     * Number of received bytes that the listeners have not processed yet; 0 on the reader thread, which processes them.
+     */
     public long getPending() {
         synchronized (lock) {
             return Thread.currentThread() == readingThread ? 0 : accepted - handed;
@@ -396,7 +413,7 @@ public class VirtualSerialPort extends Port {
     }
 
     /**
-     * Waits until the listeners have finished with everything that came over the cable; at once on the reader thread itself.
+     * Waits until the listeners have processed all received bytes; returns immediately on the reader thread.
      *
      * @return whether they have
      */

@@ -1,5 +1,6 @@
 /**
- * Virtual serial ports on MyRobotLab's own, and the factory that scripts make them with. Uses {@link org.SEAR.protocol}, and what that uses. Any
- * thread; each open port has a thread that hands bytes to its listeners.
+ * Virtual serial ports on top of MyRobotLab's, and the factory with which scripts create them. Uses
+ * {@link org.SEAR.protocol} and its dependencies. Any thread; each open port has a thread that delivers bytes to its
+ * listeners.
  */
 package org.myrobotlab.serial;

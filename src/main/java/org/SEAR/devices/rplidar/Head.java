@@ -51,7 +51,7 @@ final class Head {
     }
 
     /**
-     * Announces the begin of the next turn to the source.
+     * Announces the start of the next turn to the source.
      *
      * @param time when the next block is measured
      * @param samples of a block

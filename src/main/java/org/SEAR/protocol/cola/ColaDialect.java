@@ -40,7 +40,7 @@ public enum ColaDialect {
     static final int STX = 0x02;
     /** Last byte of a telegram of CoLa A. */
     static final int ETX = 0x03;
-    /** Number of STX at the begin of a telegram of CoLa B. */
+    /** Number of STX at the start of a telegram of CoLa B. */
     static final int STX_OF_B = 4;
     /** Number of bytes around the payload of CoLa B. */
     private static final int B_FRAME = 9;

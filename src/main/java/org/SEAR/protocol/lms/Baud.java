@@ -1,6 +1,6 @@
 package org.SEAR.protocol.lms;
 
-/** The speeds of the LMS200's line. Source: SICK telegram listing, tables 6-2 and 7-33. */
+/** Baud rates of the LMS200. Source: SICK telegram listing, tables 6-2 and 7-33. */
 public enum Baud {
     B9600(0x42, 9600, 0x8067),
     B19200(0x41, 19200, 0x8033),
@@ -17,7 +17,7 @@ public enum Baud {
         this.status = status;
     }
 
-    /** The speed that telegram {@code 20 mode} chooses; null for other modes. */
+    /** Rate that telegram {@code 20 mode} selects; null for other modes. */
     public static Baud ofMode(int mode) {
         for (Baud baud : values()) {
             if (baud.mode == mode) {
@@ -27,7 +27,7 @@ public enum Baud {
         return null;
     }
 
-    /** The speed of so many bits a second; null if an LMS200 has none such. */
+    /** Finds a rate in bits per second; null if an LMS200 does not have it. */
     public static Baud ofRate(int rate) {
         for (Baud baud : values()) {
             if (baud.rate == rate) {
@@ -37,23 +37,23 @@ public enum Baud {
         return null;
     }
 
-    /** The speed to try after another one, in turn; after a rate that an LMS200 doesn't have the slowest. */
+    /** Rate to try after another one, cyclically; the slowest after a rate that an LMS200 does not have. */
     public static Baud after(int rate) {
         Baud baud = ofRate(rate);
         return baud == null ? values()[0] : values()[(baud.ordinal() + 1) % values().length];
     }
 
-    /** The second byte of telegram {@code 20 mode} that chooses it. */
+    /** Second byte of the telegram {@code 20 mode} that selects this rate. */
     public int getMode() {
         return mode;
     }
 
-    /** Bits a second. */
+    /** Bits per second. */
     public int getRate() {
         return rate;
     }
 
-    /** The word at offset 116 of the status telegram. */
+    /** Word at offset 116 of the status telegram. */
     public int getStatusWord() {
         return status;
     }

@@ -2,13 +2,11 @@ package org.SEAR.protocol.lms;
 
 import java.util.Arrays;
 
-/**
- * The 34 bytes of telegrams 77h, F4h and F7h (SICK telegram listing, table 7-122). Immutable.
- */
+/** The 34 bytes of telegrams 77h, F4h and F7h (SICK telegram listing, table 7-122). Immutable. */
 public final class Configuration {
     /** Number of bytes. */
     public static final int SIZE = 34;
-    /** Number of bytes that drivers for the older LMS2xx write: all but the last word. */
+    /** Number of bytes that drivers for the older LMS2xx write: all except the last word. */
     public static final int OLD_SIZE = 32;
     private static final int STOP_THRESHOLD = 2;
     private static final int AVAILABILITY = 4;
@@ -30,7 +28,7 @@ public final class Configuration {
         this.bytes = bytes;
     }
 
-    /** An indoor device as delivered: millimetres, mode 0 (8 m). */
+    /** Factory configuration of an indoor device: millimetres, mode 0 (8 m). */
     public static Configuration ofFactory() {
         byte[] bytes = new byte[SIZE];
         bytes[STOP_THRESHOLD] = SENSITIVITY_DEFAULT;
@@ -42,9 +40,9 @@ public final class Configuration {
     }
 
     /**
-     * What a telegram carries, legal or not.
+     * Reads the configuration of a telegram, legal or not.
      *
-     * @param from where in the payload it begins
+     * @param from index of its first byte in the payload
      * @throws IllegalArgumentException if the telegram is too short
      */
     public static Configuration of(Telegram telegram, int from) {
@@ -55,8 +53,9 @@ public final class Configuration {
     }
 
     /**
-     * What a 77h request makes of this one: it carries all 34 bytes, or, as drivers for the older LMS2xx send it, the first 32; what it does not
-     * carry stays as it is. Example of 32, millimetres: {@code 02 00 21 00 77 00 00 00 00 00 00 01 00 00 02 02 + 21 x 00 + FC 7E}.
+     * Returns this configuration changed by a 77h request. The request has all 34 bytes or, from drivers for the older
+     * LMS2xx, the first 32; missing bytes stay. Example of 32, millimetres:
+     * {@code 02 00 21 00 77 00 00 00 00 00 00 01 00 00 02 02 + 21 x 00 + FC 7E}.
      *
      * @return null if the request has another length
      */
@@ -70,12 +69,12 @@ public final class Configuration {
         return new Configuration(changed);
     }
 
-    /** Whether an LMS200 can do it: it knows the measuring mode and the unit. */
+    /** Whether an LMS200 supports the measuring mode and the unit. */
     public boolean isLegal() {
         return getMode() != null && (bytes[UNIT] == UNIT_CM || bytes[UNIT] == UNIT_MM);
     }
 
-    /** How distances are coded; null for a mode that the listing doesn't have. */
+    /** Coding of distances; null for a mode that the listing does not contain. */
     public MeasuringMode getMode() {
         return MeasuringMode.of(bytes[MEASURING_MODE]);
     }
@@ -85,12 +84,12 @@ public final class Configuration {
         return bytes[UNIT];
     }
 
-    /** Whether distances are told in millimetres. */
+    /** Whether distances are in millimetres. */
     public boolean isMillimetres() {
         return bytes[UNIT] == UNIT_MM;
     }
 
-    /** Units in a metre. */
+    /** Units per metre. */
     public int getUnitsPerMetre() {
         return isMillimetres() ? MM_PER_METRE : CM_PER_METRE;
     }
@@ -100,14 +99,14 @@ public final class Configuration {
         return (bytes[AVAILABILITY] & SEND_INDICES) != 0;
     }
 
-    /** The same but for its unit. */
+    /** Returns the same configuration with another unit. */
     public Configuration withMillimetres(boolean millimetres) {
         byte[] changed = bytes.clone();
         changed[UNIT] = (byte) (millimetres ? UNIT_MM : UNIT_CM);
         return new Configuration(changed);
     }
 
-    /** The 34 bytes, a copy. */
+    /** Returns a copy of the 34 bytes. */
     public byte[] toBytes() {
         return Arrays.copyOf(bytes, SIZE);
     }

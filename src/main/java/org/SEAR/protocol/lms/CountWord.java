@@ -1,9 +1,9 @@
 package org.SEAR.protocol.lms;
 
 /**
- * The word before the values of a B0h telegram: bits 0 to 9 the number of values, 11 and 12 the quarter of a degree at which a partial scan begins,
- * 13 whether it is one, 14 and 15 the unit. Example: 361 values in millimetres are {@code 69 41}.
- * Source: SICK telegram listing, table 7-31. Immutable.
+ * The word before the values of a B0h telegram. Bits 0 to 9: number of values. Bits 11 and 12: first angle of a partial
+ * scan, quarters of a degree. Bit 13: partial scan. Bits 14 and 15: unit. Example: 361 values in millimetres are
+ * {@code 69 41}. Source: SICK telegram listing, table 7-31. Immutable.
  */
 public final class CountWord {
     private static final int COUNT = 0x3FF;
@@ -18,13 +18,13 @@ public final class CountWord {
         this.word = word;
     }
 
-    /** As it came. */
+    /** Creates the count word of a received word. */
     public static CountWord of(int word) {
         return new CountWord(word);
     }
 
     /**
-     * A whole scan.
+     * Count word of a whole scan.
      *
      * @param count 0 to 1023
      * @param unit see {@link Configuration#getUnit}
@@ -34,7 +34,7 @@ public final class CountWord {
     }
 
     /**
-     * A partial scan.
+     * Count word of a partial scan.
      *
      * @param count 0 to 1023
      * @param unit see {@link Configuration#getUnit}
@@ -44,7 +44,7 @@ public final class CountWord {
         return new CountWord(count | unit << UNIT_SHIFT | PARTIAL | quarter << QUARTER_SHIFT);
     }
 
-    /** As it is sent. */
+    /** Returns the word for a telegram. */
     public int toWord() {
         return word;
     }
@@ -59,7 +59,7 @@ public final class CountWord {
         return word >> UNIT_SHIFT;
     }
 
-    /** Quarters of a degree between a whole degree and the first value. */
+    /** Offset of the first value from a whole degree, quarters of a degree. */
     public int getQuarter() {
         return word >> QUARTER_SHIFT & QUARTERS;
     }

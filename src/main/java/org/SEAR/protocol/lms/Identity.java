@@ -3,13 +3,13 @@ package org.SEAR.protocol.lms;
 import java.util.List;
 import java.util.Set;
 
-/** What is printed on one LMS2xx: data that its telegrams repeat. Immutable. */
+/** Identity of one LMS2xx, which its telegrams contain. Immutable. */
 public final class Identity {
-    /** The device of SICK's telegram listing; drivers know its type. */
+    /** The device of SICK's telegram listing; drivers recognise its type. */
     public static final Identity LMS200_30106 = new Identity("LMS200;301063;V02.10 ", "00000000", 0);
-    /** Outdoors; drivers know it by the first ten characters of its type. */
+    /** Outdoor device; drivers recognise the first ten characters of its type. */
     public static final Identity LMS221_30206 = new Identity("LMS221;302063;V02.10 ", "00000000", 0);
-    /** Outdoors; drivers know it by the first ten characters of its type. */
+    /** Outdoor device; drivers recognise the first ten characters of its type. */
     public static final Identity LMS291_S05 = new Identity("LMS291;S05063;V02.10 ", "00000000", 0);
     private static final List<Identity> ALL = List.of(LMS200_30106, LMS221_30206, LMS291_S05);
     private static final Set<String> INDOOR = Set.of("LMS200", "LMS220");
@@ -20,7 +20,7 @@ public final class Identity {
     private final int address;
 
     /**
-     * @param type 21 characters, the last 7 are the version of the software, for example {@code "LMS200;301063;V02.10 "}
+     * @param type 21 characters, the last 7 are the software version, for example {@code "LMS200;301063;V02.10 "}
      * @param serial 8 characters
      * @param address 0 to 127; with 0 the device answers broadcasts only
      */
@@ -31,21 +31,21 @@ public final class Identity {
     }
 
     /**
-     * The device of a model.
+     * Finds the identity of a model.
      *
-     * @throws IllegalArgumentException if there is none of that name
+     * @throws IllegalArgumentException if the model is unknown
      */
     public static Identity of(String model) {
         return ALL.stream().filter(one -> one.getModel().equals(model)).findFirst().orElseThrow(() -> new IllegalArgumentException(
             "no type is known of an LMS2xx that is an " + model));
     }
 
-    /** {@code LMS291}. */
+    /** Model name, for example {@code LMS291}. */
     public String getModel() {
         return type.substring(0, type.indexOf(';'));
     }
 
-    /** Whether it measures indoors, in millimetres as delivered; the others in centimetres. */
+    /** Whether it is an indoor device, with millimetres as delivered; other devices have centimetres. */
     public boolean isIndoor() {
         return INDOOR.contains(getModel());
     }
@@ -65,7 +65,7 @@ public final class Identity {
         return serial;
     }
 
-    /** Own address, 0 to 127. */
+    /** Address, 0 to 127. */
     public int getAddress() {
         return address;
     }

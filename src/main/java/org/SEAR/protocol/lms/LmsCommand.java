@@ -1,6 +1,6 @@
 package org.SEAR.protocol.lms;
 
-/** What an LMS2xx can be asked: the first byte of a telegram's payload. Source: SICK telegram listing, chapter 7. */
+/** Requests to an LMS2xx: first byte of a telegram's payload. Source: SICK telegram listing, chapter 7. */
 public enum LmsCommand {
     RESET(0x10, 0x91),
     MODE(0x20),
@@ -17,9 +17,9 @@ public enum LmsCommand {
     SET_CONFIGURATION(0x77),
     PIXELS(0x7C);
 
-    /** First byte of what a device says by itself when it has started. */
+    /** First payload byte of the power-on telegram. */
     public static final int POWER_ON = 0x90;
-    /** First byte of the answer to what is unknown, or not permitted in the present operating mode. */
+    /** First payload byte of the answer to an unknown request, or one not permitted in the present operating mode. */
     public static final int NOT_PERMITTED = 0x92;
     private static final int REPLY = 0x80;
 
@@ -35,7 +35,7 @@ public enum LmsCommand {
         this.reply = reply;
     }
 
-    /** The command of that byte; null if there is none such. */
+    /** Finds a command by its byte; null if unknown. */
     public static LmsCommand of(int code) {
         for (LmsCommand command : values()) {
             if (command.code == code) {
@@ -45,22 +45,22 @@ public enum LmsCommand {
         return null;
     }
 
-    /** The byte of a request. */
+    /** Byte of the request. */
     public int getCode() {
         return code;
     }
 
-    /** The byte of its answer. */
+    /** Byte of the answer. */
     public int getReply() {
         return reply;
     }
 
-    /** A request's payload, to be continued with its data. */
+    /** Starts the payload of a request; its data follow. */
     public LmsPayload request() {
         return new LmsPayload(code);
     }
 
-    /** An answer's payload, to be continued with its data and the status byte. */
+    /** Starts the payload of an answer; its data and the status byte follow. */
     public LmsPayload reply() {
         return new LmsPayload(reply);
     }

@@ -1,11 +1,12 @@
 package org.SEAR.protocol.lms;
 
 /**
- * The status telegram B1h, 154 bytes of payload (SICK telegram listing, table 7-33). What a simulation has no own value for (pollution, calibration,
- * motor and peak voltages, counters) is that of a clean real device, from a recorded telegram. Immutable.
+ * The status telegram B1h with 154 bytes of payload (SICK telegram listing, table 7-33). Pollution, calibration, motor
+ * and peak voltages, and counters are not simulated. They have the values of a clean real device, from a recorded
+ * telegram. Immutable.
  */
 public final class LmsStatus {
-    /** Bytes of command, data and status byte. */
+    /** Size of command, data and status byte, bytes. */
     public static final int SIZE = 154;
     private static final int MODE_AT = 8;
     private static final int SPREAD_AT = 107;
@@ -46,10 +47,10 @@ public final class LmsStatus {
     }
 
     /**
-     * The telegram's payload.
+     * Encodes the payload of the telegram.
      *
      * @param mode see {@link OperatingMode}
-     * @param permanent whether the baud rate outlives a reset
+     * @param permanent whether the baud rate survives a reset
      * @param status last byte, see {@link StatusByte}
      */
     public static byte[] encode(Identity identity, int mode, Variant variant, Configuration configuration, Baud baud, boolean permanent, int status) {
@@ -65,22 +66,22 @@ public final class LmsStatus {
         return p.words(COUNTERS).add(status).toBytes();
     }
 
-    /** The operating mode, see {@link OperatingMode}. */
+    /** Operating mode, see {@link OperatingMode}. */
     public int getMode() {
         return telegram.at(MODE_AT);
     }
 
-    /** Degrees from the first to the last value. */
+    /** Angle from the first to the last value, degrees. */
     public int getSpread() {
         return telegram.wordAt(SPREAD_AT);
     }
 
-    /** 1/100 degree between values. */
+    /** Angle between two values, 1/100 degree. */
     public int getResolution() {
         return telegram.wordAt(RESOLUTION_AT);
     }
 
-    /** The line's speed, see {@link Baud#getStatusWord}. */
+    /** Baud rate, see {@link Baud#getStatusWord}. */
     public int getBaudWord() {
         return telegram.wordAt(BAUD_AT);
     }

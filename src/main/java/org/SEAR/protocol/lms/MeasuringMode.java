@@ -1,8 +1,9 @@
 package org.SEAR.protocol.lms;
 
 /**
- * How many bits of a value are the distance; the others are flags of fields and reflectors, which the simulated device never raises. The greatest
- * numbers are codes: nothing hit, dazzled, beyond the range. Source: SICK telegram listing, tables 7-31 and 10-13 to 10-15.
+ * Number of distance bits of a value; the other bits are flags of fields and reflectors, which the simulated device
+ * never sets. The largest numbers are codes: no hit, dazzled, beyond the range. Source: SICK telegram listing, tables
+ * 7-31 and 10-13 to 10-15.
  */
 public enum MeasuringMode {
     FIELDS_A_B_DAZZLE(0x00, 13),
@@ -14,7 +15,7 @@ public enum MeasuringMode {
     FIELD_32_A(0x06, 15),
     IMMEDIATE_32(0x0F, 15);
 
-    /** From here below the greatest number on, a value is no distance: xFF7 to xFFF. */
+    /** Number of codes below the largest number: xFF7 to xFFF are no distances. */
     private static final int OVERFLOWS = 8;
 
     private final int code;
@@ -25,7 +26,7 @@ public enum MeasuringMode {
         this.bits = bits;
     }
 
-    /** The mode of block D of the configuration; null if an LMS200 has none such. */
+    /** Finds the mode of block D of the configuration; null if an LMS200 does not have it. */
     public static MeasuringMode of(int code) {
         for (MeasuringMode mode : values()) {
             if (mode.code == code) {
@@ -40,25 +41,25 @@ public enum MeasuringMode {
         return code;
     }
 
-    /** The distance bits of a value, without its flags. */
+    /** Returns a value without its flags. */
     public int getDistance(int value) {
         return value & getNothingHit();
     }
 
-    /** The value where nothing was hit: 8191, 16383 or 32767. */
+    /** Code for no hit: 8191, 16383 or 32767. */
     public int getNothingHit() {
         return (1 << bits) - 1;
     }
 
-    /** The value where something is beyond the measuring range: 8183, 16375 or 32759. From here on a value is no distance. */
+    /** Code for a hit beyond the measuring range, and smallest value that is no distance: 8183, 16375 or 32759. */
     public int getBeyondRange() {
         return getNothingHit() - OVERFLOWS;
     }
 
     /**
-     * The value for a distance.
+     * Encodes a distance.
      *
-     * @param metres +infinity where nothing was hit
+     * @param metres +infinity for no hit
      * @param unitsPerMetre 1000 or 100
      */
     public int encode(double metres, int unitsPerMetre) {

@@ -2,7 +2,7 @@ package org.SEAR.protocol.lms;
 
 /** The last byte of each reply. Source: SICK telegram listing, chapter 8. */
 public final class StatusByte {
-    /** Nothing to complain about; LMS type 6. */
+    /** No error; LMS type 6. */
     public static final int OK = 0x10;
     private static final int SEVERITY = 7;
     private static final int ERROR = 3;
@@ -16,7 +16,7 @@ public final class StatusByte {
         return (status & POLLUTED) != 0;
     }
 
-    /** Whether the device reports an error or worse: infos and warnings are none. */
+    /** Whether the device reports an error or worse; infos and warnings don't count. */
     public static boolean isError(int status) {
         return (status & SEVERITY) >= ERROR;
     }

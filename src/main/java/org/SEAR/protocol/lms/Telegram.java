@@ -4,26 +4,26 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * A telegram of the LMS2xx: {@code 02 | address | length W | command | data | crc W}; words have their low byte first, the length counts command and
- * data. Example, a request for one scan: {@code 02 00 02 00 30 01 31 18}. Immutable but for the payload, which is not to be changed.
- * Source: SICK telegram listing 8007954, chapters 5, 6 and 9.
+ * A telegram of the LMS2xx: {@code 02 | address | length W | command | data | crc W}. Words have their low byte first;
+ * the length counts command and data. Example, a request for one scan: {@code 02 00 02 00 30 01 31 18}. Immutable; its
+ * payload must not be changed. Source: SICK telegram listing 8007954, chapters 5, 6 and 9.
  */
 public final class Telegram {
     /** First byte of each telegram. */
     public static final int STX = 0x02;
     /** Bare byte: request received. */
     public static final int ACK = 0x06;
-    /** Bare byte: request not received whole. */
+    /** Bare byte: request not received completely. */
     public static final int NAK = 0x15;
     /** Bytes before the command. */
     public static final int HEADER_SIZE = 4;
     /** Bytes of the checksum. */
     public static final int CRC_SIZE = 2;
-    /** Bytes beside command and data. */
+    /** Bytes besides command and data. */
     public static final int FRAME_SIZE = HEADER_SIZE + CRC_SIZE;
-    /** Longest command and data that a telegram of the listing has: 401 values with indices are 808; rounded up. */
+    /** Maximum size of command and data; the listing's largest, 401 values with indices, has 808 bytes. */
     public static final int MAX_PAYLOAD = 1024;
-    /** Bit of the address byte that tells a device's telegrams from a host's. */
+    /** Bit of the address byte that marks a device's telegrams. */
     public static final int FROM_DEVICE = 0x80;
     private static final int BROADCAST = 0;
     private static final int GENERATOR = 0x8005;
@@ -32,7 +32,7 @@ public final class Telegram {
     private final byte[] payload;
 
     /**
-     * A telegram; its checksum is made by {@link #toBytes}.
+     * Creates a telegram; {@link #toBytes} adds its checksum.
      *
      * @param address 0 to 255
      * @param payload command, data and, in replies, the status byte; at least the command
@@ -42,7 +42,7 @@ public final class Telegram {
         this.payload = payload;
     }
 
-    /** A request to whatever device is on the line. */
+    /** Creates a broadcast request, which any device on the line answers. */
     public static Telegram request(LmsPayload payload) {
         return new Telegram(BROADCAST, payload.toBytes());
     }
@@ -68,7 +68,7 @@ public final class Telegram {
     }
 
     /**
-     * Byte of the payload, 0 to 255.
+     * Returns a byte of the payload, 0 to 255.
      *
      * @param index 0 is the command
      * @throws IndexOutOfBoundsException if the payload is shorter
@@ -78,7 +78,7 @@ public final class Telegram {
     }
 
     /**
-     * Word of the payload, 0 to 65535.
+     * Returns a word of the payload, 0 to 65535.
      *
      * @param index of its low byte
      * @throws IndexOutOfBoundsException if the payload is shorter
@@ -87,13 +87,13 @@ public final class Telegram {
         return at(index) | at(index + 1) << 8;
     }
 
-    /** The last byte of the payload: the status byte of a reply. */
+    /** Last byte of the payload: the status byte of a reply. */
     public int last() {
         return at(payload.length - 1);
     }
 
     /**
-     * Text within the payload.
+     * Returns text within the payload.
      *
      * @param from index of its first byte
      * @param to index after its last byte
@@ -102,12 +102,12 @@ public final class Telegram {
         return to <= from ? "" : new String(payload, from, to - from, StandardCharsets.US_ASCII);
     }
 
-    /** Part of the payload, a copy; zeros where the payload is shorter. */
+    /** Returns a copy of a part of the payload; zeros beyond its end. */
     public byte[] copy(int from, int to) {
         return Arrays.copyOfRange(payload, from, to);
     }
 
-    /** The telegram as it goes over the line. */
+    /** Returns the bytes on the line. */
     public byte[] toBytes() {
         byte[] frame = new byte[payload.length + FRAME_SIZE];
         frame[0] = STX;
@@ -121,7 +121,10 @@ public final class Telegram {
         return frame;
     }
 
-    /** SICK's checksum of {@code size} bytes: one shift a byte, generator 8005h, start 0. Example: {@code 02 00 01 00 31} gives 1215h. */
+    /**
+     * SICK's checksum of {@code size} bytes: one shift per byte, generator 8005h, start 0. Example:
+     * {@code 02 00 01 00 31} gives 1215h.
+     */
     public static int crc(byte[] bytes, int from, int size) {
         int crc = 0;
         int previous = 0;

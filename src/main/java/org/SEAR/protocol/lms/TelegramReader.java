@@ -4,13 +4,14 @@ import java.util.Arrays;
 import java.util.function.IntPredicate;
 
 /**
- * Finds telegrams in a stream of bytes, whatever lies between them. After a telegram with a wrong checksum its bytes are looked through again, so a
- * stray STX never costs the good telegram that follows it. Holds at most one telegram of {@link Telegram#MAX_PAYLOAD}. One thread at a time.
+ * Finds telegrams in a stream of bytes with anything between them. After a wrong checksum it searches the same bytes
+ * again, so that a stray STX never hides a valid telegram. Holds at most one telegram of {@link Telegram#MAX_PAYLOAD}.
+ * One thread at a time.
  */
 public final class TelegramReader {
-    /** What a reader finds; may call {@link #clear}. */
+    /** Receives telegrams and stray bytes; may call {@link #clear}. */
     public interface Listener {
-        /** A whole telegram with the right checksum. */
+        /** A complete telegram with a valid checksum. */
         void onTelegram(Telegram telegram);
 
         /**
@@ -22,7 +23,7 @@ public final class TelegramReader {
         }
 
         /**
-         * A whole telegram with a wrong checksum; of those that its bytes hold in turn nothing is told.
+         * A complete telegram with a wrong checksum. Further wrong telegrams within its bytes are not reported.
          *
          * @param bytes from STX to checksum
          */
@@ -37,7 +38,7 @@ public final class TelegramReader {
     private boolean second;
     private boolean cleared;
 
-    /** @param addresses which address bytes a telegram can have; an STX before any other starts none */
+    /** @param addresses legal address bytes of a telegram; an STX before another byte starts none */
     public TelegramReader(IntPredicate addresses, Listener listener) {
         this.addresses = addresses;
         this.listener = listener;
@@ -46,26 +47,26 @@ public final class TelegramReader {
     /**
      * Takes the next byte.
      *
-     * @param value its lowest eight bits count
+     * @param value only its low eight bits count
      */
     public void accept(int value) {
         buffer[size++] = (byte) value;
         parse();
     }
 
-    /** Takes bytes as they come, in pieces of any size. */
+    /** Takes bytes in pieces of any size. */
     public void accept(byte[] bytes) {
         for (byte value : bytes) {
             accept(value);
         }
     }
 
-    /** Whether part of a telegram is there. */
+    /** Whether part of a telegram has arrived. */
     public boolean isPending() {
         return size > 0;
     }
 
-    /** The rest of a begun telegram will not come: whatever whole telegrams its bytes hold are found, then all is forgotten. */
+    /** Ends an incomplete telegram: finds complete telegrams within its bytes, then discards all. */
     public void interrupt() {
         while (size > 0) {
             second = true;
@@ -75,7 +76,7 @@ public final class TelegramReader {
         second = false;
     }
 
-    /** Forgets what came so far. */
+    /** Discards all bytes so far. */
     public void clear() {
         size = 0;
         second = false;

@@ -1,6 +1,9 @@
 package org.SEAR.protocol.lms;
 
-/** A scanning angle with its resolution. The first value is the rightmost; the 100 degree fans cover 40 to 140 degrees of the 180. */
+/**
+ * A scanning angle with its resolution. The first value is the rightmost. The 100 degree variants cover 40 to 140
+ * degrees of the 180.
+ */
 public enum Variant {
     V100_1(100, 100),
     V100_HALF(100, 50),
@@ -8,7 +11,7 @@ public enum Variant {
     V180_1(180, 100),
     V180_HALF(180, 50);
 
-    /** One turn of the mirror at 75 turns a second, seconds (SICK telegram listing, table 10-17). */
+    /** Duration of one turn of the mirror at 75 turns per second, seconds (SICK telegram listing, table 10-17). */
     public static final double TURN = 0.01332;
 
     private static final double HUNDREDTHS = 100;
@@ -22,7 +25,7 @@ public enum Variant {
     }
 
     /**
-     * The variant of a telegram; null if an LMS200 has none such.
+     * Finds the variant of a telegram; null if an LMS200 does not have it.
      *
      * @param spread degrees
      * @param resolution 1/100 degree
@@ -36,7 +39,7 @@ public enum Variant {
         return null;
     }
 
-    /** The variant of so many degrees; null if an LMS200 has none such. */
+    /** Finds a variant by angle and resolution in degrees; null if an LMS200 does not have it. */
     public static Variant ofDegrees(double spread, double resolution) {
         for (Variant variant : values()) {
             if (variant.spread == spread && variant.resolution == resolution * HUNDREDTHS) {
@@ -46,12 +49,12 @@ public enum Variant {
         return null;
     }
 
-    /** Degrees. */
+    /** Scanning angle, degrees. */
     public int getSpread() {
         return spread;
     }
 
-    /** 1/100 degree. */
+    /** Resolution, 1/100 degree. */
     public int getResolution() {
         return resolution;
     }
@@ -61,12 +64,12 @@ public enum Variant {
         return spread * 100 / resolution + 1;
     }
 
-    /** Turns of the mirror a whole scan takes: it measures each whole degree in a turn. */
+    /** Turns of the mirror per whole scan; each turn measures one value per degree. */
     public int getTurns() {
         return 100 / resolution;
     }
 
-    /** Seconds that a whole scan takes. */
+    /** Duration of a whole scan, seconds. */
     public double getScanTime() {
         return getTurns() * TURN;
     }

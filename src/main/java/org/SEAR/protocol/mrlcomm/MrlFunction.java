@@ -1,8 +1,8 @@
 package org.SEAR.protocol.mrlcomm;
 
 /**
- * The functions of version 68. Their arguments stand in a pattern: b one byte, s two, i four, f a float of four, l a text or list (a byte with its
- * length, and its bytes).
+ * Functions of version 68, with a pattern of their arguments: b one byte, s two, i four, f a four-byte float, l a text
+ * or list (a length byte and its bytes).
  */
 public enum MrlFunction {
     PUBLISH_ERROR(1, "l"), GET_BOARD_INFO(2, ""), PUBLISH_BOARD_INFO(3, "bbssbl"), ENABLE_PIN(4, "bbs"), SET_DEBUG(5, "b"), SET_SERIAL_RATE(6, "i"),
@@ -28,17 +28,17 @@ public enum MrlFunction {
         this.arguments = arguments;
     }
 
-    /** The function of a number; null if this version has none. */
+    /** Finds a function by number; null if this version does not have it. */
     public static MrlFunction of(int number) {
         return number >= 1 && number <= BY_NUMBER.length ? BY_NUMBER[number - 1] : null;
     }
 
-    /** Its byte. */
+    /** Byte of the function. */
     public int getNumber() {
         return number;
     }
 
-    /** Whether bytes are at least what its arguments take. */
+    /** Whether the bytes suffice for the function's arguments. */
     boolean fits(byte[] bytes) {
         int at = 0;
         for (int i = 0; i < arguments.length(); i++) {

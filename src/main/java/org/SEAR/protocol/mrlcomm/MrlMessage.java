@@ -5,13 +5,13 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * A message in either direction: {@code AA size function arguments}, where size counts the function and its arguments; {@code AA 02 3A 44} says that
- * MrlComm 68 has begun. Immutable.
+ * A message in either direction: {@code AA size function arguments}; the size counts function and arguments.
+ * {@code AA 02 3A 44} reports the start of MrlComm 68. Immutable.
  */
 public final class MrlMessage {
     /** First byte of a frame. */
     public static final int MAGIC = 0xAA;
-    /** Most bytes of function and arguments. */
+    /** Maximum size of function and arguments, bytes. */
     public static final int MOST = 64;
     /** Version of the messages. */
     public static final int VERSION = 68;
@@ -25,43 +25,43 @@ public final class MrlMessage {
         this.arguments = arguments;
     }
 
-    /** Begins a message. */
+    /** Starts a message. */
     public static Builder of(MrlFunction function) {
         return new Builder(function);
     }
 
-    /** What it says; null for a function that this version doesn't have. */
+    /** Its function; null if this version does not have it. */
     public MrlFunction getFunction() {
         return MrlFunction.of(function);
     }
 
-    /** Whether all arguments of its function are there. */
+    /** Whether all arguments of the function are present. */
     public boolean isWhole() {
         MrlFunction known = getFunction();
         return known != null && known.fits(arguments);
     }
 
-    /** An argument of one byte, 0 to 255; {@code at} counts bytes after the function. */
+    /** Returns an argument of one byte, 0 to 255; {@code at} counts bytes after the function. */
     public int getByte(int at) {
         return arguments[at] & BYTE;
     }
 
-    /** An argument of two bytes, signed. */
+    /** Returns an argument of two bytes, signed. */
     public int getShort(int at) {
         return (short) (getByte(at) << Byte.SIZE | getByte(at + 1));
     }
 
-    /** Arguments from a byte on. */
+    /** Returns argument bytes. */
     public byte[] getBytes(int from, int to) {
         return Arrays.copyOfRange(arguments, from, to);
     }
 
-    /** A text or list: a byte with its length, and its bytes. */
+    /** Returns a text or list: a length byte and its bytes. */
     public byte[] getList(int at) {
         return Arrays.copyOfRange(arguments, at + 1, at + 1 + getByte(at));
     }
 
-    /** As it goes over the line. */
+    /** Returns the bytes on the line. */
     public byte[] toBytes() {
         byte[] frame = new byte[3 + arguments.length];
         frame[0] = (byte) MAGIC;
@@ -71,7 +71,7 @@ public final class MrlMessage {
         return frame;
     }
 
-    /** Puts the arguments of a message one behind the other. */
+    /** Collects the arguments of a message. */
     public static final class Builder {
         private final MrlFunction function;
         private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -80,24 +80,24 @@ public final class MrlMessage {
             this.function = function;
         }
 
-        /** One byte, 0 to 255. */
+        /** Appends one byte, 0 to 255. */
         public Builder add(int value) {
             bytes.write(value);
             return this;
         }
 
-        /** Two bytes. */
+        /** Appends two bytes. */
         public Builder addShort(int value) {
             return add(value >> Byte.SIZE).add(value);
         }
 
-        /** Bytes as they are. */
+        /** Appends bytes. */
         public Builder addAll(byte[] values) {
             bytes.write(values, 0, values.length);
             return this;
         }
 
-        /** A list: its length, and its bytes; as many as fit. */
+        /** Appends a list: its length and its bytes, cut to the space left. */
         public Builder addList(byte[] values) {
             int length = Math.min(values.length, MOST - 2 - bytes.size());
             add(length);
@@ -105,12 +105,12 @@ public final class MrlMessage {
             return this;
         }
 
-        /** A text, as a list. */
+        /** Appends a text as a list. */
         public Builder addText(String text) {
             return addList(text.getBytes(StandardCharsets.UTF_8));
         }
 
-        /** The message. */
+        /** Returns the message. */
         public MrlMessage end() {
             return new MrlMessage(function.getNumber(), bytes.toByteArray());
         }

@@ -5,8 +5,8 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 
 /**
- * Finds frames in a stream of bytes. What doesn't begin one is left out, as is a frame with a size of 0 or above 64, one of an unknown function and
- * one that is too short for its function. One thread at a time.
+ * Finds frames in a stream of bytes. Skips bytes between frames, and frames with a size of 0 or above 64, an unknown
+ * function, or missing arguments. One thread at a time.
  */
 public final class MrlReader {
     private final Consumer<MrlMessage> messages;
@@ -19,7 +19,7 @@ public final class MrlReader {
 
     private enum State { IDLE, SIZE, FUNCTION, ARGUMENTS }
 
-    /** @param unknown takes the function of a frame that can't be understood */
+    /** @param unknown receives the function of a skipped frame */
     public MrlReader(Consumer<MrlMessage> messages, IntConsumer unknown) {
         this.messages = messages;
         this.unknown = unknown;
@@ -63,7 +63,7 @@ public final class MrlReader {
         }
     }
 
-    /** Forgets what is unfinished. */
+    /** Discards an incomplete frame. */
     public void clear() {
         state = State.IDLE;
     }

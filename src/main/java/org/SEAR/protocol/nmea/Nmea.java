@@ -2,11 +2,14 @@ package org.SEAR.protocol.nmea;
 
 import java.util.Locale;
 
-/** The frame and the numbers of NMEA 0183 sentences: {@code $ ... *cs CR LF}, where cs is the exclusive or of what stands between $ and *. */
+/**
+ * Frame and numbers of NMEA 0183 sentences: {@code $ ... *cs CR LF}, where cs is the exclusive or of the characters
+ * between $ and *.
+ */
 public final class Nmea {
-    /** Digits of the degrees of a latitude. */
+    /** Number of digits of a latitude's degrees. */
     public static final int LATITUDE_DIGITS = 2;
-    /** Digits of the degrees of a longitude. */
+    /** Number of digits of a longitude's degrees. */
     public static final int LONGITUDE_DIGITS = 3;
     private static final int MINUTES = 60;
     private static final int HEX = 16;
@@ -15,13 +18,13 @@ public final class Nmea {
     private Nmea() {
     }
 
-    /** The sentence of a body, for example {@code "PMTK010,001"} gives {@code "$PMTK010,001*2E\r\n"}. */
+    /** Returns the sentence of a body; {@code "PMTK010,001"} gives {@code "$PMTK010,001*2E\r\n"}. */
     public static String sentence(String body) {
         return "$" + body + "*" + String.format(Locale.ROOT, "%02X", checksum(body)) + "\r\n";
     }
 
     /**
-     * The body of a line with the right checksum; null otherwise.
+     * Returns the body of a line with a valid checksum; null otherwise.
      *
      * @param line without CR LF
      */
@@ -45,7 +48,7 @@ public final class Nmea {
     }
 
     /**
-     * Degrees as {@code ddmm.mmmm}, without sign; rounded as a whole, so that minutes never show as 60.
+     * Formats degrees as {@code ddmm.mmmm}, without sign. Rounds the total minutes, so that they never show as 60.
      *
      * @param width digits of the degrees
      * @param decimals of the minutes
@@ -58,7 +61,7 @@ public final class Nmea {
     }
 
     /**
-     * Decimal degrees of {@code ddmm.mmmm}.
+     * Parses {@code ddmm.mmmm} to decimal degrees.
      *
      * @param width digits of the degrees
      * @throws IllegalArgumentException if it is no coordinate
@@ -70,7 +73,7 @@ public final class Nmea {
         return Integer.parseInt(field.substring(0, width)) + Double.parseDouble(field.substring(width)) / MINUTES;
     }
 
-    /** A decimal number with a point, whatever the computer's language. */
+    /** Formats a number with a decimal point, regardless of the computer's locale. */
     public static String number(double value, int decimals) {
         String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
         return text.startsWith("-") && text.matches("-0*\\.?0*") ? text.substring(1) : text;

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Commands of MediaTek receivers, for example {@code $PMTK220,200*2C}: three digits and their arguments. Each is acknowledged by
- * {@code $PMTK001,command,flag}. Source: MTK NMEA packet user manual.
+ * Commands of MediaTek receivers, for example {@code $PMTK220,200*2C}: three digits and arguments. The receiver
+ * acknowledges each with {@code $PMTK001,command,flag}. Source: MTK NMEA packet user manual.
  */
 public enum Pmtk {
     ACKNOWLEDGE(1),
@@ -35,7 +35,7 @@ public enum Pmtk {
     QUERY_RELEASE(605),
     RELEASE(705);
 
-    /** The line's speeds, bits a second. */
+    /** Baud rates, bits per second. */
     public static final List<Integer> BAUDS = Collections.unmodifiableList(Arrays.asList(4800, 9600, 14400, 19200, 38400, 57600, 115200));
     private static final String TALKER = "PMTK";
     private static final int DIGITS = 3;
@@ -46,7 +46,7 @@ public enum Pmtk {
         this.number = number;
     }
 
-    /** The command of that number; null for one that isn't known here. */
+    /** Finds a command by number; null if unknown. */
     public static Pmtk of(int number) {
         for (Pmtk command : values()) {
             if (command.number == number) {
@@ -56,13 +56,13 @@ public enum Pmtk {
         return null;
     }
 
-    /** The number of a sentence's first field, for example 220 of {@code PMTK220}; -1 if it is no such field. */
+    /** Number in a sentence's first field, for example 220 in {@code PMTK220}; -1 for other fields. */
     public static int numberOf(String field) {
         boolean known = field.length() == TALKER.length() + DIGITS && field.matches(TALKER + "[0-9]+");
         return known ? Integer.parseInt(field.substring(TALKER.length())) : -1;
     }
 
-    /** The body of a sentence, to be framed by {@link Nmea#sentence}: {@code PMTK220,200}. */
+    /** Returns the body of a sentence, for {@link Nmea#sentence}: {@code PMTK220,200}. */
     public String body(Object... fields) {
         StringBuilder body = new StringBuilder(String.format(Locale.ROOT, TALKER + "%0" + DIGITS + "d", number));
         for (Object field : fields) {

@@ -4,11 +4,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 
 /**
- * Finds NMEA 0183 sentences in a stream of bytes: {@code $GPGGA,...*5F CR LF}. Damaged sentences are counted and left out; reading goes on at the
- * next {@code $}. Any one thread at a time.
+ * Finds NMEA 0183 sentences in a stream of bytes: {@code $GPGGA,...*5F CR LF}. Counts and skips damaged sentences;
+ * reading continues at the next {@code $}. One thread at a time.
  */
 public final class SentenceReader {
-    /** Longest sentence taken: NMEA allows 82, receivers' own sentences are longer. */
+    /** Longest accepted sentence, bytes: NMEA permits 82, proprietary sentences are longer. */
     private static final int LONGEST = 256;
 
     private final Consumer<String> sentences;
@@ -16,12 +16,15 @@ public final class SentenceReader {
     private int filled;
     private long damaged;
 
-    /** @param sentences gets each good sentence, from {@code $} to check sum, without line end; makers' own ({@code $P...}) without check sum, too */
+    /**
+     * @param sentences receives each valid sentence, from {@code $} to checksum, without line end; also proprietary
+     *     ones ({@code $P...}) without checksum
+     */
     public SentenceReader(Consumer<String> sentences) {
         this.sentences = sentences;
     }
 
-    /** Takes bytes as they come, in pieces of any size. */
+    /** Takes bytes in pieces of any size. */
     public void feed(byte[] bytes) {
         for (byte b : bytes) {
             accept(b);
@@ -31,7 +34,7 @@ public final class SentenceReader {
     /**
      * Takes the next byte.
      *
-     * @param value its lowest eight bits count
+     * @param value only its low eight bits count
      */
     public void accept(int value) {
         if (value == '$') {
@@ -66,12 +69,12 @@ public final class SentenceReader {
         }
     }
 
-    /** Sentences ever left out because their check sum was wrong or bytes were missing. */
+    /** Total number of skipped sentences with a wrong checksum or missing bytes. */
     public long getDamaged() {
         return damaged;
     }
 
-    /** Forgets a sentence that was begun. */
+    /** Discards an incomplete sentence. */
     public void reset() {
         filled = 0;
     }

@@ -3,16 +3,16 @@ package org.SEAR.protocol.rplidar;
 import java.util.Arrays;
 
 /**
- * Finds the answer to a request in what a device sends: its descriptor, then its packets. What comes before the descriptor, such as the rest of a
- * scan, is left out; so is what makes no sense among the packets of a scan. One thread at a time.
+ * Finds the answer to a request in a device's output: its descriptor, then its packets. Skips bytes before the
+ * descriptor, such as the rest of a scan, and invalid packets within a scan. One thread at a time.
  */
 public final class AnswerReader {
-    /** Takes what is found. */
+    /** Receives descriptors and packets. */
     public interface Listener {
         /** The descriptor of an answer. */
         void onDescriptor(RplidarCommand command);
 
-        /** @param bytes a whole packet */
+        /** @param bytes a complete packet */
         void onPacket(RplidarCommand command, byte[] bytes);
     }
 
@@ -27,7 +27,7 @@ public final class AnswerReader {
         this.listener = listener;
     }
 
-    /** A request was sent: its answer is looked for, everything else is over. */
+    /** Starts the search for the answer to a request; earlier answers are dropped. */
     public void expect(RplidarCommand request) {
         command = request.getDescriptor() == null ? null : request;
         described = false;
@@ -38,7 +38,7 @@ public final class AnswerReader {
         }
     }
 
-    /** Bytes from the device. */
+    /** Takes bytes from the device. */
     public void accept(byte[] bytes) {
         for (int i = 0; i < bytes.length && command != null; i++) {
             window[filled++] = bytes[i];

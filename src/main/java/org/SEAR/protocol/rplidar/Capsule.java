@@ -3,14 +3,14 @@ package org.SEAR.protocol.rplidar;
 import java.util.Arrays;
 
 /**
- * 32 samples of an express scan in 84 bytes: a checksum in two halves ({@code A} and {@code 5} before them), the angle at which it begins in 64ths of
- * a degree with a bit for the first one, then 16 cabins of 5 bytes: two distances in whole millimetres over 2 bits of angle each, and 4 bits more of
- * each angle. Immutable.
+ * 32 samples of an express scan in 84 bytes. First a checksum in two halves, after the marks {@code A} and {@code 5}.
+ * Then the start angle in 64ths of a degree, with a bit for the first capsule. Then 16 cabins of 5 bytes: two distances
+ * in whole millimetres with 2 bits of angle each, and 4 more bits of each angle. Immutable.
  */
 public final class Capsule {
-    /** Bytes. */
+    /** Size, bytes. */
     public static final int SIZE = 84;
-    /** Samples. */
+    /** Number of samples. */
     public static final int SAMPLES = 32;
     /** The largest distance, millimetres. */
     public static final int MAX_DISTANCE = 0x3FFF;
@@ -20,7 +20,7 @@ public final class Capsule {
     private static final int CABIN = 5;
     private static final int NEW = 0x8000;
     private static final double ANGLE_UNITS = 64;
-    /** Units of the angle by which a sample is told to lie before its even place. */
+    /** Units per degree of a sample's angular shift. */
     private static final double SHIFT_UNITS = 8;
     private static final int SHIFT_SIGN = 0x20;
 
@@ -37,16 +37,16 @@ public final class Capsule {
     }
 
     /**
-     * @param first whether it is the first one after the request
+     * @param first whether it is the first capsule after the request
      * @param degrees 0 to below 360, clockwise
-     * @param distances 32, whole millimetres to 16383; 0 for none
+     * @param distances 32, whole millimetres up to 16383; 0 for none
      */
     public static Capsule of(boolean first, double degrees, int[] distances) {
         int units = (int) (360 * ANGLE_UNITS);
         return new Capsule(first, Math.floorMod((int) Math.round(degrees * ANGLE_UNITS), units), Arrays.copyOf(distances, SAMPLES), new int[SAMPLES]);
     }
 
-    /** The capsule in 84 bytes; null if marks or checksum are wrong. */
+    /** Reads a capsule from 84 bytes; null if marks or checksum are wrong. */
     public static Capsule of(byte[] bytes) {
         boolean marked = (bytes[0] & 0xF0) >> 4 == FIRST_MARK && (bytes[1] & 0xF0) >> 4 == SECOND_MARK;
         if (!marked || sum(bytes) != ((bytes[0] & 0xF) | (bytes[1] & 0xF) << 4)) {
@@ -76,7 +76,7 @@ public final class Capsule {
         return sum & 0xFF;
     }
 
-    /** As it is sent. */
+    /** Returns the bytes on the line. */
     public byte[] toBytes() {
         byte[] bytes = new byte[SIZE];
         int angle = start | (first ? NEW : 0);
@@ -95,22 +95,25 @@ public final class Capsule {
         return bytes;
     }
 
-    /** Whether it is the first one after the request. */
+    /** Whether it is the first capsule after the request. */
     public boolean isFirst() {
         return first;
     }
 
-    /** Degrees at which it begins, clockwise seen from above, 0 ahead. */
+    /** Start angle, degrees, clockwise seen from above, 0 ahead. */
     public double getStart() {
         return start / ANGLE_UNITS;
     }
 
-    /** Millimetres of a sample; 0 for none. */
+    /** Distance of a sample, millimetres; 0 for none. */
     public int getDistance(int sample) {
         return distances[sample];
     }
 
-    /** Degrees by which a sample lies before its even place between this capsule's beginning and the next one's. */
+    /**
+     * Angle, degrees, by which a sample lies before its place in an even division between this capsule's start and the
+     * next one's.
+     */
     public double getShift(int sample) {
         int magnitude = shifts[sample] & ~SHIFT_SIGN;
         return ((shifts[sample] & SHIFT_SIGN) != 0 ? -magnitude : magnitude) / SHIFT_UNITS;

@@ -1,11 +1,11 @@
 package org.SEAR.protocol.rplidar;
 
 /**
- * Comes before an answer: {@code A5 5A | length of a packet in 30 bits, then 2 bits, 1 for packets without end | type}. Of a scan
+ * Header of an answer: {@code A5 5A | packet length in 30 bits, then 2 bits, 1 for endless packets | type}. For a scan:
  * {@code A5 5A 05 00 00 40 81}. Immutable.
  */
 public final class Descriptor {
-    /** Bytes. */
+    /** Size, bytes. */
     public static final int SIZE = 7;
     private static final int FIRST = 0xA5;
     private static final int SECOND = 0x5A;
@@ -17,8 +17,8 @@ public final class Descriptor {
     private final int type;
 
     /**
-     * @param length bytes of a packet, below 2^24
-     * @param multiple whether packets come until another request
+     * @param length of a packet, bytes, below 2^24
+     * @param multiple whether packets continue until another request
      * @param type of the data
      */
     public Descriptor(int length, boolean multiple, int type) {
@@ -27,7 +27,7 @@ public final class Descriptor {
         this.type = type;
     }
 
-    /** As it is sent. */
+    /** Returns the bytes on the line. */
     public byte[] toBytes() {
         byte[] bytes = new byte[SIZE];
         bytes[0] = (byte) FIRST;
@@ -40,12 +40,12 @@ public final class Descriptor {
         return bytes;
     }
 
-    /** Bytes of a packet. */
+    /** Length of a packet, bytes. */
     public int getLength() {
         return length;
     }
 
-    /** Whether packets come until another request. */
+    /** Whether packets continue until another request. */
     public boolean isMultiple() {
         return multiple;
     }

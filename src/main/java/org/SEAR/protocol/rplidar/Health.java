@@ -1,12 +1,12 @@
 package org.SEAR.protocol.rplidar;
 
-/** Whether a device is well, in 3 bytes: state, then a code. Immutable. */
+/** Health of a device in 3 bytes: state, then an error code. Immutable. */
 public final class Health {
-    /** Bytes. */
+    /** Size, bytes. */
     public static final int SIZE = 3;
-    /** All is well. */
+    /** No error. */
     public static final int GOOD = 0;
-    /** It may fail. */
+    /** The device may fail. */
     public static final int WARNING = 1;
     /** Motor and laser are stopped until RESET. */
     public static final int ERROR = 2;
@@ -24,7 +24,7 @@ public final class Health {
         this(bytes[0] & 0xFF, bytes[1] & 0xFF | (bytes[2] & 0xFF) << 8);
     }
 
-    /** As it is sent. */
+    /** Returns the bytes on the line. */
     public byte[] toBytes() {
         return new byte[] {(byte) state, (byte) code, (byte) (code >> 8)};
     }
@@ -34,7 +34,7 @@ public final class Health {
         return state;
     }
 
-    /** What is the matter. */
+    /** Error code. */
     public int getCode() {
         return code;
     }

@@ -2,9 +2,11 @@ package org.SEAR.protocol.rplidar;
 
 import java.util.Locale;
 
-/** Who a device is, in 20 bytes: model, firmware after and before the point, hardware, 16 of serial number. Immutable. */
+/**
+ * Identity of a device in 20 bytes: model, firmware minor and major version, hardware, 16 of serial number. Immutable.
+ */
 public final class Info {
-    /** Bytes. */
+    /** Size, bytes. */
     public static final int SIZE = 20;
     /** Model byte of the A1M8. */
     public static final int A1M8 = 0x18;
@@ -30,17 +32,16 @@ public final class Info {
         this.bytes = bytes.clone();
     }
 
-    /** As it is sent. */
+    /** Returns the bytes on the line. */
     public byte[] toBytes() {
         return bytes.clone();
     }
 
-    /** Model byte. */
     public int getModel() {
         return bytes[0] & 0xFF;
     }
 
-    /** {@code model 24, firmware 1.20, hardware 0}. */
+    /** Returns the text for users: {@code model 24, firmware 1.20, hardware 0}. */
     @Override
     public String toString() {
         return String.format(Locale.ROOT, "model %d, firmware %d.%d, hardware %d", getModel(), bytes[2] & 0xFF, bytes[1] & 0xFF, bytes[3] & 0xFF);

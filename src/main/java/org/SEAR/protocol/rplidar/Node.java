@@ -1,11 +1,12 @@
 package org.SEAR.protocol.rplidar;
 
 /**
- * One sample of a scan in 5 bytes: first of a turn (bit 0), its opposite (bit 1) and 6 bits of quality; 1 and 15 bits of angle in 64ths of a degree,
- * clockwise from ahead; 16 bits of distance in quarters of a millimetre, 0 for none. 1 m at 1 degree, quality 15: {@code 3E 81 00 A0 0F}. Immutable.
+ * One sample of a scan in 5 bytes. Byte 0: start of a turn (bit 0), its complement (bit 1), 6 bits of quality. Then a
+ * check bit 1 and 15 bits of angle in 64ths of a degree, clockwise from ahead. Then 16 bits of distance in quarters of
+ * a millimetre, 0 for none. 1 m at 1 degree, quality 15: {@code 3E 81 00 A0 0F}. Immutable.
  */
 public final class Node {
-    /** Bytes. */
+    /** Size, bytes. */
     public static final int SIZE = 5;
     /** The largest quality. */
     public static final int MAX_QUALITY = 63;
@@ -27,7 +28,7 @@ public final class Node {
     }
 
     /**
-     * @param first whether a turn begins with it
+     * @param first whether it is the first of a turn
      * @param quality 0 to 63
      * @param degrees 0 to 360, clockwise
      * @param millimetres up to 16383; 0 for none
@@ -37,7 +38,7 @@ public final class Node {
             (int) Math.min(MAX_DISTANCE, Math.round(millimetres * DISTANCE_UNITS)));
     }
 
-    /** The node in 5 bytes; null if its check bits are wrong. */
+    /** Reads a node from 5 bytes; null if its check bits are wrong. */
     public static Node of(byte[] bytes) {
         int head = bytes[0] & 0xFF;
         if ((head & 1) == (head >> 1 & 1) || (bytes[1] & 1) == 0) {
@@ -46,28 +47,28 @@ public final class Node {
         return new Node((head & 1) == 1, head >> 2, (bytes[1] & 0xFF | (bytes[2] & 0xFF) << 8) >> 1, bytes[3] & 0xFF | (bytes[4] & 0xFF) << 8);
     }
 
-    /** As it is sent. */
+    /** Returns the bytes on the line. */
     public byte[] toBytes() {
         int coded = angle << 1 | 1;
         return new byte[] {(byte) (quality << 2 | (first ? 1 : 2)), (byte) coded, (byte) (coded >> 8), (byte) distance, (byte) (distance >> 8)};
     }
 
-    /** Whether a turn begins with it. */
+    /** Whether it is the first of a turn. */
     public boolean isFirst() {
         return first;
     }
 
-    /** 0 to 63. */
+    /** Quality, 0 to 63. */
     public int getQuality() {
         return quality;
     }
 
-    /** Degrees, clockwise seen from above, 0 ahead. */
+    /** Angle, degrees, clockwise seen from above, 0 ahead. */
     public double getAngle() {
         return angle / ANGLE_UNITS;
     }
 
-    /** Millimetres; 0 for none. */
+    /** Distance, millimetres; 0 for none. */
     public double getDistance() {
         return distance / DISTANCE_UNITS;
     }

@@ -3,7 +3,7 @@ package org.SEAR.protocol.rplidar;
 import java.util.Arrays;
 import java.util.function.Consumer;
 
-/** Finds requests in what a computer sends. One with a wrong checksum is left out. One thread at a time. */
+/** Finds requests in a host's output. Skips requests with a wrong checksum. One thread at a time. */
 public final class RequestReader {
     private final Consumer<RplidarRequestPacket> requests;
     private final byte[] payload = new byte[256];
@@ -58,7 +58,7 @@ public final class RequestReader {
         }
     }
 
-    /** Forgets what is unfinished. */
+    /** Discards an incomplete request. */
     public void clear() {
         state = State.IDLE;
     }

@@ -1,10 +1,11 @@
 package org.SEAR.protocol.rplidar;
 
 /**
- * A request: {@code A5 20}, or with payload its length, its bytes and the exclusive or of all before: {@code A5 82 05 00 00 00 00 00 22}. Immutable.
+ * A request: {@code A5 20}. With a payload, its length, its bytes and the exclusive or of all bytes before follow:
+ * {@code A5 82 05 00 00 00 00 00 22}. Immutable.
  */
 public final class RplidarRequestPacket {
-    /** Begins each request. */
+    /** First byte of each request. */
     public static final int START = 0xA5;
     private static final int WITH_PAYLOAD = 0x80;
     private static final int HEAD = 3;
@@ -12,33 +13,33 @@ public final class RplidarRequestPacket {
     private final int code;
     private final byte[] payload;
 
-    /** @param payload bytes; empty for requests without */
+    /** @param payload empty for requests without payload */
     public RplidarRequestPacket(int code, byte... payload) {
         this.code = code;
         this.payload = payload.clone();
     }
 
-    /** Whether a payload belongs to a request of that code. */
+    /** Whether a request of a code has a payload. */
     public static boolean hasPayload(int code) {
         return (code & WITH_PAYLOAD) != 0;
     }
 
-    /** Which one, see {@link RplidarCommand}. */
+    /** Code of the request, see {@link RplidarCommand}. */
     public int getCode() {
         return code;
     }
 
-    /** Bytes of payload. */
+    /** Size of the payload, bytes. */
     public int size() {
         return payload.length;
     }
 
-    /** A byte of the payload, 0 to 255. */
+    /** Returns a byte of the payload, 0 to 255. */
     public int at(int index) {
         return payload[index] & 0xFF;
     }
 
-    /** As it is sent. */
+    /** Returns the bytes on the line. */
     public byte[] toBytes() {
         if (!hasPayload(code)) {
             return new byte[] {(byte) START, (byte) code};

@@ -1,8 +1,8 @@
 package org.SEAR.protocol.scip;
 
 /**
- * The character after the text of a reply's line: the sum of its bytes, of that 6 bits, plus 30h. In lines that tell a property ({@code DMIN:20;4})
- * the semicolon stands before it and is not counted.
+ * The character after the text of a reply's line: the low 6 bits of the sum of its bytes, plus 30h. In property lines
+ * ({@code DMIN:20;4}) a semicolon precedes it and is not counted.
  */
 public final class Checksum {
     private static final int MASK = 0x3F;
@@ -13,7 +13,7 @@ public final class Checksum {
     private Checksum() {
     }
 
-    /** The checksum of a text without a separator. */
+    /** Checksum of a text without a separator. */
     public static char of(CharSequence text) {
         return of(text, 0, text.length());
     }
@@ -27,9 +27,10 @@ public final class Checksum {
     }
 
     /**
-     * The text of a line without its checksum and the separator before it.
+     * Returns a line without its checksum and the separator before it. The checksum may include the separator or not.
+     * It may also exclude a remark that starts with {@code <-}, as in a UTM-30LX.
      *
-     * @return null if the checksum is wrong; the separator, and the remark from {@code <-} on that a UTM-30LX leaves out, may be counted or not
+     * @return null if the checksum is wrong
      */
     public static String strip(String line) {
         int end = line.length() - 1;

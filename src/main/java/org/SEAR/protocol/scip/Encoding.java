@@ -1,17 +1,17 @@
 package org.SEAR.protocol.scip;
 
 /**
- * Numbers as printable characters: 6 bits each, the highest first, plus 30h; {@code 1234} in two is {@code CB}. Source: SCIP 2.0 specification,
- * section 6.
+ * Numbers as printable characters: 6 bits each, highest first, plus 30h; {@code 1234} in two characters is {@code CB}.
+ * Source: SCIP 2.0 specification, section 6.
  */
 public final class Encoding {
-    /** Characters of a distance in MS and GS. */
+    /** Characters per distance in MS and GS. */
     public static final int SHORT = 2;
-    /** Characters of a distance in MD and GD. */
+    /** Characters per distance in MD and GD. */
     public static final int LONG = 3;
-    /** Characters of a time stamp. */
+    /** Characters per time stamp. */
     public static final int TIME = 4;
-    /** A time stamp begins anew after so many milliseconds. */
+    /** Period of time stamps, milliseconds. */
     public static final int TIME_WRAP = 1 << 24;
     private static final int BITS = 6;
     private static final int MASK = 0x3F;
@@ -20,7 +20,7 @@ public final class Encoding {
     private Encoding() {
     }
 
-    /** The largest number that so many characters hold. */
+    /** Largest number in a number of characters. */
     public static int max(int characters) {
         return (1 << BITS * characters) - 1;
     }
@@ -37,10 +37,10 @@ public final class Encoding {
     }
 
     /**
-     * The number in a text.
+     * Decodes the number in a text.
      *
-     * @param from its first character
-     * @throws IllegalArgumentException if a character is none of the 64
+     * @param from index of its first character
+     * @throws IllegalArgumentException if a character is not one of the 64
      */
     public static int decode(CharSequence text, int from, int characters) {
         int value = 0;

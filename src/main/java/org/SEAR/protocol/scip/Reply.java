@@ -3,9 +3,11 @@ package org.SEAR.protocol.scip;
 import java.util.ArrayList;
 import java.util.List;
 
-/** One answer of a sensor: the echo of the command, a status, lines; {@code GD0384038601|00P|00?Xg|0?X0?Y0?ZH||}. Immutable. */
+/**
+ * One reply of a sensor: echo of the command, status, lines; {@code GD0384038601|00P|00?Xg|0?X0?Y0?ZH||}. Immutable.
+ */
 public final class Reply {
-    /** Most characters in a line of distances, without its checksum. */
+    /** Maximum number of characters in a line of distances, without its checksum. */
     public static final int LINE = 64;
 
     private final String echo;
@@ -19,7 +21,7 @@ public final class Reply {
         this.lines = new ArrayList<>(lines);
     }
 
-    /** The command as it was sent; of a scan of MD or MS with the number of scans that remain. */
+    /** The command as sent; for a scan of MD or MS with the number of remaining scans. */
     public String getEcho() {
         return echo;
     }
@@ -29,21 +31,21 @@ public final class Reply {
         return status;
     }
 
-    /** Whether it brings distances that were asked for by MD or MS. */
+    /** Whether it contains a scan of MD or MS. */
     public boolean isScan() {
         return ScipStatus.SCAN.equals(status) && ScanCommand.isStream(echo);
     }
 
-    /** The value of a line such as {@code DMIN:20}; null if there is none of that name. */
+    /** Value of a line such as {@code DMIN:20}; null if there is no such line. */
     public String property(String name) {
         String start = name + ":";
         return lines.stream().filter(line -> line.startsWith(start)).map(line -> line.substring(start.length())).findFirst().orElse(null);
     }
 
     /**
-     * The value of a line that is a number.
+     * Numeric value of a line.
      *
-     * @throws IllegalArgumentException if there is none
+     * @throws IllegalArgumentException if there is no such line
      */
     public int number(String name) {
         String value = property(name);
@@ -54,7 +56,7 @@ public final class Reply {
     }
 
     /**
-     * The time stamp of a scan, milliseconds.
+     * Time stamp of a scan, milliseconds.
      *
      * @throws IllegalArgumentException if there is none
      */
@@ -66,9 +68,9 @@ public final class Reply {
     }
 
     /**
-     * The values of a scan.
+     * Decodes the values of a scan.
      *
-     * @param characters of each
+     * @param characters per value
      * @throws IllegalArgumentException if the characters are no values
      */
     public int[] values(int characters) {

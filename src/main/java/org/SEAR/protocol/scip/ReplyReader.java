@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Finds the replies in what a sensor sends: lines up to an empty one. A reply with a wrong checksum or without status is told as broken and left out.
- * One thread at a time.
+ * Finds replies in a sensor's output: lines up to an empty one. Reports and skips a reply with a wrong checksum or
+ * without status. One thread at a time.
  */
 public final class ReplyReader {
     private static final int LONGEST_LINE = 80;
-    /** More than a scan of 1440 steps with intensities has. */
+    /** Maximum number of lines; a scan of 1440 steps with intensities has fewer. */
     private static final int MAX_LINES = 200;
 
     private final Consumer<Reply> replies;
@@ -20,15 +20,15 @@ public final class ReplyReader {
     private boolean bad;
 
     /**
-     * @param replies takes the whole ones
-     * @param broken is told of others
+     * @param replies receives the valid replies
+     * @param broken runs for each invalid reply
      */
     public ReplyReader(Consumer<Reply> replies, Runnable broken) {
         this.replies = replies;
         this.broken = broken;
     }
 
-    /** Bytes from the sensor. */
+    /** Takes bytes from the sensor. */
     public void accept(byte[] bytes) {
         for (byte each : bytes) {
             accept((char) (each & 0xFF));
@@ -52,7 +52,7 @@ public final class ReplyReader {
         }
     }
 
-    /** Forgets what is unfinished. */
+    /** Discards an incomplete reply. */
     public void clear() {
         line.setLength(0);
         lines.clear();

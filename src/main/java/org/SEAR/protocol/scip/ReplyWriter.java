@@ -2,12 +2,15 @@ package org.SEAR.protocol.scip;
 
 import java.nio.charset.StandardCharsets;
 
-/** Writes a sensor's reply line by line: echo, status, then text, properties or distances, each line with its checksum, and the empty line. */
+/**
+ * Writes a sensor's reply line by line: echo, status, then text, properties or distances, each line with its checksum,
+ * and an empty line.
+ */
 public final class ReplyWriter {
     private final StringBuilder out = new StringBuilder();
 
     /**
-     * @param echo the command as it came
+     * @param echo the command as received
      * @param status two characters, see {@link ScipStatus}
      */
     public ReplyWriter(String echo, String status) {
@@ -15,29 +18,29 @@ public final class ReplyWriter {
         line(status);
     }
 
-    /** A line and its checksum. */
+    /** Appends a line and its checksum. */
     public ReplyWriter line(CharSequence text) {
         out.append(text).append(Checksum.of(text)).append('\n');
         return this;
     }
 
-    /** A line such as {@code DMIN:20;4}. */
+    /** Appends a line such as {@code DMIN:20;4}. */
     public ReplyWriter property(String name, Object value) {
         String text = name + ":" + value;
         return counted(text, text);
     }
 
     /**
-     * A line of which not all counts.
+     * Appends a property line with a checksum of only a part of it.
      *
-     * @param counted the part of the text that goes into the checksum
+     * @param counted the part of the text in the checksum
      */
     public ReplyWriter counted(String text, String counted) {
         out.append(text).append(';').append(Checksum.of(counted)).append('\n');
         return this;
     }
 
-    /** @param milliseconds only 24 bits of it are sent */
+    /** @param milliseconds its low 24 bits are sent */
     public ReplyWriter time(long milliseconds) {
         StringBuilder text = new StringBuilder();
         Encoding.append(text, (int) Math.floorMod(milliseconds, (long) Encoding.TIME_WRAP), Encoding.TIME);
@@ -45,9 +48,9 @@ public final class ReplyWriter {
     }
 
     /**
-     * Distances or codes, in lines of 64 characters.
+     * Appends distances or codes, in lines of 64 characters.
      *
-     * @param characters of each value; larger ones are told as the largest that these can hold
+     * @param characters per value; larger values are clamped
      */
     public ReplyWriter values(int[] values, int characters) {
         StringBuilder text = new StringBuilder(values.length * characters);
@@ -60,7 +63,7 @@ public final class ReplyWriter {
         return this;
     }
 
-    /** The whole reply. */
+    /** Returns the whole reply. */
     public byte[] toBytes() {
         return (out + "\n").getBytes(StandardCharsets.ISO_8859_1);
     }

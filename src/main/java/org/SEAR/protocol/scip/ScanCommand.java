@@ -3,17 +3,18 @@ package org.SEAR.protocol.scip;
 import java.util.Locale;
 
 /**
- * A command that asks for distances: MD and MS scan after scan, GD and GS one scan of a laser that is on; MD and GD in three characters a value,
- * MS and GS in two. {@code MD0044072501000}: steps 44 to 725, one by one, each scan, without end. Immutable.
+ * A command for distances. MD and MS request a stream of scans; GD and GS request one scan and need the laser on. MD
+ * and GD have three characters per value, MS and GS two. {@code MD0044072501000}: steps 44 to 725, cluster 1, every
+ * scan, endless. Immutable.
  */
 public final class ScanCommand {
-    /** Most scans of one command; 0 is without end. */
+    /** Maximum number of scans of a command; 0 is endless. */
     public static final int MAX_COUNT = 99;
-    /** Most steps that are told as one value. */
+    /** Maximum number of steps merged to one value. */
     public static final int MAX_CLUSTER = 99;
-    /** Characters of MD and MS. */
+    /** Length of MD and MS, characters. */
     public static final int STREAM_LENGTH = 15;
-    /** Characters of GD and GS. */
+    /** Length of GD and GS, characters. */
     public static final int SINGLE_LENGTH = 12;
     private static final int START_AT = 2;
     private static final int END_AT = 6;
@@ -34,10 +35,10 @@ public final class ScanCommand {
      * @param letters MD, MS, GD or GS
      * @param start first step
      * @param end last step
-     * @param cluster steps that are told as one value, 0 to 99; 0 is 1
-     * @param interval scans left out between two, 0 to 9
-     * @param count scans, 0 to 99; 0 is without end
-     * @param string what the user has added
+     * @param cluster steps merged to one value, 0 to 99; 0 means 1
+     * @param interval skipped scans between two, 0 to 9
+     * @param count scans, 0 to 99; 0 is endless
+     * @param string user text after the parameters
      */
     public ScanCommand(String letters, int start, int end, int cluster, int interval, int count, String string) {
         this.letters = letters;
@@ -49,16 +50,16 @@ public final class ScanCommand {
         this.string = string;
     }
 
-    /** Whether a line asks for scan after scan: it begins with MD or MS. */
+    /** Whether a line requests a stream: it begins with MD or MS. */
     public static boolean isStream(String line) {
         return line.startsWith("MD") || line.startsWith("MS");
     }
 
     /**
-     * What is wrong with the parameters of a line that is long enough.
+     * Checks the parameters of a line that is long enough.
      *
-     * @param lastStep the last one that the sensor takes
-     * @return status; null if nothing is wrong
+     * @param lastStep last step that a command can request
+     * @return the error status; null if all are legal
      */
     public static String fault(String line, int lastStep) {
         if (!isNumber(line, START_AT, END_AT)) {
@@ -82,7 +83,7 @@ public final class ScanCommand {
         return number(line, END_AT, CLUSTER_AT) < number(line, START_AT, END_AT) ? ScipStatus.END_BEFORE_START : null;
     }
 
-    /** Reads a line without a {@link #fault}. */
+    /** Parses a line without a {@link #fault}. */
     public static ScanCommand of(String line) {
         boolean stream = isStream(line);
         return new ScanCommand(line.substring(0, START_AT), number(line, START_AT, END_AT), number(line, END_AT, CLUSTER_AT),
@@ -90,7 +91,11 @@ public final class ScanCommand {
             stream ? number(line, COUNT_AT, STREAM_LENGTH) : 1, line.substring(stream ? STREAM_LENGTH : SINGLE_LENGTH));
     }
 
-    /** Whether the characters of a line from one to before another are digits. */
+    /**
+     * Whether all characters of a line in a range are digits.
+     *
+     * @param to index after the last character
+     */
     static boolean isNumber(String line, int from, int to) {
         for (int i = from; i < to; i++) {
             if (line.charAt(i) < '0' || line.charAt(i) > '9') {
@@ -108,7 +113,7 @@ public final class ScanCommand {
         return value;
     }
 
-    /** The same command with another number of scans. */
+    /** Returns the same command with another number of scans. */
     public ScanCommand withCount(int scans) {
         return new ScanCommand(letters, start, end, cluster, interval, scans, string);
     }
@@ -118,32 +123,32 @@ public final class ScanCommand {
         return start;
     }
 
-    /** Steps that are told as one value, 1 to 99. */
+    /** Steps merged to one value, 1 to 99. */
     public int getCluster() {
         return Math.max(1, cluster);
     }
 
-    /** Scans left out between two. */
+    /** Skipped scans between two. */
     public int getInterval() {
         return interval;
     }
 
-    /** Scans; 0 is without end. */
+    /** Number of scans; 0 is endless. */
     public int getCount() {
         return count;
     }
 
-    /** Characters of a value. */
+    /** Characters per value. */
     public int getCharacters() {
         return letters.endsWith("S") ? Encoding.SHORT : Encoding.LONG;
     }
 
-    /** Number of values of a scan: whole clusters, but at least one value. */
+    /** Number of values of a scan: whole clusters, at least one. */
     public int getValues() {
         return Math.max(1, (end - start + 1) / getCluster());
     }
 
-    /** As it is sent, without line feed. */
+    /** Returns the command as sent, without line feed. */
     @Override
     public String toString() {
         String common = String.format(Locale.ROOT, "%s%04d%04d%02d", letters, start, end, cluster);

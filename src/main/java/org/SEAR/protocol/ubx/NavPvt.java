@@ -1,11 +1,11 @@
 package org.SEAR.protocol.ubx;
 
 /**
- * The fields of NAV-PVT, the solution of one moment: where each lies in the 92 bytes, and how long it is. Source: the field tables of gpsd and
- * pyubx2, which agree.
+ * Fields of NAV-PVT, the navigation solution of one moment: offset and size in the 92 bytes. Source: the field tables
+ * of gpsd and pyubx2, which agree.
  */
 public enum NavPvt {
-    /** Milliseconds of the GPS week. */
+    /** Time of the GPS week, milliseconds. */
     TIME_OF_WEEK(0, 4, false),
     YEAR(4, 2, false),
     MONTH(6, 1, false),
@@ -13,52 +13,52 @@ public enum NavPvt {
     HOUR(8, 1, false),
     MINUTE(9, 1, false),
     SECOND(10, 1, false),
-    /** 1 date, 2 time of day, 4 no doubt about either. */
+    /** Bit mask: 1 valid date, 2 valid time of day, 4 fully resolved. */
     VALID(11, 1, false),
-    /** Nanoseconds. */
+    /** Accuracy of the time, nanoseconds. */
     TIME_ACCURACY(12, 4, false),
-    /** Nanoseconds on top of the second, may be negative. */
+    /** Fraction of the second, nanoseconds; may be negative. */
     NANO(16, 4, true),
-    /** 0 none, 2 without, 3 with height. */
+    /** 0 no fix, 2 without height, 3 with height. */
     FIX_TYPE(20, 1, false),
-    /** 1 the fix is good. */
+    /** Bit mask: 1 valid fix. */
     FLAGS(21, 1, false),
     FLAGS_2(22, 1, false),
     SATELLITES(23, 1, false),
-    /** 1e-7 degrees, east positive. */
+    /** Longitude, 1e-7 degrees, east positive. */
     LONGITUDE(24, 4, true),
-    /** 1e-7 degrees, north positive. */
+    /** Latitude, 1e-7 degrees, north positive. */
     LATITUDE(28, 4, true),
-    /** Above the ellipsoid, millimetres. */
+    /** Height above the ellipsoid, millimetres. */
     HEIGHT(32, 4, true),
-    /** Above mean sea level, millimetres. */
+    /** Height above mean sea level, millimetres. */
     ALTITUDE(36, 4, true),
-    /** Millimetres. */
+    /** Horizontal accuracy, millimetres. */
     HORIZONTAL_ACCURACY(40, 4, false),
-    /** Millimetres. */
+    /** Vertical accuracy, millimetres. */
     VERTICAL_ACCURACY(44, 4, false),
-    /** Millimetres a second. */
+    /** Velocity north, mm/s. */
     NORTHWARD(48, 4, true),
-    /** Millimetres a second. */
+    /** Velocity east, mm/s. */
     EASTWARD(52, 4, true),
-    /** Millimetres a second. */
+    /** Velocity down, mm/s. */
     DOWNWARD(56, 4, true),
-    /** Over ground, millimetres a second. */
+    /** Speed over ground, mm/s. */
     SPEED(60, 4, true),
-    /** 1e-5 degrees clockwise from true north. */
+    /** Course, 1e-5 degrees clockwise from true north. */
     COURSE(64, 4, true),
-    /** Millimetres a second. */
+    /** Accuracy of the speed, mm/s. */
     SPEED_ACCURACY(68, 4, false),
-    /** 1e-5 degrees. */
+    /** Accuracy of the course, 1e-5 degrees. */
     COURSE_ACCURACY(72, 4, false),
-    /** Hundredths. */
+    /** Position dilution of precision, hundredths. */
     PDOP(76, 2, false),
-    /** 1 the place is not valid. */
+    /** Bit mask: 1 invalid position. */
     FLAGS_3(78, 2, false);
 
-    /** Bytes of the payload of older receivers, u-blox 7, which lacks nothing that is here. */
+    /** Size of older receivers' payload (u-blox 7), bytes; it contains all fields here. */
     public static final int LEAST = 84;
-    /** Bytes of the payload. */
+    /** Size of the payload, bytes. */
     public static final int SIZE = 92;
     private static final int BITS = 8;
     private static final int BYTE = 0xFF;
@@ -73,7 +73,7 @@ public enum NavPvt {
         this.signed = signed;
     }
 
-    /** Reads the field of a payload of {@link #LEAST} bytes or more. */
+    /** Reads the field from a payload of at least {@link #LEAST} bytes. */
     public long get(byte[] payload) {
         long value = signed ? payload[offset + size - 1] : payload[offset + size - 1] & BYTE;
         for (int i = offset + size - 2; i >= offset; i--) {
@@ -82,7 +82,7 @@ public enum NavPvt {
         return value;
     }
 
-    /** Writes the field's lowest bytes into a payload of {@link #SIZE} bytes. */
+    /** Writes the field's low bytes into a payload of {@link #SIZE} bytes. */
     public void put(byte[] payload, long value) {
         for (int i = 0; i < size; i++) {
             payload[offset + i] = (byte) (value >> BITS * i);

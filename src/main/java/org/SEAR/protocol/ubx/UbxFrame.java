@@ -7,8 +7,9 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * A message of a u-blox receiver and its frame: {@code B5 62, class, id, length (2 bytes), payload, check sum (2 bytes)}. Numbers have their low byte
- * first. Immutable but for the payload's array.
+ * A message of a u-blox receiver with its frame:
+ * {@code B5 62, class, id, length (2 bytes), payload, checksum (2 bytes)}. Numbers have their low byte first.
+ * Immutable.
  */
 public final class UbxFrame {
     /** The first byte of each frame. */
@@ -17,11 +18,11 @@ public final class UbxFrame {
     public static final int SYNC_2 = 0x62;
     /** Bytes before the payload. */
     public static final int HEADER = 6;
-    /** Bytes of a frame that are not payload. */
+    /** Bytes of a frame without the payload. */
     public static final int OVERHEAD = 8;
-    /** Most bytes of a payload here; longer ones are noise. */
+    /** Maximum size of a payload, bytes; longer ones are noise. */
     public static final int MOST = 1024;
-    /** The line's speeds, bits a second. */
+    /** Baud rates, bits per second. */
     public static final List<Integer> BAUDS =
         Collections.unmodifiableList(Arrays.asList(4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600));
     private static final int BYTE = 0xFF;
@@ -41,12 +42,12 @@ public final class UbxFrame {
         this.payload = payload.clone();
     }
 
-    /** A message that is known here. */
+    /** Creates a frame of a known message. */
     public UbxFrame(UbxMessage message, byte... payload) {
         this(message.getGroup(), message.getId(), payload);
     }
 
-    /** Room for a payload, low byte first. */
+    /** Allocates a little-endian buffer for a payload. */
     public static ByteBuffer room(int size) {
         return ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN);
     }
@@ -56,39 +57,39 @@ public final class UbxFrame {
         return group;
     }
 
-    /** Number of the message in its class. */
+    /** Number of the message within its class. */
     public int getId() {
         return id;
     }
 
-    /** Bytes of the payload. */
+    /** Size of the payload, bytes. */
     public int getLength() {
         return payload.length;
     }
 
-    /** Which message it is; null for one that isn't known here. */
+    /** Its message; null if unknown. */
     public UbxMessage getMessage() {
         return UbxMessage.of(group, id);
     }
 
-    /** The payload for reading, low byte first. */
+    /** The payload as a read-only, little-endian buffer. */
     public ByteBuffer read() {
         return ByteBuffer.wrap(payload).asReadOnlyBuffer().order(ByteOrder.LITTLE_ENDIAN);
     }
 
-    /** A copy of the payload. */
+    /** Returns a copy of the payload. */
     public byte[] getPayload() {
         return payload.clone();
     }
 
-    /** As it goes over the line. */
+    /** Returns the bytes on the line. */
     public byte[] toBytes() {
         ByteBuffer bytes = room(OVERHEAD + payload.length);
         bytes.put((byte) SYNC_1).put((byte) SYNC_2).put((byte) group).put((byte) id).putShort((short) payload.length).put(payload);
         return bytes.putShort((short) checksum(bytes.array(), 2, HEADER - 2 + payload.length)).array();
     }
 
-    /** Two sums, the first one in the low byte: of the bytes, and of the first sum after each byte. */
+    /** Two sums of 8 bits: of the bytes (low byte of the result), and of the first sum after each byte (high byte). */
     static int checksum(byte[] bytes, int from, int count) {
         int a = 0;
         int b = 0;

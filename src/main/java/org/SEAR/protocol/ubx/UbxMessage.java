@@ -1,8 +1,8 @@
 package org.SEAR.protocol.ubx;
 
 /**
- * Messages of u-blox receivers that are known here, by their class and their number in it. Those of class F0 are NMEA sentences, whose rates are set
- * in the same way.
+ * Known messages of u-blox receivers by class and number. Class F0 contains NMEA sentences, whose rates are set in the
+ * same way.
  */
 public enum UbxMessage {
     NAV_POSECEF(0x01, 0x01),
@@ -37,9 +37,9 @@ public enum UbxMessage {
     NMEA_VTG(0xF0, 0x05),
     NMEA_ZDA(0xF0, 0x08);
 
-    /** Class of what a receiver knows about its place. */
+    /** Class of navigation results. */
     public static final int NAV = 0x01;
-    /** Class of what a receiver is set to. */
+    /** Class of settings. */
     public static final int CFG = 0x06;
     private static final int NMEA = 0xF0;
 
@@ -51,7 +51,7 @@ public enum UbxMessage {
         this.id = id;
     }
 
-    /** The message of that class and number; null for one that isn't known here. */
+    /** Finds a message by class and number; null if unknown. */
     public static UbxMessage of(int group, int id) {
         for (UbxMessage message : values()) {
             if (message.group == group && message.id == id) {
@@ -61,17 +61,17 @@ public enum UbxMessage {
         return null;
     }
 
-    /** Its class, 0 to 255. */
+    /** Class, 0 to 255. */
     public int getGroup() {
         return group;
     }
 
-    /** Its number in the class, 0 to 255. */
+    /** Number within the class, 0 to 255. */
     public int getId() {
         return id;
     }
 
-    /** Whether a receiver can send it again and again. */
+    /** Whether a receiver can send it periodically. */
     public boolean isPeriodic() {
         return group == NAV || group == NMEA;
     }

@@ -5,8 +5,8 @@ import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 
 /**
- * Finds UBX frames in a stream of bytes, which other things, NMEA sentences mostly, stand between. A damaged frame is counted and left out, and what
- * stands in it is looked through again, so that a frame that noise has seemed to begin costs no good one. Any one thread at a time.
+ * Finds UBX frames in a stream of bytes, between NMEA sentences and other data. Counts and skips a damaged frame, then
+ * searches its bytes again, so that noise never hides a valid frame. One thread at a time.
  */
 public final class UbxReader {
     private static final int BYTE = 0xFF;
@@ -20,15 +20,15 @@ public final class UbxReader {
     private long damaged;
 
     /**
-     * @param frames gets each good frame
-     * @param others gets each byte that belongs to no frame, 0 to 255
+     * @param frames receives each valid frame
+     * @param others receives each byte outside frames, 0 to 255
      */
     public UbxReader(Consumer<UbxFrame> frames, IntConsumer others) {
         this.frames = frames;
         this.others = others;
     }
 
-    /** Takes bytes as they come, in pieces of any size. */
+    /** Takes bytes in pieces of any size. */
     public void feed(byte[] bytes) {
         for (byte b : bytes) {
             accept(b);
@@ -38,7 +38,7 @@ public final class UbxReader {
     /**
      * Takes the next byte.
      *
-     * @param value its lowest eight bits count
+     * @param value only its low eight bits count
      */
     public void accept(int value) {
         buffer[filled++] = (byte) value;
@@ -51,7 +51,7 @@ public final class UbxReader {
         }
     }
 
-    /** Bytes of the frame that the buffer begins with, as far as can be told, 0 if none does. */
+    /** Size of the frame at the start of the buffer as far as known, bytes; 0 if there is no frame. */
     private int wanted() {
         if ((buffer[0] & BYTE) != UbxFrame.SYNC_1 || filled > 1 && (buffer[1] & BYTE) != UbxFrame.SYNC_2) {
             return 0;
@@ -72,7 +72,11 @@ public final class UbxReader {
         return buffer[at] & BYTE | (buffer[at + 1] & BYTE) << BITS;
     }
 
-    /** Hands on a whole frame, if it is good; says how many bytes are dealt with. */
+    /**
+     * Delivers a complete frame if it is valid.
+     *
+     * @return number of bytes still to drop from the buffer
+     */
     private int take(int size) {
         if (word(size - 2) != UbxFrame.checksum(buffer, 2, size - UbxFrame.OVERHEAD + UbxFrame.HEADER - 2)) {
             damaged++;
@@ -92,12 +96,12 @@ public final class UbxReader {
         System.arraycopy(buffer, count, buffer, 0, filled);
     }
 
-    /** Frames ever left out because their check sum was wrong or they were longer than any. */
+    /** Total number of skipped frames with a wrong checksum or an excessive length. */
     public long getDamaged() {
         return damaged;
     }
 
-    /** Forgets a frame that was begun. */
+    /** Discards an incomplete frame. */
     public void reset() {
         filled = 0;
     }

@@ -72,7 +72,7 @@ final class BaudMismatch {
         }
         if (!reportedSpeed && understood && garbled >= ENOUGH) {
             reportedSpeed = true;
-            return String.format(Locale.ROOT, "%d bytes came at %d baud, and %s is at %d by now: the program has to change its rate, too", garbled,
+            return String.format(Locale.ROOT, "%d bytes came at %d baud, but %s is at %d baud now: change the program's rate, too", garbled,
                 garbledAt, device, speed);
         }
         return null;

@@ -482,7 +482,7 @@ public final class Cable implements SerialLine {
     @Override
     public void setHostBaud(int baud) {
         if (baud < 0) {
-            throw new IllegalArgumentException("port " + userPort + ": baud is " + baud + ", legal: above 0, or 0 for the device's own");
+            throw new IllegalArgumentException("port " + userPort + ": baud is " + baud + ", legal: 0 (the device's own) or more");
         }
         hostBaud = baud;
     }

@@ -37,12 +37,13 @@ public final class LidarSettings {
         }
         boolean fan = model.hasFan(lidar.getSpread(), lidar.getResolution());
         if (!fan) {
-            context.warn("spread " + lidar.getSpread() + " with resolution " + lidar.getResolution() + " is none of "
-                + model.withArticle() + " (" + model.fans() + "): its device starts with " + model.widestFan());
+            context.warn("spread " + lidar.getSpread() + " with resolution " + lidar.getResolution() + " is not available on "
+                + model.withArticle() + ", legal: " + model.fans() + "; its device starts with " + model.widestFan());
         }
         int baud = lidar.getBaud();
         if (!model.hasBaud(baud)) {
-            context.warn(baud + " baud is none of " + model.withArticle() + " (" + model.bauds() + "): its device starts with " + model.getBaud());
+            context.warn(baud + " baud is not available on " + model.withArticle() + ", legal: " + model.bauds()
+                + "; its device starts with " + model.getBaud());
             baud = model.getBaud();
         }
         return new LidarSettings(model, fan ? lidar.getSpread() : model.getWidestSpread(), fan ? lidar.getResolution() : model.getFinestResolution(),

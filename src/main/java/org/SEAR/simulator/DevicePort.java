@@ -118,12 +118,12 @@ final class DevicePort implements DeviceContext {
             warn(complaint.substring(complaint.indexOf(' ')), complaint);
         }
         if (cable.takeDropped() > 0) {
-            warn("input", "more was written to " + cable.getUserPort() + " than its line can carry at " + cable.getDeviceBaud()
-                + " baud; bytes beyond " + Cable.MAX_WAITING + " waiting ones are lost");
+            warn("input", "a program writes faster to " + cable.getUserPort() + " than its line carries at " + cable.getDeviceBaud()
+                + " baud; SEAR drops bytes while " + Cable.MAX_WAITING + " bytes wait");
         }
         if (cable.takeLost() > 0) {
-            warn("output", "it was asked for more than its line can carry at " + cable.getDeviceBaud() + " baud; replies for which more than "
-                + Cable.MAX_OUTPUT + " bytes wait already are lost");
+            warn("output", "its replies exceed what its line carries at " + cable.getDeviceBaud() + " baud; SEAR drops replies while more than "
+                + Cable.MAX_OUTPUT + " bytes wait");
         }
     }
 }

@@ -64,8 +64,8 @@ final class GroundPlacement {
     private void setDown(PlacedObject object, Body body, UnaryOperator<Pose> turn, double[][] feet, String folder) {
         String file = folder + object.getFileName() + ".xml";
         if (object.hasPlaceOnEarth() && origin == null) {
-            problems.add(file, 0, "placeLatitude", Parameter.format(object.getPlaceLatitude()), "a place on Earth only where there is a Terrain whose"
-                + " map says where on Earth it lies; placeAt(x, z), in metres, does without");
+            problems.add(file, 0, "placeLatitude", Parameter.format(object.getPlaceLatitude()), "only with a Terrain whose map"
+                + " defines its position on Earth; placeAt(x, z), in metres, works without");
             return;
         }
         double[] point = object.hasPlaceOnEarth() ? origin.to(object.getPlaceLatitude(), object.getPlaceLongitude())

@@ -22,8 +22,9 @@ public final class ProjectCheck {
             world.step();
             return world.snapshot().warnings;
         } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
-            throw new ProjectException(List.of(new Problem(project.getFolder().getFileName().toString(), 0, "", "its world can't be made (" + e + ")",
-                "objects that a world can be made of; take objects away until it starts, and tell SEAR's makers of the last one")));
+            throw new ProjectException(List.of(new Problem(project.getFolder().getFileName().toString(), 0, "",
+                "SEAR can't build its world (" + e + ")",
+                "objects that SEAR can simulate; remove objects until the project starts, and report the last one removed")));
         }
     }
 }

@@ -126,7 +126,7 @@ final class World implements PhysicsWorld.Touches {
         places.end();
         String crowd = StartPoses.crowd(physics.getBodies());
         if (crowd != null) {
-            throw new ProjectException(Collections.singletonList(new Problem("environment", 0, "", crowd, "things that start apart")));
+            throw new ProjectException(Collections.singletonList(new Problem("environment", 0, "", crowd, "objects that start apart")));
         }
         StartPoses.lift(physics.getBodies(), warnings);
         StartPoses.reportOverlaps(physics.getBodies(), warnings);

@@ -105,7 +105,7 @@ public final class SerialDeviceFactory {
             field.setAccessible(true);
             return field.get(null);
         } catch (ReflectiveOperationException | RuntimeException e) {
-            throw new IllegalStateException("this MyRobotLab keeps no table \"" + name + "\" in its Serial service: SEAR needs Nixie 1.1", e);
+            throw new IllegalStateException("the Serial service of this MyRobotLab has no table \"" + name + "\"; SEAR needs Nixie 1.1", e);
         }
     }
 }

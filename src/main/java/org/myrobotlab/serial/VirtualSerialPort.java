@@ -362,7 +362,7 @@ public class VirtualSerialPort extends Port {
                 }
             }
         } catch (InterruptedException e) {
-            log.debug("reader of port {} was told to stop", portName);
+            log.debug("reader of port {} was interrupted", portName);
         }
     }
 

@@ -118,7 +118,7 @@ public class HandWrittenProjectTest {
             List<String> warnings = new ArrayList<>(world.snapshot().warnings);
             warnings.removeIf(warning -> !warning.startsWith("lidar: "));
             assertEquals(warnings.toString(), 2, warnings.size());
-            assertTrue(warnings.toString(), warnings.get(0).startsWith("lidar: spread 90.0 with resolution 1.0 is none of an LMS200"));
+            assertTrue(warnings.toString(), warnings.get(0).startsWith("lidar: spread 90.0 with resolution 1.0 is not available on an LMS200"));
             world.step();
             world.reset();
         }

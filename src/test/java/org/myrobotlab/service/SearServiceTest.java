@@ -327,12 +327,13 @@ public class SearServiceTest {
         serial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
         serial.write(FarEnd.bytes("80 01"));
         sear.simSleep(0.5);
-        assertTrue(heard.awaitStatus("opcode 1 is none"));
+        assertTrue(heard.awaitStatus("opcode 1 does not exist"));
         sear.reset();
         serial.write(FarEnd.bytes("80 01 01"));
         sear.simSleep(0.5);
-        assertTrue(heard.awaitStatus("opcode 1 is none", 2));
-        assertEquals("those of one cause are counted", 2, heard.getStatuses().stream().filter(status -> status.contains("opcode 1 is none")).count());
+        assertTrue(heard.awaitStatus("opcode 1 does not exist", 2));
+        assertEquals("those of one cause are counted", 2, heard.getStatuses().stream().filter(status ->
+            status.contains("opcode 1 does not exist")).count());
     }
 
     @Test

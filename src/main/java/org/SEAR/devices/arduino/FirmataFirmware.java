@@ -243,7 +243,7 @@ final class FirmataFirmware implements Firmware {
 
     /** Warns of an I2C request, because no device is on the bus. */
     private void refuseI2c(FirmataMessage request) {
-        host.warn("I2C", "nothing can be wired to its two-wire bus (I2C): who reads there gets no answer");
+        host.warn("I2C", "SEAR has no devices for its I2C bus; reads get no answer");
         if ((request.get(1) & I2C_READS) != 0) {
             say("I2C: Too few bytes received");
         }

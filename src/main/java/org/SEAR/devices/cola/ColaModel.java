@@ -88,7 +88,7 @@ enum ColaModel {
                 return model;
             }
         }
-        throw new IllegalArgumentException("no firmware with CoLa is known of " + lidar.withArticle());
+        throw new IllegalArgumentException("SEAR has no CoLa firmware for " + lidar.withArticle());
     }
 
     /** Returns the rate whose resolution is nearest to an angle in degrees; the fastest if several are equally near. */

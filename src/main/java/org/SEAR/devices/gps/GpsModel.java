@@ -60,7 +60,7 @@ public enum GpsModel {
                 return model;
             }
         }
-        throw new IllegalArgumentException("GPS model " + name + ": there are MT3301 (also FV-M8, FV-M11), MT3329 and NEO-M8N (also u-blox)");
+        throw new IllegalArgumentException("GPS model is \"" + name + "\", legal: MT3301 (also FV-M8, FV-M11), MT3329, NEO-M8N (also u-blox)");
     }
 
     SentenceStyle getStyle() {

@@ -37,7 +37,8 @@ abstract class Receiver implements SerialDevice {
     static int period(GpsModel model, double rate) {
         int millis = (int) Math.round(MILLIS / rate);
         if (millis < model.getShortestPeriod() || millis > PmtkCommands.MAX_PERIOD) {
-            throw new IllegalArgumentException("GPS rate " + rate + " Hz: an " + model + " has 0.1 to " + MILLIS / model.getShortestPeriod());
+            throw new IllegalArgumentException("GPS rate is " + rate + " Hz, legal for an " + model + ": 0.1 to "
+                + MILLIS / model.getShortestPeriod());
         }
         return millis;
     }

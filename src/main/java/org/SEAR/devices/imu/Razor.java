@@ -226,7 +226,7 @@ public final class Razor implements SerialDevice {
 
     @Override
     public String status() {
-        return "Razor 9DOF: " + mode.name().toLowerCase(Locale.ROOT) + (binary ? ", binary" : ", text") + (streaming ? "" : ", only when asked")
+        return "Razor 9DOF: " + mode.name().toLowerCase(Locale.ROOT) + (binary ? ", binary" : ", text") + (streaming ? "" : ", on request")
             + ", " + baud + " baud";
     }
 }

@@ -46,7 +46,7 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
     public Lms200(PowerOnSettings powerOn, DeviceContext context) {
         super("an LMS200", context);
         if (Baud.ofRate(powerOn.baud) == null) {
-            throw new IllegalArgumentException(powerOn.baud + " baud: an LMS200 has 9600, 19200, 38400 and 500000");
+            throw new IllegalArgumentException("baud is " + powerOn.baud + ", legal for an LMS200: 9600, 19200, 38400, 500000");
         }
         this.powerOn = powerOn;
         this.reader = new TelegramReader(address -> true, this);

@@ -39,7 +39,7 @@ public enum OiModel {
                 return model;
             }
         }
-        throw new IllegalArgumentException("model " + name + ": there are roomba400, create and create2");
+        throw new IllegalArgumentException("model is \"" + name + "\", legal: roomba400, create, create2");
     }
 
     /** Name in the object grammar. */

@@ -181,7 +181,7 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
     @Override
     public void onUnknown(int code) {
         if (mode != OiMode.OFF) {
-            context.warn("opcode", "opcode " + code + " is none of a " + model.getName() + ": ignored");
+            context.warn("opcode", "opcode " + code + " does not exist on a " + model.getName() + ": ignored");
         }
     }
 
@@ -192,8 +192,8 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         }
         if (!opcode.isAllowed(model, mode)) {
             if (mode != OiMode.OFF || opcode == Opcode.DRIVE || opcode == Opcode.DRIVE_DIRECT) {
-                context.warn("mode " + opcode, "command " + opcode.getCode() + " (" + opcode + ") is not obeyed in mode " + mode + ": ignored; "
-                    + "128 (START) and 131 (SAFE) or 132 (FULL), in MyRobotLab roomba.startup(), come first");
+                context.warn("mode " + opcode, "command " + opcode.getCode() + " (" + opcode + ") has no effect in mode " + mode + "; "
+                    + "send 128 (START) and 131 (SAFE) or 132 (FULL) first, in MyRobotLab roomba.startup()");
             }
             return;
         }
@@ -236,14 +236,14 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
                 break;
             default:
                 enter(OiMode.PASSIVE);
-                context.warn("program", opcode + ": the simulated robot has no cleaning programs and demos; it stands in passive mode");
+                context.warn("program", opcode + ": the simulated robot has no cleaning programs or demos; it stands still in passive mode");
                 break;
         }
     }
 
     private void changeBaud(int code, double time) {
         if (code >= BAUDS.length) {
-            context.warn("baud", "baud code " + code + ": legal are 0 (300 baud) to 11 (115200 baud); ignored");
+            context.warn("baud", "baud code " + code + ", legal: 0 (300 baud) to 11 (115200 baud); ignored");
             return;
         }
         if (model.isLadder()) {
@@ -358,8 +358,8 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         }
         stream.start(ids);
         if (stream.frameSize() > Uart.bytes(BEAT, baud)) {
-            context.warn("stream", "a stream of more than " + (int) Uart.bytes(BEAT, baud) + " bytes every 15 ms is more than " + baud
-                + " baud can carry: frames are left out");
+            context.warn("stream", "a stream of more than " + (int) Uart.bytes(BEAT, baud) + " bytes every 15 ms exceeds " + baud
+                + " baud; the robot skips frames");
         }
         return true;
     }

@@ -39,7 +39,7 @@ public final class Hokuyo extends ScannerFirmware {
     public Hokuyo(HokuyoModel model, int baud, DeviceContext context) {
         super("a " + model.getName(), context);
         if (!model.getLidar().hasBaud(baud)) {
-            throw new IllegalArgumentException(baud + " baud is none of a " + model.getName());
+            throw new IllegalArgumentException(baud + " baud is not available on a " + model.getName());
         }
         this.model = model;
         this.powerOnBaud = baud;

@@ -47,7 +47,7 @@ public final class Configuration {
      */
     public static Configuration of(Telegram telegram, int from) {
         if (telegram.size() < from + SIZE) {
-            throw new IllegalArgumentException("configuration of " + (telegram.size() - from) + " bytes");
+            throw new IllegalArgumentException("configuration has only " + (telegram.size() - from) + " bytes");
         }
         return new Configuration(telegram.copy(from, from + SIZE));
     }

@@ -37,7 +37,7 @@ public final class Identity {
      */
     public static Identity of(String model) {
         return ALL.stream().filter(one -> one.getModel().equals(model)).findFirst().orElseThrow(() -> new IllegalArgumentException(
-            "no type is known of an LMS2xx that is an " + model));
+            "SEAR knows no LMS2xx model " + model));
     }
 
     /** Model name, for example {@code LMS291}. */

@@ -41,7 +41,7 @@ public final class LmsStatus {
      */
     public static LmsStatus of(Telegram telegram) {
         if (telegram.size() < SIZE) {
-            throw new IllegalArgumentException("status of " + telegram.size() + " bytes");
+            throw new IllegalArgumentException("status has only " + telegram.size() + " bytes");
         }
         return new LmsStatus(telegram);
     }

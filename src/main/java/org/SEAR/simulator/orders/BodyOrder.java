@@ -19,7 +19,7 @@ public final class BodyOrder {
         /** Velocity of the centre of mass, m/s. */
         VELOCITY(FASTEST, "m/s"),
         /** Angular velocity about the world's axes, degrees per second. */
-        SPIN(TURNING, "degrees a second"),
+        SPIN(TURNING, "degrees per second"),
         /** A force on the centre of mass, N, for a limited time. */
         PUSH(STRONGEST, "N");
 

@@ -59,10 +59,10 @@ public final class BodyOrders {
 
     private static void check(String name, Body body) {
         if (body == null) {
-            throw new IllegalArgumentException("nothing that can be moved is named \"" + name + "\", legal: a thing with a mass, or a robot");
+            throw new IllegalArgumentException("nothing that can be moved is named \"" + name + "\", legal: an object with a mass, or a robot");
         }
         if (body.isFixed()) {
-            throw new IllegalArgumentException(name + " is fixed (mass 0) and can't be moved so, legal: a thing with a mass, or a robot");
+            throw new IllegalArgumentException(name + " is fixed (mass 0) and can't be moved, legal: an object with a mass, or a robot");
         }
     }
 

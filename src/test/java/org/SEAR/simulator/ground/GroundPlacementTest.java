@@ -152,7 +152,7 @@ public class GroundPlacementTest {
         robot.placeAt(-40, 0);
         String told = assertThrows(ProjectException.class, () -> Worlds.start(project)).getMessage();
         assertTrue(told, told.contains("environment/beside.xml: x, z is \"30, 3\", legal: a place with ground"));
-        assertTrue(told, told.contains("environment/nowhere.xml: placeLatitude is \"36.5\", legal: a place on Earth only where there is a Terrain"));
+        assertTrue(told, told.contains("environment/nowhere.xml: placeLatitude is \"36.5\", legal: only with a Terrain whose map"));
         assertTrue(told, told.contains("robot/cart.xml: x, z is \"-40, 0\", legal: a place with ground"));
     }
 

@@ -125,7 +125,7 @@ public class WrongPortTest {
         assertEquals(List.of(), complaints(simulation, line));
         line.write(FIRST_WORDS.get("LMS200"));
         Worlds.run(simulation, 1);
-        assertEquals(List.of("LMS200: 14 bytes came at 9600 baud, and an LMS200 is at 500000 by now: the program has to change its rate, too"),
+        assertEquals(List.of("LMS200: 14 bytes came at 9600 baud, but an LMS200 is at 500000 baud now: change the program's rate, too"),
             complaints(simulation, line));
     }
 }

@@ -30,9 +30,8 @@ import org.SEAR.simulator.orders.DragSpring;
 /**
  * A running world: physics, robots, sensors and devices, advanced in steps of 1/60 s.
  *
- * <p>The thread that calls {@link #step} is the simulation thread and owns the world. Other threads may call the
- * methods marked "any thread": {@link #post} and {@link #ask}, which bring work to the simulation thread,
- * {@link #snapshot}, and getters of constants.
+ * <p>The thread that calls {@link #step} is the simulation thread. All instance methods belong to it, except those
+ * marked "any thread", such as {@link #post} and {@link #ask}, which bring work to the simulation thread.
  */
 public final class Simulation implements AutoCloseable {
     /** Length of a step, simulated seconds. */
@@ -102,11 +101,7 @@ public final class Simulation implements AutoCloseable {
         return of(project, seed, EPOCH);
     }
 
-    /**
-     * Builds the world of a project.
-     *
-     * @param epochMillis UTC of simulated time 0, milliseconds since 1970
-     */
+    /** Builds the world of a project. Simulated time 0 is at {@code epochMillis} UTC, milliseconds since 1970. */
     public static Simulation of(Project project, long seed, long epochMillis) throws ProjectException {
         return new Simulation(project, seed, epochMillis, true);
     }
@@ -124,13 +119,13 @@ public final class Simulation implements AutoCloseable {
         snapshot = observer.look(step);
     }
 
-    /** Advances by one step: commands, physics, ground truth, sensors, devices, outputs. Simulation thread. */
+    /** Advances by one step: commands, physics, ground truth, sensors, devices, outputs. */
     public void step() {
         advance();
         deliver();
     }
 
-    /** Runs a step up to its outputs; the snapshot shows the result. Simulation thread. */
+    /** Runs a step up to its outputs; the snapshot shows the result. */
     void advance() {
         thread = Thread.currentThread();
         runCommands();
@@ -144,10 +139,7 @@ public final class Simulation implements AutoCloseable {
         snapshot = observer.look(step);
     }
 
-    /**
-     * Delivers the outputs of a step. A reader that asks for the time on receipt gets the time of this step. Simulation
-     * thread.
-     */
+    /** Delivers the outputs of a step. A reader that asks for the time on receipt gets the time of this step. */
     void deliver() {
         delivering = true;
         try {
@@ -164,10 +156,9 @@ public final class Simulation implements AutoCloseable {
 
     /**
      * Services lines and devices between two steps, paced by the clock, with the ground truth of the last step.
-     * Simulation thread.
      *
-     * @param newPart elapsed share of the next step, 1 to 255 of {@link #PARTS}; a value below an earlier one counts as
-     *     the earlier one
+     * @param newPart elapsed parts of the next step, 1 to 255 of {@link #PARTS}; never counts less than an earlier
+     *     value
      * @return part of the next service; {@link #PARTS} if the next step is early enough or there was nothing to do
      */
     public int serviceDevices(int newPart) {
@@ -194,17 +185,14 @@ public final class Simulation implements AutoCloseable {
         return instruments.hasQueries();
     }
 
-    /**
-     * Whether {@link #answer} should be tried again soon: a host has opened a port and does not wait for its reply yet.
-     * Any thread.
-     */
+    /** Whether {@link #answer} should be retried soon, as a host is just opening a port. Any thread. */
     boolean isOpening() {
         return instruments.areOpening();
     }
 
     /**
      * Lets devices with {@link org.SEAR.devices.SerialDevice#answersAtOnce} process their input while time stands
-     * still. Simulation thread.
+     * still.
      */
     public void answer() {
         if (!hasQueries()) {
@@ -220,7 +208,7 @@ public final class Simulation implements AutoCloseable {
         devicesServiced(0);
     }
 
-    /** Called while time stands still and nothing is requested. Simulation thread. */
+    /** Called while time stands still and nothing is requested. */
     void idle() {
         if (listener != null) {
             listener.idle();
@@ -267,7 +255,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Answers the questions of {@link #ask} without advancing. Simulation thread. */
+    /** Answers the questions of {@link #ask} without advancing. */
     public void answerQueries() {
         if (questions.isEmpty()) {
             return;
@@ -280,7 +268,7 @@ public final class Simulation implements AutoCloseable {
 
     /**
      * Resets everything to step 0, as a fresh start with the same seed. Watched sensors and the baud rates of the host
-     * ports stay. During the delivery of outputs the reset waits for its end. Simulation thread.
+     * ports stay. During the delivery of outputs the reset waits for its end.
      */
     public void reset() {
         if (delivering) {
@@ -295,16 +283,13 @@ public final class Simulation implements AutoCloseable {
         start();
     }
 
-    /**
-     * Sets the seed of random numbers from the next {@link #reset} on. Not while a listener is attached. Simulation
-     * thread.
-     */
+    /** Sets the seed of random numbers from the next {@link #reset} on. Not while a listener is attached. */
     public void reseed(long seed) {
         origin = new RunOrigin(seed, origin.epochMillis, origin.groundVisible);
         instruments.reseed(seed);
     }
 
-    /** Adds or removes a listener of the run. Simulation thread. */
+    /** Adds or removes a listener of the run. */
     public void setListener(RunListener who, boolean on) {
         listener = RunListener.Several.changed(listener, who, on);
         instruments.getPorts().forEach(port -> port.getCable().setListener(listener));
@@ -365,7 +350,7 @@ public final class Simulation implements AutoCloseable {
         return project;
     }
 
-    /** Simulated seconds. Simulation thread; other threads read the snapshot. */
+    /** Simulated seconds; other threads read the snapshot. */
     public double getTime() {
         return step * STEP;
     }
@@ -375,31 +360,25 @@ public final class Simulation implements AutoCloseable {
         return part == 0 ? getTime() : (step + part / (double) PARTS) * STEP;
     }
 
-    /** Steps since start or reset. Simulation thread. */
+    /** Steps since start or reset. */
     public long getStep() {
         return step;
     }
 
-    /** All robots, in the project's order. Simulation thread. */
+    /** All robots, in the project's order. */
     public List<Robot> getRobots() {
         return robots;
     }
 
     /**
-     * Points that suffice to draw an object's outline from any side: {x, y, z} in metres, scale included, object frame.
-     * Any thread.
-     *
-     * @param object of this world's project
-     * @return empty for an object without a shape
+     * Points {x, y, z} that suffice to draw an object's outline from any side, metres, object frame; empty without a
+     * shape. Any thread.
      */
     public double[][] getOutline(SearObject object) {
         return world.getOutline(object);
     }
 
-    /**
-     * Surface of a shape of this world's project, shape frame, metres; null for a terrain, which is drawn from its
-     * elevations. Any thread.
-     */
+    /** Surface of a shape, shape frame, metres; null for a terrain, which is drawn from its elevations. Any thread. */
     public SurfaceMesh getSurface(Shape shape) {
         return world.getSurface(shape);
     }
@@ -414,30 +393,20 @@ public final class Simulation implements AutoCloseable {
         return instruments.sensor(name);
     }
 
-    /**
-     * Returns the present reading of a sensor. Simulation thread.
-     *
-     * @throws IllegalArgumentException that lists the valid sensors
-     */
+    /** Returns the present reading of a sensor. Throws as {@link #getSensor}. */
     public Reading read(String sensorName) {
         return instruments.read(sensorName);
     }
 
     /**
-     * Returns the present readings of several sensors, equal to those of {@link #read(String)}. Measures in parallel
-     * where that pays. Simulation thread.
-     *
-     * @throws IllegalArgumentException that lists the valid sensors
+     * Returns the present readings of several sensors, equal to those of {@link #read(String)}; measures in parallel
+     * where that pays. Throws as {@link #getSensor}.
      */
     public List<Reading> read(List<String> sensorNames) {
         return instruments.read(sensorNames);
     }
 
-    /**
-     * Display unit of a sensor's reading, empty if it has none. Any thread.
-     *
-     * @throws IllegalArgumentException that lists the valid sensors
-     */
+    /** Display unit of a sensor's reading, empty if it has none. Any thread. Throws as {@link #getSensor}. */
     public String getUnit(String sensorName) {
         return instruments.unit(sensorName);
     }
@@ -448,8 +417,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Height (y) of the highest ground at a point, metres: terrain, floor, or a model that is the terrain. Simulation
-     * thread.
+     * Height (y) of the highest ground at a point, metres: terrain, floor, or a model that is the terrain.
      *
      * @param x metres north
      * @param z metres east
@@ -459,22 +427,16 @@ public final class Simulation implements AutoCloseable {
         return world.groundHeight(x, z);
     }
 
-    /**
-     * Returns the result of {@link #getGroundHeight} for a project without a simulation; builds only its ground. Any
-     * thread.
-     *
-     * @throws ProjectException if the ground can't be built
-     */
+    /** Result of {@link #getGroundHeight} for a project without a simulation; builds only its ground. Any thread. */
     public static double groundHeight(Project project, double x, double z) throws ProjectException {
         return World.groundHeight(World.ground(project), x, z);
     }
 
     /**
-     * Pose of an object in the world. Simulation thread. A wheel's pose includes its suspension and rotation. A
-     * Dynamics has the pose of its robot.
+     * Pose of an object in the world. A wheel's pose includes its suspension and rotation. A Dynamics has its robot's
+     * pose.
      *
-     * @param name of a robot, an environment object or a part of a robot ({@code rover/ping} where several robots have
-     *     such a part)
+     * @param name of a robot, an environment object or a part, {@code rover/ping} where several robots have such a part
      * @throws IllegalArgumentException if the name is unknown
      */
     public Pose getPose(String name) {
@@ -501,31 +463,25 @@ public final class Simulation implements AutoCloseable {
         return actuators.led(name);
     }
 
-    /**
-     * Starts or stops adding a sensor's reading to snapshots; never changes a reading. Any thread, through
-     * {@link #post}.
-     */
+    /** Starts or stops adding a sensor's reading to snapshots; never changes a reading. Call through {@link #post}. */
     public void watch(String sensorName, boolean on) {
         instruments.sensor(sensorName);
         observer.watch(sensorName, on);
         snapshot = observer.look(step);
     }
 
-    /**
-     * Sets how often snapshots get new readings and status lines: every n-th step, n at least 1, by default 2.
-     * Simulation thread.
-     */
+    /** Sets the interval of new readings and status lines in snapshots, steps, at least 1, by default 2. */
     void setDisplayInterval(int steps) {
         observer.setInterval(steps);
     }
 
-    /** Starts or stops adding contact points to snapshots; off by default. Any thread, through {@link #post}. */
+    /** Starts or stops adding contact points to snapshots; off by default. Call through {@link #post}. */
     public void showContacts(boolean on) {
         world.setWantsContacts(on);
     }
 
     /**
-     * Commands a motor, servo, light or steering from the next step on. Simulation thread.
+     * Commands a motor, servo, light or steering from the next step on.
      *
      * @throws IllegalArgumentException that lists the valid names or the legal range
      */
@@ -534,25 +490,19 @@ public final class Simulation implements AutoCloseable {
         report(who -> who.order(order));
     }
 
-    /**
-     * Sets the velocity of an object or robot, or applies a force from the next step on. Throws as {@link World#order}.
-     * Simulation thread.
-     */
+    /** Sets a body's velocity, or applies a force from the next step on. Throws as {@link World#order}. */
     public void order(BodyOrder order) {
         world.order(order);
         report(who -> who.order(order));
     }
 
-    /**
-     * Lets a drag spring pull an object or robot from the next step until its release. Throws as
-     * {@link #order(BodyOrder)}. Simulation thread.
-     */
+    /** Lets a drag spring pull a body from the next step until its release. Throws as {@link #order(BodyOrder)}. */
     public void hold(DragSpring hand, String name) {
         world.hold(hand, name);
     }
 
     /**
-     * Switches the power of a serial device; bytes on its line are lost. Simulation thread.
+     * Switches the power of a serial device; bytes on its line are lost.
      *
      * @param name of the object with its ports, as {@link #getSensor} takes it
      * @throws IllegalArgumentException that lists the valid devices
@@ -570,10 +520,9 @@ public final class Simulation implements AutoCloseable {
 
     /**
      * Moves an object or robot, at rest, to its start in a newer state of the project, on top of what is there. A reset
-     * uses the new start. Everything else keeps its start. Simulation thread.
+     * uses the new start. Everything else keeps its start.
      *
-     * @param back true for an undone edit: the object returns to its pose before that edit, if it was moved since the
-     *     last start or reset
+     * @param back true for an undone edit: restores the pose before it, if the object was moved since start or reset
      * @return whether this world has the object
      * @throws IllegalArgumentException if it has no valid place there
      */
@@ -596,7 +545,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Moves an object or robot, which is then at rest. Simulation thread.
+     * Moves an object or robot, which is then at rest.
      *
      * @param start its pose after a reset
      * @param to its pose now
@@ -612,7 +561,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Rise, in metres, that a moved robot's start needs to stand on the ground or objects there. Simulation thread.
+     * Rise, in metres, that a moved robot's start needs to stand on the ground or objects there.
      *
      * @param by displacement of its start, world frame
      * @return 0 if the name is no robot's; where nothing is below, the rise that keeps the robot at its present height
@@ -626,8 +575,8 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Sets the number of threads, including the simulation's, that measure. Default: the machine's processors. Readings
-     * do not depend on it. Simulation thread.
+     * Sets the number of measuring threads, including the simulation's; default: the processors. Readings do not depend
+     * on it.
      *
      * @throws IllegalArgumentException that names the legal range
      */
@@ -635,7 +584,7 @@ public final class Simulation implements AutoCloseable {
         world.getWorkers().setThreads(threads);
     }
 
-    /** Releases all resources; open questions fail. Simulation thread, after the last step. */
+    /** Releases all resources; open questions fail. Call it after the last step. */
     @Override
     public void close() {
         world.getWorkers().close();

@@ -124,7 +124,7 @@ public class DeviceTypesTest {
 
     @Test
     public void anUnknownModelIsToldWhichThereAre() {
-        assertTrue(refusal(() -> OiModel.of("create3")).contains("roomba400, create and create2"));
+        assertTrue(refusal(() -> OiModel.of("create3")).contains("legal: roomba400, create, create2"));
         assertTrue(refusal(() -> GpsModel.of("x")).contains("MT3329"));
     }
 

@@ -39,7 +39,7 @@ public final class Mt3301 extends Receiver {
         reset();
     }
 
-    /** Does little: the receiver has no settings that survive power-off. */
+    /** Resets the time of the last byte; no setting survives power-off. */
     @Override
     void deliver() {
         heardAt = 0;

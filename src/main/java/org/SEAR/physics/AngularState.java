@@ -3,17 +3,20 @@ package org.SEAR.physics;
 import org.SEAR.geometry.Placement;
 
 /**
- * How a rigid body is turned, and how it turns on when nothing acts on it: its angular momentum stays, its axis of rotation wanders about it as
- * Euler's equations say. Solved by Runge and Kutta's method of fourth order for the quaternion, with the momentum held. Simulation thread.
+ * Orientation and torque-free rotation of a rigid body by Euler's equations: the angular momentum is constant, the axis
+ * of rotation precesses. Integrates the quaternion by the fourth-order Runge-Kutta method. Simulation thread.
  */
 final class AngularState {
-    /** It turns no more than this at once, radians. */
+    /** Largest rotation of one integration step, radians. */
     private static final double PIECE = 0.15;
-    /** No more pieces in a substep: what turns faster is a blur. */
+    /** Largest number of integration steps in a substep; faster rotation is inaccurate. */
     private static final int MAX_PIECES = 64;
-    /** What turns by less than this, radians, has the change of its angular velocity from a series; it is good to a millionth of it. */
+    /**
+     * Rotation below which a series gives the change of the angular velocity, radians; its relative error is a
+     * millionth.
+     */
     private static final double LITTLE = 0.01;
-    /** A body whose moments differ by less than this share turns evenly about any axis. */
+    /** Relative difference of the moments of inertia below which the body rotates evenly about any axis. */
     private static final double EVEN = 1e-9;
 
     private double qx;
@@ -31,7 +34,7 @@ final class AngularState {
     private final double[] rate = new double[4];
     private final double[] sum = new double[4];
 
-    /** @param x moment of inertia about its x axis, kg m^2, likewise y and z; 0: it does not turn */
+    /** @param x moment of inertia about its x axis, kg m^2, likewise y and z; 0: it does not rotate */
     void setMoments(double x, double y, double z) {
         jx = x;
         jy = y;
@@ -66,7 +69,7 @@ final class AngularState {
         return qw;
     }
 
-    /** 1/(kg m^2), likewise about y and z. */
+    /** Inverse moment of inertia, 1/(kg m^2), likewise about y and z. */
     double inverseX() {
         return inverseX;
     }
@@ -79,15 +82,14 @@ final class AngularState {
         return inverseZ;
     }
 
-    /** The rotation as a matrix. */
+    /** Sets the rotation matrix. */
     void matrix(Placement into) {
         into.setRotation(qx, qy, qz, qw);
     }
 
     /**
-     * Turns on for a while.
-     *
-     * @param v from index 3 on the angular velocity in the world, rad/s; becomes that at the end
+     * Integrates the rotation without torque.
+     * @param v angular velocity in the world from index 3 on, rad/s; changed to the one at the end
      */
     void turn(double[] v, double seconds) {
         double speed = Math.sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
@@ -112,9 +114,8 @@ final class AngularState {
     }
 
     /**
-     * How its angular velocity changes in a while by its own inertia, with the body left as it is turned.
-     *
-     * @param v from index 3 on the angular velocity in the world, rad/s; becomes that at the end
+     * Integrates the gyroscopic change of the angular velocity; the orientation stays.
+     * @param v angular velocity in the world from index 3 on, rad/s; changed to the one at the end
      */
     void gyrate(double[] v, double seconds) {
         if (even) {
@@ -136,7 +137,10 @@ final class AngularState {
         qw = w;
     }
 
-    /** Euler's equations in the body's axes by the midpoint rule, then the result as those axes have turned, up to the second order. */
+    /**
+     * Solves Euler's equations in the body's axes by the midpoint rule and rotates the result with these axes, up to
+     * the second order.
+     */
     private void gyrateLittle(double[] v, double seconds) {
         rotate(-qx, -qy, -qz, 2, v[3], v[4], v[5], momentum);
         double x = momentum[0];
@@ -159,12 +163,15 @@ final class AngularState {
         v[5] = momentum[2];
     }
 
-    /** Turns with the same angular velocity all the time, as what is held does. */
+    /** Integrates the rotation with constant angular velocity, for bodies under constraints. */
     void turnHeld(double[] v, double seconds) {
         turnEvenly(v, Math.sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]), seconds);
     }
 
-    /** Multiplied by a quaternion of length 1 its length changes by rounding only: the first term of the root's series takes that back. */
+    /**
+     * The product of unit quaternions differs from length 1 by rounding only; the first term of the root's series
+     * corrects it.
+     */
     private void turnEvenly(double[] v, double speed, double seconds) {
         double half = speed * seconds / 2;
         double sine = half < 1e-4 ? seconds / 2 * (1 - half * half / 6) : Math.sin(half) / speed;
@@ -206,7 +213,7 @@ final class AngularState {
         set(x + sum[0], y + sum[1], z + sum[2], w + sum[3]);
     }
 
-    /** How the quaternion changes, 1/s, under an angular momentum in the world, Nms. */
+    /** Computes the time derivative of the quaternion, 1/s, from an angular momentum in the world, N m s. */
     private void rate(double lx, double ly, double lz) {
         toBody(lx, ly, lz, momentum);
         double x = momentum[0] * inverseX / 2;
@@ -226,7 +233,7 @@ final class AngularState {
         rotate(qx, qy, qz, twice(), x, y, z, into);
     }
 
-    /** 2 for a quaternion of length 1, which it is not within a piece. */
+    /** Returns 2 over the squared length of the quaternion, which is not 1 within an integration step. */
     private double twice() {
         return 2 / (qx * qx + qy * qy + qz * qz + qw * qw);
     }

@@ -12,21 +12,21 @@ import org.SEAR.physics.solid.InnerMotion;
 import org.SEAR.physics.solid.Solid;
 
 /**
- * One thing that can be touched: an environment object or a robot's body. Its frame is that of the object; what the solver moves has its origin in
- * the centre of mass, (cx, cy, cz) of that frame. Simulation thread.
+ * Rigid body: an environment object or a robot's body. Its frame is the object's frame. The solver's frame has the same
+ * axes and its origin in the centre of mass (cx, cy, cz). Simulation thread.
  */
 public final class Body {
-    /** Smallest moment of inertia, as a share of mass times square metre, that a thin body is given so that it can be solved. */
+    /** Smallest moment of inertia per kilogram, m^2, so that thin bodies can be solved. */
     private static final double MIN_INERTIA = 1e-4;
 
     public final String name;
     public final double mass;
-    /** Its place in the order of the world. */
+    /** Index in the world's list of bodies. */
     int number;
-    /** Over how many bodies it stands on something fixed, as the solver counts. */
+    /** Stack level: 1 on a fixed body, 2 on a body of level 1, and so on. */
     int level;
     public final List<Solid> solids;
-    /** Where each solid stands in the body's frame. */
+    /** Pose of each solid in the body's frame. */
     public final Pose[] places;
     private int[] shapes = {};
     private final double cx;
@@ -49,7 +49,6 @@ public final class Body {
     private double turningSpeed;
     private boolean rolls;
     private Symmetry symmetry = Symmetry.NONE;
-    /** Where it starts. */
     private Pose start;
     private Pose pose;
     private final Aabb near = new Aabb();
@@ -58,19 +57,19 @@ public final class Body {
     private final SleepTimer rest = new SleepTimer();
     private final Frame frame = new Frame();
 
-    /** What is fixed is always asleep. */
+    /** Fixed bodies are always asleep. */
     private enum State {
         AWAKE, ASLEEP, STOPPED
     }
 
-    /** About which axes it looks the same however it is turned. */
+    /** Axes of rotational symmetry. */
     private enum Symmetry {
         NONE, ABOUT_Y, BALL
     }
 
     /**
      * @param mass kg, 0 = fixed
-     * @param centre of mass in the body's frame
+     * @param centre centre of mass in the body's frame: {x, y, z}, metres
      */
     public Body(String name, double mass, List<Solid> solids, Pose[] places, double[] centre, Pose start) {
         this.name = name;
@@ -94,9 +93,8 @@ public final class Body {
     }
 
     /**
-     * Puts its first solids into the scenes; the others only collide.
-     *
-     * @param visible whether beams see each
+     * Adds the first {@code count} solids to the scenes; the others only collide.
+     * @param visible whether rays of sensors see each solid
      */
     public void addTo(RaycastScenes scenes, List<Boolean> visible, int owner, int count) {
         shapes = new int[count];
@@ -105,7 +103,7 @@ public final class Body {
         }
     }
 
-    /** The number of its solid that is a shape of the scenes; -1 if none is. */
+    /** Returns the index of the solid with this shape number in the scenes; -1 if there is none. */
     public int solidOf(int shape) {
         for (int i = 0; i < shapes.length; i++) {
             if (shapes[i] == shape) {
@@ -115,7 +113,7 @@ public final class Body {
         return -1;
     }
 
-    /** Moves its solids in the scenes to where it is. */
+    /** Copies the poses of its solids to the scenes. */
     public void mirror(RaycastScenes scenes) {
         for (int i = 0; i < shapes.length; i++) {
             frame.set(pose);
@@ -126,7 +124,7 @@ public final class Body {
         }
     }
 
-    /** Back to the start pose, at rest. */
+    /** Moves the body to its start pose, at rest. */
     void restart() {
         pose = start;
         reach = reach();
@@ -149,10 +147,13 @@ public final class Body {
         placedAt = -1;
         turningSpeed = 0;
         touching = false;
-        shapeVersion++;    // contacts that were known are elsewhere
+        shapeVersion++;    // known contacts are invalid
     }
 
-    /** About the axes through its centre of mass, kg m^2: of one solid its own, of several those of the box around them. */
+    /**
+     * Returns the moments of inertia about the axes through the centre of mass, kg m^2: of a single unrotated solid its
+     * own, otherwise those of the enclosing box.
+     */
     private double[] moments() {
         if (solids.size() == 1 && places[0].qw == 1) {
             double[] each = solids.get(0).convex().inertia();
@@ -179,7 +180,7 @@ public final class Body {
         into.z = pose.z;
     }
 
-    /** Puts it elsewhere at once, at rest, and says where the next start of the world finds it. */
+    /** Teleports the body, at rest, and sets its start pose. */
     void moveTo(Pose newStart, Pose to) {
         start = newStart;
         pose = to;
@@ -187,30 +188,28 @@ public final class Body {
         state = mass > 0 ? State.AWAKE : State.ASLEEP;
     }
 
-    /** Says how far from its centre of mass solids come that are going to move in it, metres. Before the world starts. */
+    /** Sets how far from the centre of mass moving solids may come, metres. Before the world starts. */
     public void setLeastReach(double metres) {
         leastReach = metres;
     }
 
     /**
-     * Moves one of its solids in its own frame, in the step that comes: it pushes and takes along what touches it.
-     *
-     * @param solid its number
-     * @param hinge which yields to what it meets; null if it does not
+     * Moves a solid in the body's frame during the next step; it pushes and drags bodies that it touches.
+     * @param solid its index
+     * @param hinge yields under load; null if the motion is rigid
      */
     public void move(int solid, Pose to, Hinge hinge) {
         inner.move(solid, to, hinge);
     }
 
-    /** How its solids move in it in this step. */
+    /** Motion of its solids in its frame in this step. */
     public InnerMotion inner() {
         return inner;
     }
 
     /**
-     * Puts one of its solids elsewhere in its own frame, before the world starts.
-     *
-     * @param solid its number
+     * Sets the pose of a solid in the body's frame. Before the world starts.
+     * @param solid its index
      */
     public void setPlace(int solid, Pose place) {
         places[solid] = place;
@@ -218,12 +217,12 @@ public final class Body {
         placedAt = -1;
     }
 
-    /** Grows when its solids move in it. */
+    /** Increases when solids move in the body's frame or the body is teleported. */
     int getShapeVersion() {
         return shapeVersion;
     }
 
-    /** Its solids where they stand now. */
+    /** Returns the solids at their current world poses. */
     PlacedSolid[] place() {
         if (placedAt == solver.getMoves()) {
             return placed;
@@ -242,7 +241,6 @@ public final class Body {
         return placed;
     }
 
-    /** Distance of its farthest point from its centre of mass, metres, or more. */
     private double reach() {
         double farthest = leastReach;
         for (int i = 0; i < places.length && mass > 0; i++) {
@@ -253,38 +251,38 @@ public final class Body {
         return farthest;
     }
 
-    /** Distance of its farthest point from its centre of mass, metres. */
+    /** Upper bound of the distance of its furthest point from the centre of mass, metres. */
     double getReach() {
         return reach;
     }
 
-    /** Half of the least size of its solids, metres. */
+    /** Half of the smallest extent of its solids, metres. */
     double getLeast() {
         return leastHalf;
     }
 
-    /** Whether rolling friction brakes it: robots roll on wheels. */
+    /** Whether rolling friction acts on it; robots roll on wheels. */
     boolean canRoll() {
         return rolls;
     }
 
-    /** A step begins. */
+    /** Begins a step. */
     void begin() {
         solver.begin();
         noteTurningSpeed();
     }
 
-    /** How fast the surface of it moved by turning when it was looked at last, at most, m/s. */
+    /** Upper bound of the surface speed due to rotation when last noted, m/s. */
     double getTurningSpeed() {
         return turningSpeed;
     }
 
-    /** Looks how fast its surface moves by turning. */
+    /** Notes the surface speed due to rotation. */
     void noteTurningSpeed() {
         turningSpeed = turningSpeed();
     }
 
-    /** What turns about the axis of its own symmetry does not move its surface. */
+    /** Rotation about an axis of symmetry does not move the surface. */
     private double turningSpeed() {
         double[] v = solver.v;
         double square = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
@@ -299,14 +297,13 @@ public final class Body {
         return Math.sqrt(square) * reach + inner.fastest();
     }
 
-    /** How far its surface has moved by turning so far, at most, metres. */
+    /** Upper bound of the distance that its surface has moved by rotation so far, metres. */
     double getTurned() {
         return turned;
     }
 
     /**
-     * Whether a point of its surface is a corner, which turns with it.
-     *
+     * Whether a surface point is a corner, which rotates with the body.
      * @param x in the frame of its centre of mass, metres, likewise y and z
      */
     boolean isCorner(int solid, double x, double y, double z) {
@@ -315,26 +312,24 @@ public final class Body {
         return solids.get(solid).convex().isCorner(own[0], own[1], own[2]);
     }
 
-    /** A new search for contacts begins. */
+    /** Begins a new search for contacts. */
     void clearContacts() {
         contacts = 0;
     }
 
     /**
-     * Counts one that it may touch.
-     *
-     * @return how many there are; 0 for what is fixed
+     * Counts a possible contact.
+     * @return number of contacts so far; 0 for a fixed body
      */
     int countContact() {
         return mass > 0 ? ++contacts : 0;
     }
 
-    /** Whether it rolls about its y axis alone: over its rims it tips. */
+    /** Whether it rolls about its y axis only: over its rims it tips. */
     boolean isRoundAboutAxis() {
         return symmetry == Symmetry.ABOUT_Y && solids.get(0).convex().isRimmed();
     }
 
-    /** Whether it looks the same however it is turned. */
     boolean isBall() {
         return symmetry == Symmetry.BALL;
     }
@@ -344,12 +339,11 @@ public final class Body {
         return placed[0].isMesh();
     }
 
-    /** How it moves. */
     SolverBody getSolver() {
         return solver;
     }
 
-    /** Takes over where the solver has moved it in a step. */
+    /** Takes over the pose from the solver after a step. */
     void follow() {
         turned += inner.fastest() * TimeStep.SECONDS;
         if (inner.end()) {
@@ -370,12 +364,11 @@ public final class Body {
             solver.place.z - (cz + qw * tz + qx * ty - qy * tx), qx, qy, qz, qw);
     }
 
-    /** Whether it may sleep, see {@link SleepTimer}. */
     SleepTimer getSleepTimer() {
         return rest;
     }
 
-    /** The box around it in the world. */
+    /** Sets a box to the body's bounds in the world frame. */
     void bounds(Aabb into) {
         place();
         into.set(placed[0].box);
@@ -384,12 +377,12 @@ public final class Body {
         }
     }
 
-    /** Where the broad phase expects it within the step; its own. */
+    /** Box of the broad phase: where the body may be within the step. Not a copy. */
     Aabb getNear() {
         return near;
     }
 
-    /** Widens a box around it by where it may go in a while. */
+    /** Widens a box by the distance that the body may move within a time. */
     void widen(Aabb box, double seconds) {
         if (isFixed() || !isActive()) {
             return;
@@ -398,8 +391,7 @@ public final class Body {
     }
 
     /**
-     * Velocity of a point of the body, m/s, everything in the world frame.
-     *
+     * Computes the velocity of a point of the body, m/s; all in the world frame.
      * @param into takes {x, y, z}
      */
     public void velocityAt(double x, double y, double z, double[] into) {
@@ -413,20 +405,22 @@ public final class Body {
     }
 
     /**
-     * Angular velocity in the world frame, rad/s.
-     *
+     * Copies the angular velocity in the world frame, rad/s.
      * @param into takes {x, y, z}
      */
     public void angularVelocity(double[] into) {
         System.arraycopy(solver.v, 3, into, 0, 3);
     }
 
-    /** Says that it is a robot's body: nothing brakes it but its wheels. */
+    /** Marks a robot's body; rolling friction does not act on it. */
     public void setRobot() {
         robot = true;
     }
 
-    /** Gives it these velocities at once and wakes it: of its centre of mass, m/s, and of its turning, rad/s, world frame. */
+    /**
+     * Sets the velocity of the centre of mass, m/s, and the angular velocity, rad/s, both in the world frame; wakes the
+     * body.
+     */
     public void setVelocities(double vx, double vy, double vz, double wx, double wy, double wz) {
         double[] v = solver.v;
         v[0] = vx;
@@ -438,21 +432,20 @@ public final class Body {
         wake();
     }
 
-    /** A force in its centre of mass for the next step, N, world frame; it adds to others of the step. */
+    /** Adds a force at the centre of mass for the next step, N, world frame. */
     public void pull(double x, double y, double z) {
         solver.pull(x, y, z);
     }
 
     /**
-     * Velocities of its centre of mass, world frame.
-     *
+     * Copies the velocities of the centre of mass, world frame.
      * @param v takes {vx, vy, vz, wx, wy, wz}, m/s and rad/s
      */
     public void velocities(double[] v) {
         System.arraycopy(solver.v, 0, v, 0, v.length);
     }
 
-    /** Whether it touched nothing, and came near nothing, in the last step. */
+    /** Whether it neither touched nor came near another body in the last step. */
     public boolean isFree() {
         return !touching;
     }
@@ -461,7 +454,7 @@ public final class Body {
         touching = on;
     }
 
-    /** Says whether wheels on the ground carry it. */
+    /** Sets whether its wheels on the ground carry it. */
     public void setCarried(boolean on) {
         carried = on;
     }
@@ -470,17 +463,17 @@ public final class Body {
         return carried;
     }
 
-    /** Whether it does not sleep. */
+    /** Whether it is awake. */
     public boolean isActive() {
         return state == State.AWAKE;
     }
 
-    /** What constraints change, if they do in this step; else null. */
+    /** Returns the solver's body; null if contacts and gravity do not move it in this step. */
     public SolverBody solver() {
         return isSolved() ? solver : null;
     }
 
-    /** Whether it is far in another thing, or was just now. */
+    /** Whether it penetrates another body deeply, or did a few substeps ago. */
     public boolean isDeep() {
         return solver.isDeep();
     }
@@ -490,12 +483,12 @@ public final class Body {
         return mass > 0 && state == State.AWAKE;
     }
 
-    /** Takes it out of the physics until the world starts anew; it stays where it is. */
+    /** Removes the body from the simulation until the world restarts; its pose stays. */
     public void stop() {
         state = State.STOPPED;
     }
 
-    /** The height of its lowest point, world frame, metres. */
+    /** Returns the lower end of its bounding boxes: y in the world frame, metres. */
     public double lowest() {
         double least = Double.POSITIVE_INFINITY;
         for (PlacedSolid one : place()) {
@@ -504,7 +497,7 @@ public final class Body {
         return least;
     }
 
-    /** Ends its sleep. */
+    /** Wakes the body if it sleeps. */
     public void wake() {
         if (canWake()) {
             state = State.AWAKE;
@@ -517,12 +510,12 @@ public final class Body {
         return mass > 0 && state == State.ASLEEP;
     }
 
-    /** Who fell asleep together has the same number; 0 before the first time. */
+    /** Number shared by bodies that fell asleep together; 0 before the first sleep. */
     int getGroup() {
         return group;
     }
 
-    /** Puts it to sleep, with others. */
+    /** Puts the body to sleep as a member of a group. */
     void sleep(int newGroup) {
         group = newGroup;
         solver.halt();
@@ -530,12 +523,11 @@ public final class Body {
         state = State.ASLEEP;
     }
 
-    /** Whether the robot's motors turn: then it does not sleep. */
+    /** Sets whether the robot's motors turn, which prevents sleep. */
     public void setDriven(boolean on) {
         driven = on;
     }
 
-    /** Whether it is that of a robot. */
     public boolean isRobot() {
         return robot;
     }
@@ -544,7 +536,6 @@ public final class Body {
         return driven;
     }
 
-    /** Whether it never moves. */
     public boolean isFixed() {
         return mass == 0;
     }
@@ -557,13 +548,13 @@ public final class Body {
         return start;
     }
 
-    /** Says where it starts. Before the world starts. */
+    /** Sets the start pose. Before the world starts. */
     public void setStart(Pose newStart) {
         start = newStart;
         pose = newStart;
     }
 
-    /** Centre of mass in the body's frame: {x, y, z}. */
+    /** Centre of mass in the body's frame: {x, y, z}, metres. */
     public double[] getCentre() {
         return new double[] {cx, cy, cz};
     }

@@ -7,23 +7,24 @@ import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.TimeStep;
 
 /**
- * The broad phase: which pairs of bodies may touch within a step. Sweep and prune (Baraff, "Dynamic simulation of non-penetrating rigid bodies",
- * 1992): boxes are sorted along the axis on which they are spread most, from step to step they nearly are already, and only those that overlap along
- * it are compared. What a pair knows stays as long as its boxes overlap; pairs are in the order in which they met. Simulation thread.
+ * Finds pairs of bodies that may touch within a step. Sweep and prune (Baraff, "Dynamic simulation of non-penetrating
+ * rigid bodies", 1992): boxes are sorted along the axis of largest variance, and only boxes that overlap along it are
+ * compared. Insertion sort is fast because the order hardly changes between steps. A pair keeps its contacts while its
+ * boxes overlap. Pairs are in the order in which they began to overlap. Simulation thread.
  */
 final class BroadPhase {
     /**
-     * By how much boxes are wider than the bodies and where they may go within the step, metres: more than half of what contacts look ahead, for what
-     * is hit goes faster within it.
+     * Margin around a body and its predicted motion, metres: more than half of the contact margin, because an impact
+     * speeds bodies up within the step.
      */
     private static final double MARGIN = 0.01;
-    /** The axis changes when the variance of the boxes' middles along another is so many times as much. */
+    /** The sweep axis changes when the variance of the box centres along another axis exceeds this multiple. */
     private static final double MORE = 2;
-    /** Numbers of a box. */
+    /** Numbers per box. */
     private static final int ENDS = 5;
 
     private final NarrowPhase finder;
-    /** Those that can touch something awake, sorted. */
+    /** Bodies that can touch an awake one, sorted. */
     private Body[] order = new Body[64];
     private int size;
     private double[] lows = new double[64];
@@ -59,7 +60,7 @@ final class BroadPhase {
         order[size] = null;
     }
 
-    /** Finds the pairs of this step, and the contacts of those that are awake. */
+    /** Finds the pairs of this step and the contacts of awake pairs. */
     void find() {
         sweeps++;
         chooseAxis();
@@ -71,7 +72,7 @@ final class BroadPhase {
         }
     }
 
-    /** Draws the boxes, and looks along which axis they are spread most. */
+    /** Updates the boxes and chooses the axis of largest variance. */
     private void chooseAxis() {
         Arrays.fill(sums, 0);
         Arrays.fill(squares, 0);
@@ -95,12 +96,11 @@ final class BroadPhase {
         axis = best;
     }
 
-    /** Variance, times their number. */
+    /** Returns the scaled variance of the box centres. */
     private double spread(int along) {
         return squares[along] - sums[along] * sums[along] / Math.max(1, size);
     }
 
-    /** Insertion sort. */
     private void sort() {
         for (int i = 0; i < size; i++) {
             Body body = order[i];

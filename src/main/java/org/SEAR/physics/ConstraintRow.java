@@ -4,8 +4,8 @@ import org.SEAR.physics.solid.Hinge;
 import org.SEAR.physics.solid.InnerMotion;
 
 /**
- * One direction in which an impulse acts on a rigid body at a point, and its reverse on another that moves, if there is one: a row of the constraint
- * matrix. Velocities are {vx, vy, vz, wx, wy, wz} of the centre of mass, world frame. Simulation thread.
+ * Row of the constraint matrix: an impulse on a body at a point along one direction, and its reverse on another movable
+ * body, if there is one. Velocities are {vx, vy, vz, wx, wy, wz} of the centre of mass, world frame. Simulation thread.
  */
 public final class ConstraintRow {
     private double lx;
@@ -20,27 +20,29 @@ public final class ConstraintRow {
     private double inverseMass;
     private final double[] arm = new double[3];
     private final double[] turn = new double[3];
-    /** Velocities of the other body; null if that does not move. */
+    /** Velocities of the other body; null if it does not move. */
     private double[] others;
     private double othersInverseMass;
-    /** Speed along the row of what moves in the other body, as planned, m/s, and how far that has come in this step, metres. */
+    /** Planned speed along the row of the other body's moving solid, m/s, and its displacement in this step, metres. */
     private double carried;
     private double way;
-    /** Which turns that and yields, and how far it goes along the row when it turns by 1 rad, metres; null if there is none. */
+    /**
+     * Hinge that turns this solid and yields, and its lever: displacement along the row, metres per radian. Null: no
+     * hinge.
+     */
     private Hinge hinge;
     private double lever;
     private final double[] direction = new double[3];
-    /** Change of the speed along the row for an impulse of 1 Ns, 1/kg. */
+    /** Inverse effective mass: change of speed along the row per unit impulse, 1/kg. */
     public double mobility;
-    /** Impulse of this step so far, Ns. */
+    /** Accumulated impulse of this step, N s. */
     public double impulse;
 
     /**
-     * Makes it a row of a body.
-     *
+     * Sets up the row for a body.
      * @param dx unit direction, likewise dy and dz
-     * @param x where the impulse acts, metres, likewise y and z; all in the world frame
-     * @param other takes the reverse impulse; null if that does not move
+     * @param x point of application, metres, likewise y and z; all in the world frame
+     * @param other takes the reverse impulse; null if it does not move
      */
     public void set(double dx, double dy, double dz, double x, double y, double z, SolverBody body, SolverBody other) {
         double rx = x - body.place.x;
@@ -79,11 +81,10 @@ public final class ConstraintRow {
     }
 
     /**
-     * Says on which solid of the other body it acts: a servo may turn that.
-     *
-     * @param solid its number
-     * @param x where the impulse acts, metres, likewise y and z; world frame
-     * @param gone how much of the step is over, seconds
+     * Adds the motion of the touched solid in the other body, which a servo may turn.
+     * @param solid its index
+     * @param x point of application, metres, likewise y and z; world frame
+     * @param gone elapsed time of the step, seconds
      */
     public void carry(Body other, int solid, double x, double y, double z, double gone) {
         InnerMotion inner = other.inner();
@@ -103,19 +104,19 @@ public final class ConstraintRow {
         }
     }
 
-    /** How far what moves in the other body has come along it in this step, metres. */
+    /** Displacement along the row of the other body's moving solid in this step, metres. */
     public double way() {
         return way;
     }
 
-    /** Speed of the point along the direction, as the other body sees it, m/s. */
+    /** Returns the speed of the point along the direction relative to the other body, m/s. */
     public double speed(double[] v) {
         double speed = lx * v[0] + ly * v[1] + lz * v[2] + ax * v[3] + ay * v[4] + az * v[5];
         return others == null ? speed : speed - lx * others[0] - ly * others[1] - lz * others[2] - arm[0] * others[3] - arm[1] * others[4]
             - arm[2] * others[5] - carried - (hinge == null ? 0 : lever * hinge.deviation());
     }
 
-    /** Changes the velocities by an impulse, and those of the other body by its reverse. */
+    /** Applies an impulse to the velocities, and its reverse to the other body. */
     public void applyImpulse(double[] v, double newtonSeconds) {
         double linear = newtonSeconds * inverseMass;
         v[0] += lx * linear;
@@ -138,7 +139,7 @@ public final class ConstraintRow {
         }
     }
 
-    /** Adds to the impulse within limits and changes the velocities accordingly. */
+    /** Adds to the accumulated impulse, clamps it and applies the difference. */
     public void add(double[] v, double change, double least, double most) {
         double sum = Math.max(least, Math.min(most, impulse + change));
         applyImpulse(v, sum - impulse);

@@ -4,61 +4,68 @@ import java.util.Arrays;
 import org.SEAR.physics.solid.HingeLevers;
 
 /**
- * The contacts of an island while a step is solved, manifold after manifold in one array of numbers, for a pile has more of them than a processor
- * keeps at hand. Each keeps up to four points apart and has friction at their middle. Solved by sequential impulses with warm starting; penetration
- * is taken back by a bounded speed that the relaxing pass takes out of the velocities again (soft step: Catto, Solver2D 2024; small steps: Macklin
- * 2019). Simulation thread.
+ * Contact constraints of an island during a step. All numbers are in one array, manifold after manifold, because the
+ * rows of a large stack exceed the processor's cache. Each manifold has up to four normal constraints, and friction at
+ * their centre. Solved by sequential impulses with warm starting. A bounded bias speed corrects penetrations; the
+ * relaxing pass removes it from the velocities (soft step: Catto, Solver2D 2024; small steps: Macklin 2019). Simulation
+ * thread.
  */
 final class ContactRows {
-    /** Share of a penetration that is taken back in a second, 1/s. */
+    /** Rate of the position correction, 1/s. */
     private static final double RECOVERY = 8;
-    /** The speed at which a penetration is taken back at most, m/s. */
+    /** Largest speed of the position correction, m/s. */
     private static final double MAX_RECOVERY = 1;
-    /** The share of a penetration that a substep may take back. */
+    /** Largest share of a penetration that one substep corrects. */
     private static final double MAX_SHARE = 0.2;
-    /** Surfaces rest so far apart, metres. */
+    /** Linear slop: gap between surfaces at rest, metres. */
     static final double LINEAR_SLOP = 1e-4;
-    /** What is deeper in another than this comes out slowly, metres. */
+    /** Penetration above which a contact is deep and is resolved slowly, metres. */
     private static final double DEEP = 0.005;
-    /** And begins with this share of its push: what is in others from two sides would press ever harder, and be thrown when one of them lets go. */
+    /**
+     * Share of the warm-start impulse of a deep contact. Bodies wedged from two sides would otherwise build up impulses
+     * and be thrown out when one contact opens.
+     */
     private static final double DEEP_SHARE = 0.5;
-    /** How deep something may be in what is fixed, as a share of its own least half size. */
+    /** Largest penetration into a fixed body, as a share of the body's smallest half extent. */
     private static final double DEEPEST_SHARE = 0.5;
 
-    /** What comes faster than this when all pushes that are already push, m/s, hits: where it is alone, what stops it pushes no more. */
+    /**
+     * Approach speed, beyond what warm starting stops, m/s, above which a contact is an impact; an isolated body then
+     * drops its warm-start impulse.
+     */
     private static final double IMPACT_SPEED = 0.3;
 
     private static final int MASS_A = 3;
     private static final int MASS_B = 4;
-    /** Length of the substep that the impulses belong to, seconds. */
+    /** Length of the substep of the impulses, seconds. */
     private static final int SECONDS = 5;
     private static final int FRICTION = 6;
     private static final int RESTITUTION = 7;
-    /** 1 if the block is made: it is when it is first needed. */
+    /** 1 if the block is factored; done at its first use. */
     private static final int READY = 8;
-    /** 1 if something hit in this substep, -1 if in the last one. */
+    /** 1 after an impact in this substep, -1 after one in the last substep. */
     private static final int IMPACT = 9;
-    /** 1 if both are single solids that move. */
+    /** 1 if both bodies are movable single solids. */
     private static final int LOOSE = 10;
     private static final int POINTS = 11;
-    /** What the distance would be if neither had moved in this step, metres. */
+    /** Gap for zero displacement of both bodies in this step, metres. */
     private static final int BASE = PairRow.SIZE;
-    /** Present distance of both surfaces here, metres. */
+    /** Present gap, metres. */
     private static final int GAP = BASE + 1;
-    /** What it took to throw them apart in this substep, Ns: friction counts it, too. */
+    /** Restitution impulse of this substep, N s; part of the friction limit. */
     private static final int RESTITUTION_IMPULSE = BASE + 2;
-    /** How far from the manifold's middle, metres. */
+    /** Distance from the manifold's centre, metres. */
     private static final int LEVER = BASE + 3;
-    /** 1 if it comes to throw both apart, at the end of this substep or later: until then nothing brakes them. */
+    /** 1 if the point will bounce at the end of this substep or later; no impulse brakes it before. */
     private static final int PENDING_RESTITUTION = BASE + 4;
-    /** The speed at which solids that move in their bodies come together here, m/s; 0 where none does. */
+    /** Approach speed due to solids that move in their bodies, m/s; 0 without such motion. */
     private static final int DRIVEN = BASE + 5;
-    /** Numbers of a point. */
+    /** Numbers per point. */
     static final int POINT = BASE + 6;
     private static final int PATCH = POINTS + Manifold.MAX_POINTS * POINT;
     private static final int BLOCK = PATCH + FrictionRows.SIZE;
     private static final int SIZE = BLOCK + NormalBlock.SIZE;
-    /** Rows of a manifold for which hinges have levers: those of its points, and then those of friction. */
+    /** Rows per manifold with hinge levers: those of the points, then those of friction. */
     private static final int HINGED = Manifold.MAX_POINTS + FrictionRows.HINGED;
 
     private double[] data = {};
@@ -66,39 +73,38 @@ final class ContactRows {
     private double[][] speedsB = {};
     private double[][] movedA = {};
     private double[][] movedB = {};
-    /** 1 or -1 if what moves comes out of what is fixed along the normal or against it, 0 if neither is fixed. */
+    /** Direction out of a fixed body: 1 along the normal, -1 against it, 0 if neither body is fixed. */
     private byte[] out = {};
     private Manifold[] manifolds = {};
-    /** Levers of the hinges of each manifold; null where there is none. Those of a place stay, to be used again. */
+    /** Hinge levers of each manifold; null without hinges. The objects of a slot are reused. */
     private HingeLevers[] levers = {};
     private HingeLevers[] kept = {};
-    /** Points of each manifold; 0 where there is none. */
+    /** Points of each manifold; 0 in an empty slot. */
     private int[] points = {};
     private int size;
-    /** Whether anything of the island bounces. */
+    /** Whether a contact of the island has a restitution. */
     private boolean bounces;
-    /** How much of the step has gone, seconds: solids that move in their bodies have been under way so long, but are put there at its end. */
+    /** Elapsed time of the step, seconds: solids that move in their bodies take their new poses at its end. */
     private double gone;
     private final NormalBlock block = new NormalBlock();
 
-    /** The step of an island begins. */
+    /** Begins the step of an island. */
     void clear() {
         gone = 0;
         size = 0;
         bounces = false;
     }
 
-    /** Whether there is anything with a restitution. */
     boolean hasBouncing() {
         return bounces;
     }
 
-    /** How many there may be. */
+    /** Number of slots, including empty ones. */
     int size() {
         return size;
     }
 
-    /** Room for a manifold. */
+    /** Adds an empty slot and returns its number. */
     int add() {
         if (size == points.length) {
             int more = 2 * size + 16;
@@ -117,14 +123,13 @@ final class ContactRows {
         return size++;
     }
 
-    /** Leaves a room empty. */
+    /** Empties a slot. */
     void drop(int slot) {
         points[slot] = 0;
     }
 
     /**
-     * Makes the rows of a manifold.
-     *
+     * Sets up the rows of a manifold.
      * @param ahead length of the next substep, seconds
      */
     void fill(int slot, Manifold of, double ahead) {
@@ -196,7 +201,7 @@ final class ContactRows {
         data[point + GAP] -= by.way(row);
     }
 
-    /** Tells a manifold what pushes now. */
+    /** Copies the impulses and gaps of a slot to its manifold. */
     void store(int slot) {
         int at = slot * SIZE;
         Manifold into = manifolds[slot];
@@ -212,8 +217,9 @@ final class ContactRows {
     }
 
     /**
-     * A substep begins: what pushed in the last one pushes on; but where one thing is alone a blow does not, and no push grows with the substep. In
-     * heaps a push that is missing would let all above it fall.
+     * Begins a substep and applies the impulses of the last one (warm starting). For an isolated body the impulse of an
+     * impact is dropped, and no impulse grows with the length of the substep. In stacks a missing impulse would let all
+     * bodies above fall.
      */
     void begin(double seconds, boolean alone) {
         for (int slot = 0; slot < size; slot++) {
@@ -241,7 +247,7 @@ final class ContactRows {
         gone += seconds;
     }
 
-    /** Looks how far both are from each other now. */
+    /** Updates the gaps. */
     private void measure(int slot) {
         double[] p = movedA[slot];
         double[] q = movedB[slot];
@@ -253,8 +259,7 @@ final class ContactRows {
     }
 
     /**
-     * A pass that takes penetrations back.
-     *
+     * Solves one pass with position correction.
      * @param last whether it is the last one before the bodies move
      */
     void solveBiased(boolean last) {
@@ -269,8 +274,7 @@ final class ContactRows {
     }
 
     /**
-     * A pass that doesn't.
-     *
+     * Solves one pass without position correction.
      * @param first whether the bodies have moved since the last pass
      */
     void relax(boolean first) {
@@ -359,7 +363,10 @@ final class ContactRows {
         return Math.min(MAX_RECOVERY, -gap * Math.min(RECOVERY, MAX_SHARE / seconds));
     }
 
-    /** Nothing gets deeper into what is fixed than half of its own half size, whatever pushes it: beyond its middle it would come out behind. */
+    /**
+     * Limits the penetration into a fixed body to half of the smallest half extent; beyond its centre the body would
+     * come out on the far side.
+     */
     private void stayOut(int slot) {
         Manifold of = manifolds[slot];
         Body body = out[slot] > 0 ? of.bodyA : of.bodyB;
@@ -370,7 +377,7 @@ final class ContactRows {
         }
     }
 
-    /** The least distance of its points, metres. */
+    /** Returns the smallest gap of its points, metres. */
     private double gap(int slot) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < points[slot]; i++) {
@@ -379,7 +386,7 @@ final class ContactRows {
         return least;
     }
 
-    /** Notes which bodies it pushes, and whether they are far in each other. */
+    /** Marks bodies that a contact pushes, and bodies that penetrate each other deeply. */
     private void mark(int slot) {
         int at = slot * SIZE;
         Manifold of = manifolds[slot];
@@ -398,15 +405,14 @@ final class ContactRows {
             of.a.press(of.nx, of.ny, of.nz);
             of.b.press(of.nx, of.ny, of.nz);
         } else if (FrictionRows.holds(data, at + PATCH)) {
-            // what does not press does not rub; else friction would be left without the push that it came from
+            // without normal impulse no friction: releases what a former normal impulse allowed
             FrictionRows.solve(data, at + PATCH, this, slot, 0, 0, 0);
         }
     }
 
     /**
-     * Changes the velocities of both bodies by an impulse along a row, Ns.
-     *
-     * @param number of the row among those of the manifold
+     * Applies an impulse along a row to both bodies, N s.
+     * @param number index of the row in its manifold
      */
     void applyImpulse(int slot, int number, int row, double impulse) {
         if (levers[slot] != null) {
@@ -415,7 +421,7 @@ final class ContactRows {
         PairRow.applyImpulse(data, row, speedsA[slot], speedsB[slot], data[slot * SIZE + MASS_A], data[slot * SIZE + MASS_B], impulse);
     }
 
-    /** Changes how both turn by an angular impulse, Nms. */
+    /** Applies an angular impulse to both bodies, N m s. */
     void twist(int slot, double x, double y, double z) {
         if (data[slot * SIZE + MASS_A] > 0) {
             manifolds[slot].a.twist(x, y, z);
@@ -433,43 +439,43 @@ final class ContactRows {
         return speedsB[slot];
     }
 
-    /** Restitution of what touches there; 0 where nothing is. */
+    /** Restitution of a slot; 0 if it is empty. */
     double restitution(int slot) {
         return points[slot] > 0 ? data[slot * SIZE + RESTITUTION] : 0;
     }
 
-    /** Points of a manifold; 0 where there is none. */
+    /** Points of a slot; 0 if it is empty. */
     int points(int slot) {
         return points[slot];
     }
 
-    /** Present distance at a point, metres. */
+    /** Present gap at a point, metres. */
     double gap(int slot, int i) {
         return data[slot * SIZE + POINTS + i * POINT + GAP];
     }
 
-    /** Speed at which both part at a point, m/s. */
+    /** Returns the separating speed at a point, m/s. */
     double parting(int slot, int i) {
         int point = slot * SIZE + POINTS + i * POINT;
         return PairRow.along(data, point, speedsA[slot], speedsB[slot]) - data[point + DRIVEN] - yielding(slot, i);
     }
 
-    /** Levers of the hinges of a manifold; null if there are none. */
+    /** Hinge levers of a slot; null without hinges. */
     HingeLevers levers(int slot) {
         return levers[slot];
     }
 
-    /** How much faster than planned hinges bring both together along a row, m/s. */
+    /** Returns the approach speed along a row due to deviations of hinges from their plan, m/s. */
     private double yielding(int slot, int number) {
         return levers[slot] == null ? 0 : levers[slot].speed(number);
     }
 
-    /** Nothing brakes what comes at a point until it is there. */
+    /** Defers a point until it bounces: no impulse brakes it before. */
     void await(int slot, int i) {
         data[slot * SIZE + POINTS + i * POINT + PENDING_RESTITUTION] = 1;
     }
 
-    /** Forgets what threw them apart in the last substep. */
+    /** Clears the restitution impulses of the last substep. */
     void clearRestitution(int slot) {
         for (int i = 0; i < points[slot]; i++) {
             int point = slot * SIZE + POINTS + i * POINT;
@@ -479,11 +485,10 @@ final class ContactRows {
     }
 
     /**
-     * Adds to a blow so that both part at a point with a speed or faster.
-     *
-     * @param impact so far, Ns
+     * Adds to an impact impulse until the separating speed at a point is at least {@code speed}.
+     * @param impact impulse so far, N s
      * @param speed m/s
-     * @return the blow with what was added
+     * @return the new impulse, N s
      */
     double rebound(int slot, int i, double impact, double speed) {
         int point = slot * SIZE + POINTS + i * POINT;
@@ -493,40 +498,40 @@ final class ContactRows {
         return sum;
     }
 
-    /** A blow has ended: friction counts it. */
+    /** Adds a finished impact impulse to the restitution impulse, which counts for friction. */
     void endImpact(int slot, int i, double impact) {
         data[slot * SIZE + POINTS + i * POINT + RESTITUTION_IMPULSE] += impact;
     }
 
-    /** How much of gravity's acceleration brings both together along the normal, from b to a; only what moves falls. */
+    /** Returns the normal acceleration due to gravity, from b to a, m/s^2; fixed bodies do not fall. */
     double falling(int slot, double gravity) {
         int at = slot * SIZE;
         return data[at + 1] * ((data[at + MASS_B] > 0 ? gravity : 0) - (data[at + MASS_A] > 0 ? gravity : 0));
     }
 
     /**
-     * All points of a manifold solved at once where all of them push, which is how things rest: one after the other they would turn the bodies to and
-     * fro. Where things lie loosely on each other and one did not push in the last pass, it nearly always would have to pull, so it is not tried.
-     * The matrix of four points in a plane has rank three; a little softness shares what is left evenly. Its factor is in the array, too.
+     * Block solver for all normal constraints of a manifold, used while all points push, as they do at rest: sequential
+     * solving would rock the bodies. Loose solids with a point that did not push in the last pass skip it, since that
+     * point would nearly always have to pull. The matrix of four coplanar points has rank three; a small softness
+     * distributes the rest evenly. The array also holds the factor.
      */
     private static final class NormalBlock {
         private static final int MOST = Manifold.MAX_POINTS;
         static final int SIZE = MOST * MOST;
-        /** Share of the diagonal that is added to it. */
+        /** Softness: relative increase of the diagonal. */
         private static final double SOFT = 1e-3;
 
-        /** The speed at which each point is to part, m/s. */
+        /** Required separating speed of each point, m/s. */
         final double[] wanted = new double[MOST];
-        /** How fast the fastest point came, beyond that, when it was solved last, m/s. */
+        /** Largest missing separating speed of a point in the last solve, m/s. */
         double fastest;
         private final double[] work = new double[SIZE];
         private final double[] sum = new double[MOST];
 
         /**
          * Factors the matrix of a manifold's points.
-         *
-         * @param at where it goes in the array
-         * @param points where the rows of the points begin, one each {@link ContactRows#POINT}
+         * @param at start of the factor in the array
+         * @param points start of the points' rows, one per {@link ContactRows#POINT}
          */
         void prepare(double[] r, int at, int points, int n, double massA, double massB) {
             for (int i = 0; i < n; i++) {
@@ -538,7 +543,7 @@ final class ContactRows {
             factor(r, at, n);
         }
 
-        /** Cholesky's factor, with the reciprocals of its diagonal: dividing takes longer than all else here. */
+        /** Computes the Cholesky factor with reciprocals of the diagonal, because divisions dominate the cost. */
         private void factor(double[] r, int at, int n) {
             for (int i = 0; i < n; i++) {
                 for (int k = 0; k <= i; k++) {
@@ -553,8 +558,7 @@ final class ContactRows {
 
         /**
          * Solves for the speeds in {@link #wanted}.
-         *
-         * @return false, and nothing is done, if a point would have to pull
+         * @return false, and changes nothing, if a point would have to pull
          */
         boolean solve(double[] r, int at, int points, int n, double[] p, double[] q, double massA, double massB) {
             fastest = 0;

@@ -4,48 +4,50 @@ import org.SEAR.geometry.Placement;
 import org.SEAR.physics.solid.HingeLevers;
 
 /**
- * Friction of a manifold, at the middle of its points: against sliding in any direction with the same coefficient (Coulomb's cone), against turning
- * about the normal, and against rolling. Numbers in the array of {@link ContactRows}; between steps the manifold remembers what held. Simulation
- * thread.
+ * Friction of a manifold at the centre of its points: against sliding in any direction with one coefficient (Coulomb's
+ * cone), against spinning about the normal, and against rolling. Its numbers are in the array of {@link ContactRows};
+ * between steps the manifold keeps the impulses. Simulation thread.
  */
 final class FrictionRows {
     private static final int SECOND = PairRow.SIZE;
     private static final int TURNED = 2 * PairRow.SIZE;
     private static final int TURNING_MASS = TURNED + 1;
-    /** What an angular impulse of 1 Nms about the normal turns both by. */
+    /** Change of each body's angular velocity per 1 N m s about the normal. */
     private static final int TURN_A = TURNED + 2;
     private static final int TURN_B = TURNED + 5;
-    /** The normal, for that. */
+    /** Normal, for spinning. */
     private static final int NORMAL = TURNED + 8;
-    /** Torque against rolling for each newton, metres. */
+    /** Rolling resistance: torque per newton, metres. */
     private static final int LEVER = TURNED + 11;
     private static final int ROLLING_MASS = TURNED + 12;
     /** 1 if it rolls about the axis only. */
     private static final int ABOUT_AXIS = TURNED + 13;
     private static final int AXIS = TURNED + 14;
     private static final int ROLL = TURNED + 17;
-    /** How fast solids that move in their bodies slide over each other along both directions, m/s, and turn about the normal, rad/s. */
+    /**
+     * Sliding speed of solids that move in their bodies along both tangents, m/s, and their spin about the normal,
+     * rad/s.
+     */
     private static final int DRIVEN = TURNED + 20;
     static final int SIZE = TURNED + 23;
-    /** Rows for which hinges have levers: both directions, and turning about the normal, which turns no hinge. */
+    /** Rows with hinge levers: both tangents, and spinning, which turns no hinge. */
     static final int HINGED = 3;
     private static final int FIRST_ROW = Manifold.MAX_POINTS;
     /**
-     * No edge or corner is so sharp that nothing brakes what rocks on it, metres: else a box that leans on others by corners would swing for ever. A
-     * tenth of what a hard wheel has on a hard floor.
+     * Rolling resistance of edges and corners, metres: without it a box that leans on others by corners would rock for
+     * ever. A tenth of the value of a hard wheel on a hard floor.
      */
     private static final double ROCKING = 2e-5;
-    /** With fewer points than this it can rock. */
+    /** With fewer points than this a body can rock. */
     private static final int STANDS = 3;
 
     private FrictionRows() {
     }
 
     /**
-     * Makes the rows at the middle of the manifold's points: {mx, my, mz}, metres, world frame.
-     *
-     * @param gone how much of the step is over, seconds
-     * @param levers of the hinges; null if there are none
+     * Sets up the rows at the centre of the manifold's points: {mx, my, mz}, metres, world frame.
+     * @param gone elapsed time of the step, seconds
+     * @param levers of the hinges; null without hinges
      */
     static void prepare(double[] r, int at, Manifold of, double mx, double my, double mz, double gone, HingeLevers levers) {
         r[at + NORMAL] = of.nx;
@@ -79,7 +81,7 @@ final class FrictionRows {
         if (of.isDriven()) {
             r[at + DRIVEN] = of.driven(r, at, mx, my, mz, gone);
             r[at + DRIVEN + 1] = of.driven(r, at + SECOND, mx, my, mz, gone);
-            // a metre on, for what moves is rigid; the second direction is the normal times the first
+            // one metre away, since the moving solid is rigid; the second tangent is the normal times the first
             r[at + DRIVEN + 2] = of.driven(r, at + SECOND, mx + r[at], my + r[at + 1], mz + r[at + 2], gone) - r[at + DRIVEN + 1];
             if (levers != null) {
                 of.setLevers(levers, FIRST_ROW, r, at, mx, my, mz, gone);
@@ -92,7 +94,7 @@ final class FrictionRows {
         }
     }
 
-    /** Any two directions at right angles to the normal and to each other, the same for the same normal. */
+    /** Sets up two tangents at right angles; the same normal always gives the same tangents. */
     private static void tangents(double[] r, int at, Manifold of, double mx, double my, double mz) {
         boolean acrossX = Math.abs(of.nx) < 0.6;
         double length = Math.sqrt(of.ny * of.ny + (acrossX ? of.nz * of.nz : of.nx * of.nx));
@@ -104,8 +106,8 @@ final class FrictionRows {
     }
 
     /**
-     * The torque against rolling is the force times the coefficient times how far the middle of what rolls is from the surface. What is round about
-     * an axis rolls about that: tipping over its rim is no rolling.
+     * Sets up rolling resistance: force times coefficient times distance of the rolling body's centre from the surface.
+     * A body that is round about one axis rolls about it only: tipping over its rim is not rolling.
      */
     private static void prepareRolling(double[] r, int at, Manifold of, double x, double y, double z) {
         double fromA = of.bodyA.canRoll() ? distance(of, of.a, x, y, z) : 0;
@@ -157,7 +159,7 @@ final class FrictionRows {
         return axis == 0 ? body.i00 : axis == 1 ? body.i11 : body.i22;
     }
 
-    /** Gives the manifold what holds: as vectors, for the tangents may be others in the next step. */
+    /** Copies the impulses to the manifold, as vectors, because the tangents may differ in the next step. */
     static void store(double[] r, int at, Manifold into) {
         double first = r[at + PairRow.IMPULSE];
         double second = r[at + SECOND + PairRow.IMPULSE];
@@ -170,7 +172,7 @@ final class FrictionRows {
         into.rollZ = r[at + ROLL + 2];
     }
 
-    /** Whether it pushes. */
+    /** Whether any friction impulse is stored. */
     static boolean holds(double[] r, int at) {
         return r[at + PairRow.IMPULSE] != 0 || r[at + SECOND + PairRow.IMPULSE] != 0 || r[at + TURNED] != 0 || rolls(r, at);
     }
@@ -209,11 +211,10 @@ final class FrictionRows {
     }
 
     /**
-     * One pass.
-     *
-     * @param most impulse against sliding, Ns
-     * @param mostTurning angular impulse about the normal, Nms
-     * @param pressing what presses both together, Ns
+     * Solves one pass.
+     * @param most largest impulse against sliding, N s
+     * @param mostTurning largest angular impulse about the normal, N m s
+     * @param pressing total normal impulse, N s
      */
     static void solve(double[] r, int at, ContactRows rows, int slot, double most, double mostTurning, double pressing) {
         double[] p = rows.speedsA(slot);

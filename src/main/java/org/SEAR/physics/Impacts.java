@@ -1,39 +1,38 @@
 package org.SEAR.physics;
 
 /**
- * What bounces, at the time of impact: a substep ends at the moment at which two bodies with a restitution meet, found by the parabola on which they
- * fall, and there they are thrown apart, manifold after manifold, the fastest first, each with the speed at which its points come together then
- * (Newton's law of restitution), until none comes any more: so a blow goes through a row of balls, as sequential impacts do (Mirtich, "Impulse-based
- * dynamic simulation of rigid body systems", 1996). Simulation thread.
+ * Restitution at the time of impact. A substep ends when two bodies with a restitution collide; the time follows from
+ * their free fall. The manifold with the largest approach speed rebounds first by Newton's law of restitution, until
+ * none approaches. Impacts so propagate through a row of balls (sequential impacts: Mirtich, "Impulse-based dynamic
+ * simulation of rigid body systems", 1996). Simulation thread.
  */
 final class Impacts {
-    /** What comes slower than this does not bounce, m/s: else what rests would tremble. */
+    /** Approach speed below which a contact does not bounce, m/s, so that resting bodies do not jitter. */
     private static final double MIN_BOUNCE = 0.3;
-    /** Surfaces this close touch, metres. */
+    /** Gap at which surfaces touch, metres. */
     private static final double TOUCH = 1.1 * ContactRows.LINEAR_SLOP;
-    /** A substep is cut short no more often than this in a step. */
+    /** Largest number of shortened substeps in a step. */
     private static final int MAX_CUTS = 12;
-    /** A substep is no shorter than this share of what it could be. */
+    /** Shortest length of a substep, as a share of its full length. */
     private static final double MIN_SHARE = 1e-3;
-    /** Passes over the points of a face, which all have to agree how fast it goes. */
+    /** Passes over the points of a face, whose speeds depend on each other. */
     private static final int PASSES = 12;
-    /** Blows for each manifold in one moment. */
+    /** Largest number of impacts per manifold at one moment. */
     private static final int MAX_IMPACTS = 8;
 
     private final double[] speeds = new double[Manifold.MAX_POINTS];
     private final double[] impacts = new double[Manifold.MAX_POINTS];
     private int cuts;
 
-    /** A step begins. */
+    /** Begins a step. */
     void begin() {
         cuts = 0;
     }
 
     /**
-     * Throws apart what meets now, and looks when something meets next.
-     *
-     * @param seconds that the substep may take
-     * @return how many it takes
+     * Rebounds contacts that collide now and finds the time of the next impact.
+     * @param seconds longest length of the substep
+     * @return length of the substep, seconds
      */
     double next(ContactRows rows, double seconds, double gravity) {
         if (!rows.hasBouncing()) {
@@ -72,7 +71,7 @@ final class Impacts {
         }
     }
 
-    /** Speed at which those points of a manifold come together, at most, that touch or will within a time, m/s. */
+    /** Returns the largest approach speed of a manifold's points that touch, or will within a time, m/s. */
     private static double approach(ContactRows rows, int slot, double ahead) {
         double most = 0;
         for (int i = 0; i < rows.points(slot); i++) {
@@ -103,7 +102,7 @@ final class Impacts {
         }
     }
 
-    /** When the next that bounces meets, seconds from now. */
+    /** Returns the time until the next impact, seconds. */
     private static double untilNext(ContactRows rows, double seconds, double gravity) {
         double least = seconds;
         for (int slot = 0; slot < rows.size(); slot++) {
@@ -123,7 +122,7 @@ final class Impacts {
         return Math.max(least, MIN_SHARE * seconds);
     }
 
-    /** When a gap closes that changes at a speed, with an acceleration, seconds. */
+    /** Returns the time until a gap closes at a speed and an acceleration, seconds. */
     private static double until(double gap, double speed, double acceleration) {
         double root = speed * speed - 2 * acceleration * gap;
         if (root < 0) {

@@ -5,68 +5,75 @@ import java.util.List;
 import org.SEAR.physics.solid.Hinge;
 
 /**
- * Moves the bodies of an island, which touch each other or may within the step, through a step. It goes in small substeps: gravity, what pushed
- * before, one pass over all contacts that also takes penetrations back, the way, and a pass that takes out of the velocities what taking back put in
- * (Macklin 2019, "Small steps in physics simulation"; Catto 2024, "Solver2D"). Impulses find their way through tall stacks and great ratios of
- * masses from substep to substep, because each begins with those of the last. Simulation thread.
+ * Moves the bodies of an island through a step, in small substeps. A substep applies gravity and the warm-start
+ * impulses, and solves one pass or more over all contacts with position correction. It then moves the bodies and
+ * relaxes: a pass without correction removes the correction speed from the velocities (Macklin 2019, "Small steps in
+ * physics simulation"; Catto 2024, "Solver2D"). Warm starting spreads impulses through tall stacks and large mass
+ * ratios from substep to substep. Simulation thread.
  */
 final class IslandSolver {
-    /** Substeps of a step where things touch. */
+    /** Substeps of a step with contacts. */
     static final int SUBSTEPS = 8;
-    /** Where nothing touches, the wheels of a robot are solved by so many passes. */
+    /** Passes over a robot's wheels without contacts. */
     private static final int PASSES_ALONE = 10;
-    /** Passes over the wheels for each over the contacts. */
+    /** Passes over the wheels per pass over the contacts. */
     private static final int WHEEL_PASSES = 3;
-    /** Ratio of the masses of bodies that touch each other up to which the usual substeps do; beyond it they grow with its root. */
+    /**
+     * Mass ratio of touching bodies up to which {@link #SUBSTEPS} suffice; above it the number grows with its square
+     * root.
+     */
     private static final double RATIO = 12;
     private static final int MAX_SUBSTEPS = 128;
-    /** What turns faster than by this in a substep gets more of them, radians. */
+    /** Rotation per substep above which there are more substeps, radians. */
     private static final double MAX_TURN = 0.015;
-    /** What is alone on what is fixed goes so far in a substep, metres, where the usual substeps are not needed. */
+    /** Largest movement of an isolated body per substep, metres, where fewer substeps suffice. */
     private static final double WAY_ALONE = 4e-3;
-    /** And has no fewer substeps than these. */
+    /** Smallest number of substeps of an isolated body. */
     private static final int MIN_ALONE = 2;
-    /** And turns by no more than this in one, radians. */
+    /** Largest rotation of an isolated body per substep, radians. */
     private static final double MAX_TURN_ALONE = 0.03;
-    /** Bodies of an island for which that is paid. */
+    /** Largest island, in bodies, with extra substeps for fast rotation. */
     private static final int FEW = 4;
-    /** Points, and what searches take, times substeps of a step, beyond which there are fewer substeps, but no fewer than {@link #MIN_SUBSTEPS}. */
+    /**
+     * Limit of points, and of the cost of searches, times substeps. Above it there are fewer substeps, but at least
+     * {@link #MIN_SUBSTEPS}.
+     */
     private static final int MAX_WORK = 24_000;
-    /** What finding the contacts of a pair anew takes, in points. */
+    /** Cost of a new contact search for a pair, in points. */
     private static final int SEARCH = 6;
-    /** Passes in a substep for each body of the highest stack: what carries must hear of what is on top of it. */
+    /** Passes per substep for each level of the highest stack, so that the supporting bodies feel the load above. */
     private static final double PASSES_EACH = 0.3;
-    /** Passes in a substep for a ratio of masses of 1: what is heavy on what is light is stopped by little and little. */
+    /** Passes per substep for each unit of the mass ratio: heavy bodies on light ones converge slowly. */
     private static final double PASSES_RATIO = 0.1;
-    /** Passes at least where something is on top of another thing: a heap of which each hears too late of the others sways on. */
+    /** Smallest number of passes where bodies rest on each other; stacks would sway with fewer. */
     private static final int MIN_PASSES_ON_OTHERS = 2;
-    /** Points, and what wheels take, times substeps times passes, beyond which there are fewer passes. */
+    /** Limit of points, and of the cost of wheels, times substeps times passes. Above it there are fewer passes. */
     private static final int MAX_PASSES_WORK = 60_000;
-    /** What a robot's wheels take in a pass, in points. */
+    /** Cost of a robot's wheels in a pass, in points. */
     private static final int WHEELS = 6;
     private static final int MIN_SUBSTEPS = 4;
-    /** What is left of a step, as a share of a substep, that is no substep of its own. */
+    /** A remainder of the step below this fraction of a substep is dropped. */
     private static final double REST = 1e-6;
 
     private List<Body> bodies;
     private List<PairContacts> pairs;
     private final List<PairContacts> ofMeshes = new ArrayList<>();
     private List<WheelDrive> drives;
-    /** Those about which solids of the bodies turn in this step. */
+    /** Hinges of the bodies' solids that turn in this step. */
     private final List<Hinge> hinges = new ArrayList<>();
     private final ContactRows rows = new ContactRows();
     private final StackOrder stackOrder = new StackOrder();
     private final Impacts impacts = new Impacts();
     private final double gravity;
-    /** Whether it is one thing without wheels that does not roll, on or before what is fixed: no impulse has to find its way. */
+    /** Whether the island is one body without wheels that does not roll: impulses need not spread. */
     private boolean alone;
-    /** Inverse masses of what pushes each other, 1/kg. */
+    /** Extreme inverse masses of touching bodies, 1/kg. */
     private double lightest;
     private double heaviest;
     private long passes;
     private int rounds;
 
-    /** The wheels of a robot. */
+    /** Wheels of a robot. */
     static final class WheelDrive {
         final Body body;
         final PhysicsWorld.Drive drive;
@@ -122,7 +129,7 @@ final class IslandSolver {
         settle();
     }
 
-    /** Whether wheels stand on a robot that a servo turns parts of. */
+    /** Whether wheels stand on a robot with a moving servo. */
     private boolean isCarriedByHinge() {
         for (int i = 0; i < drives.size(); i++) {
             List<Body> under = drives.get(i).drive.loaded();
@@ -135,7 +142,7 @@ final class IslandSolver {
         return false;
     }
 
-    /** Nothing touches: there is nothing to solve but wheels. */
+    /** Moves bodies without contacts; only wheels are solved. */
     private void stepAlone(double seconds) {
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().fall(seconds, gravity);
@@ -214,7 +221,7 @@ final class IslandSolver {
         }
     }
 
-    /** Substeps for what is alone: the slower it comes, the fewer. */
+    /** Returns the substeps of an isolated body: fewer at low speed. */
     private double substepsAlone(double seconds) {
         double fast = 0;
         for (int i = 0; i < pairs.size(); i++) {
@@ -223,7 +230,7 @@ final class IslandSolver {
         return Math.max(MIN_ALONE, Math.min(SUBSTEPS, (fast + gravity * seconds) * seconds / WAY_ALONE));
     }
 
-    /** How fast what is no ball turns, rad/s. */
+    /** Returns the largest angular velocity of bodies that are not balls, rad/s. */
     private double fastest() {
         double most = 0;
         for (int i = 0; i < bodies.size(); i++) {
@@ -236,8 +243,8 @@ final class IslandSolver {
     }
 
     /**
-     * @param seconds that it may take
-     * @return how many it took: it ends where something bounces
+     * @param seconds longest length
+     * @return actual length, seconds: the substep ends at an impact with restitution
      */
     private double substep(double seconds) {
         double taken = impacts.next(rows, seconds, gravity);
@@ -262,7 +269,7 @@ final class IslandSolver {
             hinges.get(i).advance();
         }
         stopBeforeMeshes(taken);
-        int relaxing = Math.max(1, rounds - 1);     // one fewer will do: heaps come to rest as soon
+        int relaxing = Math.max(1, rounds - 1);     // one pass less suffices for stacks to come to rest
         for (int i = 0; i < relaxing; i++) {
             relax(i == 0);
         }
@@ -288,21 +295,21 @@ final class IslandSolver {
         }
     }
 
-    /** A pass that takes penetrations back. */
+    /** Solves one pass with position correction. */
     private void press(boolean last) {
         passes++;
         solveDrives();
         rows.solveBiased(last);
     }
 
-    /** A pass that takes out of the velocities what the others put in to take penetrations back. */
+    /** Solves one pass without position correction. */
     private void relax(boolean first) {
         passes++;
         solveDrives();
         rows.relax(first);
     }
 
-    /** Wheels, and the motors of hinges. */
+    /** Solves wheels and the motors of hinges. */
     private void solveDrives() {
         for (int i = 0; i < hinges.size(); i++) {
             hinges.get(i).solve();

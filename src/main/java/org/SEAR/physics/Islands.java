@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Parts the bodies that move into islands: those that touch each other, or that wheels of the other push, directly or by others, are solved together
- * and sleep together. What is fixed joins nothing. A union-find structure (Tarjan 1975) over the pairs gives the islands, in the order of their first
- * bodies. Simulation thread.
+ * Divides the movable bodies into islands. Bodies that touch, or that wheels press on, are solved together and sleep
+ * together. Fixed bodies connect nothing. Union-find (Tarjan 1975) over the pairs; islands are in the order of their
+ * first bodies. Simulation thread.
  */
 final class Islands {
     private int[] parent = {};
@@ -22,10 +22,9 @@ final class Islands {
     }
 
     /**
-     * Makes them anew.
-     *
-     * @param bodies that can move, in the order of their numbers
-     * @param total how many bodies the world has
+     * Rebuilds the islands.
+     * @param bodies movable bodies, in the order of their numbers
+     * @param total number of bodies in the world
      */
     void build(List<Body> bodies, List<PairContacts> pairs, List<IslandSolver.WheelDrive> drives, int total) {
         if (parent.length < total) {
@@ -89,7 +88,7 @@ final class Islands {
         }
     }
 
-    /** The lesser number leads, so that the order of islands is that of their first bodies. */
+    /** The smaller number becomes the root, so that islands are in the order of their first bodies. */
     private void join(int one, int other) {
         int a = root(one);
         int b = root(other);

@@ -4,30 +4,30 @@ import org.SEAR.physics.solid.HingeLevers;
 import org.SEAR.physics.solid.Surface;
 
 /**
- * The contact of two solids along one direction: up to four points that keep them apart, and what pushes and holds there from step to step. While a
- * step is solved, {@link ContactRows} has its numbers. Simulation thread.
+ * Contact manifold of two solids: one normal, up to four points, and the impulses kept from step to step.
+ * {@link ContactRows} holds its numbers during a step. Simulation thread.
  */
 final class Manifold {
     static final int MAX_POINTS = 4;
     private static final int OWN = 6;
-    /** A point this near to one before is the same, metres. */
+    /** Distance below which a point matches a former one, metres. */
     private static final double NEAR = 0.02;
-    /** Least cosine of the normals of a manifold and the one before it. */
+    /** Smallest cosine between the normals of a manifold and its former one. */
     private static final double SIMILAR = 0.9;
-    /** What turns by more than this in a substep spins, radians. */
+    /** Rotation per substep above which a body spins fast, radians. */
     private static final double SPINNING = 0.02;
 
-    /** One point at which two bodies touch or may touch within the step; the direction is the manifold's. Simulation thread. */
+    /** Contact point, or one that may become one within the step. Simulation thread. */
     static final class Point {
-        /** On the second body, world frame, when it was found, metres. */
+        /** Position on the second body when found, world frame, metres. */
         double x;
         double y;
         double z;
-        /** Of both bodies when it was found, metres; negative: so deep they are in each other. */
+        /** Gap when found, metres; negative: penetration. */
         double found;
-        /** Push of the last substep, Ns. */
+        /** Normal impulse of the last substep, N s. */
         double impulse;
-        /** Distance of both surfaces here at the end of the last step, metres. */
+        /** Gap at the end of the last step, metres. */
         double gap;
     }
 
@@ -35,48 +35,53 @@ final class Manifold {
     SolverBody b;
     Body bodyA;
     Body bodyB;
-    /** Which solids of the bodies. */
+    /** Indices of the solids in their bodies. */
     int solidA;
     int solidB;
-    /** From b to a, length 1, world frame. */
+    /** Normal from b to a, length 1, world frame. */
     double nx;
     double ny;
     double nz;
     int count;
     final Point[] points = {new Point(), new Point(), new Point(), new Point()};
-    /** The same points in the frames of both bodies, by which they are known again: {x, y, z} of each in the first, then in the second. */
+    /**
+     * Local coordinates that match points between steps: {x, y, z} of each in the first body's frame, then in the
+     * second's.
+     */
     private final double[] own = new double[MAX_POINTS * OWN];
     /** Coefficients of the pair. */
     double friction;
     double restitution;
-    /** Coefficient of rolling friction, 0 where nothing rolls. */
+    /** Coefficient of rolling friction; 0 if no body rolls. */
     double rolling;
-    /** Whether nothing round and no robot touches: what rocks on edges and corners. */
+    /** Whether neither body is round or a robot: then they can rock on edges and corners. */
     boolean rocks;
-    /** Inverse masses, 1/kg; 0 of what does not move in this step. */
+    /** Inverse masses, 1/kg; 0 for a body that does not move in this step. */
     double massA;
     double massB;
-    /** Length of the substep that the impulses belong to, seconds. */
+    /** Length of the substep of the impulses, seconds. */
     double seconds;
-    /** Whether they are those of a blow, which does not push on. */
+    /** Whether the impulses are those of an impact, which is not warm started. */
     boolean impact;
-    /** For how long the bodies turn on before the point of contact is where the rows have it, seconds. */
+    /** Time by which each body's lever arm is rotated ahead, seconds. */
     double leadA;
     double leadB;
-    /** Room for the way from a centre of mass to a point. */
+    /** Buffer for a lever arm. */
     final double[] arm = new double[3];
-    /** Friction that holds against sliding, Ns, world frame. */
+    /** Friction impulse against sliding, N s, world frame. */
     double fx;
     double fy;
     double fz;
-    /** And against turning about the normal, Nms. */
+    /** Friction impulse against spinning about the normal, N m s. */
     double turned;
-    /** And against rolling, Nms, world frame. */
+    /** Friction impulse against rolling, N m s, world frame. */
     double rollX;
     double rollY;
     double rollZ;
 
-    /** Adds the coefficients of both surfaces: friction the product, restitution the greater, rolling friction the sum. */
+    /**
+     * Combines the coefficients of both surfaces: friction by product, restitution by maximum, rolling friction by sum.
+     */
     void setSurfaces(Surface ofA, Surface ofB) {
         friction = ofA.friction(bodyA.isRobot()) * ofB.friction(bodyB.isRobot());
         restitution = Math.max(ofA.restitution(), ofB.restitution());
@@ -87,8 +92,7 @@ final class Manifold {
 
     /**
      * Adds a point.
-     *
-     * @param x of the second body, metres, world frame, likewise y and z
+     * @param x on the second body, metres, world frame, likewise y and z
      * @param gap to the first body, metres
      */
     void add(double x, double y, double z, double gap) {
@@ -104,7 +108,7 @@ final class Manifold {
         count++;
     }
 
-    /** Takes over what a manifold of the same solids pushed before: each point what the one next to it did. */
+    /** Takes over the impulses of a former manifold of the same solids, each from the nearest point (warm starting). */
     void inherit(Manifold from) {
         if (nx * from.nx + ny * from.ny + nz * from.nz < SIMILAR) {
             return;
@@ -135,7 +139,10 @@ final class Manifold {
         share(from);
     }
 
-    /** The square of the distance of a point from one of another manifold in the frame of a body, 0 for the first or 3, m^2. */
+    /**
+     * Returns the squared distance to a point of another manifold, m^2, in the frame of the first body (0) or the
+     * second (3).
+     */
     private double square(int i, Manifold from, int k, int frame) {
         int at = i * OWN + frame;
         int other = k * OWN + frame;
@@ -145,7 +152,7 @@ final class Manifold {
         return x * x + y * y + z * z;
     }
 
-    /** What the manifold before pushed where it now has no point is shared by the points that it has. */
+    /** Distributes impulses of lost points evenly. */
     private void share(Manifold from) {
         double lost = 0;
         for (int i = 0; i < from.count; i++) {
@@ -159,14 +166,14 @@ final class Manifold {
         }
     }
 
-    /** What the distances are now counts as found, for a step in which contacts are not found anew. */
+    /** Makes the present gaps the found ones, for a step without a new search. */
     void settle() {
         for (int i = 0; i < count; i++) {
             points[i].found = points[i].gap;
         }
     }
 
-    /** Forgets what it pushed. */
+    /** Clears the impulses. */
     void fresh() {
         seconds = 0;
         impact = false;
@@ -180,8 +187,7 @@ final class Manifold {
     }
 
     /**
-     * What of its bodies counts in a step, or in what is left of it.
-     *
+     * Updates the inverse masses and the lead times.
      * @param ahead length of the next substep, seconds
      */
     void lookAhead(double ahead) {
@@ -192,23 +198,23 @@ final class Manifold {
     }
 
     /**
-     * A corner of a body that spins fast goes on a bow: its speed in the middle of the substep counts, when it has turned by half of it. Where
-     * something round rolls, the point of contact stays where it is.
+     * Returns the lead time: a corner of a fast spinning body moves on an arc, so its velocity at half of the substep
+     * counts. The contact point of a rolling body stays.
      */
     private double lead(Body body, SolverBody solver, int solid, int frame, double ahead) {
         return solver.turning() * ahead > SPINNING && body.isCorner(solid, own[frame], own[frame + 1], own[frame + 2]) ? ahead / 2 : 0;
     }
 
-    /** Whether one of both solids moves in its body. */
+    /** Whether one of the solids moves in its body. */
     boolean isDriven() {
         return bodyA.inner().moves(solidA) || bodyB.inner().moves(solidB);
     }
 
     /**
-     * How fast solids that move in their bodies come together at a point, m/s: at this speed the bodies have to part there.
-     *
-     * @param d has a unit direction, world frame, three numbers from {@code i} on: from the second to the first where they come together
-     * @param gone how much of the step is over, seconds
+     * Returns the approach speed at a point due to solids that move in their bodies, m/s; the bodies have to separate
+     * at this speed.
+     * @param d holds a unit direction, world frame, three numbers from {@code i} on: from the second body to the first
+     * @param gone elapsed time of the step, seconds
      */
     double driven(double[] d, int i, double x, double y, double z, double gone) {
         double ofA = bodyA.inner().moves(solidA) ? bodyA.inner().speed(solidA, a.place, d, i, x, y, z, gone) : 0;
@@ -216,19 +222,19 @@ final class Manifold {
         return ofB - ofA;
     }
 
-    /** Whether one of both solids yields on a hinge; if so, {@code levers} are theirs. */
+    /** Sets the hinges of both solids; returns whether one yields. */
     boolean yields(HingeLevers levers) {
         levers.set(bodyA.inner().hinge(solidA), bodyB.inner().hinge(solidB));
         return levers.any();
     }
 
-    /** Sets by which levers their hinges bring them together at a point along a direction, as {@link #driven}. */
+    /** Sets the hinges' levers at a point along a direction, signed as in {@link #driven}. */
     void setLevers(HingeLevers levers, int row, double[] d, int i, double x, double y, double z, double gone) {
         levers.setRow(row, -bodyA.inner().lever(solidA, a.place, d, i, x, y, z, gone),
             bodyB.inner().lever(solidB, b.place, d, i, x, y, z, gone));
     }
 
-    /** The least distance of its points, metres. */
+    /** Returns the smallest gap of its points, metres. */
     double gap() {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < count; i++) {
@@ -237,12 +243,12 @@ final class Manifold {
         return least;
     }
 
-    /** Which of a robot's solids of the first body it is; 0 in all other bodies. */
+    /** Index of the touching solid if the first body is a robot, else 0. */
     int numberA() {
         return bodyA.isRobot() ? solidA : 0;
     }
 
-    /** The same of the second body. */
+    /** Index of the touching solid if the second body is a robot, else 0. */
     int numberB() {
         return bodyB.isRobot() ? solidB : 0;
     }

@@ -15,19 +15,20 @@ import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Placement;
 import org.SEAR.physics.solid.Solid;
 
-/**
- * Finds where bodies touch or come near, from the shapes themselves in double precision. Simulation thread.
- */
+/** Finds contacts of bodies from their exact shapes in double precision. Simulation thread. */
 final class NarrowPhase {
-    /** Normals whose cosine is greater belong to one manifold. */
+    /** Cosine above which normals belong to one manifold. */
     private static final double SAME = 0.9998;
-    /** A direction that parts two flat things nearly as far as the best one stays, metres: else their contact would change to and fro. */
+    /**
+     * A former separating direction of two flat solids is kept if its distance is within this of the best, metres;
+     * otherwise the contact would flicker.
+     */
     private static final double CHANGE = 1e-4;
-    /** Points of contact with a mesh that are kept. */
+    /** Largest number of contact points with a mesh. */
     private static final int MESH_POINTS = 12;
-    /** So much before a triangle, as a share of the way of a substep, what would go through it stops. */
+    /** Distance at which a body stops before a triangle, as a share of the substep's path. */
     private static final double BEFORE = 0.01;
-    /** Things that a thing can touch or nearly touch at once before it counts as crowded. */
+    /** Possible contacts above which a body counts as crowded. */
     private static final int MAX_CONTACTS = 48;
 
     private final GjkDistance gjk = new GjkDistance();
@@ -79,41 +80,40 @@ final class NarrowPhase {
         return seconds;
     }
 
-    /** What gravity adds to a speed in a step, m/s. */
+    /** Speed gained by gravity in a step, m/s. */
     double stepGain() {
         return gain;
     }
 
-    /** Forgets the pairs of the last step. */
+    /** Clears the pairs of the last step. */
     void clear() {
         pairs.clear();
     }
 
     /**
-     * Whether so many things lie in one another that two of them need not be looked at in this step: both touch enough others, from which they are
-     * moved away first. So a step costs no more than many contacts a thing.
+     * Whether both bodies already have so many contacts that their own pair is skipped in this step: this bounds the
+     * cost of many bodies inside each other.
      */
     boolean isCrowded(Body a, Body b) {
         return a.countContact() > MAX_CONTACTS && b.countContact() > MAX_CONTACTS;
     }
 
-    /** Takes a pair that has contacts in this step. */
+    /** Adds a pair that has contacts in this step. */
     void list(PairContacts pair) {
         pairs.add(pair);
     }
 
-    /** The pairs that have contacts in this step, in an order that the run decides. */
+    /** Pairs with contacts in this step, in a deterministic order. */
     List<PairContacts> getPairs() {
         return pairs;
     }
 
     /**
      * Finds the contacts of two bodies.
-     *
-     * @param a no mesh
-     * @param newMargin how far apart two points of a contact may be, metres
-     * @param newReach how near they may come to be of interest, metres, no less than that
-     * @return whether they come as near as that
+     * @param a not a mesh
+     * @param newMargin largest gap of a contact point, metres
+     * @param newReach largest distance of interest, metres, at least {@code newMargin}
+     * @return whether they come that near
      */
     boolean find(PairContacts pair, Body a, Body b, double newMargin, double newReach) {
         margin = newMargin;
@@ -136,7 +136,7 @@ final class NarrowPhase {
         return near;
     }
 
-    /** How far apart the bodies were at least that did not come as near as that, metres. */
+    /** Smallest distance of solids outside the reach, metres. */
     double getClear() {
         return clear;
     }
@@ -185,7 +185,7 @@ final class NarrowPhase {
         }
     }
 
-    /** Whether a face of one of them is where they are nearest, as for most things that lie or fall on what is fixed. */
+    /** Tests whether a face of one of them separates them best, as in most contacts with fixed bodies. */
     private boolean byFace(PlacedSolid a, PlacedSolid b) {
         double skins = a.solid.convex().skin() + b.solid.convex().skin();
         b.feature(guess[0], guess[1], guess[2], clipper.ofB);
@@ -201,7 +201,10 @@ final class NarrowPhase {
         return false;
     }
 
-    /** Measures by the cores, which are apart where things touch; only what is deeper than both skins costs more. */
+    /**
+     * Measures the distance by the cores, which stay apart in ordinary contacts; only penetrations deeper than both
+     * convex radii cost more.
+     */
     private boolean measure(PlacedSolid a, Convex coreOfB, Convex b, double skinOfB) {
         double skins = a.solid.convex().skin() + skinOfB;
         if (!gjk.measure(a.core(), coreOfB, reach + 2 * skins, guess[0], guess[1], guess[2])) {
@@ -213,7 +216,7 @@ final class NarrowPhase {
         return isNear();
     }
 
-    /** Notes how near they are; whether so near that they may touch. */
+    /** Notes the distance; returns whether they may touch. */
     private boolean isNear() {
         if (gjk.distance <= reach) {
             near = true;
@@ -230,7 +233,8 @@ final class NarrowPhase {
         }
         boolean through = gjk.distance < 0 && triangle.depth() <= ManifoldClipper.BREAKING;
         if (through) {
-            // what has come a little way through a triangle goes back through it, not sideways over its edges to the next triangle
+            // a shallow penetration resolves through the triangle's face, not sideways over its edges to the next
+            // triangle
             triangle.front(clipper.ofB);
             solid.feature(-clipper.ofB.nx, -clipper.ofB.ny, -clipper.ofB.nz, clipper.ofA);
             if (clipper.faces(clipper.ofB.nx, clipper.ofB.ny, clipper.ofB.nz, contacts)) {
@@ -253,8 +257,8 @@ final class NarrowPhase {
     }
 
     /**
-     * Stops a body whose centre of mass has gone through a triangle of a mesh in a substep: contacts push what is not through to where it came from.
-     *
+     * Stops a body whose centre of mass passed through a triangle of a mesh in a substep (tunnelling). Contacts resolve
+     * only bodies that are not yet through.
      * @param b the mesh
      */
     void stopBefore(Body a, Body b) {
@@ -274,7 +278,7 @@ final class NarrowPhase {
         }
     }
 
-    /** Puts the points into manifolds of one normal each. */
+    /** Groups the points into manifolds of one normal each. */
     private void write(PairContacts pair, Solid a, int solidA, Solid b, int solidB) {
         int chosen = contacts.choose(b.isMesh() ? MESH_POINTS : Manifold.MAX_POINTS);
         int first = pair.size();

@@ -3,31 +3,34 @@ package org.SEAR.physics;
 import java.util.Arrays;
 
 /**
- * The contacts of two bodies from step to step, while the broad phase finds that their boxes overlap. They are found anew when the bodies
- * may have moved against each other by more than a tolerance, in a step several times if need be; what pushed at a point pushes on. Simulation
- * thread.
+ * Contacts of two bodies from step to step while their boxes overlap in the broad phase. A new search runs when the
+ * bodies may have moved against each other by more than a tolerance, if necessary several times in a step. Impulses of
+ * persistent points are kept (warm starting). Simulation thread.
  */
 final class PairContacts {
-    /** Contacts are looked for so far ahead, metres, besides what the bodies may move until they are found anew. */
+    /** Contact margin, metres, in addition to the possible motion until the next search. */
     private static final double MARGIN = 2e-3;
-    /** What is flat may move so far against the other before contacts are found anew, metres. */
+    /** Relative motion of flat bodies after which a new search is due, metres. */
     private static final double TOLERANCE = 6e-3;
-    /** The same where something rolls: the point of contact is another after a turn. */
+    /**
+     * Relative motion of rolling bodies after which a new search is due, metres: their contact point moves with the
+     * rotation.
+     */
     private static final double TOLERANCE_ROUND = 1e-3;
-    /** Bodies that have moved less than this against each other since their contacts were found have the same still, metres. */
+    /** Relative motion below which contacts stay the same, metres. */
     private static final double STILL = 2e-4;
 
-    /** How wrong the speed of a point may become by turning while the bodies go on, m/s. */
+    /** Largest error of a contact point's velocity by rotation between searches, m/s. */
     private static final double SLIP = 0.02;
-    /** What moves more than this share of its least half size in a substep could pass through something. */
+    /** Motion per substep above which a body could tunnel, as a share of its smallest half extent. */
     private static final double PASSING = 0.25;
-    /** No step has fewer substeps. */
+    /** Smallest number of substeps of a step. */
     private static final int MIN_SUBSTEPS = 4;
 
     /** In the order of their numbers. */
     Body first;
     Body second;
-    /** Another pair in the same bucket of the broad phase, and in which sweep it met last. */
+    /** Next pair in the same bucket of the broad phase, and the last sweep in which the boxes overlapped. */
     PairContacts next;
     int hit;
     private final NarrowPhase finder;
@@ -42,31 +45,31 @@ final class PairContacts {
     private double still;
     private boolean single;
     private boolean flat;
-    /** How far both may have moved against each other since the contacts were found, metres. */
+    /** Upper bound of the relative motion since the last search, metres. */
     private double travelled;
-    /** How fast any points of both may come together since the last substep, m/s. */
+    /** Upper bound of the approach speed since the last substep, m/s. */
     private double fast;
     private double margin;
-    /** Up to how far apart they were looked for, metres. */
+    /** Largest distance of interest in the last search, metres. */
     private double reach;
     private boolean known;
-    /** Whether contacts are found anew within a step. */
+    /** Whether the last search ran within a step. */
     private boolean within;
     /** Whether they may touch within the step. */
     private boolean near;
-    /** How far apart they were when contacts were found, metres, and along which direction, from b to a. */
+    /** Distance at the last search, metres, and its direction from b to a. */
     private double apart;
     private double nx = 1;
     private double ny;
     private double nz;
-    /** How far apart they were at least when they did not come near, metres. */
+    /** Lower bound of the distance of solids outside the reach, metres. */
     private double clear;
-    /** Where the one stood from the other then, world frame, and how far both had turned, metres. */
+    /** Relative position at the last search, world frame, and the total surface motion by rotation, metres. */
     private double fromX;
     private double fromY;
     private double fromZ;
     private double turned;
-    /** Where its manifolds are among the rows of its island, at least one. */
+    /** Slots of its manifolds in the rows of the island, at least one. */
     private int[] slots = new int[1];
     private int slotCount;
 
@@ -74,7 +77,7 @@ final class PairContacts {
         this.finder = finder;
     }
 
-    /** Their boxes begin to overlap. */
+    /** Begins a pair whose boxes overlap. */
     void begin(Body ofFirst, Body ofSecond) {
         first = ofFirst;
         second = ofSecond;
@@ -95,7 +98,7 @@ final class PairContacts {
         return first == one && second == other;
     }
 
-    /** A step begins: finds their contacts if one of them is awake. */
+    /** Begins a step: finds the contacts if one of the bodies is awake. */
     void find() {
         if (!a.isSolved() && !b.isSolved()) {
             return;
@@ -125,7 +128,7 @@ final class PairContacts {
         return count > 0 || near;
     }
 
-    /** How far both have moved against each other at most since they were looked at, metres. */
+    /** Returns an upper bound of the relative motion since the last search, metres. */
     private double went() {
         double x = a.getSolver().place.x - b.getSolver().place.x - fromX;
         double y = a.getSolver().place.y - b.getSolver().place.y - fromY;
@@ -133,12 +136,12 @@ final class PairContacts {
         return Math.sqrt(x * x + y * y + z * z) + a.getTurned() + b.getTurned() - turned;
     }
 
-    /** How fast any points of both may come together since the last substep, m/s. */
+    /** Upper bound of the approach speed since the last substep, m/s. */
     double getFast() {
         return fast;
     }
 
-    /** How fast any points of both may come together, m/s. */
+    /** Returns an upper bound of the present approach speed, m/s. */
     private double speed() {
         double[] p = a.getSolver().v;
         double[] q = b.getSolver().v;
@@ -149,9 +152,9 @@ final class PairContacts {
     }
 
     /**
-     * @param speed how fast they may come together, m/s
-     * @param ahead how long it is interesting who may come, seconds
-     * @param next after what time they may be found anew, seconds
+     * @param speed upper bound of the approach speed, m/s
+     * @param ahead time for which contacts are of interest, seconds
+     * @param next time until the next search may run, seconds
      */
     private void find(double speed, double ahead, double next) {
         margin = MARGIN + Math.min(speed * ahead, tolerance) + speed * next;
@@ -172,7 +175,7 @@ final class PairContacts {
         known = true;
     }
 
-    /** A step is to be solved: makes the rows of its manifolds. */
+    /** Sets up the rows of its manifolds for a step. */
     void enter(ContactRows rows, double substep) {
         slotCount = 0;
         fill(rows, substep);
@@ -194,7 +197,7 @@ final class PairContacts {
         }
     }
 
-    /** Takes over what pushes in its manifolds. */
+    /** Takes over the impulses from the rows. */
     void store(ContactRows rows) {
         for (int i = 0; i < count; i++) {
             rows.store(slots[i]);
@@ -202,9 +205,8 @@ final class PairContacts {
     }
 
     /**
-     * Finds the contacts anew within a step, if the bodies have moved too far since.
-     *
-     * @param seconds that the substep will take
+     * Searches contacts again within a step if the bodies have moved too far.
+     * @param seconds length of the next substep
      */
     void refresh(ContactRows rows, double seconds) {
         double next = (fast + finder.stepGain()) * seconds;
@@ -216,12 +218,15 @@ final class PairContacts {
         }
     }
 
-    /** Whether its contacts have to be found anew after a time, as both move now. */
+    /** Whether a new search is due after a time at the present speed. */
     boolean isSoonStale(double seconds) {
         return (fast + finder.stepGain()) * seconds > mostTravel();
     }
 
-    /** How far both may move against each other until contacts have to be found anew: what is apart, until it could touch, metres. */
+    /**
+     * Returns the relative motion after which a new search is due, metres; separate bodies may move until they could
+     * touch.
+     */
     private double mostTravel() {
         double free = Math.min(apart, reach) - MARGIN;
         if (count == 0) {
@@ -231,12 +236,12 @@ final class PairContacts {
         return Math.max(free, Math.min(Math.min(tolerance, slip), margin - MARGIN / 2));
     }
 
-    /** Whether the second body is one. */
+    /** Whether the second body is a mesh. */
     boolean isOfMesh() {
         return b.isMesh();
     }
 
-    /** What went through a mesh in the substep goes back. */
+    /** Undoes tunnelling through a mesh in the substep. */
     void stopBeforeMesh(double seconds) {
         a.noteTurningSpeed();
         if (a.isSolved() && travelled + speed() * seconds > PASSING * a.getLeast()) {
@@ -244,13 +249,13 @@ final class PairContacts {
         }
     }
 
-    /** A substep has passed. */
+    /** Ends a substep. */
     void moved(double seconds) {
         fast = speed();
         travelled += fast * seconds;
     }
 
-    /** A manifold to be filled; its points are told by {@link #inherit} what they pushed before. */
+    /** Adds an empty manifold; {@link #inherit} sets its former impulses. */
     Manifold add(int solidA, int solidB) {
         if (count == now.length) {
             now = Arrays.copyOf(now, 2 * count);
@@ -272,8 +277,7 @@ final class PairContacts {
     }
 
     /**
-     * The direction in which they touched last, or else were parted.
-     *
+     * Returns the last contact normal, or else the last separating direction.
      * @param into takes it, from b to a, world frame, length 1
      * @return whether they have touched
      */
@@ -285,25 +289,25 @@ final class PairContacts {
         return touched;
     }
 
-    /** Whether each is of one solid, and none a mesh. */
+    /** Whether both bodies are single solids and neither is a mesh. */
     boolean isSingle() {
         return single;
     }
 
-    /** Whether neither of them is round, and each is of one solid. */
+    /** Whether both bodies are single solids and neither is round. */
     boolean isFlat() {
         return flat;
     }
 
     /**
-     * Whether the face that parted them last is asked first whether it does so still, as its search costs little. Not from step to step where both
-     * move: in heaps a direction that stays lets them come to rest sooner. Within a step things are too fast for that.
+     * Whether the search tests the last separating face first, which is cheap. Not between two moving bodies at the
+     * start of a step: stacks come to rest sooner with a stable direction. Within a step bodies are too fast for that.
      */
     boolean testsFaceFirst() {
         return flat && (within || !a.isSolved() || !b.isSolved());
     }
 
-    /** Gives the points of a new manifold what pushed there before. */
+    /** Copies former impulses to a new manifold. */
     void inherit(Manifold manifold) {
         for (int i = 0; i < countBefore; i++) {
             Manifold old = before[i];
@@ -321,7 +325,7 @@ final class PairContacts {
         return now[i];
     }
 
-    /** Points of all its manifolds. */
+    /** Number of points of all its manifolds. */
     int points() {
         int points = 0;
         for (int i = 0; i < count; i++) {
@@ -338,7 +342,7 @@ final class PairContacts {
         return b;
     }
 
-    /** The least distance of the points of contact, metres. */
+    /** Returns the smallest gap of the contact points, metres. */
     double gap() {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < count; i++) {
@@ -347,7 +351,7 @@ final class PairContacts {
         return least;
     }
 
-    /** How near they come within a while, as they move now, metres. */
+    /** Returns the distance after a time at the present velocities, metres. */
     double soon(double seconds) {
         double[] p = a.getSolver().v;
         double[] q = b.getSolver().v;
@@ -355,9 +359,7 @@ final class PairContacts {
         return apart - Math.max(0, closing) * seconds;
     }
 
-    /**
-     * Says how far apart two of their solids are, metres, and along which direction, from b to a.
-     */
+    /** Notes the distance of two of their solids, metres, and its direction from b to a. */
     void approached(double distance, double dx, double dy, double dz) {
         if (distance < apart) {
             apart = distance;
@@ -365,14 +367,14 @@ final class PairContacts {
         }
     }
 
-    /** Says which direction parts them, from b to a. */
+    /** Notes the separating direction, from b to a. */
     void parted(double dx, double dy, double dz) {
         nx = dx;
         ny = dy;
         nz = dz;
     }
 
-    /** Where nothing moves any more the distances are those now. */
+    /** Makes the present gaps the found ones. */
     void settle() {
         for (int i = 0; i < count; i++) {
             now[i].settle();

@@ -9,47 +9,48 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 
 /**
- * The world of bodies; looked for are only those that can touch something awake. A body that is awake has a zone, a box that reaches beyond it;
- * while it stays inside, nothing changes; when it leaves its zone, wakes or falls asleep, the zones are drawn anew and bodies enter and leave in
- * the order of their numbers. Simulation thread.
+ * World of rigid bodies; searches only pairs that can touch an awake body. Each awake body has a zone, a box that
+ * extends beyond it. When a body leaves its zone, wakes or falls asleep, the zones are redrawn; bodies then enter and
+ * leave in the order of their numbers. Simulation thread.
  */
 public final class PhysicsWorld {
     /** Gravity, m/s^2. */
     public static final double GRAVITY = 9.81;
-    /** How far a zone reaches beyond a body at rest, metres. */
+    /** Extent of a zone beyond a body at rest, metres. */
     private static final double REACH = 0.5;
-    /** For how long a moving body stays in its zone, seconds. */
+    /** Time for which a moving body stays in its zone, seconds. */
     private static final double AHEAD = 0.25;
-    /** A body closer than this to the end of its zone gets a new one, metres. */
+    /** Distance from the end of its zone at which a body gets a new one, metres. */
     private static final double EDGE = 0.1;
-    /** Where a body is this much later it must still be in its zone, seconds: the way of a step and of the time that a bounce owes. */
+    /** Look-ahead within which a body must stay in its zone, seconds. */
     private static final double SOON = 3 * TimeStep.SECONDS;
-    /** Sleeping bodies this close to each other wake together, metres. */
+    /** Distance below which sleeping bodies wake together, metres. */
     private static final double NEIGHBOUR = 0.05;
-    /** Surfaces closer than this touch, metres. */
+    /** Gap below which surfaces touch, metres. */
     private static final double TOUCH = 0.002;
-    /** What sleeps wakes when something comes as near as this within the step, metres. */
+    /** Distance within the step at which a sleeping body wakes, metres. */
     private static final double WAKING = 5e-4;
 
-    /** Takes the contacts of a step. */
+    /** Listener for the contacts of a step. */
     public interface Touches {
         /**
-         * @param solidOfA number of the solid in its body that touches, likewise {@code solidOfB}; 0 in what is no robot
+         * @param solidOfA index of the touching solid in its body, likewise {@code solidOfB}; 0 unless the body is a
+         *     robot
          * @param at the contact in the world
          * @param normal of the surface of {@code b}, towards {@code a}
          */
         void touch(Body a, int solidOfA, Body b, int solidOfB, Vector3f at, Vector3f normal);
     }
 
-    /** Constraints that a robot's wheels put on its body; they are solved together with the contacts. */
+    /** Constraints of a robot's wheels on its body, solved together with the contacts. */
     public interface Drive {
-        /** What can move of what the wheels stand on and press against. */
+        /** Movable bodies that the wheels stand on or press against. */
         List<Body> loaded();
 
-        /** Makes the rows of a substep; what is known of their impulses may already act (warm starting). */
+        /** Sets up the rows of a substep; may apply known impulses (warm starting). */
         void prepare(SolverBody body);
 
-        /** One pass: brings the velocities of the body nearer to what the wheels allow. */
+        /** Solves one pass: brings the body's velocities closer to the constraints of the wheels. */
         void solve(SolverBody body);
     }
 
@@ -74,7 +75,7 @@ public final class PhysicsWorld {
     private final Aabb beside = new Aabb();
     private final Aabb soon = new Aabb();
 
-    /** Adds a body; then {@link #restart}. */
+    /** Adds a body; call {@link #restart} afterwards. */
     public void add(Body body) {
         body.number = bodies.size();
         bodies.add(body);
@@ -87,7 +88,7 @@ public final class PhysicsWorld {
         return bodies;
     }
 
-    /** Everything back to its start, in a new world. */
+    /** Restarts the world with all bodies at their start poses. */
     public void restart() {
         finder = new NarrowPhase(TimeStep.SECONDS, GRAVITY);
         broadPhase = new BroadPhase(finder);
@@ -114,15 +115,14 @@ public final class PhysicsWorld {
         return Stream.generate(Aabb::new).limit(count).toArray(Aabb[]::new);
     }
 
-    /** Joins the drive of a robot's body to the new world. */
+    /** Adds the drive of a robot's body to the restarted world. */
     public void add(Body body, Drive drive) {
         drives.add(new IslandSolver.WheelDrive(body, drive));
     }
 
     /**
-     * Puts a body elsewhere at once, at rest; what slept beside it or sleeps where it comes wakes.
-     *
-     * @param start where the next start finds it
+     * Teleports a body, at rest; wakes sleeping bodies beside its old and its new place.
+     * @param start pose for the next start of the world
      */
     public void move(Body body, Pose start, Pose to) {
         wakeBeside(body);
@@ -149,7 +149,7 @@ public final class PhysicsWorld {
         broadPhase.remove(body);
     }
 
-    /** One step of the world; costs nothing while everything sleeps. */
+    /** Advances the world by one step; costs nothing while all bodies sleep. */
     public void step() {
         noticeWaking();
         boolean busy = false;
@@ -179,7 +179,10 @@ public final class PhysicsWorld {
         noticeWaking();
     }
 
-    /** What is about to be hit wakes, and those it sleeps with: then the contacts among them are looked for, too. */
+    /**
+     * Finds the contacts. Bodies about to be hit wake with their group; then the search is repeated to include their
+     * contacts.
+     */
     private void findContacts() {
         boolean complete = false;
         while (!complete) {
@@ -200,7 +203,7 @@ public final class PhysicsWorld {
         }
     }
 
-    /** The one of a pair that sleeps; null if none does. */
+    /** Returns the sleeping body of a pair; null if there is none. */
     private static Body sleeper(PairContacts pair) {
         if (!pair.getA().isSolved() && pair.getA().canWake()) {
             return pair.getA();
@@ -230,7 +233,7 @@ public final class PhysicsWorld {
         }
     }
 
-    /** Finds out who touched something, and puts to sleep what rests. */
+    /** Notes which bodies touch something, and puts an island at rest to sleep. */
     private void look(Islands.Island island) {
         boolean rests = true;
         boolean stands = false;
@@ -255,7 +258,7 @@ public final class PhysicsWorld {
         }
     }
 
-    /** Bodies that fell asleep or woke since last time. */
+    /** Notes bodies that fell asleep or woke since the last call. */
     private void noticeWaking() {
         for (int i = 0; i < movable.size(); i++) {
             Body body = movable.get(i);
@@ -325,7 +328,7 @@ public final class PhysicsWorld {
         return awake[body.number];
     }
 
-    /** Tells of everything that touches now. */
+    /** Reports all present contacts. */
     public void touches(Touches touches) {
         for (int i = 0; i < finder.getPairs().size(); i++) {
             PairContacts pair = finder.getPairs().get(i);
@@ -346,7 +349,7 @@ public final class PhysicsWorld {
         }
     }
 
-    /** How many bodies are near something awake now. */
+    /** Returns the number of bodies near an awake one. */
     public int getBusyBodies() {
         int count = 0;
         for (boolean one : inside) {

@@ -8,7 +8,7 @@ import org.SEAR.geometry.Placement;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.TriangleSearch;
 
-/** A solid of a body where it stands now, with the box around it. Simulation thread. */
+/** Solid of a body at its current world pose, with its bounding box. Simulation thread. */
 final class PlacedSolid implements Convex {
     final Solid solid;
     final Placement place;
@@ -25,7 +25,7 @@ final class PlacedSolid implements Convex {
         place = isMesh() ? new Placement() : convex.set(solid.convex());
     }
 
-    /** Whether its triangles collide. */
+    /** Whether it collides by triangles. */
     boolean isMesh() {
         return triangles != null;
     }
@@ -39,17 +39,17 @@ final class PlacedSolid implements Convex {
         convex.support(dx, dy, dz, into);
     }
 
-    /** What is inside its skin. */
+    /** Shape without its convex radius. */
     Convex core() {
         return convex.core();
     }
 
-    /** The part of it that faces a direction, in the world. */
+    /** Finds its feature in a direction, world frame. */
     void feature(double dx, double dy, double dz, ContactFeature into) {
         convex.feature(dx, dy, dz, into);
     }
 
-    /** Draws the box anew when the place has changed. */
+    /** Updates the box after a change of the pose. */
     void bound() {
         double x = Math.abs(place.m00) * solid.halfX + Math.abs(place.m01) * solid.halfY + Math.abs(place.m02) * solid.halfZ;
         double y = Math.abs(place.m10) * solid.halfX + Math.abs(place.m11) * solid.halfY + Math.abs(place.m12) * solid.halfZ;
@@ -57,7 +57,7 @@ final class PlacedSolid implements Convex {
         box.set(0, place.x - x, place.x + x).set(1, place.y - y, place.y + y).set(2, place.z - z, place.z + z);
     }
 
-    /** How far apart both boxes are along the axis along which they are farthest apart, metres; negative: they overlap. */
+    /** Returns the largest separation of both boxes along a coordinate axis, metres; negative if they overlap. */
     double gap(PlacedSolid other) {
         double most = Double.NEGATIVE_INFINITY;
         for (int axis = 0; axis < 3; axis++) {
@@ -67,8 +67,7 @@ final class PlacedSolid implements Convex {
     }
 
     /**
-     * The box around another solid in this one's frame.
-     *
+     * Computes the bounding box of another solid in this one's frame.
      * @param margin by which it is wider, metres
      */
     void inFrame(PlacedSolid other, double margin, Aabb into) {

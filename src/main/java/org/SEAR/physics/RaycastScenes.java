@@ -10,35 +10,34 @@ import org.SEAR.physics.solid.Solid;
 import org.SEAR.raycast.BeamScene;
 
 /**
- * What beams meet, and what wheels stand on. Both are the same scene unless an object is invisible to beams: wheels still stand on it.
- * Simulation thread.
+ * Scenes for the rays of sensors and of wheels. Both are one scene unless an object is invisible to sensors: wheels
+ * still stand on it. Simulation thread.
  */
 public final class RaycastScenes {
-    /** Above everything, metres. */
+    /** Height above all objects, metres. */
     private static final double SKY = 2e5;
-    /** The number of what is no ground. */
+    /** Number of a shape that is not ground. */
     private static final int NONE = -1;
 
-    /** What sensors see. */
+    /** Scene of the sensors. */
     public final BeamScene beams = new BeamScene();
-    /** What wheels stand on. */
+    /** Scene of the wheels. */
     public final BeamScene ground;
-    /** Ground alone, and the number in it of each solid. */
+    /** Ground only, and the number of each solid in it. */
     private final BeamScene heights = new BeamScene();
     private final List<Integer> numbers = new ArrayList<>();
     private final List<Body> owners = new ArrayList<>();
     private final List<Solid> solids = new ArrayList<>();
     private final Set<Body> grounds = Collections.newSetFromMap(new IdentityHashMap<>());
 
-    /** @param invisible whether there is anything that beams don't see */
+    /** @param invisible whether an object is invisible to sensors */
     public RaycastScenes(boolean invisible) {
         ground = invisible ? new BeamScene() : beams;
     }
 
     /**
      * Adds a solid of a body.
-     *
-     * @return its number
+     * @return its shape number
      */
     public int add(Body body, Solid solid, boolean visible, int owner) {
         int shape = solid.addTo(beams, owner);
@@ -52,7 +51,7 @@ public final class RaycastScenes {
         return shape;
     }
 
-    /** Says that a body, whose solids were added, is ground to drive on: a floor or the terrain. */
+    /** Marks a body as ground to drive on: a floor or the terrain. Its solids must have been added. */
     public void addGround(Body body) {
         grounds.add(body);
         for (int shape = 0; shape < owners.size(); shape++) {
@@ -62,13 +61,16 @@ public final class RaycastScenes {
         }
     }
 
-    /** Height of the highest ground at a point of the world, metres, whatever stands on it; NaN where there is none. Looks at what was committed. */
+    /**
+     * Returns the elevation of the highest ground at a point of the world, metres, ignoring objects on it; NaN without
+     * ground. Uses the committed poses.
+     */
     public double groundHeight(double x, double z) {
         double down = heights.cast(x, SKY, z, 0, -1, 0, Double.MAX_VALUE, BeamScene.WORLD, null);
         return down < Double.POSITIVE_INFINITY ? SKY - down : Double.NaN;
     }
 
-    /** All bodies that are ground. */
+    /** Bodies that are ground. */
     public Set<Body> grounds() {
         return grounds;
     }
@@ -78,12 +80,11 @@ public final class RaycastScenes {
         return grounds.contains(owners.get(shape));
     }
 
-    /** The body a shape belongs to. */
     public Body body(int shape) {
         return owners.get(shape);
     }
 
-    /** What a shape is in the frame in which it was placed. */
+    /** Solid of a shape, in its own frame. */
     public Solid solid(int shape) {
         return solids.get(shape);
     }

@@ -1,20 +1,21 @@
 package org.SEAR.physics;
 
 /**
- * Whether a body rests: for half a second it has stayed where it was, nearly. Its mean speed over that time counts, not the speed at a moment, which
- * trembles more in a pile than a ball moves that has just been let go. Simulation thread.
+ * Sleep timer: whether a body has hardly moved for half a second. It uses the displacement over that time, not the
+ * momentary speed: jitter in a stack is faster than a ball just after its release. Simulation thread.
  */
 final class SleepTimer {
-    /** Steps for which it has to stay, half a second. */
+    /** Steps at rest before sleep: half a second. */
     private static final int STEPS = 30;
     /**
-     * How far a body's middle, and by turning its farthest point, may move meanwhile, metres. A ball on a slope of 0.05 degrees, let go, moves
-     * 0.8 mm; the top of a pole that is as far past its balance 1 mm, or more if the pole is longer than a metre.
+     * Largest displacement of the centre of mass, and of the furthest point by rotation, metres. A ball released on a
+     * slope of 0.05 degrees moves 0.8 mm. The top of a pole as far past its balance moves 1 mm, or more if the pole is
+     * longer than a metre.
      */
     private static final double OBJECT = 5e-4;
-    /** The same of a robot: slow ones drive at millimetres a second. */
+    /** The same limit for robots: slow ones drive at millimetres per second. */
     private static final double ROBOT = 5e-5;
-    /** And it may not move as fast as this at the end, m/s, which is no rest but a turning point. */
+    /** Largest speed at the end, m/s; a faster body is at a turning point, not at rest. */
     private static final double SPEED = 0.02;
 
     private double x;
@@ -26,7 +27,7 @@ final class SleepTimer {
     private double qw;
     private int steps;
 
-    /** The time begins anew. */
+    /** Restarts the timer. */
     void begin(SolverBody body) {
         steps = 0;
         x = body.place.x;
@@ -38,7 +39,7 @@ final class SleepTimer {
         qw = body.spin().qw();
     }
 
-    /** Looks at a body after a step. */
+    /** Checks a body after a step. */
     void look(Body body) {
         double band = body.isRobot() ? ROBOT : OBJECT;
         if (body.isDriven() || hasLeft(body.getSolver(), band, body.getReach())) {
@@ -52,7 +53,7 @@ final class SleepTimer {
         double dx = body.place.x - x;
         double dy = body.place.y - y;
         double dz = body.place.z - z;
-        // the vector part of the rotation since then is half its angle
+        // vector part of the rotation since then: half of its angle
         double rx = qw * body.spin().qx() - qx * body.spin().qw() - qy * body.spin().qz() + qz * body.spin().qy();
         double ry = qw * body.spin().qy() + qx * body.spin().qz() - qy * body.spin().qw() - qz * body.spin().qx();
         double rz = qw * body.spin().qz() - qx * body.spin().qy() + qy * body.spin().qx() - qz * body.spin().qw();
@@ -62,7 +63,7 @@ final class SleepTimer {
             || v[0] * v[0] + v[1] * v[1] + v[2] * v[2] > SPEED * SPEED;
     }
 
-    /** Whether it has rested long enough to sleep. */
+    /** Whether the body has rested long enough to sleep. */
     boolean isOver() {
         return steps >= STEPS;
     }

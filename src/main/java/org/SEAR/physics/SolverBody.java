@@ -4,34 +4,36 @@ import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
 
 /**
- * How a rigid body stands and moves, in double precision: what contacts and wheels change and what is integrated in each substep. Its frame has its
+ * State of a rigid body in double precision: contacts and wheels change it, substeps integrate it. Its frame has the
  * origin in the centre of mass and the axes of the body's own frame. Simulation thread.
  */
 public final class SolverBody {
-    /** Normals whose cosine is greater are the same. */
+    /** Cosine above which normals count as equal. */
     private static final double SAME = 0.9999;
-    /** Speeds up to which what is far in others may be moved out of them, m/s and rad/s. */
+    /** Speeds up to which a body may be moved out of a deep penetration, m/s and rad/s. */
     private static final double MAX_OUT = 0.5;
     private static final double MAX_OUT_TURNING = 3;
-    /** For so many substeps after it was far in another. */
+    /** Substeps for which a body counts as deep after its last deep contact. */
     private static final int DEEP_FOR = 40;
 
-    /** Velocities of the centre of mass, world frame: {vx, vy, vz, wx, wy, wz}, m/s and rad/s. Constraints change them. */
+    /**
+     * Velocities of the centre of mass, world frame: {vx, vy, vz, wx, wy, wz}, m/s and rad/s. Constraints change them.
+     */
     public final double[] v = new double[6];
-    /** How far it went since the step began, world frame: metres along, radians about x, y and z. */
+    /** Displacement since the step began, world frame: metres along and radians about x, y and z. */
     final double[] moved = new double[6];
-    /** Where it stands in the world. */
+    /** Pose in the world. */
     final Placement place = new Placement();
-    /** 1/kg; 0 of what does not move. */
+    /** 1/kg; 0 for a body that does not move. */
     double inverseMass;
-    /** Inverse of the moments of inertia in the world, 1/(kg m^2): a symmetric matrix. */
+    /** Inverse inertia tensor in the world, 1/(kg m^2): a symmetric matrix. */
     double i00;
     double i01;
     double i02;
     double i11;
     double i12;
     double i22;
-    /** Whether a contact or a wheel acts on it in this substep: else it falls as a parabola. */
+    /** Whether a contact or a wheel acts on it in this substep; otherwise it falls on a parabola. */
     boolean pressed;
     private final double[] before = new double[6];
     private final double[] from = new double[3];
@@ -39,18 +41,17 @@ public final class SolverBody {
     private double ny;
     private double nz;
     private boolean oneNormal;
-    /** For how many substeps it still counts as far in another. */
+    /** Remaining substeps for which it counts as deep. */
     private int deep;
     private final AngularState spin = new AngularState();
-    /** Acceleration of this step by forces from outside, m/s^2. */
+    /** Acceleration by external forces in this step, m/s^2. */
     private final double[] pull = new double[3];
     private double seconds;
     private double fallen;
     private long moves;
 
     /**
-     * Gives it a mass.
-     *
+     * Sets mass and moments of inertia.
      * @param mass kg, 0 = it never moves
      * @param x moment of inertia about its x axis, kg m^2, likewise y and z
      */
@@ -60,7 +61,7 @@ public final class SolverBody {
         refresh();
     }
 
-    /** Puts it somewhere, at rest. */
+    /** Teleports the body, at rest. */
     void put(double x, double y, double z, Pose turned) {
         place.x = x;
         place.y = y;
@@ -72,35 +73,35 @@ public final class SolverBody {
         refresh();
     }
 
-    /** Takes its speed away. */
+    /** Sets all velocities to zero. */
     void halt() {
         for (int i = 0; i < v.length; i++) {
             v[i] = 0;
         }
     }
 
-    /** A force for the step that comes, N, world frame. */
+    /** Adds a force for the next step, N, world frame. */
     void pull(double x, double y, double z) {
         pull[0] += x * inverseMass;
         pull[1] += y * inverseMass;
         pull[2] += z * inverseMass;
     }
 
-    /** A step has ended: forces of it end. */
+    /** Ends a step and clears its forces. */
     void end() {
         pull[0] = 0;
         pull[1] = 0;
         pull[2] = 0;
     }
 
-    /** A step begins. */
+    /** Begins a step. */
     void begin() {
         for (int i = 0; i < moved.length; i++) {
             moved[i] = 0;
         }
     }
 
-    /** A substep begins: gravity acts. */
+    /** Begins a substep: applies gravity and external forces. */
     void fall(double newSeconds, double gravity) {
         seconds = newSeconds;
         pressed = false;
@@ -117,12 +118,15 @@ public final class SolverBody {
         v[1] -= fallen;
     }
 
-    /** Half of what inertia does to its turning comes before constraints see it, half afterwards: so they hold on the whole way. */
+    /**
+     * Applies half of the gyroscopic change before the constraints; the other half follows afterwards, so that
+     * constraints hold throughout.
+     */
     void gyrate() {
         spin.gyrate(v, seconds / 2);
     }
 
-    /** Says that a contact pushes it along a normal, one way or the other. */
+    /** Notes a contact impulse along a normal, in either sense. */
     void press(double x, double y, double z) {
         oneNormal = !pressed || oneNormal && Math.abs(x * nx + y * ny + z * nz) > SAME;
         pressed = true;
@@ -131,23 +135,23 @@ public final class SolverBody {
         nz = z;
     }
 
-    /** Says that a wheel pushes it. */
+    /** Notes an impulse of a wheel. */
     public void hold() {
         pressed = true;
         oneNormal = false;
     }
 
-    /** Says that it is far in another. */
+    /** Marks a deep penetration. */
     void setDeep() {
         deep = DEEP_FOR;
     }
 
-    /** Whether it is far in another, or was just now. */
+    /** Whether it penetrates another body deeply, or did a few substeps ago. */
     boolean isDeep() {
         return deep > 0;
     }
 
-    /** What is far in others does not become fast by being moved out of them. */
+    /** Limits the speed gained while a deep penetration is resolved. */
     void slow() {
         if (deep > 0) {
             limit(0, MAX_OUT);
@@ -165,7 +169,9 @@ public final class SolverBody {
         }
     }
 
-    /** Along the one surface that it touches its speed has changed evenly: the way is shorter, or longer, by half of what the change makes. */
+    /**
+     * Trapezoidal position update along one contact plane: the tangential velocity changed evenly during the substep.
+     */
     void even() {
         if (!oneNormal) {
             return;
@@ -187,7 +193,7 @@ public final class SolverBody {
         moves++;
     }
 
-    /** The substep ends: it goes where its velocities bring it. */
+    /** Ends the substep: integrates the pose. */
     void advance(double gravity) {
         double late = pressed ? 0 : seconds * seconds / 2;
         shift(v[0] * seconds - late * pull[0], v[1] * seconds - late * (pull[1] - gravity), v[2] * seconds - late * pull[2]);
@@ -200,16 +206,15 @@ public final class SolverBody {
         refresh();
     }
 
-    /** Where its centre of mass was when the substep began: {x, y, z}, world frame, metres. */
+    /** Centre of mass at the start of the substep: {x, y, z}, world frame, metres. */
     double[] getFrom() {
         return from;
     }
 
     /**
-     * Puts it back on its way to where something is.
-     *
-     * @param share of the way of this substep that it may go
-     * @param x normal of what is there, likewise y and z: it comes no nearer along that
+     * Moves the body back to where its path meets an obstacle.
+     * @param share of the substep's path that it may travel
+     * @param x normal of the obstacle, likewise y and z: the velocity along it becomes zero
      */
     void stopAt(double share, double x, double y, double z) {
         double back = 1 - share;
@@ -221,7 +226,7 @@ public final class SolverBody {
         v[2] -= along * z;
     }
 
-    /** Moves it along a direction at once, metres, and takes away what speed it has against that. */
+    /** Displaces the body along a direction, metres, and removes its velocity against that direction. */
     void lift(double x, double y, double z, double metres) {
         shift(metres * x, metres * y, metres * z);
         oneNormal = false;
@@ -255,16 +260,15 @@ public final class SolverBody {
         i22 = place.m20 * place.m20 * x + place.m21 * place.m21 * y + place.m22 * place.m22 * z;
     }
 
-    /** Another number whenever it has moved. */
+    /** Counter that changes with every movement. */
     long getMoves() {
         return moves;
     }
 
     /**
-     * The way from the centre of mass to a point.
-     *
+     * Computes the lever arm from the centre of mass to a point.
      * @param x of the point, world frame, metres, likewise y and z
-     * @param ahead for how long the point turns on with the body, seconds
+     * @param ahead time by which the point rotates on with the body, seconds
      * @param into takes {x, y, z}, metres
      */
     void arm(double x, double y, double z, double ahead, double[] into) {
@@ -276,26 +280,24 @@ public final class SolverBody {
         into[2] = rz + ahead * (v[3] * ry - v[4] * rx);
     }
 
-    /** How fast it turns, rad/s. */
+    /** Returns the magnitude of the angular velocity, rad/s. */
     double turning() {
         return Math.sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
     }
 
-    /** How it is turned. */
     AngularState spin() {
         return spin;
     }
 
-    /** Length of the substep in which constraints are being solved, seconds. */
+    /** Length of the present substep, seconds. */
     public double seconds() {
         return seconds;
     }
 
     /**
-     * How far a point of it has moved along a direction since the step began, metres.
-     *
+     * Returns the displacement of a point of it along a direction since the step began, metres.
      * @param nx unit direction, world frame, likewise ny and nz
-     * @param x where the point was when the step began, world frame, metres, likewise y and z
+     * @param x of the point when the step began, world frame, metres, likewise y and z
      */
     public double travel(double nx, double ny, double nz, double x, double y, double z) {
         double rx = x - (place.x - moved[0]);
@@ -306,9 +308,8 @@ public final class SolverBody {
     }
 
     /**
-     * Changes how it turns.
-     *
-     * @param tx angular impulse, Nms, world frame, likewise ty and tz
+     * Applies an angular impulse.
+     * @param tx angular impulse, N m s, world frame, likewise ty and tz
      */
     void twist(double tx, double ty, double tz) {
         v[3] += i00 * tx + i01 * ty + i02 * tz;

@@ -5,20 +5,20 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Over how many others each body of an island stands on what is fixed, and the order in which its contacts are solved: those on top first, so that in
- * one pass each body hears what all above it weigh, and what is fixed has the last word. Heaps come to rest sooner so, with fewer passes. Simulation
- * thread.
+ * Stack levels of an island's bodies above fixed ones, and the order in which their contacts are solved. The top comes
+ * first: in one pass each body feels the weight of all bodies above it, and fixed bodies come last. Stacks then come to
+ * rest sooner with fewer passes. Simulation thread.
  */
 final class StackOrder {
-    /** The level of what stands on nothing: higher than any stack. */
+    /** Level of a body without support: higher than any stack. */
     private static final int FLYING = 1_000_000_000;
 
     private final List<PairContacts> unsorted = new ArrayList<>();
-    /** Pairs of each level, counted from the highest, then where they begin. */
+    /** Number of pairs per level from the highest on, later the start of each level. */
     private int[] begins = {};
     private int highest;
 
-    /** Over how many bodies the one that is farthest from all that is fixed stands on that; what flies stands on nothing. */
+    /** Sets the levels and returns the highest one; bodies without support do not count. */
     int measure(List<Body> bodies, List<PairContacts> pairs) {
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).level = FLYING;
@@ -47,7 +47,7 @@ final class StackOrder {
         return true;
     }
 
-    /** Puts the pairs that were measured last in order: what flies, then what is on top, then what is below; in one level they keep theirs. */
+    /** Sorts the measured pairs: unsupported bodies first, then from top to bottom; the order within a level stays. */
     void sort(List<PairContacts> pairs) {
         if (highest < 2) {
             return;
@@ -72,7 +72,7 @@ final class StackOrder {
         }
     }
 
-    /** How far below what flies the upper one of a pair is. */
+    /** Levels from the unsupported bodies down to the upper body of a pair. */
     private int depth(PairContacts pair) {
         int level = Math.max(level(pair.getA()), level(pair.getB()));
         return highest + 1 - Math.min(level, highest + 1);

@@ -1,10 +1,9 @@
 /**
- * Bodies, their contacts and what solves them. Uses {@link org.SEAR.physics.solid}, and what that uses. Simulation thread.
+ * Rigid bodies, their contacts and the contact solver. Uses {@link org.SEAR.physics.solid}. Simulation thread.
  *
- * <p>The way of a step ({@link PhysicsWorld#step}): {@code BroadPhase} finds pairs, {@code NarrowPhase} fills the manifolds of each
- * {@code PairContacts}, {@code Islands} parts the bodies, {@code IslandSolver} moves each island in substeps by the rows of its manifolds
- * ({@code ContactRows}, {@code FrictionRows}), {@code Impacts} (what bounces) and {@code AngularState} (what turns
- * freely), and {@code SleepTimer} says what
- * may sleep.
+ * <p>A step ({@link PhysicsWorld#step}): {@code BroadPhase} finds pairs, {@code NarrowPhase} fills the manifolds of
+ * each {@code PairContacts}, and {@code Islands} groups the bodies. {@code IslandSolver} moves each island in substeps
+ * by the rows of its manifolds ({@code ContactRows}, {@code FrictionRows}), {@code Impacts} (restitution) and
+ * {@code AngularState} (free rotation). {@code SleepTimer} decides which bodies may sleep.
  */
 package org.SEAR.physics;

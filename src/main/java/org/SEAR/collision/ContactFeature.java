@@ -3,15 +3,15 @@ package org.SEAR.collision;
 import org.SEAR.geometry.Placement;
 
 /**
- * The part of a solid's surface that faces something: a face with its outward normal, or an edge (two points) or corner without one. Filled in the
- * solid's frame, then placed in the world.
+ * Contact feature of a solid in a direction: a face with its outward normal, an edge (two points) or a corner. Filled
+ * in the solid's frame, then placed in the world.
  */
 public final class ContactFeature {
-    /** Corners that it holds; a face that is to be cut needs room for those that cutting makes. */
+    /** Largest number of corners, including those that clipping adds. */
     static final int MOST = 32;
 
     int count;
-    /** Whether it has a normal. */
+    /** Whether it is a face with a normal. */
     boolean flat;
     /** Outward normal of a face. */
     public double nx;
@@ -55,7 +55,7 @@ public final class ContactFeature {
         return at[3 * i + 2];
     }
 
-    /** Moves it from the solid's frame to the world. */
+    /** Transforms it from the solid's frame to the world. */
     public void place(Placement to) {
         for (int i = 0; i < count; i++) {
             to.transform(x(i), y(i), z(i), at, 3 * i);
@@ -68,12 +68,12 @@ public final class ContactFeature {
         nz = to.m20 * x + to.m21 * y + to.m22 * z;
     }
 
-    /** Height of a point above the face's plane, metres. */
+    /** Returns the height of a point above the face's plane, metres. */
     double height(double x, double y, double z) {
         return nx * (x - at[0]) + ny * (y - at[1]) + nz * (z - at[2]);
     }
 
-    /** Whether a point is above or below the inside of this face. */
+    /** Whether a point projects inside this face. */
     boolean isUnder(double[] point) {
         int left = 0;
         int right = 0;
@@ -93,7 +93,7 @@ public final class ContactFeature {
         return flat && count > 2 && (left == count || right == count);
     }
 
-    /** Cuts off what does not lie above or below a face. */
+    /** Clips this feature to the prism over a face. */
     void clip(ContactFeature face) {
         double mx = 0;
         double my = 0;
@@ -117,7 +117,7 @@ public final class ContactFeature {
         }
     }
 
-    /** Keeps what lies below a plane. */
+    /** Keeps the part below a plane. */
     private void cut(double px, double py, double pz, double offset) {
         boolean whole = true;
         for (int i = 0; i < count; i++) {

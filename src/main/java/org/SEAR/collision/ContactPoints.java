@@ -2,7 +2,7 @@ package org.SEAR.collision;
 
 import java.util.Arrays;
 
-/** The points of contact of one pair in one step, and which of them say most. Not for several threads. */
+/** Contact points of one pair in one step, and the choice of the best ones. Not thread-safe. */
 public final class ContactPoints {
     private static final int MOST = 12;
     private static final int FIELDS = 7;
@@ -16,8 +16,8 @@ public final class ContactPoints {
     }
 
     /**
-     * @param nx direction from B to A
-     * @param x on B, world frame
+     * @param nx direction from B to A, likewise ny and nz
+     * @param x on B, world frame, metres, likewise y and z
      * @param height of A above it, metres
      */
     void add(double nx, double ny, double nz, double x, double y, double z, double height) {
@@ -34,7 +34,6 @@ public final class ContactPoints {
         found[i + 6] = height;
     }
 
-    /** How many there are. */
     public int size() {
         return count;
     }
@@ -68,16 +67,15 @@ public final class ContactPoints {
         return found[FIELDS * i + 6];
     }
 
-    /** The number of a point that {@link #choose} has chosen. */
+    /** Index of a point chosen by {@link #choose}. */
     public int chosen(int i) {
         return chosen[i];
     }
 
     /**
-     * The lowest, and those farthest from the ones chosen so far; what touches goes before what does not.
-     *
-     * @param most how many are wanted
-     * @return how many
+     * Chooses the lowest point, then repeatedly the point furthest from the chosen ones; touching points first.
+     * @param most number of points wanted
+     * @return number of points chosen
      */
     public int choose(int most) {
         int taken = 0;
@@ -108,7 +106,7 @@ public final class ContactPoints {
         return false;
     }
 
-    /** The square of the distance from the nearest chosen point. */
+    /** Returns the squared distance to the nearest chosen point, m^2. */
     private double room(int i, int taken) {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < taken; k++) {

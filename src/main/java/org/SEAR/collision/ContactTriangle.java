@@ -3,7 +3,7 @@ package org.SEAR.collision;
 import javax.vecmath.Vector3f;
 import org.SEAR.geometry.Placement;
 
-/** A triangle of a fixed mesh, in the world; it has two sides. */
+/** Two-sided triangle of a fixed mesh, in the world. */
 public final class ContactTriangle implements Convex {
     private static final double NOTHING = 1e-14;
     private final double[] at = new double[9];
@@ -39,7 +39,6 @@ public final class ContactTriangle implements Convex {
         return length > NOTHING;
     }
 
-    /** Takes over another one. */
     void copy(ContactTriangle from) {
         System.arraycopy(from.at, 0, at, 0, at.length);
         nx = from.nx;
@@ -47,15 +46,14 @@ public final class ContactTriangle implements Convex {
         nz = from.nz;
     }
 
-    /** The cosine of a direction to the normal of one side or the other. */
+    /** Returns the cosine between a direction and the normal; negative for the back. */
     double cosine(double dx, double dy, double dz) {
         return nx * dx + ny * dy + nz * dz;
     }
 
     /**
      * Whether a point lies on it.
-     *
-     * @param within metres
+     * @param within tolerance, metres
      */
     boolean holds(double[] p, double within) {
         double off = nx * (p[0] - at[0]) + ny * (p[1] - at[1]) + nz * (p[2] - at[2]);
@@ -74,7 +72,10 @@ public final class ContactTriangle implements Convex {
         return inside;
     }
 
-    /** How high its highest corner stands over the plane of another one, metres, on the side to which a direction points. */
+    /**
+     * Returns the height of its highest corner above the plane of another triangle, metres, on the side that a
+     * direction points to.
+     */
     double rise(ContactTriangle over, double dx, double dy, double dz) {
         double side = over.cosine(dx, dy, dz) < 0 ? -1 : 1;
         double highest = Double.NEGATIVE_INFINITY;
@@ -86,9 +87,8 @@ public final class ContactTriangle implements Convex {
 
     /**
      * Adds a contact with its plane.
-     *
-     * @param p on it
-     * @param dx from there to the thing, metres, likewise dy and dz
+     * @param p point on the triangle
+     * @param dx vector from there to the body, metres, likewise dy and dz
      */
     void addPlane(double[] p, double dx, double dy, double dz, ContactPoints into) {
         double height = cosine(dx, dy, dz);
@@ -96,7 +96,7 @@ public final class ContactTriangle implements Convex {
         into.add(side * nx, side * ny, side * nz, p[0], p[1], p[2], side * height);
     }
 
-    /** Whether a set reaches within {@code reach} metres of the triangle's plane; measures {@link #depth} too. */
+    /** Whether a set reaches within {@code reach} metres of the triangle's plane; also measures {@link #depth}. */
     public boolean isNear(Convex other, double reach) {
         double plane = nx * at[0] + ny * at[1] + nz * at[2];
         other.support(-nx, -ny, -nz, point);
@@ -106,12 +106,12 @@ public final class ContactTriangle implements Convex {
         return lowest <= reach && highest >= -reach;
     }
 
-    /** How far the set reaches through the plane, from the side on which most of it is. */
+    /** Returns the penetration through the plane, metres, measured from the side with most of the set. */
     public double depth() {
         return Math.min(-lowest, highest);
     }
 
-    /** The side on which most of the set is. */
+    /** Sets a feature to the side with most of the set. */
     public void front(ContactFeature into) {
         double side = highest > -lowest ? 1 : -1;
         feature(side * nx, side * ny, side * nz, into);
@@ -133,7 +133,7 @@ public final class ContactTriangle implements Convex {
         into[2] = at[best + 2];
     }
 
-    /** The side that faces a direction. */
+    /** Sets a feature to the side that faces a direction. */
     public void feature(double dx, double dy, double dz, ContactFeature into) {
         into.clear();
         for (int i = 0; i < 9; i += 3) {

@@ -1,13 +1,13 @@
 package org.SEAR.collision;
 
-/** A box with its centre in the origin. Immutable. */
+/** Box centred in the origin. Immutable. */
 public final class ConvexBox implements ConvexShape {
     private final double hx;
     private final double hy;
     private final double hz;
     private final double skin;
 
-    /** @param hx half size along x, metres, likewise hy and hz */
+    /** @param hx half extent along x, metres, likewise hy and hz */
     public ConvexBox(double hx, double hy, double hz) {
         this.hx = hx;
         this.hy = hy;
@@ -22,7 +22,7 @@ public final class ConvexBox implements ConvexShape {
         into[2] = Math.copySign(hz, dz);
     }
 
-    /** A face. */
+    /** Adds a face. */
     @Override
     public void feature(double dx, double dy, double dz, ContactFeature into) {
         double ax = Math.abs(dx);

@@ -1,13 +1,13 @@
 package org.SEAR.collision;
 
-/** An ellipsoid with its axes along x, y and z, centred in the origin; a sphere if they are equal. Immutable. */
+/** Ellipsoid with its axes along x, y and z, centred in the origin; a sphere if they are equal. Immutable. */
 public final class ConvexEllipsoid implements ConvexShape {
     private final double a;
     private final double b;
     private final double c;
     private final double skin;
 
-    /** @param a half size along x, metres, likewise b along y and c along z */
+    /** @param a half extent along x, metres, likewise b along y and c along z */
     public ConvexEllipsoid(double a, double b, double c) {
         this.a = a;
         this.b = b;
@@ -23,7 +23,7 @@ public final class ConvexEllipsoid implements ConvexShape {
         into[2] = c * c * dz / length;
     }
 
-    /** The one point whose normal the direction is. */
+    /** Adds the point whose normal is the direction. */
     @Override
     public void feature(double dx, double dy, double dz, ContactFeature into) {
         double length = Math.sqrt(a * dx * (a * dx) + b * dy * (b * dy) + c * dz * (c * dz));
@@ -65,7 +65,7 @@ public final class ConvexEllipsoid implements ConvexShape {
         return a == b && a == c;
     }
 
-    /** A ball's core is its middle; of other ellipsoids one with shorter axes, whose normals are nearly the same. */
+    /** A sphere's core is its centre. The core of another ellipsoid has shorter axes and nearly the same normals. */
     @Override
     public void coreSupport(double dx, double dy, double dz, double[] into) {
         if (isBall()) {

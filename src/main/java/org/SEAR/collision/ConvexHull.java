@@ -9,33 +9,34 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * The convex hull of points (quickhull, Barber, Dobkin and Huhdanpaa 1996): no point is farther outside of it than {@link #TOLERANCE}, unless that
- * takes too many corners. Points in one plane get a hull as thick as a sheet of card, 0.5 to 1 mm. Immutable.
+ * Convex hull of points (quickhull, Barber, Dobkin and Huhdanpaa 1996). No point is outside by more than
+ * {@link #TOLERANCE}, unless the hull would exceed the limit of corners. Coplanar points get a hull 0.5 to 1 mm thick.
+ * Immutable.
  */
 public final class ConvexHull implements ConvexShape {
-    /** Metres. */
+    /** Largest distance of a point outside the hull, metres. */
     static final double TOLERANCE = 1e-4;
-    /** More corners than this make contacts slow; the hull is then the best that this many give. */
+    /** Largest number of corners, which bounds the cost of contacts; a larger hull is approximated. */
     private static final int MAX_CORNERS = 1000;
-    /** Half the thickness of what has none, metres. */
+    /** Half of the thickness of a flat hull, metres. */
     private static final double CARD = 2.5e-4;
     private static final double NOTHING = 1e-12;
-    /** Greatest share by which the core is smaller. */
+    /** Largest shrinkage of the core. */
     private static final double DRAWN = 0.1;
 
     /** x, y, z of each corner, metres. */
     private final double[] corners;
-    /** For each face its outward normal and how far its plane is from the origin. */
+    /** Outward normal and distance from the origin of each face's plane. */
     private final double[] planes;
-    /** For each face the corners of its plane, in order around it. */
+    /** Corners in each face's plane, in order around it. */
     private final int[][] polygons;
     private final double volume;
     private final double least;
     private final double radius;
-    /** By what share of the distance from its centre its core is smaller. */
+    /** Shrinkage of the core towards the centre. */
     private final double drawn;
     private final double[] centre = new double[3];
-    /** Mean square distance from the centre along each axis, m^2. */
+    /** Mean squared distance from the centre along each axis, m^2. */
     private final double[] moments = new double[3];
 
     private ConvexHull(double[] points, List<Face> faces) {
@@ -65,9 +66,8 @@ public final class ConvexHull implements ConvexShape {
     }
 
     /**
-     * Adds up the tetrahedra between the first point and each face.
-     *
-     * @return cubic metres
+     * Sums the tetrahedra between the first point and each face.
+     * @return volume, m^3
      */
     private double weigh(double[] p, List<Face> faces) {
         int first = faces.get(0).a;
@@ -98,7 +98,7 @@ public final class ConvexHull implements ConvexShape {
         return value * value;
     }
 
-    /** Without the products of inertia: exact for what is symmetrical to its axes. */
+    /** Omits the products of inertia: exact for bodies symmetrical to their axes. */
     @Override
     public double[] inertia() {
         return new double[] {moments[1] + moments[2], moments[0] + moments[2], moments[0] + moments[1]};
@@ -117,7 +117,7 @@ public final class ConvexHull implements ConvexShape {
         return Math.sqrt(most);
     }
 
-    /** Half of its least extent between a face and the corners behind it. */
+    /** Half of the smallest extent between a face and the opposite corners. */
     @Override
     public double least() {
         return least;
@@ -133,13 +133,11 @@ public final class ConvexHull implements ConvexShape {
         return thinnest / 2;
     }
 
-    /** Cubic metres. */
     @Override
     public double volume() {
         return volume;
     }
 
-    /** Where its mass is if that is spread evenly: {x, y, z}. */
     @Override
     public double[] centre() {
         return centre.clone();
@@ -174,7 +172,7 @@ public final class ConvexHull implements ConvexShape {
             return nx * p[3 * i] + ny * p[3 * i + 1] + nz * p[3 * i + 2] - offset;
         }
 
-        /** Takes a point that lies outside of it. */
+        /** Takes a point outside this face. */
         boolean take(double[] p, int i) {
             double height = height(p, i);
             if (height <= TOLERANCE) {
@@ -198,7 +196,7 @@ public final class ConvexHull implements ConvexShape {
         return new ConvexHull(points, grow(points, start));
     }
 
-    /** Six points around each. */
+    /** Replaces each point by six points around it. */
     private static double[] thickened(double[] points) {
         double[] thick = new double[points.length * 6];
         for (int i = 0; i < points.length / 3; i++) {
@@ -210,7 +208,7 @@ public final class ConvexHull implements ConvexShape {
         return thick;
     }
 
-    /** Four points far from each other, the first three counter-clockwise seen from outside; null if all lie in a plane. */
+    /** Returns four points far apart, the first three counter-clockwise seen from outside; null if all are coplanar. */
     private static int[] start(double[] p) {
         int[] four = new int[4];
         for (int found = 1; found < 4; found++) {
@@ -238,7 +236,7 @@ public final class ConvexHull implements ConvexShape {
         return four;
     }
 
-    /** How much a point would add: the square of a length or area, or a volume. */
+    /** Returns the gain by a point: a squared length, a squared area, or a volume. */
     private static double room(double[] p, int[] four, int found, int i) {
         int a = four[0];
         double x = p[3 * i] - p[3 * a];
@@ -275,7 +273,7 @@ public final class ConvexHull implements ConvexShape {
         return faces;
     }
 
-    /** Gives a point to the first of the faces that it lies outside of. */
+    /** Assigns a point to the first face that it lies outside of. */
     private static void share(double[] p, int point, List<Face> faces, int first) {
         for (int k = first; k < faces.size(); k++) {
             if (faces.get(k).take(p, point)) {
@@ -326,7 +324,7 @@ public final class ConvexHull implements ConvexShape {
         return new double[] {uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx};
     }
 
-    /** The corners in a face's plane, in order around its normal. */
+    /** Returns the corners in a face's plane, in order around its normal. */
     private int[] polygon(Face face) {
         List<Integer> in = new ArrayList<>();
         double[] middle = new double[3];
@@ -373,7 +371,7 @@ public final class ConvexHull implements ConvexShape {
         into[2] = corners[best + 2];
     }
 
-    /** The face that looks most in that direction. */
+    /** Adds the face whose normal is closest to the direction. */
     @Override
     public void feature(double dx, double dy, double dz, ContactFeature into) {
         int best = 0;
@@ -391,7 +389,7 @@ public final class ConvexHull implements ConvexShape {
         into.setNormal(planes[best], planes[best + 1], planes[best + 2]);
     }
 
-    /** The hull drawn together towards its centre, which leaves all its faces their normals. */
+    /** The core is the hull shrunk towards its centre; all faces keep their normals. */
     @Override
     public void coreSupport(double dx, double dy, double dz, double[] into) {
         support(dx, dy, dz, into);

@@ -1,16 +1,16 @@
 package org.SEAR.collision;
 
-/** How much of a shape is skin around its core, see {@link ConvexShape#coreSupport}. */
+/** Convex radius: thickness of a shape's layer around its core, see {@link ConvexShape#coreSupport}. */
 final class ConvexRadius {
-    /** Metres. */
+    /** Largest radius, metres. */
     private static final double MOST = 1e-3;
-    /** Share of the least half size. */
+    /** Largest radius as a share of the smallest half extent. */
     private static final double SHARE = 0.1;
 
     private ConvexRadius() {
     }
 
-    /** @param least half of the shape's least size, metres */
+    /** @param least smallest half extent, metres */
     static double of(double least) {
         return Math.min(MOST, SHARE * least);
     }

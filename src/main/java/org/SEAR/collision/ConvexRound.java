@@ -1,17 +1,17 @@
 package org.SEAR.collision;
 
-/** A cylinder or cone about the y axis, centred in the origin; a cone's apex is up. Immutable. */
+/** Cylinder or cone about the y axis, centred in the origin; a cone's apex is up. Immutable. */
 public final class ConvexRound implements ConvexShape {
-    /** Corners of the polygon that stands for a round face. */
+    /** Corners of the polygon that approximates a round face. */
     private static final int CORNERS = 16;
-    /** A direction closer to the axis than this has no side, sine. */
+    /** Sine of the angle to the axis below which a direction has no sideways part. */
     private static final double ON_AXIS = 1e-3;
 
     private final double bottom;
     private final double top;
     private final double half;
     private final double skin;
-    /** Of the core: the radius of its base, the height of its base and of its top or apex. */
+    /** Core: radius of its base, y of its base, y of its top or apex, metres. */
     private final double coreRadius;
     private final double coreLow;
     private final double coreHigh;
@@ -22,14 +22,14 @@ public final class ConvexRound implements ConvexShape {
         this.half = half;
         skin = ConvexRadius.of(least());
         coreLow = -half + skin;
-        // a plane through the side of a cone that goes in by the skin meets the axis this much lower
+        // moving the side of a cone in by the convex radius lowers the apex by this much
         coreHigh = half - (top == 0 ? skin * Math.hypot(bottom, 2 * half) / bottom : skin);
         coreRadius = top == 0 ? bottom * (coreHigh - coreLow) / (2 * half) : bottom - skin;
     }
 
     /**
-     * A cylinder.
-     *
+     * Returns a cylinder.
+     * @param radius metres
      * @param half of its height, metres
      */
     public static ConvexRound cylinder(double radius, double half) {
@@ -37,8 +37,7 @@ public final class ConvexRound implements ConvexShape {
     }
 
     /**
-     * A cone.
-     *
+     * Returns a cone.
      * @param radius of its base, metres
      * @param half of its height, metres
      */
@@ -75,7 +74,7 @@ public final class ConvexRound implements ConvexShape {
         return skin;
     }
 
-    /** An end face, as a polygon, or the line along the side. */
+    /** Adds an end face, as a polygon, or the line along the side. */
     @Override
     public void feature(double dx, double dy, double dz, ContactFeature into) {
         double across = Math.hypot(dx, dz);
@@ -105,7 +104,7 @@ public final class ConvexRound implements ConvexShape {
         return 8 * bottom * half * bottom * Math.PI / (top == 0 ? 12 : 4);
     }
 
-    /** The middle of its height; of a cone a quarter of it above the base. */
+    /** The centre of a cone is a quarter of its height above the base. */
     @Override
     public double[] centre() {
         return new double[] {0, top == 0 ? -half / 2 : 0, 0};

@@ -1,36 +1,34 @@
 package org.SEAR.collision;
 
-/** A convex solid in its own frame. Implementations are immutable. */
+/** Convex solid in its own frame. Implementations are immutable. */
 public interface ConvexShape {
     /**
-     * Its support point: the point of it that is farthest in a direction.
-     *
+     * Finds the support point: the point furthest in a direction.
      * @param dx direction of any length but 0, likewise dy and dz
      * @param into takes {x, y, z}, metres
      */
     void support(double dx, double dy, double dz, double[] into);
 
     /**
-     * The part of its surface that faces a direction.
-     *
+     * Finds the contact feature in a direction.
      * @param dx unit direction, likewise dy and dz
-     * @param into empty before
+     * @param into must be empty
      */
     void feature(double dx, double dy, double dz, ContactFeature into);
 
-    /** Cubic metres. */
+    /** Volume, m^3. */
     double volume();
 
-    /** Its centre of mass, filled evenly: {x, y, z}, metres. */
+    /** Centre of mass at uniform density: {x, y, z}, metres. */
     double[] centre();
 
-    /** Its moments of inertia about the axes through {@link #centre}, for each kg: {x, y, z}, m^2. */
+    /** Moments of inertia per kilogram about the axes through {@link #centre}: {x, y, z}, m^2. */
     double[] inertia();
 
-    /** Distance of its farthest point from the origin, metres, or more. */
+    /** Upper bound of the distance from the origin to the furthest point, metres. */
     double radius();
 
-    /** Half of its least size, metres. */
+    /** Smallest half extent, metres. */
     double least();
 
     /** Whether it can roll. */
@@ -43,29 +41,28 @@ public interface ConvexShape {
         return false;
     }
 
-    /** Whether it looks the same when turned about its y axis. */
+    /** Whether it is symmetrical about its y axis. */
     default boolean isTurned() {
         return false;
     }
 
-    /** Whether a point of its surface is a corner, or may be one: where it touches something it goes along when the shape turns. */
+    /** Whether a surface point is or may be a corner: a contact there moves along with the rotation. */
     default boolean isCorner(double x, double y, double z) {
         return !isRound();
     }
 
-    /** Whether it looks the same however it is turned. */
+    /** Whether it is a sphere. */
     default boolean isBall() {
         return false;
     }
 
     /**
-     * Adds to a direction's support point of the core: the shape with a skin of {@link #skin} taken off, whose faces have the same normals. Cores of
-     * things that touch are apart, so that the direction in which they touch is found exactly where a distance of nothing has none.
-     *
+     * Finds the support point of the core: the shape without its convex radius {@link #skin}, with the same normals.
+     * Cores of touching bodies are apart, so that the contact normal stays exact at zero distance.
      * @param into takes {x, y, z}, metres
      */
     void coreSupport(double dx, double dy, double dz, double[] into);
 
-    /** How thick the skin around the core is at its faces, metres. */
+    /** Convex radius: distance from the core's faces to the shape's, metres. */
     double skin();
 }

@@ -4,18 +4,19 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How deep two convex sets are in each other: the expanding polytope algorithm (van den Bergen, "Proximity queries and penetration depth computation
- * on 3D game objects", 2001).
+ * Penetration depth of two convex sets by the expanding polytope algorithm (van den Bergen, "Proximity queries and
+ * penetration depth computation on 3D game objects", 2001).
  *
- * <p>How it works: where the sets overlap, their Minkowski difference holds the origin, and the way out is to its nearest face. A polytope of
- * support points inside it grows: its face nearest to the origin is pushed out to the support point in its direction, and the faces that this point
- * sees give way to new ones, until a face does not move any more.
+ * <p>If the sets overlap, their Minkowski difference contains the origin, and the minimum translation leads to its
+ * nearest face. A polytope of support points inside it grows. Each iteration adds the support point in the direction of
+ * the face nearest to the origin. It replaces the faces that this point sees, until the nearest face moves no further.
  *
- * <p>Good to 2e-6 m between flat faces, and to about 2 mm between curved surfaces of a metre, where {@link #ITERATIONS} end the search; the deeper
- * the overlap, the more. Sets that overlap do so for a step or two, so this need not be fast.
+ * <p>Accurate to 2e-6 m between flat faces, and to about 2 mm between curved surfaces of a metre, where
+ * {@link #ITERATIONS} end the search; the error grows with the depth. Overlaps last a step or two, so speed matters
+ * little.
  */
 final class Epa {
-    /** Good enough for a depth, metres. */
+    /** Accuracy at which the search ends, metres. */
     private static final double PRECISION = 1e-6;
     private static final double NOTHING = 1e-12;
     private static final int ITERATIONS = 96;
@@ -25,7 +26,7 @@ final class Epa {
     private final List<Face> faces = new ArrayList<>();
     private final List<Corner[]> rim = new ArrayList<>();
 
-    /** A point of the difference, and the point of the second set that made it. */
+    /** Point of the Minkowski difference, and its support point on the second set. */
     private static final class Corner {
         final double[] at = new double[3];
         final double[] onB = new double[3];
@@ -36,10 +37,10 @@ final class Epa {
         final Corner b;
         final Corner c;
         final double[] normal;
-        /** From the origin, + if the origin is inside. */
+        /** Distance of the plane from the origin, positive if the origin is inside. */
         final double distance;
 
-        /** @param inside a point that the normal looks away from */
+        /** @param inside a point that the normal faces away from */
         Face(Corner a, Corner b, Corner c, double[] inside) {
             double[] cross = cross(a.at, b.at, c.at);
             double length = Math.sqrt(dot(cross, cross));
@@ -55,9 +56,11 @@ final class Epa {
     }
 
     /**
-     * @param p the corners where the search for the distance ended
-     * @param q their points of the second set
-     * @param into takes the answer
+     * Measures the depth.
+     * @param p corners of the simplex at the end of the distance search
+     * @param q their support points on the second set
+     * @param into takes the result
+     * @return false if both sets together are flat
      */
     boolean measure(Convex first, Convex second, double[][] p, double[][] q, int size, GjkDistance into) {
         corners.clear();
@@ -104,8 +107,7 @@ final class Epa {
     }
 
     /**
-     * Makes it four corners with room between them.
-     *
+     * Extends the simplex to a tetrahedron.
      * @return false if both sets together are flat
      */
     private boolean fill(Convex first, Convex second) {
@@ -136,7 +138,7 @@ final class Epa {
         return new double[][] {n, {-n[0], -n[1], -n[2]}};
     }
 
-    /** How much a corner would add: a length, area or volume. */
+    /** Returns the gain by a corner: a squared length, a squared area, or a volume. */
     private double room(Corner corner) {
         double[] a = corners.get(0).at;
         double[] d = {corner.at[0] - a[0], corner.at[1] - a[1], corner.at[2] - a[2]};
@@ -158,8 +160,7 @@ final class Epa {
     }
 
     /**
-     * Takes a corner in: the faces that it sees give way to those between it and their rim.
-     *
+     * Adds a corner and replaces the faces that it sees.
      * @return false if it sees none
      */
     private boolean grow(Corner far, double[] inside) {
@@ -195,7 +196,7 @@ final class Epa {
         rim.add(new Corner[] {from, to});
     }
 
-    /** Where the origin's foot on the face lies, between the points that made its corners. */
+    /** Computes the contact point from the origin's projection on the face, by barycentric coordinates. */
     private static void answer(Face face, GjkDistance into) {
         double[] foot = {face.normal[0] * face.distance, face.normal[1] * face.distance, face.normal[2] * face.distance};
         double whole = Math.sqrt(square(cross(face.a.at, face.b.at, face.c.at)));

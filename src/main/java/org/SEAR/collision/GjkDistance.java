@@ -1,36 +1,37 @@
 package org.SEAR.collision;
 
 /**
- * Where two convex sets are nearest to each other, or how deep they are in each other, in double precision and without margins. The distance is by
- * Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in three-dimensional space" (1988), the depth
- * by {@link Epa}.
+ * Distance or penetration depth of two convex sets, in double precision and without margins. Distance by Gilbert,
+ * Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in three-dimensional space"
+ * (1988), depth by {@link Epa}.
  *
- * <p>How it works: the distance of two sets is that of their Minkowski difference, all points a - b, from the origin. Of that set only support
- * points are needed, each the difference of one support point of either set. A simplex of at most four of them is moved towards the origin: its
- * point nearest to the origin, by barycentric coordinates, gives the next direction to look in, and what no longer helps leaves it. The plane
- * through each new support point at right angles to the direction proves a distance from below, so the search ends as soon as that and what was
- * found agree, or the sets are proved to be farther apart than anybody asked for.
+ * <p>The distance of two sets is that of their Minkowski difference, all points a - b, from the origin. Only support
+ * points of this set are needed, each the difference of one support point of either set. A simplex of at most four of
+ * them moves towards the origin. Its point nearest to the origin, by barycentric coordinates, gives the next search
+ * direction, and corners without weight are dropped. The plane through each new support point at right angles to the
+ * direction gives a lower bound of the distance. The search ends when both bounds agree, or when the sets are further
+ * apart than the caller's reach.
  *
- * <p>A distance is good to 2e-7 m for shapes of a metre. One pair at a time; not for several threads.
+ * <p>Accurate to 2e-7 m for shapes of a metre. One pair at a time; not thread-safe.
  */
 public final class GjkDistance {
-    /** Distances are this good, metres. */
+    /** Accuracy of distances, metres. */
     private static final double PRECISION = 1e-7;
-    /** And the direction so that it would not change more, metres. */
+    /** Convergence threshold of the search direction, metres. */
     private static final double EXACT = 1e-7;
-    /** The same as a share of how large the sets are. */
+    /** The same threshold relative to the size of the sets. */
     private static final double EXACT_SHARE = 3e-11;
-    /** If the search ends that much short of the proved distance, what is proved counts, metres. */
+    /** Largest difference of both bounds, metres, at which the found distance counts instead of the lower bound. */
     private static final double UNPROVED = 1e-6;
     private static final int ITERATIONS = 64;
 
-    /** From the second set to the first, length 1. */
+    /** Unit normal from the second set to the first. */
     public double nx;
     public double ny;
     public double nz;
-    /** Between the surfaces, metres; negative if the sets overlap: how far the first would have to go along the normal. */
+    /** Distance of the surfaces, metres; negative: penetration depth of the first set along the normal. */
     public double distance;
-    /** The point of the second set's surface that is nearest. */
+    /** Nearest point on the second set's surface. */
     final double[] onB = new double[3];
     private final double[][] p = new double[4][3];
     private final double[][] q = new double[4][3];
@@ -43,9 +44,9 @@ public final class GjkDistance {
 
     /**
      * Measures two sets.
-     *
      * @param reach metres
-     * @return whether they are not farther apart than that; if not, normal and distance are those of two parallel planes that part them
+     * @return whether their distance is at most this; if not, normal and distance are those of two parallel separating
+     *     planes
      */
     public boolean measure(Convex first, Convex second, double reach) {
         return measure(first, second, reach, -1, 0, 0);
@@ -53,8 +54,7 @@ public final class GjkDistance {
 
     /**
      * Measures two sets.
-     *
-     * @param gx direction from the second to the first that is probably the answer, likewise gy and gz
+     * @param gx initial search direction from the second set to the first, likewise gy and gz
      */
     public boolean measure(Convex first, Convex second, double reach, double gx, double gy, double gz) {
         minkowskiDifference(first, second, -gx, -gy, -gz, p[0], q[0]);
@@ -103,11 +103,10 @@ public final class GjkDistance {
     }
 
     /**
-     * Puts the distance of the surfaces in the place of that of the cores that were measured.
-     *
+     * Replaces the distance of the measured cores by that of the surfaces.
      * @param first set
      * @param second set
-     * @param skin how much nearer its surface is than the second core, metres
+     * @param skin convex radius of the second set, metres
      */
     public void addSkins(Convex first, Convex second, double skin) {
         first.support(-nx, -ny, -nz, a);
@@ -120,12 +119,11 @@ public final class GjkDistance {
     }
 
     /**
-     * Puts another direction in the place of that found if it parts the sets nearly as far.
-     *
+     * Replaces the direction found by another one that separates the sets nearly as far.
      * @param first set
      * @param second set
      * @param direction from the second to the first, length 1
-     * @param less by how much less far it may part them, metres
+     * @param less allowed loss of distance, metres
      */
     public void keep(Convex first, Convex second, double[] direction, double less) {
         double parts = gap(first, second, direction);
@@ -138,13 +136,12 @@ public final class GjkDistance {
     }
 
     /**
-     * Takes a face as the answer if the other set's support point stands over it: then no other direction parts both as far, and there is nothing to
-     * search for.
-     *
+     * Accepts a face as the answer if the other set's support point projects inside it: no other direction then
+     * separates the sets as far.
      * @param face of one of the sets
-     * @param ofSecond whether it is the second set's
-     * @param other the set whose face it is not
-     * @param deepest how deep in each other they may be for that, metres
+     * @param ofSecond whether it is a face of the second set
+     * @param other the set that the face does not belong to
+     * @param deepest largest accepted penetration, metres
      * @return whether it is the answer
      */
     public boolean byFace(ContactFeature face, boolean ofSecond, Convex other, double deepest) {
@@ -165,7 +162,7 @@ public final class GjkDistance {
         return true;
     }
 
-    /** How far apart two sets are at least: the distance of the planes that touch them at right angles to a direction of length 1, metres. */
+    /** Returns the separation of two sets along a unit direction, metres: a lower bound of their distance. */
     public double gap(Convex first, Convex second, double[] direction) {
         first.support(-direction[0], -direction[1], -direction[2], a);
         double upper = dot(direction, a);
@@ -189,7 +186,7 @@ public final class GjkDistance {
         }
     }
 
-    /** The support point of the Minkowski difference of both sets in a direction, and the point of the second set there. */
+    /** Finds the support point of the Minkowski difference in a direction, and the second set's support point. */
     static void minkowskiDifference(Convex first, Convex second, double dx, double dy, double dz, double[] point, double[] ofSecond) {
         first.support(dx, dy, dz, point);
         second.support(-dx, -dy, -dz, ofSecond);
@@ -199,9 +196,8 @@ public final class GjkDistance {
     }
 
     /**
-     * The point of the simplex that is nearest to the origin.
-     *
-     * @return how far it is
+     * Sets {@code v} to the simplex's point nearest to the origin.
+     * @return its distance from the origin
      */
     private double approach() {
         for (int axis = 0; axis < 3; axis++) {
@@ -226,7 +222,7 @@ public final class GjkDistance {
         return beside(0, 1, 2, 3) && beside(0, 1, 3, 2) && beside(0, 2, 3, 1) && beside(1, 2, 3, 0);
     }
 
-    /** Whether the origin lies on the same side of three corners as the fourth. */
+    /** Whether the origin is on the same side of three corners as the fourth corner. */
     private boolean beside(int i, int j, int k, int fourth) {
         double ux = p[j][0] - p[i][0];
         double uy = p[j][1] - p[i][1];
@@ -242,7 +238,10 @@ public final class GjkDistance {
         return origin * other > 0;
     }
 
-    /** Finds the shares of the corners in the nearest point, and drops corners without. The newest corner is the last. */
+    /**
+     * Finds the barycentric coordinates of the nearest point and drops corners without weight. The newest corner is the
+     * last.
+     */
     private void keepNearest() {
         double least = Double.POSITIVE_INFINITY;
         int newest = size - 1;
@@ -281,8 +280,7 @@ public final class GjkDistance {
 
     /**
      * Takes an edge if the foot of the perpendicular lies in it and is nearer.
-     *
-     * @return the square of the least distance so far
+     * @return smallest squared distance so far
      */
     private double edge(int i, int j, double least) {
         double ex = p[j][0] - p[i][0];

@@ -4,15 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The edges inside a mesh, over which things slide and roll as if they were not there. To a thing that lies on one triangle the next one shows its
- * edge, which is nearest to it along the ground: taken for itself that edge would be a wall. So what touches a triangle by its face is looked at
- * first; an edge or corner on such a triangle, or on the next one, does not push by itself. If its triangle goes up from there, it pushes along its
- * own normal. One solid at a time; not for several threads.
+ * Filters ghost collisions at internal edges of a mesh, so that bodies slide and roll over them smoothly. To a body on
+ * one triangle the next triangle presents its edge, which would act as a wall. Face contacts are therefore processed
+ * first. An edge or corner contact on a triangle already in contact adds no contact of its own. If its triangle rises
+ * from there, the contact gets the triangle's normal. One solid at a time; not thread-safe.
  */
 public final class InnerEdges {
-    /** Least cosine of the direction of a contact to a triangle's normal: it touches by its face. */
+    /** Smallest cosine between contact normal and triangle normal of a face contact. */
     private static final double FACE = 1 - 1e-6;
-    /** What is this near to a triangle is on it, metres. */
+    /** Distance at which a point is on a triangle, metres. */
     private static final double ON = 1e-4;
 
     private final List<Touch> kept = new ArrayList<>();
@@ -20,7 +20,7 @@ public final class InnerEdges {
     private final List<Touch> edges = new ArrayList<>();
     private int used;
 
-    /** A triangle and how something touches it. */
+    /** Contact of a triangle. */
     private static final class Touch {
         final ContactTriangle triangle = new ContactTriangle();
         final double[] p = new double[3];
@@ -45,17 +45,17 @@ public final class InnerEdges {
         return touch;
     }
 
-    /** Whether a thing touches a triangle by its face. */
+    /** Whether the contact with a triangle is a face contact. */
     public static boolean isFace(ContactTriangle triangle, GjkDistance nearest) {
         return Math.abs(triangle.cosine(nearest.nx, nearest.ny, nearest.nz)) > FACE;
     }
 
-    /** Takes a triangle that is touched by its face. */
+    /** Adds a triangle with a face contact. */
     public void addFace(ContactTriangle triangle) {
         faces.add(take(triangle).triangle);
     }
 
-    /** Takes one that is touched by an edge or a corner. */
+    /** Adds a triangle with an edge or corner contact. */
     public void addEdge(ContactTriangle triangle, GjkDistance nearest) {
         Touch touch = take(triangle);
         System.arraycopy(nearest.onB, 0, touch.p, 0, 3);
@@ -71,19 +71,17 @@ public final class InnerEdges {
         edges.set(at, touch);
     }
 
-    /** How many triangles are touched by an edge or a corner. */
+    /** Number of triangles with an edge or corner contact. */
     public int size() {
         return edges.size();
     }
 
-    /** A triangle that is touched by an edge or a corner, the nearest first. */
+    /** Triangle with an edge or corner contact, in order of distance. */
     public ContactTriangle get(int i) {
         return edges.get(i).triangle;
     }
 
-    /**
-     * Whether the edge by which a triangle is touched is one inside the mesh, on what carries; adds the contact if the triangle goes up from there.
-     */
+    /** Whether an edge contact is at an internal edge; adds a contact if the triangle rises from there. */
     public boolean isInner(int edge, ContactPoints into) {
         Touch touch = edges.get(edge);
         for (int i = 0; i < faces.size(); i++) {

@@ -1,38 +1,38 @@
 package org.SEAR.collision;
 
 /**
- * The contact manifold of two sets: where they touch, as up to four points. {@link GjkDistance} gives one point and a direction; of the faces that
- * look along that, the one that is more at right angles to it is the reference face. The other, the incident face, is clipped by the planes through
- * the reference face's sides (Sutherland and Hodgman, "Reentrant polygon clipping", 1974), and the corners of what is left that lie below or little
- * above the reference face are the contact, all in the same step: so things stand still. Of more than four the lowest stays, the one farthest from
- * it, and those farthest to either side of their line. Where no face is part of it (edge on edge), the one point stands.
+ * Contact manifold of two sets, with up to four points. {@link GjkDistance} gives one point and a direction. Of the
+ * faces in that direction the one with the best aligned normal is the reference face. The other, the incident face, is
+ * clipped by the side planes of the reference face (Sutherland and Hodgman, "Reentrant polygon clipping", 1974). Its
+ * corners below or little above the reference face are the contact points, all in one step, so that bodies rest stably.
+ * Of more than four it keeps the lowest, the one furthest from it, and those furthest to either side of their line.
+ * Without a face (edge on edge) it keeps the one point.
  */
 public final class ManifoldClipper {
-    /** Surfaces this close already carry each other, metres: a face that rests has all its corners in touch. */
+    /** Distance at which surfaces already carry load, metres, so that all corners of a resting face are in contact. */
     public static final float SKIN = 5e-4f;
-    /** Surfaces farther apart than this have no contact, metres. */
+    /** Distance above which surfaces have no contact, metres. */
     public static final float BREAKING = 0.02f;
-    /** A face whose normal has at least this cosine to the direction of the contact is part of it (6 degrees). */
+    /** Smallest cosine between contact direction and normal of a face contact (6 degrees). */
     private static final double ALIGNED = 0.995;
-    /** Faces of both are equally good within this. */
+    /** Difference of cosines within which both faces are equally aligned. */
     private static final double EVEN = 1e-3;
     private static final int CORNERS = 4;
 
-    /** What each turns to the other, in the world; filled in by the caller. */
+    /** Features of both sets, in the world; filled by the caller. */
     public final ContactFeature ofA = new ContactFeature();
     public final ContactFeature ofB = new ContactFeature();
     private final int[] chosen = new int[CORNERS];
     private double reach = BREAKING;
 
-    /** @param metres how far apart two points may be */
+    /** @param metres largest height of a contact point */
     public void setReach(double metres) {
         reach = metres;
     }
 
     /**
-     * Adds the points of contact.
-     *
-     * @param nearest from B to A
+     * Adds the contact points.
+     * @param nearest with the direction from B to A
      */
     public void find(GjkDistance nearest, ContactPoints into) {
         if (!faces(nearest.nx, nearest.ny, nearest.nz, into)) {
@@ -41,10 +41,9 @@ public final class ManifoldClipper {
     }
 
     /**
-     * Adds the corners of what both share.
-     *
-     * @param nx direction from B to A
-     * @return whether there is such a patch
+     * Adds the corners of the common face.
+     * @param nx direction from B to A, likewise ny and nz
+     * @return whether there is a common face
      */
     public boolean faces(double nx, double ny, double nz, ContactPoints into) {
         double alongA = ofA.flat ? -(nx * ofA.nx + ny * ofA.ny + nz * ofA.nz) : 0;
@@ -68,7 +67,7 @@ public final class ManifoldClipper {
         return corners > 0;
     }
 
-    /** The lowest corner, the one farthest from it, and those farthest from their line to either side. */
+    /** Chooses the lowest corner, the one furthest from it, and those furthest from their line on either side. */
     private int choose(ContactFeature reference, ContactFeature incident) {
         int lowest = -1;
         double least = reach;
@@ -119,7 +118,7 @@ public final class ManifoldClipper {
         return value * value;
     }
 
-    /** Twice the area of a triangle of corners, + counter-clockwise seen from above the face. */
+    /** Returns twice the signed area of a triangle of corners, + counter-clockwise seen from above the face. */
     private static double area(ContactFeature reference, ContactFeature incident, int a, int b, int c) {
         double ux = incident.x(b) - incident.x(a);
         double uy = incident.y(b) - incident.y(a);

@@ -2,16 +2,15 @@ package org.SEAR.collision;
 
 import org.SEAR.geometry.Placement;
 
-/** A convex solid at a place in the world. Not for several threads. */
+/** Convex solid at a pose in the world. Not thread-safe. */
 public final class PlacedConvex implements Convex {
     private ConvexShape shape;
     private final Placement at = new Placement();
     private final Convex core = this::coreSupport;
 
     /**
-     * Takes a shape.
-     *
-     * @return where it stands, to be set by the caller
+     * Sets the shape.
+     * @return its pose, to be set by the caller
      */
     public Placement set(ConvexShape newShape) {
         shape = newShape;
@@ -25,7 +24,7 @@ public final class PlacedConvex implements Convex {
         at.transform(into[0], into[1], into[2], into, 0);
     }
 
-    /** The part of it that faces a direction (of length 1, world frame), in the world. */
+    /** Finds the contact feature in a unit direction, both in the world. */
     public void feature(double dx, double dy, double dz, ContactFeature into) {
         into.clear();
         shape.feature(at.m00 * dx + at.m10 * dy + at.m20 * dz, at.m01 * dx + at.m11 * dy + at.m21 * dz,
@@ -33,7 +32,7 @@ public final class PlacedConvex implements Convex {
         into.place(at);
     }
 
-    /** Its core, see {@link ConvexShape#coreSupport}, where it stands. */
+    /** Core in the world, see {@link ConvexShape#coreSupport}. */
     public Convex core() {
         return core;
     }

@@ -3,13 +3,13 @@ package org.SEAR.collision;
 import javax.vecmath.Vector3f;
 
 /**
- * Continuous collision with a mesh: where the line that a body's centre goes in a substep first passes through a triangle, so that it can be stopped
- * before it. A line meets a triangle where its barycentric coordinates there are none of them negative (Moeller and Trumbore, "Fast, minimum storage
- * ray/triangle intersection", 1997). Simulation thread.
+ * Continuous collision detection with a mesh: where the path of a body's centre in a substep first passes through a
+ * triangle. A segment intersects a triangle where no barycentric coordinate is negative (Moeller and Trumbore, "Fast,
+ * minimum storage ray/triangle intersection", 1997). Simulation thread.
  */
 public final class SegmentTriangleSweep {
     private static final double PARALLEL = 1e-15;
-    /** What goes through the edge between two triangles goes through both, as a share of their sides. */
+    /** Tolerance of barycentric coordinates, so that no path passes between two triangles. */
     private static final double EDGE = 1e-9;
 
     private double ox;
@@ -22,8 +22,7 @@ public final class SegmentTriangleSweep {
     private final double[] normal = new double[3];
 
     /**
-     * Takes a line.
-     *
+     * Begins a new segment.
      * @param from {x, y, z} in the mesh's frame, metres
      * @param to likewise
      */
@@ -37,7 +36,7 @@ public final class SegmentTriangleSweep {
         share = 1;
     }
 
-    /** Looks at a triangle, in the mesh's frame. */
+    /** Tests a triangle, in the mesh's frame. */
     public void look(Vector3f[] corners) {
         double ux = (double) corners[1].x - corners[0].x;
         double uy = (double) corners[1].y - corners[0].y;
@@ -70,12 +69,12 @@ public final class SegmentTriangleSweep {
         }
     }
 
-    /** The share of the way that it goes before the first triangle; 1 if there is none. */
+    /** Share of the segment before the first triangle; 1 without intersection. */
     public double getShare() {
         return share;
     }
 
-    /** The normal of that triangle, one way or the other, in the mesh's frame; the same array each time. */
+    /** Normal of that triangle, of either sign, in the mesh's frame; always the same array. */
     public double[] getNormal() {
         return normal;
     }

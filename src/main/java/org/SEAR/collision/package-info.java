@@ -1,5 +1,5 @@
 /**
- * Where two convex shapes touch: distance (GJK), depth (EPA), hulls and the contact points between features. Uses {@link org.SEAR.geometry}, and
- * what that uses. It knows no physics engine. One thread for each instance.
+ * Contacts of two convex shapes: distance (GJK), penetration depth (EPA), convex hulls and contact manifolds.
+ * Independent of any physics engine. Uses {@link org.SEAR.geometry}. One thread per instance.
  */
 package org.SEAR.collision;

@@ -9,18 +9,18 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.raycast.BeamScene;
 
-/** A box, a floor, or a plate whose picture is on its front only. */
+/** Box, floor, or plate with a picture on its front only. */
 public final class BoxSolid extends Solid {
-    /** Of each side the normal, where the right edge of its picture is, and where the upper edge is. */
+    /** Per side: the normal, the direction of the picture's right edge, and the direction of its upper edge. */
     private static final int[][] SIDES = {{0, 0, -1, -1, 0, 0, 0, 1, 0}, {1, 0, 0, 0, 0, -1, 0, 1, 0}, {0, 0, 1, 1, 0, 0, 0, 1, 0},
         {-1, 0, 0, 0, 0, 1, 0, 1, 0}, {0, 1, 0, 0, 0, -1, -1, 0, 0}, {0, -1, 0, 0, 0, -1, 1, 0, 0}};
 
-    /** Of a plate: the corner of its picture whose colour its other sides have. */
+    /** Picture coordinate of the corner whose colour covers the other sides of a plate. */
     private static final double CORNER = 1e-3;
 
     private final boolean plate;
 
-    /** @param halfX half size along x, metres, likewise halfY and halfZ */
+    /** @param halfX half extent along x, metres, likewise halfY and halfZ */
     public BoxSolid(double halfX, double halfY, double halfZ, Pose offset) {
         this(halfX, halfY, halfZ, offset, false);
     }

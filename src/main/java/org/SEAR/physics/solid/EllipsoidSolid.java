@@ -8,12 +8,12 @@ import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.solid.RayEllipsoid;
 
-/** A sphere, or an ellipsoid. */
+/** Sphere or ellipsoid. */
 final class EllipsoidSolid extends Solid {
-    /** Of the window's picture: corners of each circle of latitude, and strips between the poles. */
+    /** Mesh for the window: sides per circle of latitude, and strips between the poles. */
     private static final int SIDES = 32;
     private static final int STRIPS = 16;
-    /** Points for the tab's outline. */
+    /** Points of the outline in the tab. */
     private static final int POINTS = 128;
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
@@ -36,7 +36,9 @@ final class EllipsoidSolid extends Solid {
         return new ConvexEllipsoid(halfX, halfY, halfZ);
     }
 
-    /** The picture's left edge is at +z and its lower edge at the lower pole; it runs counter-clockwise seen from above. */
+    /**
+     * The picture's left edge is at +z and its lower edge at the lower pole; it runs counter-clockwise seen from above.
+     */
     @Override
     public SurfaceMesh look() {
         SurfaceMesh mesh = new SurfaceMesh();
@@ -58,7 +60,7 @@ final class EllipsoidSolid extends Solid {
         return mesh;
     }
 
-    /** Spread evenly over the sphere. */
+    /** Points spread evenly over the sphere. */
     @Override
     protected double[][] corners() {
         double[][] points = new double[POINTS][];

@@ -4,9 +4,9 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.geometry.Triangles;
 
-/** A cylinder or cone that is scaled so that its ends are ellipses: beams and bodies meet polygons of {@link #CORNERS} corners. */
+/** Cylinder or cone scaled to elliptic ends: rays and bodies hit polygons of {@link #CORNERS} corners. */
 final class EllipticSolid extends MeshSolid {
-    /** Corners of the polygon that stands for an ellipse. */
+    /** Corners of the polygon that approximates an ellipse. */
     private static final int CORNERS = 64;
 
     private final boolean cone;

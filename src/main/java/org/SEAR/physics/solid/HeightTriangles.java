@@ -6,7 +6,7 @@ import javax.vecmath.Vector3f;
 import org.SEAR.geometry.HeightGrid;
 import org.SEAR.geometry.HeightSearch;
 
-/** The triangles of heights; what comes near it meets only those in its box. Simulation thread. */
+/** Triangle search in a height grid; visits only the triangles in the query box. Simulation thread. */
 final class HeightTriangles implements TriangleSearch {
     private final HeightSearch search;
     private final Vector3f[] corners = {new Vector3f(), new Vector3f(), new Vector3f()};

@@ -5,49 +5,49 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 
 /**
- * An axis about which a motor turns solids of a body, a revolute joint: it goes as planned while its motor has the torque, and yields to what they
- * meet beyond that. The motor has the straight line of a DC motor: torque = stall torque (power - speed / no-load speed). In a step it keeps to the
- * plan by what is left of its power; what pushes more slows the hinge down, and the slower it is the more torque the motor has. Turning it back takes
- * more than the stall torque, for there is friction in its gears. Simulation thread.
+ * Revolute joint: a motor turns solids of a body about an axis. It follows the plan while the motor has enough torque,
+ * and yields to contacts beyond that. The motor has the linear characteristic of a DC motor: torque = stall torque
+ * (power - speed / no-load speed). The plan holds within the remaining power. A larger load slows the hinge down, and
+ * the motor's torque rises. Turning the hinge back takes more than the stall torque because of friction in the gears.
+ * Simulation thread.
  */
 public final class Hinge {
-    /** Friction of the gears when something turns them, as a share of the stall torque. */
+    /** Friction of back-driven gears, as a share of the stall torque. */
     private static final double GEARS = 0.3;
 
     private Pose axis = Pose.IDENTITY;
     private double ux;
     private double uy;
     private double uz;
-    /** Half of what it is to turn in this step, radians, and how much shorter a way straight across is than the arc. */
+    /** Half of the planned rotation of this step, radians, and the ratio of chord to arc. */
     private double half;
     private double chord = 1;
     private double stallTorque;
-    /** Torque that is lost for each rad/s, N m s. */
+    /** Torque lost per rad/s, N m s. */
     private double damping;
-    /** Of what is on it, kg m^2, and of that with what damps it in a substep, which counts as if it were inertia: so it is stable. */
+    /** Inertia of the load, kg m^2, and with damping over a substep added as inertia (implicit, hence stable). */
     private double load;
     private double inertia = 1;
-    /** Speed, rad/s. */
+    /** Planned speed, rad/s. */
     private double planned;
-    /** Share of the motor's power that the plan takes, -1 to 1. */
+    /** Share of the motor's power for the plan, -1 to 1. */
     private double power;
     private double seconds = TimeStep.SECONDS;
-    /** How much faster than planned it turns, rad/s, and how much farther it has come in this step, radians. */
+    /** Speed beyond the plan, rad/s, and angle beyond the plan in this step, radians. */
     private double deviation;
     private double ahead;
-    /** Angular impulses of this substep, Nms: with which the motor keeps to the plan, and the gears from turning back. */
+    /** Angular impulses of this substep, N m s: of the motor, and of the gears against turning back. */
     private double held;
     private double braked;
 
     /**
-     * A step begins.
-     *
-     * @param at where it is in the body's frame; it turns about its y axis
-     * @param torque with which its motor stalls, N m
-     * @param fastest speed of its motor without load, rad/s
-     * @param mass moment of inertia of what it turns, kg m^2
-     * @param turning how far it is to turn in this step, radians
-     * @param used share of the power that the plan takes, -1 to 1, + to turn counter-clockwise seen from above
+     * Begins a step.
+     * @param at pose in the body's frame; the hinge turns about its y axis
+     * @param torque stall torque of the motor, N m
+     * @param fastest no-load speed of the motor, rad/s
+     * @param mass moment of inertia of the load, kg m^2
+     * @param turning planned rotation in this step, radians
+     * @param used share of the power for the plan, -1 to 1, + counter-clockwise seen from above
      */
     public void plan(Pose at, double torque, double fastest, double mass, double turning, double used) {
         axis = at;
@@ -66,7 +66,7 @@ public final class Hinge {
         ahead = 0;
     }
 
-    /** Back to the start: nothing is kept from the steps before. */
+    /** Clears all state of former steps. */
     public void restart() {
         deviation = 0;
         ahead = 0;
@@ -74,22 +74,22 @@ public final class Hinge {
         braked = 0;
     }
 
-    /** How much faster it turns than planned, rad/s. */
+    /** Speed beyond the plan, rad/s. */
     public double deviation() {
         return deviation;
     }
 
-    /** How much farther it has come in this step than planned, radians. */
+    /** Angle beyond the plan in this step, radians. */
     public double ahead() {
         return ahead;
     }
 
-    /** The solver begins with a step, whose substeps are about so long, seconds. */
+    /** Prepares a step with substeps of about this length, seconds. */
     public void prepare(double substep) {
         inertia = load + substep * damping;
     }
 
-    /** A substep begins. */
+    /** Begins a substep. */
     public void begin(double newSeconds) {
         double scale = newSeconds / seconds;
         seconds = newSeconds;
@@ -98,7 +98,7 @@ public final class Hinge {
         deviation = (deviation * load + held + braked) / inertia;
     }
 
-    /** One pass of the motor, which keeps to the plan, and of the gears. */
+    /** Solves one pass of motor and gears. */
     public void solve() {
         double most = stallTorque * seconds;
         double sum = Math.max(-most * (1 + power), Math.min(most * (1 - power), held - deviation * inertia));
@@ -110,28 +110,27 @@ public final class Hinge {
         braked = sum;
     }
 
-    /** The substep ends. */
+    /** Ends the substep. */
     public void advance() {
         ahead += deviation * seconds;
     }
 
-    /** What is on it is pushed against its turning by an impulse, Ns, with a lever, metres. */
+    /** Applies an impulse against the rotation, N s, at a lever, metres. */
     public void push(double lever, double impulse) {
         deviation -= lever * impulse / inertia;
     }
 
-    /** Speed that what is on it gives way for an impulse of 1 Ns at a lever, metres: 1/kg. */
+    /** Returns the speed of the load per impulse of 1 N s at a lever in metres, 1/kg. */
     public double yields(double lever) {
         return lever * lever / inertia;
     }
 
     /**
-     * How far a point of what is on it goes along a direction when it turns by 1 rad, metres: straight across, as {@link InnerMotion#speed} counts
-     * in a step, so that a hinge that is held stands still.
-     *
-     * @param body where the body's centre of mass is and how it is turned
-     * @param d has a unit direction, world frame, three numbers from {@code i} on
-     * @param x of the point from the body's origin, body frame, metres, likewise y and z
+     * Returns the displacement of a point of the load along a direction, metres per radian. It is that of the chord,
+     * consistent with {@link InnerMotion#speed}, so that a held hinge stands still.
+     * @param body pose of the body's centre of mass
+     * @param d holds a unit direction, world frame, three numbers from {@code i} on
+     * @param x of the point in the body's frame, metres, likewise y and z
      */
     double lever(Placement body, double[] d, int i, double x, double y, double z) {
         double rx = x - axis.x;

@@ -1,8 +1,8 @@
 package org.SEAR.physics.solid;
 
 /**
- * By which levers the rows of a contact turn the hinges of what touches there, of either body; where there is no hinge the lever is 0. Levers are
- * positive where both sides come together as the hinge turns. Simulation thread.
+ * Levers by which the rows of a contact turn the hinges of both bodies; 0 without a hinge. Levers are positive where
+ * the surfaces approach as the hinge turns. Simulation thread.
  */
 public final class HingeLevers {
     private final double[] ofA;
@@ -10,19 +10,19 @@ public final class HingeLevers {
     private Hinge a;
     private Hinge b;
 
-    /** @param rows how many */
+    /** @param rows number of rows */
     public HingeLevers(int rows) {
         ofA = new double[rows];
         ofB = new double[rows];
     }
 
-    /** Begins with the hinges of both sides; null where there is none. */
+    /** Sets the hinges of both bodies; null without a hinge. */
     public void set(Hinge first, Hinge second) {
         a = first;
         b = second;
     }
 
-    /** Whether there is one at all. */
+    /** Whether there is a hinge. */
     public boolean any() {
         return a != null || b != null;
     }
@@ -33,29 +33,32 @@ public final class HingeLevers {
         ofB[row] = second;
     }
 
-    /** Takes the levers of another row off those of a row. */
+    /** Subtracts the levers of another row. */
     public void subtract(int row, int other) {
         ofA[row] -= ofA[other];
         ofB[row] -= ofB[other];
     }
 
-    /** How much faster than planned both sides come together along a row, m/s. */
+    /** Returns the approach speed along a row beyond the plan, m/s. */
     public double speed(int row) {
         return (a == null ? 0 : ofA[row] * a.deviation()) + (b == null ? 0 : ofB[row] * b.deviation());
     }
 
-    /** How much farther than planned they have come together in this step, metres. */
+    /** Returns the approach along a row beyond the plan in this step, metres. */
     public double way(int row) {
         return (a == null ? 0 : ofA[row] * a.ahead()) + (b == null ? 0 : ofB[row] * b.ahead());
     }
 
-    /** Mass that an impulse along a row meets, kg, when the hinges give way, too. */
+    /**
+     * Returns the effective mass of a row with yielding hinges, kg.
+     * @param rigid effective mass without them, kg
+     */
     public double mass(int row, double rigid) {
         double yields = (a == null ? 0 : a.yields(ofA[row])) + (b == null ? 0 : b.yields(ofB[row]));
         return rigid / (1 + rigid * yields);
     }
 
-    /** An impulse along a row, Ns, pushes them apart. */
+    /** Applies a separating impulse along a row to the hinges, N s. */
     public void push(int row, double impulse) {
         if (a != null) {
             a.push(ofA[row], impulse);

@@ -8,8 +8,8 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 
 /**
- * How solids move in their body in a step, as servos turn them: contacts see the speed of their surface, and hinges yield to contacts.
- * They are put where they go when the step has ended. Simulation thread.
+ * Motion of solids in their body during a step, as by servos. Contacts use the velocity of their surface, and hinges
+ * yield to contacts. The solids take their new poses at the end of the step. Simulation thread.
  */
 public final class InnerMotion {
     private static final int NUMBERS = 12;
@@ -17,9 +17,12 @@ public final class InnerMotion {
     private final List<Solid> solids;
     private final Pose[] places;
     private final double[] centre;
-    /** Where those that move go; null of all others. */
+    /** Target pose of each moving solid; null for the others. */
     private final Pose[] next;
-    /** The speed of a point of each as a linear function of where it is in the body's frame: three rows of four numbers, 1/s and m/s. */
+    /**
+     * Velocity of each solid's points as a linear function of position in the body's frame: three rows of four numbers,
+     * 1/s and m/s.
+     */
     private final double[][] speeds;
     private final Hinge[] hinges;
     private final List<Hinge> all = new ArrayList<>();
@@ -30,7 +33,7 @@ public final class InnerMotion {
 
     /**
      * @param places of the solids now, in the body's frame
-     * @param centre of the body's mass, likewise
+     * @param centre of mass, in the body's frame
      */
     public InnerMotion(List<Solid> solids, Pose[] places, double... centre) {
         this.solids = solids;
@@ -41,15 +44,17 @@ public final class InnerMotion {
         hinges = new Hinge[places.length];
     }
 
-    /** @param reported is told at the end of a step in which a hinge did not get as far as planned, and says by {@link #move} where solids went */
+    /**
+     * @param reported runs at the end of a step in which a hinge deviated from its plan; it calls {@link #move} with
+     *     the actual poses
+     */
     public void onYield(Runnable reported) {
         yielding = reported;
     }
 
     /**
-     * A solid goes to another place in this step.
-     *
-     * @param hinge which yields to what it meets; null if it does not
+     * Moves a solid to another pose in this step.
+     * @param hinge yields under load; null if the motion is rigid
      */
     public void move(int solid, Pose to, Hinge hinge) {
         Pose from = places[solid];
@@ -82,8 +87,7 @@ public final class InnerMotion {
     }
 
     /**
-     * The step has ended.
-     *
+     * Ends the step.
      * @return whether a solid has moved
      */
     public boolean end() {
@@ -101,7 +105,7 @@ public final class InnerMotion {
         return moved;
     }
 
-    /** Nothing moves in this step after all. */
+    /** Cancels the motion of this step. */
     public void forget() {
         if (any) {
             Arrays.fill(next, null);
@@ -112,17 +116,17 @@ public final class InnerMotion {
         }
     }
 
-    /** The hinges that turn in this step, a view. */
+    /** Hinges that turn in this step, a view. */
     public List<Hinge> hinges() {
         return all;
     }
 
-    /** The hinge of a solid that yields to what it meets in this step; null if there is none. */
+    /** Hinge of a solid that yields in this step; null if there is none. */
     public Hinge hinge(int solid) {
         return hinges[solid];
     }
 
-    /** How fast a point of them moves at most, m/s. */
+    /** Upper bound of the speed of a point, m/s. */
     public double fastest() {
         return fastest;
     }
@@ -133,13 +137,11 @@ public final class InnerMotion {
     }
 
     /**
-     * The velocity of a point of a solid, as its body sees it, along a direction.
-     *
-     * @param at where the body's centre of mass is and how it is turned
-     * @param d has a unit direction, world frame, three numbers from {@code i} on
+     * Returns the velocity of a solid's point relative to its body along a direction, m/s.
+     * @param at pose of the body's centre of mass
+     * @param d holds a unit direction, world frame, three numbers from {@code i} on
      * @param x of the point, world frame, metres, likewise y and z
-     * @param gone how much of the step is over, seconds: each point of the solid goes straight on through the step
-     * @return m/s
+     * @param gone elapsed time of the step, seconds: each point of the solid moves on a straight line through the step
      */
     public double speed(int solid, Placement at, double[] d, int i, double x, double y, double z, double gone) {
         toStart(solid, at, x, y, z, gone);
@@ -151,7 +153,10 @@ public final class InnerMotion {
         return s[first] * own[0] + s[first + 1] * own[1] + s[first + 2] * own[2] + s[first + 3];
     }
 
-    /** How far a point of a solid goes along a direction when its hinge turns by 1 rad, metres; 0 if it has none. As {@link #speed}. */
+    /**
+     * Returns the displacement of a solid's point along a direction per radian of its hinge, metres; 0 without a hinge.
+     * Parameters as in {@link #speed}.
+     */
     public double lever(int solid, Placement at, double[] d, int i, double x, double y, double z, double gone) {
         if (hinges[solid] == null) {
             return 0;
@@ -160,7 +165,7 @@ public final class InnerMotion {
         return hinges[solid].lever(at, d, i, own[0], own[1], own[2]);
     }
 
-    /** Where the point of a solid that is somewhere now was when the step began, in the body's frame. */
+    /** Computes where a solid's point was when the step began, in the body's frame. */
     private void toStart(int solid, Placement at, double x, double y, double z, double gone) {
         at.toFrame(x, y, z, own, 0);
         for (int i = 0; i < own.length; i++) {
@@ -174,7 +179,7 @@ public final class InnerMotion {
         own[2] -= gone * vz;
     }
 
-    /** The share along a direction of the world of a vector {x, y, z} of the body's frame. */
+    /** Projects a vector {x, y, z} of the body's frame on a world direction. */
     static double along(Placement at, double[] d, int i, double x, double y, double z) {
         return d[i] * (at.m00 * x + at.m01 * y + at.m02 * z) + d[i + 1] * (at.m10 * x + at.m11 * y + at.m12 * z)
             + d[i + 2] * (at.m20 * x + at.m21 * y + at.m22 * z);

@@ -17,7 +17,7 @@ final class MeshShapes {
     private MeshShapes() {
     }
 
-    /** The triangles themselves, for a body that never moves. */
+    /** Builds the triangle shape of a fixed body. */
     static BvhTriangleMeshShape fixed(Triangles mesh, double sx, double sy, double sz) {
         double[] scale = {sx, sy, sz};
         ByteBuffer vertices = ByteBuffer.allocateDirect(mesh.vertices.length * Float.BYTES).order(ByteOrder.nativeOrder());
@@ -35,7 +35,7 @@ final class MeshShapes {
         return new BvhTriangleMeshShape(array, true);
     }
 
-    /** The outermost corners of the scaled mesh in directions spread evenly over the sphere, each once. */
+    /** Returns the outermost corners of the scaled mesh in directions spread evenly over the sphere, each once. */
     static ObjectArrayList<Vector3f> corners(Triangles mesh, double sx, double sy, double sz, int directions) {
         boolean[] taken = new boolean[mesh.vertices.length / 3];
         ObjectArrayList<Vector3f> corners = new ObjectArrayList<>();
@@ -52,7 +52,7 @@ final class MeshShapes {
         return corners;
     }
 
-    /** The vertex that is farthest in a direction of the unscaled mesh. */
+    /** Returns the vertex that is furthest in a direction of the unscaled mesh. */
     static int outermost(Triangles mesh, double dx, double dy, double dz) {
         int best = 0;
         double farthest = Double.NEGATIVE_INFINITY;

@@ -12,9 +12,9 @@ import org.SEAR.geometry.Triangles;
 import org.SEAR.project.models.ModelLoader;
 import org.SEAR.raycast.BeamScene;
 
-/** Triangles, as of a model. */
+/** Triangle mesh, as of a model. */
 class MeshSolid extends Solid {
-    /** Directions in which a drawing looks for a model's outermost corners. */
+    /** Directions in which a drawing searches a model's outermost corners. */
     private static final int DRAWN_DIRECTIONS = 48;
 
     private final Triangles mesh;

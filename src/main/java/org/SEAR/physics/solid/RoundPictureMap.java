@@ -2,11 +2,14 @@ package org.SEAR.physics.solid;
 
 import org.SEAR.geometry.SurfaceMesh;
 
-/** What is drawn of a cylinder or cone, its ends circles or ellipses: the picture is wrapped around its side and laid on its caps. */
+/**
+ * Drawn mesh of a cylinder or cone with circular or elliptic ends: the picture wraps around its side and covers its
+ * caps.
+ */
 final class RoundPictureMap {
-    /** Corners of a circle in the window ... */
+    /** Corners of a circle in the window. */
     private static final int SIDES = 32;
-    /** ... and in the tab. */
+    /** Corners of a circle in the tab. */
     private static final int RIM = 24;
 
     private final SurfaceMesh mesh = new SurfaceMesh();
@@ -20,7 +23,7 @@ final class RoundPictureMap {
         this.c = c;
     }
 
-    /** @param halfX metres, likewise halfY and halfZ */
+    /** @param halfX half extent, metres, likewise halfY and halfZ */
     static SurfaceMesh of(double halfX, double halfY, double halfZ, boolean cone) {
         RoundPictureMap look = new RoundPictureMap(halfX, halfY, halfZ);
         look.side(cone ? 0 : 1);
@@ -31,7 +34,7 @@ final class RoundPictureMap {
         return look.mesh;
     }
 
-    /** The rim of each end, or the apex. */
+    /** Returns the rim of each end, or the apex. */
     static double[][] rims(double halfX, double halfY, double halfZ, boolean cone) {
         double[][] points = new double[cone ? RIM + 1 : 2 * RIM][];
         for (int i = 0; i < points.length; i++) {
@@ -44,7 +47,7 @@ final class RoundPictureMap {
         return points;
     }
 
-    /** The picture's left edge is at +z; it runs counter-clockwise seen from above, so that writing on it can be read. */
+    /** The picture's left edge is at +z. It runs counter-clockwise seen from above, so that text on it is readable. */
     private void side(double top) {
         for (int i = 0; i <= SIDES; i++) {
             double sin = Math.sin(2 * Math.PI * i / SIDES);
@@ -60,7 +63,7 @@ final class RoundPictureMap {
         }
     }
 
-    /** @param up +1 for a cap that looks up, -1 for one that looks down */
+    /** @param up +1 for the upper cap, -1 for the lower one */
     private void cap(int up) {
         int middle = mesh.vertex(0, up * h, 0, 0, up, 0, 0.5, 0.5);
         for (int i = 0; i <= SIDES; i++) {

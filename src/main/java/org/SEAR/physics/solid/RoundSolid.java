@@ -10,7 +10,7 @@ import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.solid.RayRound;
 
-/** A cylinder or cone about its y axis, with circles as ends; a wheel is a cylinder that lies. */
+/** Cylinder or cone about its y axis with circular ends; a wheel is a cylinder on its side. */
 public final class RoundSolid extends Solid {
     private static final Pose AXLE_ALONG_X = Pose.ofDegrees(0, 0, 0, 0, 0, 90);
 
@@ -39,8 +39,7 @@ public final class RoundSolid extends Solid {
     }
 
     /**
-     * A cylinder with its axle along x.
-     *
+     * Returns a cylinder with its axle along x.
      * @param radius metres
      */
     public static RoundSolid wheel(double radius, double halfWidth) {

@@ -8,20 +8,20 @@ import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.raycast.BeamScene;
 
 /**
- * The geometry of one object of the grammar, scale included: what beams, collisions, masses, the window and the tab ask of a shape. {@link Solids}
- * lists the shapes that there are.
+ * Geometry of one object of the grammar, scale included, for rays, collisions, masses, the window and the tab.
+ * {@link Solids} lists the shapes.
  */
 public abstract class Solid {
-    /** Half sizes along x, y and z. */
+    /** Half extents along x, y and z, metres. */
     public final double halfX;
     public final double halfY;
     public final double halfZ;
-    /** Where the solid's own frame stands in the object's frame. */
+    /** Pose of the solid's frame in the object's frame. */
     public final Pose offset;
     private Surface surface = Surface.usual();
     private ConvexShape convex;
 
-    /** @param halfX half size along x, metres, likewise halfY and halfZ */
+    /** @param halfX half extent along x, metres, likewise halfY and halfZ */
     protected Solid(double halfX, double halfY, double halfZ, Pose offset) {
         this.halfX = halfX;
         this.halfY = halfY;
@@ -30,22 +30,21 @@ public abstract class Solid {
     }
 
     /**
-     * Adds it to what beams meet.
-     *
+     * Adds the solid to a ray scene.
      * @return its number there
      */
     public abstract int addTo(BeamScene scene, int owner);
 
-    /** What of it collides, with its volume, centre of mass and inertia; made once. */
+    /** Makes the collision shape, with volume, centre of mass and inertia; called once. */
     protected abstract ConvexShape makeConvex();
 
-    /** What it looks like, in its own frame: of a model its triangles, without the look that its file has; null for a terrain. */
+    /** Returns the drawn mesh in the solid's frame, of a model without its file's materials; null for a terrain. */
     public abstract SurfaceMesh look();
 
-    /** Points of its surface that are enough to draw its outline from any side: {x, y, z} in its own frame, metres. */
+    /** Returns surface points that suffice for its outline from any side: {x, y, z} in the solid's frame, metres. */
     protected abstract double[][] corners();
 
-    /** Points that are enough to draw its outline from any side: {x, y, z} in the object's frame, metres. */
+    /** Returns points that suffice for its outline from any side: {x, y, z} in the object's frame, metres. */
     public final double[][] outline() {
         double[][] points = corners().clone();
         for (int i = 0; i < points.length && offset != Pose.IDENTITY; i++) {
@@ -54,12 +53,12 @@ public abstract class Solid {
         return points;
     }
 
-    /** A new search for its triangles, for a body that never moves. */
+    /** Returns a new search for its triangles, for a fixed body. */
     public TriangleSearch triangles() {
         throw new UnsupportedOperationException("only a mesh has triangles");
     }
 
-    /** What of it collides: a mesh that moves counts as its convex hull. */
+    /** Returns the collision shape: of a mesh its convex hull. */
     public final ConvexShape convex() {
         if (convex == null) {
             convex = makeConvex();
@@ -71,28 +70,27 @@ public abstract class Solid {
         surface = newSurface;
     }
 
-    /** What it does where it touches. */
+    /** Surface at contacts. */
     public final Surface getSurface() {
         return surface;
     }
 
-    /** Whether it is triangles: what does not move then collides by them, not by the convex hull. */
+    /** Whether it is a triangle mesh: fixed bodies collide by the triangles, not by the convex hull. */
     public boolean isMesh() {
         return false;
     }
 
     /**
-     * Tries the triangles of a mesh, at least those that reach into a box, until one passes.
-     *
-     * @param box in its own frame
-     * @param test takes x, y and z of the three corners in its own frame, only while it is called
+     * Tests triangles of a mesh, at least all that reach into a box, until one passes.
+     * @param box in the solid's frame
+     * @param test takes x, y and z of the three corners in the solid's frame; the array is valid only during the call
      * @return whether one passed
      */
     public boolean anyTriangle(Aabb box, Predicate<double[]> test) {
         throw new UnsupportedOperationException("only a mesh has triangles");
     }
 
-    /** The farthest point in a direction of its own frame: {x, y, z}. */
+    /** Returns the furthest point in a direction, both in the solid's frame: {x, y, z}. */
     public double[] farthest(double dx, double dy, double dz) {
         double[] point = new double[3];
         convex().support(dx, dy, dz, point);

@@ -27,8 +27,8 @@ import org.SEAR.project.models.ModelLoader;
 import org.SEAR.project.problems.ProjectException;
 
 /**
- * The one list of shapes: each class of the grammar and how its solid is made. It also makes their XML files readable. To add a shape, write its
- * class, its {@link Solid}, what of it beams meet and what of it collides, and add a line here.
+ * The only list of shapes: each class of the grammar and how to make its solid. It also makes their XML files readable.
+ * To add a shape, write its class, its {@link Solid}, its ray and collision shapes, and add a line here.
  */
 public final class Solids implements ObjectTypes {
     private static final Map<Class<? extends SearObject>, Maker<Shape>> ALL = new LinkedHashMap<>();
@@ -47,14 +47,13 @@ public final class Solids implements ObjectTypes {
         add(Wheel.class, (wheel, sources) -> RoundSolid.of(wheel));
     }
 
-    /** What a solid is made from beside the parameters of its shape; asked only by the shapes that need it. */
+    /** Sources for a solid besides the parameters of its shape; only some shapes use them. */
     public interface Sources {
-        /** Models by their files; without one SEAR works without jMonkeyEngine. */
+        /** Loader of model files; without models SEAR works without jMonkeyEngine. */
         ModelLoader models();
 
         /**
-         * The heights of the project's terrain; null where terrains are to have no solid.
-         *
+         * Elevation of the project's terrain; null if terrains have no solid.
          * @throws ProjectException if the terrain's map can't be loaded
          */
         default HeightGrid ground() throws ProjectException {
@@ -77,9 +76,8 @@ public final class Solids implements ObjectTypes {
     }
 
     /**
-     * The geometry of an object; null for an object without (a sensor).
-     *
-     * @param warnings takes, once each, what of a model can't be shown
+     * Returns the geometry of an object; null for an object without geometry (a sensor).
+     * @param warnings takes each reason why a model is shown incompletely, once
      * @throws ProjectException with all models and maps of the project that can't be loaded, if this is or needs one
      */
     public static Solid of(SearObject object, Project project, List<String> warnings) throws ProjectException {
@@ -116,8 +114,7 @@ public final class Solids implements ObjectTypes {
     }
 
     /**
-     * The geometry of a shape; null for one that is not in the list, and for a terrain without ground.
-     *
+     * Returns the geometry of a shape; null for a shape outside the list, and for a terrain without ground.
      * @throws IOException if a model can't be loaded
      * @throws ProjectException if the terrain's map can't be loaded
      */
@@ -130,7 +127,7 @@ public final class Solids implements ObjectTypes {
         return null;
     }
 
-    /** What a shape looks like in its solid's frame: a picture that is repeated in its true size is so on boxes; null for a terrain. */
+    /** Returns the drawn mesh in the solid's frame; null for a terrain. Boxes repeat a picture of fixed size. */
     public static SurfaceMesh look(Solid solid, Shape shape) {
         SurfaceMesh look = solid.look();
         Double tile = shape.getPictureTile();

@@ -2,13 +2,16 @@ package org.SEAR.physics.solid;
 
 import org.SEAR.POJOs.Shape;
 
-/** What a solid's surface does where it touches another. Immutable. */
+/** Contact properties of a solid's surface. Immutable. */
 public final class Surface {
-    /** Coefficient of friction of objects; the product of both counts (0.64: cardboard on wood). */
+    /** Coefficient of friction of objects; a contact has the product of both (0.64: cardboard on wood). */
     private static final double FRICTION = 0.8;
-    /** The same of a robot's parts: smooth plastic (0.24 on objects), so that a robot does not ride up a wall that it pushes against. */
+    /**
+     * Coefficient of friction of robot parts: smooth plastic (0.24 on objects), so that a robot does not ride up a
+     * wall.
+     */
     private static final double ROBOT_FRICTION = 0.3;
-    /** Coefficient of rolling friction of objects; the sum of both counts (0.002: hard on hard). */
+    /** Coefficient of rolling friction of objects; a contact has the sum of both (0.002: hard on hard). */
     private static final double ROLLING_FRICTION = 0.001;
 
     private final Double friction;
@@ -21,31 +24,30 @@ public final class Surface {
         this.rollingFriction = rollingFriction == null ? ROLLING_FRICTION : rollingFriction;
     }
 
-    /** That of an object, with the defaults for what it does not say. */
+    /** Returns the surface of an object, with defaults for missing values. */
     static Surface of(Shape shape) {
         return new Surface(shape.getFriction(), shape.getRestitution(), shape.getRollingFriction());
     }
 
-    /** That of a part that nobody described. */
+    /** Returns the default surface. */
     static Surface usual() {
         return new Surface(null, null, null);
     }
 
     /**
-     * Coefficient of friction.
-     *
+     * Returns the coefficient of friction.
      * @param ofRobot whether it belongs to a robot
      */
     public double friction(boolean ofRobot) {
         return friction != null ? friction : ofRobot ? ROBOT_FRICTION : FRICTION;
     }
 
-    /** Share of the speed at which another comes that it goes with afterwards; the greater of both counts. */
+    /** Coefficient of restitution: separating speed over approach speed. A contact has the greater of both. */
     public double restitution() {
         return restitution;
     }
 
-    /** Resistance to rolling as a share of the weight. */
+    /** Coefficient of rolling friction: resistance as a share of the weight. */
     public double rollingFriction() {
         return rollingFriction;
     }

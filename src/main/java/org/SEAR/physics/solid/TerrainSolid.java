@@ -10,7 +10,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.raycast.BeamScene;
 
-/** The ground of an area. It never moves; beams and contacts meet the same triangles of it, to the bit. */
+/** Terrain of an area, always fixed; rays and contacts use exactly the same triangles. */
 public final class TerrainSolid extends Solid {
     private final HeightGrid heights;
     private final HeightSearch search;
@@ -36,7 +36,7 @@ public final class TerrainSolid extends Solid {
         return scene.addHeights(heights, owner);
     }
 
-    /** The box around it: nothing collides with that, see {@link #anyTriangle}. */
+    /** Returns the bounding box; contacts use the triangles instead, see {@link #anyTriangle}. */
     @Override
     protected ConvexShape makeConvex() {
         double[][] corners = corners();
@@ -52,13 +52,13 @@ public final class TerrainSolid extends Solid {
         return new HeightTriangles(heights);
     }
 
-    /** Null: it is drawn by its heights. */
+    /** Returns null: a terrain is drawn from its heights. */
     @Override
     public SurfaceMesh look() {
         return null;
     }
 
-    /** The corners of the box around it. */
+    /** Returns the corners of the bounding box. */
     @Override
     protected double[][] corners() {
         double[][] corners = new double[8][];

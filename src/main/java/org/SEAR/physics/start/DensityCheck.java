@@ -6,18 +6,18 @@ import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 
-/** Tells of what weighs more than anything of its size can: mostly its grams were taken for kilograms. */
+/** Warns of bodies that are too heavy for their size, mostly because grams were entered as kilograms. */
 public final class DensityCheck {
-    /** Three times as dense as gold, kg/m^3: the dissertation's Roombas of 400 kg are not meant. */
+    /** Three times the density of gold, kg/m^3; above the dissertation's Roombas of 400 kg. */
     private static final double DENSEST = 60000;
-    /** More are not named one by one. */
+    /** Largest number of warnings. */
     private static final int MAX_REPORTED = 5;
     private static final double GRAMS = 1000;
 
     private DensityCheck() {
     }
 
-    /** Looks at the boxes around them, which are larger than what is in them. */
+    /** Checks the bounding boxes, which are larger than the bodies. */
     public static void report(List<Body> bodies, List<String> warnings) {
         long reported = 0;
         for (Body body : bodies) {
@@ -41,7 +41,7 @@ public final class DensityCheck {
         return Math.max(Math.max(box.maxX - box.minX, box.maxY - box.minY), box.maxZ - box.minZ);
     }
 
-    /** For a warning: whole, or with three digits. */
+    /** Formats a number for a warning: whole, or with three digits. */
     static String number(double value) {
         return value == Math.rint(value) ? String.valueOf((long) value) : String.format(Locale.ROOT, "%.3g", value);
     }

@@ -7,21 +7,24 @@ import org.SEAR.geometry.Aabb;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.RaycastScenes;
 
-/** Tells of what starts far beside the ground, or is many times as large: mostly its centimetres were taken for metres. */
+/**
+ * Warns of bodies that start far from the ground or are many times larger, mostly because centimetres were entered as
+ * metres.
+ */
 public final class GroundDistanceCheck {
-    /** Farther away than this, metres, nobody puts a thing on purpose beside a small floor. */
+    /** Distance beside or above the ground above which SEAR warns, metres. */
     private static final double FAR = 50;
-    /** A thing of this size, metres, and so many times as large as the ground is no thing on it. */
+    /** Size of a body above which SEAR warns, metres, if the body is also this many times larger than the ground. */
     private static final double LARGE = 50;
     private static final double TIMES = 3;
-    /** More are not named one by one. */
+    /** Largest number of warnings. */
     private static final int MAX_REPORTED = 5;
     private static final double CENTIMETRES = 100;
 
     private GroundDistanceCheck() {
     }
 
-    /** @param scenes with the ground, where there is any */
+    /** @param scenes with the ground, if there is one */
     public static void report(List<Body> bodies, RaycastScenes scenes, List<String> warnings) {
         Aabb ground = new Aabb().clear();
         scenes.grounds().forEach(body -> ground.add(new Overlap(body).bounds(body.getStart())));

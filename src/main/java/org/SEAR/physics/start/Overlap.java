@@ -8,21 +8,21 @@ import org.SEAR.geometry.Vec3;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.solid.Solid;
 
-/** Whether bodies overlap at poses they may be given, computed in double precision from the shapes themselves. Not for each step. */
+/** Tests whether bodies overlap at given poses, in double precision from their exact shapes. Too slow for each step. */
 final class Overlap {
-    /** Ways to lean, metres a metre along x and z. */
+    /** Leans to test, metres per metre along x and z. */
     private static final double[][] LEANS = {{0, 0}, {0.1, 0.1}, {0.1, -0.1}, {-0.1, 0.1}, {-0.1, -0.1}, {0.2, 0}, {-0.2, 0}, {0, 0.2}, {0, -0.2}};
 
     private final Body body;
     private final GjkDistance gjk = new GjkDistance();
-    /** Of all that was measured since it was 0, metres. */
+    /** Largest depth of all measurements since it was set to 0, metres. */
     private double deepest;
 
     Overlap(Body body) {
         this.body = body;
     }
 
-    /** The box around the body at a pose. */
+    /** Returns the bounding box of the body at a pose. */
     Aabb bounds(Pose pose) {
         Aabb box = new Aabb();
         double[] low = new double[3];
@@ -39,7 +39,7 @@ final class Overlap {
         return box;
     }
 
-    /** Points of the body's frame that are lowest at a pose, and where it leans a little to any side. */
+    /** Returns the lowest points at a pose and at small leans to all sides, in the body's frame. */
     double[][] lowest(Pose pose) {
         double[][] points = new double[body.solids.size() * LEANS.length][];
         for (int i = 0; i < points.length; i++) {
@@ -57,7 +57,7 @@ final class Overlap {
         return overlaps(pose, other, other.body.getStart(), allowed);
     }
 
-    /** The same with the other one at another pose. */
+    /** The same with the other body at another pose. */
     boolean overlaps(Pose pose, Overlap other, Pose otherPose, double allowed) {
         for (int i = 0; i < body.solids.size(); i++) {
             Placed mine = new Placed(body.solids.get(i), pose.times(body.places[i]));
@@ -72,7 +72,7 @@ final class Overlap {
         return false;
     }
 
-    /** How deep the parts of the body at a pose are in those of another at its start, where they are deepest, metres. */
+    /** Returns the largest depth of the body at a pose in another at its start, metres. */
     double depth(Pose pose, Overlap other) {
         deepest = 0;
         overlaps(pose, other, Double.POSITIVE_INFINITY);
@@ -95,7 +95,7 @@ final class Overlap {
         });
     }
 
-    /** The box around a box, in a frame. */
+    /** Returns the bounding box of a box in another frame. */
     private static Aabb inFrame(Aabb box, Pose frame) {
         Aabb around = new Aabb();
         Vec3 corner = new Vec3();
@@ -107,7 +107,7 @@ final class Overlap {
         return around;
     }
 
-    /** A solid at a pose. */
+    /** Solid at a pose. */
     private static final class Placed implements Convex {
         private final Solid solid;
         private final Pose pose;
@@ -126,7 +126,7 @@ final class Overlap {
         }
     }
 
-    /** A triangle. */
+    /** Triangle. */
     private static final class Corners implements Convex {
         private final double[][] at = new double[3][];
         private final Aabb around = new Aabb();

@@ -8,15 +8,20 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.solid.Solid;
 
-/** Tells of what is so large that its centimetres or millimetres must have been taken for metres, as those of models that were drawn in them. */
+/**
+ * Warns of bodies whose centimetres or millimetres were probably entered as metres, as in models drawn in these units.
+ */
 public final class SizeCheck {
-    /** What can move and has less, kg/m^3, is lighter than a tenth of the air in its place; what is drawn in centimetres is so a million times. */
+    /**
+     * Smallest density of a movable body, kg/m^3: less than a tenth of air. A body in centimetres has a millionth of
+     * its density.
+     */
     private static final double LIGHTEST = 0.1;
-    /** Air-filled balls and kites are not meant, metres. */
+    /** Smallest size of a body in this test, metres: excludes air-filled balls and kites. */
     private static final double LEAST = 2;
-    /** A fixed model of this size, metres, is larger than any building. */
+    /** Largest size of a fixed model, metres: larger than any building. */
     private static final double LARGEST = 2000;
-    /** More are not named one by one. */
+    /** Largest number of warnings. */
     private static final int MAX_REPORTED = 5;
     private static final int CENTIMETRES = 100;
     private static final int MILLIMETRES = 1000;
@@ -24,7 +29,7 @@ public final class SizeCheck {
     private SizeCheck() {
     }
 
-    /** @param grounds which are as large as they like */
+    /** @param grounds bodies of any size */
     public static void report(List<Body> bodies, Set<Body> grounds, List<String> warnings) {
         int reported = 0;
         for (Body body : bodies) {

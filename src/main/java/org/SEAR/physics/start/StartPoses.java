@@ -12,26 +12,26 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.RaycastScenes;
 
-/** Start poses that can't be meant are put right, each with a warning. */
+/** Corrects impossible start poses, each with a warning. */
 public final class StartPoses {
-    /** How much two bodies may overlap at the start, metres. */
+    /** Largest overlap of two bodies at the start, metres. */
     private static final double ALLOWED = 1e-3;
-    /** What counts as touching, metres. */
+    /** Overlap that counts as touching, metres. */
     private static final double TOUCHING = 1e-6;
-    /** More overlaps are not named one by one. */
+    /** Largest number of warnings about overlaps. */
     private static final int MAX_REPORTED = 20;
-    /** Pairs that start inside one another; with more a step takes seconds. */
+    /** Largest number of pairs that start inside each other; with more, a step takes seconds. */
     private static final int MAX_PAIRS = 50_000;
-    /** So many of the things in which one starts are named. */
+    /** Largest number of obstacles named in a warning. */
     private static final int MAX_OBSTACLES = 3;
-    /** Rounds of lifting: what is lifted out of one thing may be inside the next. */
+    /** Rounds of lifting: a body lifted out of one obstacle may be inside the next. */
     private static final int ROUNDS = 16;
     private static final int HALVINGS = 24;
 
     private StartPoses() {
     }
 
-    /** Lifts everything with mass out of everything fixed. */
+    /** Lifts all bodies with mass out of fixed ones. */
     public static void lift(List<Body> bodies, List<String> warnings) {
         List<Body> fixed = bodies.stream().filter(Body::isFixed).collect(Collectors.toList());
         for (Body body : bodies) {
@@ -49,9 +49,8 @@ public final class StartPoses {
     }
 
     /**
-     * Lifts the start of a body out of others where they are now.
-     *
-     * @return by how much, metres
+     * Lifts the start of a body out of others at their present poses.
+     * @return height of the lift, metres
      */
     public static double liftOut(Body body, List<Body> others) {
         double before = body.getStart().y;
@@ -63,9 +62,8 @@ public final class StartPoses {
     }
 
     /**
-     * Where too many things with mass lie on one spot: each step would look at every pair of them.
-     *
-     * @return which they are; null if there are not too many
+     * Finds too many overlapping bodies with mass, since each step would test every pair.
+     * @return description of the pairs; null if there are not too many
      */
     public static String crowd(List<Body> bodies) {
         List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
@@ -86,7 +84,7 @@ public final class StartPoses {
         return null;
     }
 
-    /** Tells about things with mass that start inside one another: the first step will throw them apart. */
+    /** Warns of bodies with mass that start inside each other: the first step pushes them apart. */
     public static void reportOverlaps(List<Body> bodies, List<String> warnings) {
         List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
         List<Overlap> overlaps = moving.stream().map(Overlap::new).collect(Collectors.toList());
@@ -111,10 +109,11 @@ public final class StartPoses {
     }
 
     /**
-     * Sets a body down on the ground: it starts as low as it can with nothing of it below the ground. Scenes have the ground where it starts.
-     *
-     * @param at its pose; the height doesn't count
-     * @param feet points of the body's frame that it stands on, such as where wheels touch; none for those of its solids that are lowest
+     * Sets a body down on the ground, as low as possible with no part below the ground. The scenes hold the ground at
+     * its start.
+     * @param at its pose; the height is ignored
+     * @param feet points of the body's frame that it stands on, such as wheel contacts; empty: the lowest points of its
+     *     solids
      * @return whether there is ground below
      */
     public static boolean stand(Body body, Pose at, double[][] feet, RaycastScenes scenes) {
@@ -158,7 +157,7 @@ public final class StartPoses {
         return false;
     }
 
-    /** In which of the others a body is at a pose. */
+    /** Returns the other bodies that a body overlaps at a pose. */
     private static Stream<Body> obstacles(Body body, Pose at, List<Body> others) {
         Overlap mine = new Overlap(body);
         Aabb box = mine.bounds(at);

@@ -1,6 +1,6 @@
 package org.SEAR.geometry;
 
-/** An axis-aligned bounding box, metres, changed in place so that a step needs no new ones. Not for several threads. */
+/** Axis-aligned bounding box, metres, mutable so that a step allocates none. Not thread-safe. */
 public final class Aabb {
     public double minX;
     public double minY;
@@ -9,12 +9,12 @@ public final class Aabb {
     public double maxY;
     public double maxZ;
 
-    /** An empty one. */
+    /** Makes an empty box. */
     public Aabb() {
         clear();
     }
 
-    /** Becomes empty: it overlaps nothing until something is added. */
+    /** Empties the box: it overlaps nothing until something is added. */
     public Aabb clear() {
         minX = Double.POSITIVE_INFINITY;
         minY = Double.POSITIVE_INFINITY;
@@ -35,7 +35,7 @@ public final class Aabb {
         return this;
     }
 
-    /** The interval of an axis, 0 for x to 2 for z. */
+    /** Sets the interval of an axis, 0 for x to 2 for z. */
     public Aabb set(int axis, double min, double max) {
         switch (axis) {
             case 0:
@@ -53,17 +53,17 @@ public final class Aabb {
         return this;
     }
 
-    /** The lower end along an axis, 0 for x to 2 for z. */
+    /** Lower end along an axis, 0 for x to 2 for z. */
     public double min(int axis) {
         return axis == 0 ? minX : axis == 1 ? minY : minZ;
     }
 
-    /** The upper end along an axis. */
+    /** Upper end along an axis. */
     public double max(int axis) {
         return axis == 0 ? maxX : axis == 1 ? maxY : maxZ;
     }
 
-    /** Reaches as far as a point. */
+    /** Extends the box to a point. */
     public Aabb add(double x, double y, double z) {
         minX = Math.min(minX, x);
         minY = Math.min(minY, y);
@@ -74,12 +74,12 @@ public final class Aabb {
         return this;
     }
 
-    /** Reaches as far as another box. */
+    /** Extends the box to another box. */
     public Aabb add(Aabb other) {
         return add(other.minX, other.minY, other.minZ).add(other.maxX, other.maxY, other.maxZ);
     }
 
-    /** Is wider on every side, metres; less than 0: narrower. */
+    /** Widens every side by a margin, metres; negative: narrows. */
     public Aabb grow(double margin) {
         minX -= margin;
         minY -= margin;
@@ -90,7 +90,7 @@ public final class Aabb {
         return this;
     }
 
-    /** Holds what it holds now and all of that moved on by (dx, dy, dz). */
+    /** Extends the box by a translation of itself by (dx, dy, dz). */
     public Aabb sweep(double dx, double dy, double dz) {
         minX += Math.min(0, dx);
         minY += Math.min(0, dy);
@@ -106,18 +106,18 @@ public final class Aabb {
         return minX <= other.maxX && other.minX <= maxX && minY <= other.maxY && other.minY <= maxY && minZ <= other.maxZ && other.minZ <= maxZ;
     }
 
-    /** Whether both would have one if this were wider on every side by a margin. */
+    /** Whether both overlap if this one is widened by a margin. */
     public boolean overlaps(Aabb other, double margin) {
         return minX - margin <= other.maxX && other.minX <= maxX + margin && minY - margin <= other.maxY && other.minY <= maxY + margin
             && minZ - margin <= other.maxZ && other.minZ <= maxZ + margin;
     }
 
-    /** Whether another lies in this one. */
+    /** Whether another box is inside this one. */
     public boolean contains(Aabb other) {
         return other.minX >= minX && other.minY >= minY && other.minZ >= minZ && other.maxX <= maxX && other.maxY <= maxY && other.maxZ <= maxZ;
     }
 
-    /** A corner, 0 to 7: bit 0 chooses the end along x, bit 1 along y, bit 2 along z. */
+    /** Computes a corner, 0 to 7: bit 0 chooses the end along x, bit 1 along y, bit 2 along z. */
     public Vec3 corner(int number, Vec3 into) {
         return into.set((number & 1) == 0 ? minX : maxX, (number & 2) == 0 ? minY : maxY, (number & 4) == 0 ? minZ : maxZ);
     }

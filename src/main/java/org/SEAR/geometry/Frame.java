@@ -1,6 +1,6 @@
 package org.SEAR.geometry;
 
-/** A pose that is computed in place: the same arithmetic as {@link Pose#times}, without a new object for each step. Simulation thread. */
+/** Mutable pose: the same arithmetic as {@link Pose#times}, without allocation. Simulation thread. */
 public final class Frame {
     public double x;
     public double y;
@@ -10,7 +10,6 @@ public final class Frame {
     public double qz;
     public double qw = 1;
 
-    /** Becomes a pose. */
     public void set(Pose pose) {
         x = pose.x;
         y = pose.y;
@@ -21,12 +20,12 @@ public final class Frame {
         qw = pose.qw;
     }
 
-    /** Becomes the pose in my parent of something that stands at {@code inner} in me. */
+    /** Becomes the pose in the parent frame of a pose in this frame. */
     public void times(Pose inner) {
         times(inner.x, inner.y, inner.z, inner.qx, inner.qy, inner.qz, inner.qw);
     }
 
-    /** Becomes the pose in my parent of something that stands at (ix, iy, iz; jx, jy, jz, jw) in me. */
+    /** Becomes the pose in the parent frame of (ix, iy, iz; jx, jy, jz, jw) in this frame. */
     public void times(double ix, double iy, double iz, double jx, double jy, double jz, double jw) {
         double tx = 2 * (qy * iz - qz * iy);
         double ty = 2 * (qz * ix - qx * iz);

@@ -6,9 +6,10 @@ import net.sf.geographiclib.GeodesicData;
 import net.sf.geographiclib.GeodesicMask;
 
 /**
- * Where on the Earth the world's origin lies. A point (x north, y up, z east) of the world is the end of the WGS84 geodesic of length hypot(x, z)
- * that leaves the origin with azimuth atan2(z, x); near the origin this is x and z divided by the lengths of a degree at its latitude. It has no
- * singular place: equator, poles and the date line are like everywhere. Immutable, any thread.
+ * Position of the world's origin on the Earth. A point (x north, y up, z east) of the world is the end of the WGS84
+ * geodesic of length hypot(x, z) that leaves the origin with azimuth atan2(z, x). Near the origin this is x and z
+ * divided by the lengths of a degree at its latitude. There are no singularities at equator, poles or date line.
+ * Immutable, any thread.
  */
 public final class GeoOrigin {
     private static final int WANTED = GeodesicMask.LATITUDE | GeodesicMask.LONGITUDE | GeodesicMask.AZIMUTH;
@@ -28,7 +29,7 @@ public final class GeoOrigin {
         this.longitude = longitude;
     }
 
-    /** The place of a point of the world, metres. */
+    /** Returns the place of a point of the world, metres. */
     public GeoPoint at(double x, double y, double z) {
         double azimuth = Math.toDegrees(Math.atan2(z, x));
         GeodesicData end = Geodesic.WGS84.Direct(latitude, longitude, azimuth, Math.hypot(x, z), WANTED);
@@ -36,8 +37,8 @@ public final class GeoOrigin {
     }
 
     /**
-     * The point of the world's level plane below or above a place on the Earth: {x north, z east}, metres. The other way round than {@link #at}.
-     *
+     * Returns the point of the world's level plane at a place on the Earth: {x north, z east}, metres. Inverse of
+     * {@link #at}.
      * @param placeLatitude degrees, + north
      * @param placeLongitude degrees, + east
      */
@@ -69,7 +70,7 @@ public final class GeoOrigin {
         return String.format(Locale.ROOT, "latitude %.7f, longitude %.7f, altitude %.1f m", latitude, longitude, altitude);
     }
 
-    /** A place on the Earth. Immutable. */
+    /** Place on the Earth. Immutable. */
     public static final class GeoPoint {
         /** Degrees, + north. */
         public final double latitude;
@@ -77,7 +78,10 @@ public final class GeoOrigin {
         public final double longitude;
         /** Metres. */
         public final double altitude;
-        /** Degrees that true north here lies counter-clockwise of the world's +x axis: what to add to an angle from +x to get one from north. */
+        /**
+         * Convergence: angle of true north here counter-clockwise from the world's +x axis, degrees; add it to an angle
+         * from +x to get one from north.
+         */
         public final double convergence;
 
         GeoPoint(double latitude, double longitude, double altitude, double convergence) {

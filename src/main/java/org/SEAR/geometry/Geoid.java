@@ -5,9 +5,10 @@ import java.io.IOException;
 import java.io.InputStream;
 
 /**
- * How high the geoid, about the sea's level, lies above the ellipsoid of WGS84: EGM96 of NGA and NASA (public domain), one value for each whole
- * degree, each fourth one of NGA's grid of 15 minutes, and planes between them. Off by half a metre from the whole model (root mean square), by less
- * than 2 m in 99 of 100 places, by up to 14 m beside deep-sea trenches and in high mountains. Any thread.
+ * Height of the geoid (mean sea level) above the WGS84 ellipsoid: EGM96 of NGA and NASA (public domain). It uses one
+ * value per degree, every fourth of NGA's grid of 15 minutes, with bilinear interpolation. Error against the full
+ * model: half a metre (root mean square), less than 2 m in 99 of 100 places, up to 14 m beside deep-sea trenches and in
+ * high mountains. Any thread.
  */
 public final class Geoid {
     /** Hundredths of metres, from the north pole down, each row from 0 degrees eastwards. */
@@ -20,7 +21,7 @@ public final class Geoid {
     private Geoid() {
     }
 
-    /** Reads the table when it is needed for the first time. */
+    /** Reads the table at its first use. */
     private static final class Table {
         private static final short[] VALUES = read();
 
@@ -38,8 +39,7 @@ public final class Geoid {
     }
 
     /**
-     * The geoid's height above the ellipsoid, metres: what is to be added to a height above the sea to get one above the ellipsoid.
-     *
+     * Returns the geoid's height above the ellipsoid, metres: ellipsoidal height minus height above sea level.
      * @param latitude degrees, north positive, -90 to 90
      * @param longitude degrees, east positive
      */

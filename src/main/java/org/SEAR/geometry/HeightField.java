@@ -1,8 +1,8 @@
 package org.SEAR.geometry;
 
-/** A {@link HeightGrid} in memory as a whole. Nobody changes the array afterwards. Any thread. */
+/** {@link HeightGrid} entirely in memory. The array never changes. Any thread. */
 public final class HeightField extends HeightGrid {
-    /** Height of each post, metres, row by row from the south, each from the west. */
+    /** Elevation of each post, metres, row by row from the south, each from the west. */
     public final float[] heights;
     private volatile HeightPyramid pyramid;
 
@@ -26,8 +26,7 @@ public final class HeightField extends HeightGrid {
     }
 
     /**
-     * The corners of a triangle, counter-clockwise seen from above.
-     *
+     * Copies the corners of a triangle, counter-clockwise seen from above.
      * @param row of the cell's south-western post, likewise column
      * @param half 0: the triangle south-east of the diagonal, 1: the one north-west of it
      * @param into takes x, y and z of the three corners
@@ -58,7 +57,7 @@ public final class HeightField extends HeightGrid {
         }
     }
 
-    /** The least and greatest heights of its blocks; made when it is asked for the first time. */
+    /** Returns the lowest and highest elevations of its blocks; made at the first call. */
     public HeightPyramid getPyramid() {
         return pyramid != null ? pyramid : makePyramid();
     }

@@ -1,13 +1,16 @@
 package org.SEAR.geometry;
 
 /**
- * The least and the greatest height within blocks of a {@link HeightField}: of 2 x 2 cells at level 0, and of 2 x 2 blocks of the level below at each
- * other one, up to one block for all. It takes 2.7 bytes a post. Immutable, any thread.
+ * Lowest and highest elevations of blocks of a {@link HeightField}: 2 x 2 cells at level 0, and 2 x 2 blocks of the
+ * level below at each higher one, up to one block for all. Takes 2.7 bytes per post. Immutable, any thread.
  */
 public final class HeightPyramid {
-    /** The level of the one block that is everything. */
+    /** Level of the single block that covers everything. */
     public final int top;
-    /** By block: the least height, then the greatest; for one beside the field +infinity and -infinity. See {@link #children}. */
+    /**
+     * Lowest and highest elevation per block; +infinity and -infinity for blocks beside the field. See
+     * {@link #children}.
+     */
     public final float[] data;
     private final int[] from;
     private final int[] rows;
@@ -80,22 +83,25 @@ public final class HeightPyramid {
         }
     }
 
-    /** Where a block stands in {@link #data}; 0 for the one at the top. */
+    /** Returns the offset of a block in {@link #data}; 0 for the one at the top. */
     public int block(int level, int row, int column) {
         return level == top ? 0 : children(level + 1, row >> 1, column >> 1) + 4 * (row & 1) + 2 * (column & 1);
     }
 
-    /** Where the four children of a block above level 0 stand in {@link #data}: south-west, south-east, north-west, north-east. */
+    /**
+     * Returns the offset in {@link #data} of the four children of a block above level 0: south-west, south-east,
+     * north-west, north-east.
+     */
     public int children(int level, int row, int column) {
         return from[level - 1] + 8 * (row * columns[level] + column);
     }
 
-    /** The least height of all, metres. */
+    /** Lowest elevation of all posts, metres. */
     public float lowest() {
         return data[0];
     }
 
-    /** The greatest height of all, metres. */
+    /** Highest elevation of all posts, metres. */
     public float highest() {
         return data[1];
     }

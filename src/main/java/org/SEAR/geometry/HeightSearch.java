@@ -2,9 +2,12 @@ package org.SEAR.geometry;
 
 import java.util.function.Predicate;
 
-/** Finds the triangles of a {@link HeightGrid} that reach into a box, by pyramids of heights; makes no objects but tiles. One thread. */
+/**
+ * Finds the triangles of a {@link HeightGrid} that reach into a box, by pyramids of elevations; allocates only tiles.
+ * One thread.
+ */
 public final class HeightSearch {
-    /** Null: one field holds all. */
+    /** Null if one field holds all posts. */
     private final HeightTiles tiles;
     private HeightField field;
     private HeightPyramid pyramid;
@@ -30,11 +33,11 @@ public final class HeightSearch {
     }
 
     /**
-     * Shows the triangles whose own boxes reach into a box, from the south and the west on within each block.
-     *
-     * @param low least x, metres, likewise the others
-     * @param visit takes x, y and z of the three corners, counter-clockwise seen from above, only while it is called; true ends the search
-     * @return whether it was ended
+     * Visits the triangles whose bounding boxes reach into a box, from south and west within each block.
+     * @param low smallest x, metres, likewise the others
+     * @param visit takes x, y and z of the three corners, counter-clockwise seen from above, valid only during the
+     *     call; true ends the search
+     * @return whether a visit ended the search
      */
     public boolean any(double low, double bottom, double west, double high, double top, double east, Predicate<float[]> visit) {
         lowX = low;
@@ -47,7 +50,7 @@ public final class HeightSearch {
         return tiles == null ? block(pyramid.top, 0, 0, 0) : anyTile();
     }
 
-    /** Looks into those tiles whose boxes meet the box; which tile has a triangle doesn't depend on rounding. */
+    /** Searches the tiles whose boxes intersect the box; rounding does not affect which tile has a triangle. */
     private boolean anyTile() {
         int endRow = Math.min(tiles.row(highX) + 1, tiles.rows - 2) / HeightTiles.CELLS;
         int endColumn = Math.min(tiles.column(highZ) + 1, tiles.columns - 2) / HeightTiles.CELLS;

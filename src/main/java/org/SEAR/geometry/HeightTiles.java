@@ -4,21 +4,21 @@ import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 
 /**
- * Ground that is too large for the memory: square tiles, each a {@link HeightField} of its own, of which those that were used last are held. A tile
- * that is needed is made then and there by the thread that needs it, the same to the bit each time, so nothing depends on which tiles are held.
- * Neighbours have their common posts both. Any thread.
+ * Ground too large for the memory: square tiles, each a {@link HeightField}, with a cache of the most recently used
+ * ones. The thread that needs a missing tile makes it immediately. A tile is the same to the bit each time, so results
+ * do not depend on the cache. Neighbours both hold their common posts. Any thread.
  */
 public final class HeightTiles extends HeightGrid {
     /** Cells on each side of a tile; those at the northern and eastern ends may have fewer. */
     public static final int CELLS = 128;
-    /** Tiles that are held at most; with the least and greatest heights of their blocks they take 0.11 MB each. */
+    /** Largest number of cached tiles; with the elevation ranges of their blocks they take 0.11 MB each. */
     public static final int MAX_HELD = 2048;
-    /** What one takes then, bytes. */
+    /** Memory of a tile, bytes. */
     private static final long TILE = 112_000;
-    /** Part of Java's heap that tiles may take. */
+    /** Tiles take at most one part in this many of Java's heap. */
     private static final int SHARE = 4;
     private static final int MIN_HELD = 64;
-    /** Of rows, columns and places: whole parts of a metre, few enough that all sums of them are exact. */
+    /** Rows, columns and positions are multiples of 1 / EXACT metres, so that all sums are exact. */
     private static final double EXACT = 1 << 24;
 
     /** From south to north. */
@@ -32,38 +32,35 @@ public final class HeightTiles extends HeightGrid {
     private final float lowest;
     private final float highest;
     private final AtomicReferenceArray<HeightField> held;
-    /** Of each tile: twice how many had been made when it was used last, and one less if it was made then. */
+    /** Time of each tile's last use: twice the number of tiles made by then, minus one if it was made then. */
     private final AtomicLongArray used;
     private int count;
     private volatile long made;
 
-    /** Where heights come from. Any thread. */
+    /** Source of elevations. Any thread. */
     public interface Source {
         /**
-         * The heights of posts, metres, row by row from the south, each from the west; the same each time.
-         *
+         * Returns the elevations of posts, metres, row by row from the south, each from the west; the same each time.
          * @param row the first one, likewise column
-         * @param width how many columns, likewise height
+         * @param width number of columns, likewise height of rows
          */
         float[] heights(int row, int column, int height, int width);
     }
 
-    /** Sees each tile once. */
+    /** Visits each tile once. */
     public interface Visitor {
         /**
-         * A tile, in the grid's frame.
-         *
+         * Visits a tile, in the grid's frame.
          * @param row its first row of posts in the grid, likewise column
          */
         void see(HeightField tile, int row, int column);
     }
 
     /**
-     * Looks at all tiles once, row by row from the south, to know their least and greatest heights.
-     *
+     * Reads all tiles once, row by row from the south, to find their elevation ranges.
      * @param lowX metres, and likewise lowZ and the spacings: as {@link #exact} makes them
-     * @param most tiles that are held at most
-     * @param visitor sees each tile
+     * @param most largest number of cached tiles
+     * @param visitor visits each tile
      */
     public HeightTiles(int rows, int columns, double lowX, double lowZ, double spacingX, double spacingZ, Source source, int most, Visitor visitor) {
         super(rows, columns, lowX, lowZ, spacingX, spacingZ);
@@ -92,12 +89,12 @@ public final class HeightTiles extends HeightGrid {
         highest = greatest;
     }
 
-    /** The nearest number of metres by which rows and columns of tiles can stand so that neighbours agree to the bit. */
+    /** Returns the nearest length at which rows and columns of neighbouring tiles agree to the bit, metres. */
     public static double exact(double metres) {
         return Math.rint(metres * EXACT) / EXACT;
     }
 
-    /** How many tiles may be held: {@link #MAX_HELD}, or what fits into a quarter of Java's heap. */
+    /** Returns the size of the cache in tiles: {@link #MAX_HELD}, or as many as fit into a quarter of Java's heap. */
     public static int room() {
         return (int) Math.max(MIN_HELD, Math.min(MAX_HELD, Runtime.getRuntime().maxMemory() / SHARE / TILE));
     }
@@ -113,42 +110,42 @@ public final class HeightTiles extends HeightGrid {
         highs[number] = greatest;
     }
 
-    /** How many tiles there are; they are numbered row by row from the south, each from the west. */
+    /** Number of tiles; they are numbered row by row from the south, each from the west. */
     public int size() {
         return lows.length;
     }
 
-    /** The first row of posts of a tile. */
+    /** First row of posts of a tile. */
     public int firstRow(int number) {
         return number / tileColumns * CELLS;
     }
 
-    /** The first column of posts of a tile. */
+    /** First column of posts of a tile. */
     public int firstColumn(int number) {
         return number % tileColumns * CELLS;
     }
 
-    /** The last row of posts of a tile. */
+    /** Last row of posts of a tile. */
     public int lastRow(int number) {
         return Math.min(firstRow(number) + CELLS, rows - 1);
     }
 
-    /** The last column of posts of a tile. */
+    /** Last column of posts of a tile. */
     public int lastColumn(int number) {
         return Math.min(firstColumn(number) + CELLS, columns - 1);
     }
 
-    /** The least height in a tile, metres. */
+    /** Lowest elevation in a tile, metres. */
     public float low(int number) {
         return lows[number];
     }
 
-    /** The greatest height in a tile, metres. */
+    /** Highest elevation in a tile, metres. */
     public float high(int number) {
         return highs[number];
     }
 
-    /** A tile, in the grid's frame. */
+    /** Returns a tile, in the grid's frame. */
     public HeightField tile(int number) {
         HeightField tile = held.get(number);
         if (tile == null) {
@@ -197,12 +194,12 @@ public final class HeightTiles extends HeightGrid {
             source.heights(row, column, height, width));
     }
 
-    /** How many tiles have been made since all were looked at: the work done. */
+    /** Number of tiles made since the first reading: a measure of work. */
     public long made() {
         return made;
     }
 
-    /** How many tiles are held. */
+    /** Number of cached tiles. */
     public synchronized int held() {
         return count;
     }

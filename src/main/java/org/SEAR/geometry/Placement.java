@@ -1,8 +1,7 @@
 package org.SEAR.geometry;
 
 /**
- * Where a frame stands in the world, as a rotation matrix (world = R * own) and a position in metres, set in place for each step. Not for several
- * threads at once.
+ * Mutable pose of a frame in the world: a rotation matrix (world = R * own) and a position in metres. Not thread-safe.
  */
 public final class Placement {
     public double m00 = 1;
@@ -19,8 +18,7 @@ public final class Placement {
     public double z;
 
     /**
-     * The point (px, py, pz) of the frame in the world.
-     *
+     * Transforms the point (px, py, pz) of the frame to the world.
      * @param into takes {x, y, z}, metres, from {@code at} on
      */
     public void transform(double px, double py, double pz, double[] into, int at) {
@@ -30,8 +28,7 @@ public final class Placement {
     }
 
     /**
-     * The point (px, py, pz) of the world in the frame.
-     *
+     * Transforms the point (px, py, pz) of the world to the frame.
      * @param into takes {x, y, z}, metres, from {@code at} on
      */
     public void toFrame(double px, double py, double pz, double[] into, int at) {
@@ -56,7 +53,7 @@ public final class Placement {
         m22 = 1 - 2 * (qx * qx + qy * qy);
     }
 
-    /** Becomes the place in my parent's parent, where my parent stands at {@code outer}. */
+    /** Becomes the pose in the frame around {@code outer}, the pose of its present parent. */
     public void within(Placement outer) {
         double a0 = m00;
         double a1 = m10;

@@ -1,7 +1,8 @@
 package org.SEAR.geometry;
 
 /**
- * Where a frame stands in another: a translation in metres and a rotation as unit quaternion (jME's order x, y, z, w). Immutable, any thread.
+ * Pose of a frame in another: a translation in metres and a rotation as unit quaternion (jME's order x, y, z, w).
+ * Immutable, any thread.
  */
 public final class Pose {
     /** No translation, no rotation. */
@@ -15,7 +16,7 @@ public final class Pose {
     public final double qz;
     public final double qw;
 
-    /** @param x metres; the quaternion (qx, qy, qz, qw) has to have unit length */
+    /** @param x metres; the quaternion (qx, qy, qz, qw) must have unit length */
     public Pose(double x, double y, double z, double qx, double qy, double qz, double qw) {
         this.x = x;
         this.y = y;
@@ -27,9 +28,9 @@ public final class Pose {
     }
 
     /**
-     * The pose of move(x, y, z) and rotate(rx, ry, rz), with the rotation of jME's {@code Quaternion.fromAngles}: first about z, then x, then y
-     * (matrix Ry Rz Rx applied to the object, in jME's convention), computed in double precision.
-     *
+     * Returns the pose of move(x, y, z) and rotate(rx, ry, rz), with the rotation of jME's
+     * {@code Quaternion.fromAngles}: first about z, then x, then y (matrix Ry Rz Rx applied to the object, in jME's
+     * convention), computed in double precision.
      * @param rx degrees about x, likewise ry, rz
      */
     public static Pose ofDegrees(double x, double y, double z, double rx, double ry, double rz) {
@@ -49,7 +50,7 @@ public final class Pose {
         return new Pose(x, y, z, yz * sinX + syz * cosX, sycz * cosX + cysz * sinX, cysz * cosX - sycz * sinX, yz * cosX - syz * sinX);
     }
 
-    /** This pose after {@code inner}: the pose in my parent of something that stands at {@code inner} in me. */
+    /** Returns the pose in the parent frame of a pose {@code inner} in this frame. */
     public Pose times(Pose inner) {
         double[] p = transform(inner.x, inner.y, inner.z);
         return new Pose(p[0], p[1], p[2],
@@ -59,7 +60,7 @@ public final class Pose {
             qw * inner.qw - qx * inner.qx - qy * inner.qy - qz * inner.qz);
     }
 
-    /** The point (px, py, pz) of my frame in my parent's frame: {x, y, z} in metres. */
+    /** Transforms the point (px, py, pz) of this frame to the parent frame: {x, y, z}, metres. */
     public double[] transform(double px, double py, double pz) {
         double[] v = rotate(px, py, pz);
         v[0] += x;
@@ -68,12 +69,12 @@ public final class Pose {
         return v;
     }
 
-    /** The direction (vx, vy, vz) of my frame in my parent's frame. */
+    /** Rotates the direction (vx, vy, vz) of this frame to the parent frame. */
     public double[] rotate(double vx, double vy, double vz) {
         return rotateBy(vx, vy, vz, qx, qy, qz);
     }
 
-    /** The direction (vx, vy, vz) of my parent's frame in my frame. */
+    /** Rotates the direction (vx, vy, vz) of the parent frame to this frame. */
     public double[] rotateBack(double vx, double vy, double vz) {
         return rotateBy(vx, vy, vz, -qx, -qy, -qz);
     }
@@ -90,7 +91,7 @@ public final class Pose {
         return "(" + x + ", " + y + ", " + z + "; " + qx + ", " + qy + ", " + qz + ", " + qw + ")";
     }
 
-    /** Where the forward axis z points: degrees clockwise from north (+x), (-180, 180]. */
+    /** Heading of the forward axis z: degrees clockwise from north (+x), (-180, 180]. */
     public double heading() {
         double[] forward = rotate(0, 0, 1);
         return Math.toDegrees(Math.atan2(forward[2], forward[0]));

@@ -1,6 +1,8 @@
 package org.SEAR.geometry;
 
-/** A rotation between an inner and an outer frame as matrix, to be set again at each step without allocation. Not for several threads. */
+/**
+ * Mutable rotation matrix between an inner and an outer frame, set at each step without allocation. Not thread-safe.
+ */
 public final class Rotation {
     public double xx;
     public double xy;
@@ -12,12 +14,11 @@ public final class Rotation {
     public double zy;
     public double zz;
 
-    /** Takes the rotation of a pose. */
     public Rotation set(Pose pose) {
         return set(pose.qx, pose.qy, pose.qz, pose.qw);
     }
 
-    /** Takes the rotation of a quaternion of any length but 0. */
+    /** Sets the rotation of a quaternion of any length but 0. */
     public Rotation set(double qx, double qy, double qz, double qw) {
         double s = 2 / (qx * qx + qy * qy + qz * qz + qw * qw);
         xx = 1 - s * (qy * qy + qz * qz);
@@ -63,9 +64,8 @@ public final class Rotation {
     }
 
     /**
-     * Writes the nine numbers, row by row, of the matrix that a unit quaternion (x, y, z, w) stands for.
-     *
-     * @param out takes them, from {@code at} on
+     * Writes the rotation matrix of a unit quaternion (x, y, z, w), row by row.
+     * @param out takes nine numbers, from {@code at} on
      */
     public static void write(double x, double y, double z, double w, double[] out, int at) {
         out[at] = 1 - 2 * (y * y + z * z);

@@ -2,7 +2,7 @@ package org.SEAR.geometry;
 
 import java.util.Arrays;
 
-/** The surface of a solid as it is drawn: triangles with normals and the place of the picture that is wrapped around. Not for several threads. */
+/** Drawn surface of a solid: triangles with normals and picture coordinates. Not thread-safe. */
 public final class SurfaceMesh {
     private static final float HALF = 0.5f;
 
@@ -15,12 +15,11 @@ public final class SurfaceMesh {
 
     /**
      * Adds a vertex.
-     *
      * @param x metres, likewise y and z
      * @param nx outward normal of any length but 0, likewise ny and nz
-     * @param u place in the picture, 0 at its left edge and 1 at its right
-     * @param v 0 at its lower edge and 1 at its upper
-     * @return its number
+     * @param u picture coordinate, 0 at the left edge and 1 at the right
+     * @param v 0 at the lower edge and 1 at the upper
+     * @return its index
      */
     public int vertex(double x, double y, double z, double nx, double ny, double nz, double u, double v) {
         int at = 3 * vertices;
@@ -61,20 +60,19 @@ public final class SurfaceMesh {
         return Arrays.copyOf(normals, 3 * vertices);
     }
 
-    /** Two numbers a vertex. */
+    /** Picture coordinates: two per vertex. */
     public float[] getPictures() {
         return Arrays.copyOf(pictures, 2 * vertices);
     }
 
-    /** Three vertices a triangle. */
+    /** Vertex indices: three per triangle. */
     public int[] getIndices() {
         return Arrays.copyOf(indices, corners);
     }
 
     /**
-     * Has a picture repeated in its true size over the sides of a box.
-     *
-     * @param size metres that the picture is wide and high
+     * Repeats a picture at its true size over the sides of a box.
+     * @param size width and height of the picture, metres
      */
     public void tile(double size) {
         for (int i = 0; i < vertices; i++) {
@@ -84,7 +82,7 @@ public final class SurfaceMesh {
         }
     }
 
-    /** Adds what a triangle mesh looks like: each triangle flat. */
+    /** Adds a triangle mesh with flat shading. */
     public void addFlat(Triangles mesh, double[] scale) {
         double[] at = new double[9];
         for (int first = 0; first < mesh.indices.length; first += 3) {
@@ -114,7 +112,7 @@ public final class SurfaceMesh {
         triangle(vertices - 3, vertices - 2, vertices - 1);
     }
 
-    /** The same surface of something that stands at a pose. */
+    /** Returns the surface transformed by a pose. */
     public SurfaceMesh placed(Pose pose) {
         SurfaceMesh placed = new SurfaceMesh();
         for (int i = 0; i < vertices; i++) {

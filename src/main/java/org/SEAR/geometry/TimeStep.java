@@ -1,6 +1,6 @@
 package org.SEAR.geometry;
 
-/** How finely simulated time is cut; physics, devices and the loop count in the same steps. */
+/** Time step of the simulation; physics, devices and the loop all use it. */
 public final class TimeStep {
     /** Length of a step, simulated seconds. */
     public static final double SECONDS = 1 / 60.0;

@@ -1,12 +1,10 @@
 package org.SEAR.geometry;
 
-/**
- * The triangles of a model in its own frame. Owned by whoever loaded it; nobody changes the arrays afterwards.
- */
+/** Triangles of a model in its own frame. The arrays never change. */
 public final class Triangles {
     /** x, y, z of each vertex, metres. */
     public final float[] vertices;
-    /** Three vertex numbers a triangle, counter-clockwise seen from outside. */
+    /** Three vertex indices per triangle, counter-clockwise seen from outside. */
     public final int[] indices;
 
     public Triangles(float[] vertices, int[] indices) {
@@ -14,7 +12,6 @@ public final class Triangles {
         this.indices = indices;
     }
 
-    /** How many triangles there are. */
     public int size() {
         return indices.length / 3;
     }

@@ -1,6 +1,6 @@
 package org.SEAR.geometry;
 
-/** A vector that is computed in place, so that a step needs no new ones. Not for several threads. */
+/** Mutable vector, so that a step allocates none. Not thread-safe. */
 public final class Vec3 {
     public double x;
     public double y;
@@ -44,23 +44,23 @@ public final class Vec3 {
         return Math.sqrt(x * x + y * y + z * z);
     }
 
-    /** Gets the length 1; it must not be 0. */
+    /** Becomes a unit vector; its length must not be 0. */
     public Vec3 normalize() {
         return scale(1 / length());
     }
 
-    /** Loses what points along a unit vector. */
+    /** Removes the component along a unit vector. */
     public Vec3 flatten(Vec3 unit) {
         return add(-dot(unit), unit);
     }
 
-    /** Becomes the point (px, py, pz) of a pose's frame, in the frame around it. */
+    /** Becomes the point (px, py, pz) of a pose's frame, in the parent frame. */
     public Vec3 transform(Pose pose, double px, double py, double pz) {
         rotate(pose, px, py, pz);
         return set(x + pose.x, y + pose.y, z + pose.z);
     }
 
-    /** Becomes the direction (vx, vy, vz) of a pose's frame, in the frame around it. */
+    /** Becomes the direction (vx, vy, vz) of a pose's frame, in the parent frame. */
     public Vec3 rotate(Pose pose, double vx, double vy, double vz) {
         double tx = 2 * (pose.qy * vz - pose.qz * vy);
         double ty = 2 * (pose.qz * vx - pose.qx * vz);

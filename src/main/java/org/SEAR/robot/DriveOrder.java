@@ -2,20 +2,23 @@ package org.SEAR.robot;
 
 import java.util.Arrays;
 
-/** What a script says by {@code driveStraight}, {@code spin}, {@code setWheelSpeeds} or {@code drive}, checked. Immutable, any thread. */
+/**
+ * Checked drive command of a script: {@code driveStraight}, {@code spin}, {@code setWheelSpeeds} or {@code drive}.
+ * Immutable, any thread.
+ */
 public final class DriveOrder {
-    /** Fastest that wheels may be told to go over ground, m/s. */
+    /** Largest wheel speed over ground, m/s. */
     private static final double MAX_SPEED = 100;
-    /** Fastest that a robot may be told to turn, degrees a second. */
+    /** Largest turn rate of a robot, degrees per second. */
     private static final double MAX_SPIN = 3600;
     private static final String SPIN = "spin";
 
-    /** The call, and its values as text. */
+    /** Name of the call, and its values as text. */
     public final String call;
     public final String values;
     /** Whether it lets the robot move. */
     public final boolean moves;
-    /** Whether it is the speeds of both sides; else speed and radius of a circle. */
+    /** Whether the values are the speeds of both sides, not speed and radius of a circle. */
     public final boolean wheels;
     private final double first;
     private final double second;
@@ -35,7 +38,7 @@ public final class DriveOrder {
         return new DriveOrder("driveStraight", true, speed, speed, speed);
     }
 
-    /** @param degrees a second, + to the left */
+    /** @param degrees per second, + to the left */
     public static DriveOrder spin(double degrees) {
         check("spin: speed", degrees, MAX_SPIN, "degrees a second");
         return new DriveOrder(SPIN, false, degrees, 0, degrees);
@@ -49,8 +52,7 @@ public final class DriveOrder {
     }
 
     /**
-     * Along a circle.
-     *
+     * Returns a command to drive along a circle.
      * @param speed m/s
      * @param radius metres, + left, infinite = straight, 0 = in place
      */
@@ -69,9 +71,8 @@ public final class DriveOrder {
     }
 
     /**
-     * The speed of the left side, or along the circle, m/s.
-     *
-     * @throws IllegalArgumentException if the robot can't do that, with what would let it
+     * Returns the speed of the left side, or along the circle, m/s.
+     * @throws IllegalArgumentException if the robot can't do that; the message has the remedy
      */
     public double getFirst(Robot driven) {
         String name = driven.getObject().getName();
@@ -89,7 +90,7 @@ public final class DriveOrder {
         return Math.toRadians(first) * base / 2;
     }
 
-    /** The speed of the right side, m/s, or the radius of the circle, m. */
+    /** Returns the speed of the right side, m/s, or the radius of the circle, metres. */
     public double getSecond() {
         return second;
     }

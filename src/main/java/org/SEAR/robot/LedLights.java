@@ -7,7 +7,7 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.devices.LightHardware;
 import org.SEAR.grammar.Parameter;
 
-/** The lights of one robot. Simulation thread. */
+/** LEDs of one robot. Simulation thread. */
 final class LedLights {
     private final List<Light> lights = new ArrayList<>();
     private List<Double> shown = List.of();
@@ -21,7 +21,7 @@ final class LedLights {
         restart();
     }
 
-    /** All dark. */
+    /** Turns all LEDs off. */
     void restart() {
         lights.forEach(light -> light.brightness = 0);
         show();
@@ -35,12 +35,12 @@ final class LedLights {
         shown = List.of(now);
     }
 
-    /** How bright each is, 0 to 1, in the order of the components; the same list as long as none changes. Immutable. */
+    /** Brightness of each LED, 0 to 1, in the order of the components; the same list until one changes. Immutable. */
     List<Double> getShown() {
         return shown;
     }
 
-    /** Null if there is none of that name. */
+    /** Returns the LED of this name; null if there is none. */
     LightHardware find(String name) {
         return lights.stream().filter(light -> light.name.equals(name)).findFirst().orElse(null);
     }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Which parts of one robot's body touch something now. A body that sleeps touches what it touched when it fell asleep. Simulation thread. */
+/** Parts of one robot's body that touch an object now. A sleeping body keeps its last contacts. Simulation thread. */
 final class PartTouches {
     private final Map<String, Integer> solids = new HashMap<>();
     private final boolean[] touched;
@@ -22,18 +22,18 @@ final class PartTouches {
         any = false;
     }
 
-    /** Whether a solid is a wheel's. */
+    /** Whether a solid belongs to a wheel. */
     boolean isWheel(int solid) {
         return solid >= wheelsFrom;
     }
 
-    /** @param solid its number in the body */
+    /** @param solid its index in the body */
     void add(int solid) {
         touched[solid] = true;
         any = true;
     }
 
-    /** @param part name of a component; null for any of them, wheels too */
+    /** @param part name of a component; null for any part, wheels included */
     boolean is(String part) {
         Integer solid = part == null ? null : solids.get(part);
         return part == null ? any : solid != null && touched[solid];

@@ -7,7 +7,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 
-/** One robot of the world: body, wheels, sensors, devices. Simulation thread only. */
+/** Robot of the world: body, wheels, sensors, devices. Simulation thread only. */
 public interface Robot {
     /** Its object; immutable. */
     SEARrobot getObject();
@@ -17,10 +17,13 @@ public interface Robot {
 
     Pose getPose();
 
-    /** Where it is after a start or reset. */
+    /** Pose after a start or reset. */
     Pose getStart();
 
-    /** Its object as its file said where it starts: {@link #getObject} until it was moved. Only its place counts. Immutable. */
+    /**
+     * Its object with the start pose of its file: {@link #getObject} until the robot is moved. Only its pose is valid.
+     * Immutable.
+     */
     SEARrobot getWritten();
 
     Truth getTruth();
@@ -29,13 +32,12 @@ public interface Robot {
 
     List<Sensor<?>> getSensors();
 
-    /** Where its centre of mass is, and when it tips over, with its servos as they start. */
+    /** Centre of mass and tipping angle, with its servos at their start. */
     Stability getStability();
 
     /**
-     * Drives as the Roomba command does. A robot with steered wheels, unless a servo steers them, steers to that circle, or as far as it can;
-     * straight on it keeps the angle that {@link #steer} has set.
-     *
+     * Drives as the Roomba command does. A robot with steered wheels steers to that circle, or as far as it can, unless
+     * a servo steers. Straight on it keeps the angle set by {@link #steer}.
      * @param speed m/s
      * @param radius metres, positive to the left, infinite = straight, 0 = in place to the left
      */
@@ -43,12 +45,11 @@ public interface Robot {
 
     /**
      * Steers by its steered wheels.
-     *
      * @param degrees of a wheel in the middle between left and right, + to the left
-     * @throws IllegalArgumentException if it has none, or a servo steers them, or that is out of their range
+     * @throws IllegalArgumentException if it has none, if a servo steers them, or if the angle is out of range
      */
     void steer(double degrees);
 
-    /** Where it steers now, degrees, + to the left; 0 without steered wheels. */
+    /** Present steering angle, degrees, + to the left; 0 without steered wheels. */
     double getSteering();
 }

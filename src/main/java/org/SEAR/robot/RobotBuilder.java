@@ -27,13 +27,13 @@ import org.SEAR.robot.wheel.Spring;
 import org.SEAR.robot.wheel.SpringDesign;
 
 /**
- * Makes a robot's rigid body out of its components: their shapes, the mass of its Dynamics, and for each wheel a smaller cylinder at the top of its
- * travel, which meets walls but never the floor.
+ * Builds a robot's rigid body from its components: their shapes, the mass of its Dynamics, and a guard per wheel. The
+ * guard is a smaller cylinder at the top of the wheel's travel, which touches walls but never the floor.
  */
 public final class RobotBuilder {
-    /** A robot without shapes gets a box this high around its wheels, metres; the same is the least size of that box. */
+    /** Height of the box around the wheels of a robot without shapes, metres; also its smallest size. */
     private static final double BARE = 0.02;
-    /** A centre of mass that was put elsewhere is so far from where it was, metres, or farther. */
+    /** Smallest displacement of a centre of mass that counts, metres. */
     private static final double MIN_MOVE = 1e-9;
 
     final SEARrobot object;
@@ -44,9 +44,9 @@ public final class RobotBuilder {
     final Spring[] springs;
     /** Greatest distance of the components from the vertical axis, metres. */
     final double radius;
-    /** Whether a wheel is so large, or so far away, that where the robot would stand says nothing. */
+    /** Whether a wheel is too large or too far away for checks of the robot's stand. */
     final boolean hasFarWheels;
-    /** Of the components and wheels that have one. */
+    /** Solids of the components and wheels that have one. */
     public final Map<SearObject, Solid> shapes = new IdentityHashMap<>();
     private final List<Solid> solids = new ArrayList<>();
     private final List<Pose> places = new ArrayList<>();
@@ -84,7 +84,7 @@ public final class RobotBuilder {
     }
 
     /**
-     * @param warnings takes what the user should know
+     * @param warnings takes warnings for the user
      * @throws ProjectException if it can't be a robot of a world
      */
     public static RobotBuilder of(SEARrobot robot, Project project, List<String> warnings) throws ProjectException {
@@ -101,7 +101,7 @@ public final class RobotBuilder {
             + " has no Dynamics", "one Dynamics: robot.addComponent(Dynamics(name, mass)) gives it mass, suspension and start pose")));
     }
 
-    /** The number of a component's solid in the body. */
+    /** Returns the index of a component's solid in the body. */
     int solidOf(SearObject part) {
         return solids.indexOf(shapes.get(part));
     }
@@ -116,7 +116,7 @@ public final class RobotBuilder {
         }
     }
 
-    /** Masses place the centre of mass where there are any, else volumes do. */
+    /** Masses determine the centre of mass if there are any, otherwise volumes do. */
     private double weight(Shape part, Solid solid) {
         return isWeighed() ? part.getMass() : solid.convex().volume();
     }
@@ -136,7 +136,10 @@ public final class RobotBuilder {
         weights.add(weight);
     }
 
-    /** Where its wheels touch when it stands level, casters as when it drives forward: {x, y, z} in the body frame. */
+    /**
+     * Returns the contact points of its wheels when it stands level, casters as when it drives forward: {x, y, z} in
+     * the body frame.
+     */
     public double[][] feet() {
         double[][] feet = new double[springs.length][];
         for (int i = 0; i < feet.length; i++) {
@@ -172,7 +175,7 @@ public final class RobotBuilder {
         return new double[] {sum[0] / total, sum[1] / total, sum[2] / total};
     }
 
-    /** The y of the lowest point of the components in the body frame, metres. */
+    /** Returns y of the lowest point of the components in the body frame, metres. */
     private double lowest() {
         double lowest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < solids.size(); i++) {
@@ -194,7 +197,7 @@ public final class RobotBuilder {
         return most;
     }
 
-    /** Puts the components into the scenes, where its own beams don't see them. The wheels' guards are no part of any picture. */
+    /** Adds the components to the scenes, invisible to the robot's own rays. The wheels' guards are not added. */
     public void addTo(RaycastScenes scenes, int owner) {
         body.addTo(scenes, visible, owner, solids.size() - wheelSolids.size());
     }

@@ -25,15 +25,15 @@ import org.SEAR.robot.wheel.RaycastWheel;
 import org.SEAR.robot.wheel.Spring;
 import org.SEAR.sensors.Sensor;
 
-/** A robot of the world, and its hardware as firmware sees it. Simulation thread. */
+/** Robot of the world, and its hardware as firmware sees it. Simulation thread. */
 public final class RobotModel implements Robot, RobotHardware {
-    /** A bumper's switches overlap by this much left and right of the middle, radians: a hit from the front closes both. */
+    /** Overlap of a bumper's two switches on each side of the middle, radians: a hit from the front closes both. */
     private static final double BUMPER_OVERLAP = Math.toRadians(15);
-    /** Surfaces that lean more than this (vertical part of the normal) are floor or ceiling, not obstacle. */
+    /** Vertical part of the normal above which a surface is floor or ceiling, not an obstacle. */
     private static final double LEVEL = 0.7;
-    /** Wheels farther down than this share of the rest length count as dropped. */
+    /** Share of the rest length above which a wheel counts as dropped. */
     private static final double DROPPED = 0.999;
-    /** Most steps that a robot is let down at its start before a hanging wheel counts. */
+    /** Largest number of steps after a start in which a hanging wheel does not count as dropped. */
     private static final int SETTLING = 60;
 
     private final SEARrobot object;
@@ -61,14 +61,13 @@ public final class RobotModel implements Robot, RobotHardware {
     private boolean bumpedLeft;
     private boolean bumpedRight;
     private int unsettled;
-    /** Whether it is steered as {@link #drive} wants, not by an order of its own. */
+    /** Whether {@link #drive} set the steering, not a command of its own. */
     private boolean steersToDrive;
 
     /**
-     * Of a world.
-     *
-     * @param number its place among the robots
-     * @param told takes what the user should know during the run
+     * Robot of a world.
+     * @param number its index among the robots
+     * @param told takes warnings during the run
      */
     public RobotModel(RobotBuilder from, int number, RaycastScenes scenes, RobotTruth truth, VirtualWalls virtualWalls, Consumer<String> told) {
         this.object = from.object;
@@ -104,12 +103,12 @@ public final class RobotModel implements Robot, RobotHardware {
         turrets.add(sensor);
     }
 
-    /** Servos back to their start, before the physics starts anew. */
+    /** Moves the servos to their start, before the physics restarts. */
     public void rewind() {
         turrets.restart();
     }
 
-    /** Back to the start, in a new physics world. */
+    /** Moves everything to its start, in a new physics world. */
     public void restart(PhysicsWorld physics) {
         train = new DriveTrain(body, object.getWheels(), springs, motors, turrets::find, number, reported);
         if (!train.getWheels().isEmpty()) {
@@ -125,9 +124,8 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     /**
-     * Puts it elsewhere at once, at rest; its motors go on.
-     *
-     * @param start where the next start finds it
+     * Teleports the robot, at rest; its motors go on.
+     * @param start pose for the next start
      */
     public void move(PhysicsWorld physics, Pose start, Pose to) {
         physics.move(body, start, to);
@@ -137,7 +135,7 @@ public final class RobotModel implements Robot, RobotHardware {
         mirror();
     }
 
-    /** Looks for ground, and wakes the body when its motors turn or its ground moves. Before the physics step. */
+    /** Finds the ground, and wakes the body when its motors turn or its ground moves. Before the physics step. */
     public void prepare() {
         boolean busy = train.isCommanded() || groundMoves();
         busy |= turrets.step();
@@ -160,7 +158,7 @@ public final class RobotModel implements Robot, RobotHardware {
         return false;
     }
 
-    /** Turns the wheels, moves its shapes in the scenes. After the physics step. */
+    /** Rotates the wheels and moves its shapes in the scenes. After the physics step. */
     public void follow(boolean awake) {
         if (unsettled > 0) {
             unsettled = train.getWheels().stream().anyMatch(this::hangs) ? unsettled - 1 : 0;
@@ -180,7 +178,7 @@ public final class RobotModel implements Robot, RobotHardware {
         }
     }
 
-    /** Moves its shapes in the scenes to where it is. */
+    /** Copies its poses to the scenes. */
     public void mirror() {
         body.mirror(scenes);
         for (int i = 0; i < wheelShapes.length; i++) {
@@ -192,10 +190,9 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     /**
-     * Something touches the body.
-     *
-     * @param solid of the body that is touched, its number
-     * @param normal of the surface that touches, vertical part decides whether it is an obstacle
+     * Notes a contact of the body.
+     * @param solid index of the touched solid
+     * @param normal of the touching surface; its vertical part decides whether it is an obstacle
      */
     public void touch(int solid, Vector3f at, Vector3f normal) {
         if (Math.abs(normal.y) <= LEVEL) {
@@ -205,7 +202,7 @@ public final class RobotModel implements Robot, RobotHardware {
         }
     }
 
-    /** An obstacle touches a solid of it at a point of the world. */
+    /** Notes the contact of an obstacle with a solid at a point of the world. */
     private void press(int solid, double x, double y, double z) {
         truth.touches().add(solid);
         Pose pose = body.getPose();
@@ -216,10 +213,9 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     /**
-     * How high it stands on what is below it somewhere.
-     *
-     * @param at its pose there; what is higher above it than {@code climb} metres is not below it
-     * @return the height of its frame; NaN if nothing is below
+     * Returns the height at which it stands on the surfaces below a pose.
+     * @param at its pose there; surfaces more than {@code climb} metres above it do not count
+     * @return y of its frame, metres; NaN if nothing is below
      */
     public double standing(Pose at, double climb) {
         double height = Double.NEGATIVE_INFINITY;
@@ -248,7 +244,7 @@ public final class RobotModel implements Robot, RobotHardware {
         return dynamics;
     }
 
-    /** Those of its wheels, in their order. */
+    /** Springs of its wheels, in their order. */
     Spring[] getSprings() {
         return springs;
     }
@@ -278,7 +274,7 @@ public final class RobotModel implements Robot, RobotHardware {
         return written;
     }
 
-    /** @param newWritten what its file says now */
+    /** @param newWritten the object with the start pose of its file */
     public void setWritten(SEARrobot newWritten) {
         written = newWritten;
     }
@@ -298,7 +294,7 @@ public final class RobotModel implements Robot, RobotHardware {
         return sensors;
     }
 
-    /** Whether a wheel is so large, or so far away, that where the robot would stand says nothing. */
+    /** Whether a wheel is too large or too far away for checks of the robot's stand. */
     boolean hasFarWheels() {
         return hasFarWheels;
     }
@@ -374,12 +370,15 @@ public final class RobotModel implements Robot, RobotHardware {
         return lights.find(name);
     }
 
-    /** How bright each of its lights is, 0 to 1, in the order of its components; the same list as long as none changes. Immutable. */
+    /** Brightness of each LED, 0 to 1, in the order of its components; the same list until one changes. Immutable. */
     public List<Double> getLights() {
         return lights.getShown();
     }
 
-    /** Where each component is now in the body frame; empty if the robot has no servos: they are where their objects are. Immutable. */
+    /**
+     * Pose of each component in the body frame; empty without servos, when the components stay at the poses of their
+     * objects. Immutable.
+     */
     public List<Pose> getPartPoses() {
         return turrets.getPoses();
     }
@@ -409,7 +408,7 @@ public final class RobotModel implements Robot, RobotHardware {
         return mean(-1, false);
     }
 
-    /** Mean over the driven wheels of one side; a wheel in the middle counts for both. */
+    /** Returns the mean over the driven wheels of one side; a wheel in the middle counts for both. */
     private double mean(int side, boolean angle) {
         double sum = 0;
         int count = 0;

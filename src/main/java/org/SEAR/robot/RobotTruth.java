@@ -13,9 +13,9 @@ import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
 import org.SEAR.sensors.Truth;
 
-/** The exact state of one robot after each step. Simulation thread. */
+/** Ground truth of one robot after each step. Simulation thread. */
 public final class RobotTruth implements Truth {
-    /** The path counts when the robot is this far from where it last counted, metres: more than any vibration. */
+    /** Displacement from the last counted position at which the path grows, metres: larger than any vibration. */
     private static final double DEAD_BAND = 1e-4;
     /** The same for the heading, radians. */
     private static final double TURN_DEAD_BAND = 2e-4;
@@ -60,7 +60,7 @@ public final class RobotTruth implements Truth {
         Arrays.fill(angular, 0);
     }
 
-    /** It was put elsewhere: that is no way that it went. */
+    /** Notes a teleport, which is not part of the distance travelled. */
     void moved() {
         anchor = body.getPose();
         heading = heading(anchor);
@@ -68,7 +68,6 @@ public final class RobotTruth implements Truth {
 
     /**
      * Takes over the state after a step.
-     *
      * @param awake whether the robot may have moved
      */
     public void update(long newStep, boolean awake) {
@@ -96,18 +95,18 @@ public final class RobotTruth implements Truth {
         }
     }
 
-    /** Component of a displacement along the pose's forward axis. */
+    /** Returns the component of a displacement along the pose's forward axis. */
     private static double along(Pose pose, double dx, double dy, double dz) {
         return dx * 2 * (pose.qx * pose.qz + pose.qw * pose.qy) + dy * 2 * (pose.qy * pose.qz - pose.qw * pose.qx)
             + dz * (1 - 2 * (pose.qx * pose.qx + pose.qy * pose.qy));
     }
 
-    /** Angle of the forward axis about +y, radians, + counter-clockwise from above. */
+    /** Returns the angle of the forward axis about +y, radians, + counter-clockwise from above. */
     private static double heading(Pose pose) {
         return Math.atan2(2 * (pose.qx * pose.qz + pose.qw * pose.qy), 1 - 2 * (pose.qx * pose.qx + pose.qy * pose.qy));
     }
 
-    /** Heading turned since the start, radians, not wrapped. */
+    /** Change of heading since the start, radians, not wrapped. */
     double turned() {
         return turned;
     }
@@ -172,7 +171,6 @@ public final class RobotTruth implements Truth {
         return owner;
     }
 
-    /** What touches its parts. */
     PartTouches touches() {
         return touches;
     }

@@ -17,8 +17,8 @@ import org.SEAR.robot.servo.ServoDrive;
 import org.SEAR.sensors.Sensor;
 
 /**
- * The servos of one robot and what is mounted on them: they turn sensors and parts of the body. A turning part pushes what it meets; the robot's mass
- * stays as it is spread at the start. Simulation thread.
+ * Servos of one robot and the sensors and parts mounted on them. A turning part pushes bodies that it touches; the
+ * robot's mass distribution stays as at the start. Simulation thread.
  */
 final class ServoMounts {
     private static final int NONE = -1;
@@ -26,7 +26,7 @@ final class ServoMounts {
     private final List<SearObject> parts;
     private final Body body;
     private final RobotBuilder shapes;
-    /** For each component: the servo that it is, or null; and the number of the component that turns it, or NONE. */
+    /** Per component: its servo, or null; and the index of the servo that turns it, or NONE. */
     private final ServoDrive[] servos;
     private final int[] carriers;
     private final Pose[] homes;
@@ -35,7 +35,7 @@ final class ServoMounts {
     private final boolean any;
     private List<Pose> poses = List.of();
 
-    /** @param reported takes what the user should know during the run */
+    /** @param reported takes warnings during the run */
     ServoMounts(RobotBuilder from, Consumer<String> reported) {
         shapes = from;
         parts = from.object.getComponents();
@@ -71,7 +71,7 @@ final class ServoMounts {
         return NONE;
     }
 
-    /** Tells servos which weights are on them. */
+    /** Adds the masses on each servo to its load. */
     private void weigh() {
         for (int i = 0; i < servos.length; i++) {
             Solid solid = shapes.shapes.get(parts.get(i));
@@ -82,7 +82,7 @@ final class ServoMounts {
         }
     }
 
-    /** Distance from the centre of mass of the farthest point that a turning part can come to, metres, or more. */
+    /** Returns an upper bound of the distance from the centre of mass that a turning part can reach, metres. */
     private double reach() {
         double most = 0;
         double[] centre = body.getCentre();
@@ -118,7 +118,7 @@ final class ServoMounts {
         return null;
     }
 
-    /** Everything as at the start; before the physics starts anew. */
+    /** Moves all servos to their start; before the physics restarts. */
     void restart() {
         if (any) {
             for (ServoDrive servo : servos) {
@@ -131,9 +131,8 @@ final class ServoMounts {
     }
 
     /**
-     * Turns the servos for one step, and with them what is on them.
-     *
-     * @return whether one has turned
+     * Turns the servos and their parts for one step.
+     * @return whether a servo has turned
      */
     boolean step() {
         boolean turned = false;
@@ -146,7 +145,7 @@ final class ServoMounts {
         return turned;
     }
 
-    /** Something that turned met what it can't push away. */
+    /** Corrects the angles of servos that were blocked by a contact. */
     private void giveWay() {
         for (ServoDrive servo : servos) {
             if (servo != null && servo.getHinge() != null) {
@@ -160,7 +159,7 @@ final class ServoMounts {
         body.setPlace(solid, place);
     }
 
-    /** Where its shapes go. */
+    /** Receives the poses of its shapes. */
     private interface Places {
         void put(int solid, Pose place, Hinge hinge);
     }
@@ -183,7 +182,9 @@ final class ServoMounts {
         sensors.forEach(this::follow);
     }
 
-    /** The nearest hinge that turns in this step, of a servo and those that it is mounted on: that one yields. */
+    /**
+     * Returns the nearest hinge that turns in this step, of a servo and those that it is mounted on; this hinge yields.
+     */
     private Hinge hinge(int servo) {
         Hinge found = null;
         for (int carrier = servo; carrier != NONE && found == null; carrier = carriers[carrier]) {
@@ -192,7 +193,7 @@ final class ServoMounts {
         return found;
     }
 
-    /** What a servo, and those that it is mounted on, do to what is on it. */
+    /** Returns the rotation that a servo, and those that it is mounted on, apply to its parts. */
     private Pose turned(int servo) {
         if (turns[servo] == null) {
             Pose own = servos[servo].turn();
@@ -208,7 +209,10 @@ final class ServoMounts {
         }
     }
 
-    /** Where each component is now in the body frame; empty if there are no servos: they are where their objects are. Immutable. */
+    /**
+     * Pose of each component in the body frame; empty without servos, when the components stay at the poses of their
+     * objects. Immutable.
+     */
     List<Pose> getPoses() {
         return poses;
     }

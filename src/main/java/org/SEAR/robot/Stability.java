@@ -8,38 +8,39 @@ import java.util.Locale;
 import org.SEAR.physics.PhysicsWorld;
 
 /**
- * When a robot tips over, as a rigid body on the points where its wheels touch: about an edge of their convex hull, on a slope whose angle is
- * atan(distance of the centre of mass from the edge / its height above the edge). Soft springs lean, and let it tip a little earlier. The same edge
- * counts when it brakes: by more than 9.81 m/s^2 times the tangent of the angle. Body frame, metres; immutable, any thread.
+ * Tipping angle of a robot as a rigid body on its wheels' contact points. It tips about an edge of their convex hull on
+ * a slope of atan(distance of the centre of mass from the edge / its height above the edge). Soft springs lean, and let
+ * it tip slightly earlier. It also tips about this edge when it brakes by more than 9.81 m/s^2 times the tangent of the
+ * angle. Body frame, metres; immutable, any thread.
  */
 public final class Stability {
-    /** A robot that tips over on a less steep slope, degrees, is warned of. */
+    /** Slope angle in degrees below which SEAR warns. */
     public static final double CRITICAL = 15;
-    /** Feet on a line, metres: their hull is narrower than this. */
+    /** Width of the feet's hull below which it counts as a line, metres. */
     private static final double FLAT = 1e-6;
-    /** Of more feet only these are looked at. */
+    /** Largest number of feet that are examined. */
     private static final int MAX_FEET = 20;
-    /** By the angle from ahead to the left in steps of 45 degrees. */
+    /** Directions in steps of 45 degrees from ahead to the left. */
     private static final String[] WAYS = {"forwards", "forwards to the left", "to the left", "backwards to the left", "backwards",
         "backwards to the right", "to the right", "forwards to the right"};
 
-    /** The slope on which it tips over, degrees; negative if it does where it stands, NaN if there are not three feet that span an area. */
+    /** Slope on which it tips over, degrees; negative if it does at rest, NaN without three feet that span an area. */
     public final double degrees;
     private final double[] centre;
     private final double[][] support;
     private final double[] slope;
-    /** Whether the centre of mass was put into the middle of the wheels. */
+    /** Whether the centre of mass was moved to the middle of the wheels. */
     private final boolean balanced;
     private String way = "";
-    /** Distance of the centre of mass from the edge over which it tips, metres; negative outside. */
+    /** Distance of the centre of mass from the tipping edge, metres; negative outside. */
     private double room;
 
     /**
-     * A robot at rest on its wheels.
-     *
+     * Robot at rest on its wheels.
      * @param centre of mass {x, y, z}
-     * @param feet where its wheels touch, {x, y, z} each
-     * @param balanced whether the centre of mass was put into the middle of its wheels, because its parts don't tell
+     * @param feet contact points of its wheels, {x, y, z} each
+     * @param balanced whether the centre of mass was moved to the middle of the wheels, because too few parts have a
+     *     mass
      */
     Stability(double[] centre, double[][] feet, boolean balanced) {
         this.centre = centre.clone();
@@ -50,7 +51,10 @@ public final class Stability {
         degrees = support.length == 0 ? Double.NaN : least();
     }
 
-    /** The plane through three feet that has no foot below it and the centre of mass above these three: how it rises along x and z. */
+    /**
+     * Returns the slope of the plane through three feet that has no foot below it and the centre of mass above these
+     * three.
+     */
     private static double[] slope(double[] centre, double[][] feet) {
         for (int i = 0; i < Math.min(feet.length, MAX_FEET); i++) {
             for (int j = 0; j < i; j++) {
@@ -65,7 +69,9 @@ public final class Stability {
         return new double[2];
     }
 
-    /** How the plane through three feet rises along x and z; null if the centre of mass is not above these. */
+    /**
+     * Returns the slope along x and z of the plane through three feet; null if the centre of mass is not above these.
+     */
     private static double[] plane(double[] a, double[] b, double[] c, double[] centre) {
         double[] ab = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
         double[] ac = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
@@ -84,7 +90,9 @@ public final class Stability {
         return Arrays.stream(feet).allMatch(foot -> foot[1] - on[1] > plane[0] * (foot[0] - on[0]) + plane[1] * (foot[2] - on[2]) - FLAT);
     }
 
-    /** How the plane on which it stands rises in its own frame along x and along z, metres a metre; 0 if it does not stand. */
+    /**
+     * Slope along x and z of the plane on which it stands, in its own frame, metres per metre; 0 if it does not stand.
+     */
     double[] slope() {
         return slope.clone();
     }
@@ -111,7 +119,7 @@ public final class Stability {
         return least;
     }
 
-    /** The corners of the convex hull in x and z, counter-clockwise from x to z. */
+    /** Returns the corners of the convex hull in x and z, counter-clockwise from x to z. */
     private static double[][] hull(double[][] feet) {
         double[][] sorted = feet.clone();
         Arrays.sort(sorted, Comparator.<double[]>comparingDouble(foot -> foot[0]).thenComparingDouble(foot -> foot[2]));
@@ -140,19 +148,19 @@ public final class Stability {
         }
     }
 
-    /** Whether c lies beside the line from a to b, on the side of the hull. */
+    /** Whether c is beside the line from a to b, on the side of the hull. */
     private static boolean turns(double[] a, double[] b, double[] c) {
         double ex = b[0] - a[0];
         double ez = b[2] - a[2];
         return ex * (c[2] - a[2]) - ez * (c[0] - a[0]) > FLAT * Math.hypot(ex, ez);
     }
 
-    /** The centre of mass, {x, y, z}. */
+    /** Centre of mass, {x, y, z}. */
     public double[] getCentre() {
         return centre.clone();
     }
 
-    /** The corners of the area on which it stands, {x, y, z} each; none if it stands on less than three points, or on a line. */
+    /** Corners of the support polygon, {x, y, z} each; empty with fewer than three feet, or feet on a line. */
     public double[][] getSupport() {
         double[][] corners = new double[support.length][];
         for (int i = 0; i < corners.length; i++) {
@@ -161,12 +169,12 @@ public final class Stability {
         return corners;
     }
 
-    /** Whether its user should know. */
+    /** Whether SEAR warns of it. */
     public boolean isCritical() {
         return degrees < CRITICAL;
     }
 
-    /** When it tips over, in words; empty if its wheels don't say. */
+    /** Returns a description of when it tips over; empty if its wheels don't determine that. */
     public String getWords() {
         if (Double.isNaN(degrees)) {
             return "";

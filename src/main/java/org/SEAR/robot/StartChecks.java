@@ -17,30 +17,29 @@ import org.SEAR.physics.RaycastScenes;
 import org.SEAR.raycast.Hit;
 import org.SEAR.robot.wheel.SpringDesign;
 
-/** What a user should know of a robot before it is driven. Simulation thread. */
+/** Warnings about a robot before it drives. Simulation thread. */
 public final class StartChecks {
-    /** By how much dimensions may differ from those that drivers take for granted, as a share. */
+    /** Largest relative difference from the dimensions that drivers assume. */
     private static final double ALIKE = 0.02;
 
-    /** A wheel that is less to a side is in the middle, metres. */
+    /** Distance from the middle below which a wheel is in the middle, metres. */
     private static final double MIDDLE = 1e-3;
-    /** Motors that speed a robot up by less, m/s^2, are taken for a mistake. */
+    /** Acceleration below which motors are probably a mistake, m/s^2. */
     private static final double WEAK = 0.02;
-    /** A speed at which a small robot is seen to move, m/s. */
+    /** Speed at which a small robot visibly moves, m/s. */
     private static final double SLOW = 0.1;
-    /** A robot that stands tilted by more is told, degrees: no more than springs give way. */
+    /** Tilt above which SEAR warns, degrees: more than the springs' deflection. */
     private static final double LEVEL = 2;
-    /** So many times as stiff as what just holds. */
+    /** Factor from the stiffness that just holds to the recommended one. */
     private static final double STIFF = 10;
 
     private StartChecks() {
     }
 
     /**
-     * Says what keeps a robot from driving.
-     *
-     * @param scenes with everything at its start
-     * @param warnings takes what is said
+     * Warns of everything that keeps a robot from driving.
+     * @param scenes with all objects at their start
+     * @param warnings takes the warnings
      */
     public static void check(RobotModel robot, RaycastScenes scenes, List<String> warnings) {
         String name = robot.getObject().getName();
@@ -71,7 +70,7 @@ public final class StartChecks {
         checkSprings(robot, true, "sideways", warnings);
     }
 
-    /** One that is driven on one side only goes in circles, whatever it is told. */
+    /** A robot driven on one side only goes in circles. */
     private static void checkSides(SEARrobot robot, List<String> warnings) {
         List<Wheel> driven = robot.getWheels().stream().filter(Wheel::isDriven).collect(Collectors.toList());
         boolean left = driven.stream().allMatch(wheel -> wheel.getX() > MIDDLE);
@@ -85,7 +84,7 @@ public final class StartChecks {
         }
     }
 
-    /** Wheels that nobody has put anywhere are all at the robot's origin. */
+    /** Wheels without a position are all at the robot's origin. */
     private static void checkPlaces(SEARrobot robot, List<String> warnings) {
         List<Wheel> wheels = robot.getWheels();
         for (int i = 0; i < wheels.size(); i++) {
@@ -102,7 +101,7 @@ public final class StartChecks {
         }
     }
 
-    /** How it will stand on level ground, by the feet that its wheels have when they carry it. */
+    /** Checks how it stands on level ground, by the wheels' contact points under load. */
     private static void checkLevel(RobotModel robot, List<String> warnings) {
         double[] slope = robot.getStability().slope();
         double ahead = Math.toDegrees(Math.atan(slope[1]));
@@ -117,7 +116,7 @@ public final class StartChecks {
         }
     }
 
-    /** Motors that are so weak that nobody would see the robot start. */
+    /** Finds motors too weak for visible motion. */
     private static void checkMotors(RobotModel robot, List<String> warnings) {
         SEARrobot object = robot.getObject();
         double force = 0;
@@ -163,7 +162,7 @@ public final class StartChecks {
         }
     }
 
-    /** A driver works distances and turns out of the dimensions of the robot that it takes this one for. */
+    /** A driver computes distances and turns from the dimensions of the real robot. */
     private static void checkDimensions(RobotModel robot, OpenInterfaceBody real, List<String> warnings) {
         SEARrobot object = robot.getObject();
         double base = robot.getHardware().getWheelBase();

@@ -7,8 +7,9 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.project.ObjectPose;
 
 /**
- * Where a robot starts: its own pose and that of its dynamics. One that would lie on its back is a heading that was meant, as in the dissertation's
- * Listing 2, whose 180 degrees stand at the wrong axis: the robot stands upright and is turned by 180 degrees, with a warning.
+ * Start pose of a robot: its own pose times that of its dynamics. An upside-down pose is a misplaced heading, as in the
+ * dissertation's Listing 2, which has 180 degrees at the wrong axis. The robot then stands upright, turned by 180
+ * degrees, with a warning.
  */
 final class StartPose {
     private static final double HALF_TURN = 180;
@@ -16,7 +17,7 @@ final class StartPose {
     private StartPose() {
     }
 
-    /** @param warnings takes what was put right */
+    /** @param warnings takes a warning for each correction */
     static Pose of(SearObject robot, SearObject dynamics, List<String> warnings) {
         Pose written = ObjectPose.of(robot).times(ObjectPose.of(dynamics));
         if (!isUpsideDown(written)) {
@@ -29,7 +30,7 @@ final class StartPose {
         return meant(robot).times(meant(dynamics));
     }
 
-    /** The heading alone, and half a turn more if it lies on its back. */
+    /** Returns the heading only, plus half a turn if the object is upside down. */
     private static Pose meant(SearObject object) {
         double turn = isUpsideDown(ObjectPose.of(object)) ? HALF_TURN : 0;
         return Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), 0, object.getRy() + turn, 0);

@@ -12,12 +12,14 @@ import org.SEAR.geometry.Aabb;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.physics.solid.Solid;
 
-/** Tells of parts that are far away from their robot or many times as large: mostly their centimetres were taken for metres. */
+/**
+ * Warns of parts far away from their robot or much larger than it, mostly because centimetres were entered as metres.
+ */
 final class UnitMistakes {
-    /** Nobody puts a part on purpose farther away, metres, nor so many times as far as the robot is large. */
+    /** Distance above which a part is suspicious, metres, if it is also this many times the robot's size. */
     private static final double FAR = 2;
     private static final double TIMES = 2;
-    /** The radius of a wheel that is large by itself, metres, and so many times as large as the robot. */
+    /** Radius above which a wheel is suspicious, metres, if it is also this many times the robot's size. */
     private static final double LARGE_WHEEL = 1;
     private static final double TIMES_WHEEL = 3;
     private static final double CENTIMETRES = 100;
@@ -47,10 +49,9 @@ final class UnitMistakes {
     }
 
     /**
-     * Says which parts are hardly meant to be where they are.
-     *
+     * Warns of misplaced parts.
      * @param shapes of the parts that have one
-     * @return whether there is one that the robot stands on
+     * @return whether a wheel is among them
      */
     static boolean report(SEARrobot robot, Map<SearObject, Solid> shapes, List<String> warnings) {
         UnitMistakes parts = new UnitMistakes(robot, shapes, warnings);

@@ -9,12 +9,15 @@ import org.SEAR.physics.RaycastScenes;
 import org.SEAR.raycast.Hit;
 
 /**
- * The beams of Roomba's virtual walls: objects whose name begins with {@code virtualWall}. They are infrared light, so whatever is solid stops them.
- * Simulation thread.
+ * Beams of Roomba's virtual walls: objects whose name begins with {@code virtualWall}. They are infrared light, so
+ * solid objects block them. Simulation thread.
  */
 public final class VirtualWalls {
     private static final String PREFIX = "virtualwall";
-    /** Length of the beam, metres, and half of its angle (facts: a virtual wall reaches 2.4 m in a narrow fan with a halo of 0.4 m). */
+    /**
+     * Length of the beam, radius of its halo, metres, and half of its angle, radians (a real one reaches 2.4 m in a
+     * narrow beam with a halo of 0.4 m).
+     */
     private static final double LENGTH = 2.4;
     private static final double HALO = 0.4;
     private static final double HALF_ANGLE = Math.toRadians(10);
@@ -23,12 +26,12 @@ public final class VirtualWalls {
     private final RaycastScenes scenes;
     private final Hit hit = new Hit();
 
-    /** @param scenes with everything that stops a beam */
+    /** @param scenes with all objects that block a beam */
     public VirtualWalls(RaycastScenes scenes) {
         this.scenes = scenes;
     }
 
-    /** Keeps the body if it is a virtual wall. */
+    /** Adds the body if it is a virtual wall. */
     public void consider(Body body) {
         if (body.name.toLowerCase(Locale.ROOT).startsWith(PREFIX)) {
             walls.add(body);
@@ -37,9 +40,8 @@ public final class VirtualWalls {
 
     /**
      * Whether a point is in a beam.
-     *
-     * @param x world frame, metres
-     * @param robot number of the one that looks, which is not in its own way
+     * @param x world frame, metres, likewise y and z
+     * @param robot number of the sensing robot, which does not block the beam
      */
     boolean reach(double x, double y, double z, int robot) {
         for (int i = 0; i < walls.size(); i++) {
@@ -54,7 +56,7 @@ public final class VirtualWalls {
         return false;
     }
 
-    /** Whether nothing solid stands between. */
+    /** Whether no solid object is in between. */
     private boolean sees(Body body, double x, double y, double z, int robot) {
         Pose wall = body.getPose();
         double dx = wall.x - x;

@@ -1,5 +1,6 @@
 /**
- * A robot in the physics: body, hardware, and the truth that its sensors read; its wheels are in {@link org.SEAR.robot.wheel}. Uses
- * {@link org.SEAR.robot.surface} and {@link org.SEAR.robot.wheel}, and what these use. Simulation thread.
+ * Robots in the physics: body, hardware, and the ground truth for sensors; the wheels are in
+ * {@link org.SEAR.robot.wheel}. Uses {@link org.SEAR.robot.surface} and {@link org.SEAR.robot.wheel}. Simulation
+ * thread.
  */
 package org.SEAR.robot;

@@ -17,12 +17,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/** Boxes on a floor in native Bullet with its default settings, at 1/60 s: processor time of the thread, and where all lies at the end. */
+/**
+ * Boxes on a floor in native Bullet with its default settings, at 1/60 s: measures the thread's processor time and
+ * writes the final poses.
+ */
 public final class BulletBodies {
     private static final String LIBRARY = "/native/linux/x86_64/libbulletjme.so";
     private static final float STEP = 1 / 60f;
     private static final float GRAVITY = 9.81f;
-    /** Greatest share of the smallest half size that is margin: a margin larger than a box turns it inside out. */
+    /** Largest margin, as a share of the smallest half extent: a margin larger than a box turns it inside out. */
     private static final double MARGIN_SHARE = 0.3;
 
     private final List<PhysicsRigidBody> bodies = new ArrayList<>();
@@ -47,7 +50,7 @@ public final class BulletBodies {
         }
     }
 
-    /** Bullet takes the product of both coefficients. */
+    /** Bullet multiplies both coefficients of friction. */
     private void add(PhysicsRigidBody body, double friction) {
         body.setFriction((float) Math.sqrt(friction));
         space.addCollisionObject(body);
@@ -82,7 +85,10 @@ public final class BulletBodies {
         Files.delete(file);
     }
 
-    /** @param args a file of numbers (side, mass, friction, seconds, watch; then ten for each box), the file for the result */
+    /**
+     * @param args a file of numbers (side, mass, friction, seconds, watch; then ten per box), and the file for the
+     *     result
+     */
     public static void main(String[] args) throws IOException {
         load();
         List<double[]> numbers = new ArrayList<>();

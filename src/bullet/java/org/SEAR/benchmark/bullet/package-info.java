@@ -1,2 +1,5 @@
-/** The scenes of bodies of the benchmark in native Bullet, which brings its own com.jme3 classes and so runs by itself. Never shipped. */
+/**
+ * Body scenes of the benchmark in native Bullet, which has its own com.jme3 classes and therefore runs in its own
+ * process. Never shipped.
+ */
 package org.SEAR.benchmark.bullet;

@@ -12,19 +12,19 @@ import org.SEAR.physics.solid.Hinge;
 import org.SEAR.project.ObjectPose;
 
 /**
- * A servo that turns to the angle that it was given. Its motor has the straight line of every small DC motor: torque = stallTorque (power - speed /
- * no-load speed). It gives full power towards the angle, and brakes in time; a servo without load is as fast as its motor at once. While it turns it
- * yields to what it meets; where it has arrived it stays. Simulation thread.
+ * Servo that turns to a commanded angle. Its motor has the linear characteristic of a small DC motor: torque =
+ * stallTorque (power - speed / no-load speed). It drives at full power and brakes in time; without load it reaches full
+ * speed immediately. While turning it yields to contacts; once there it holds its angle. Simulation thread.
  */
 public final class ServoDrive implements ServoHardware {
-    /** A servo that is left with less than this share of its speed without load does not get on. */
+    /** Share of the no-load speed below which a servo counts as stalled. */
     private static final double STALLED = 0.01;
-    /** Share of its torque with which it brakes before it is there, so that some is left. */
+    /** Share of the torque used for braking, which leaves a reserve. */
     private static final double BRAKING = 0.99;
-    /** What gets on by less than this share of what it would without contacts, for so many steps, is held. */
+    /** Share of the unobstructed motion below which a servo is blocked, and for how many steps before SEAR warns. */
     private static final double HELD = 0.1;
     private static final int HELD_FOR = 60;
-    /** Where something pushes it, it has arrived when it is so near, degrees, as real ones do: else it would tremble for ever. */
+    /** Angle within which a loaded servo has arrived, degrees, as in real ones; otherwise it would jitter. */
     private static final double DEAD_BAND = 0.05;
 
     private final Servo object;
@@ -36,16 +36,16 @@ public final class ServoDrive implements ServoHardware {
     private final Rotation rotation = new Rotation();
     private double wanted;
     private double angle;
-    /** Of a servo with a load, rad/s. */
+    /** Speed of a servo with load, rad/s. */
     private double spin;
-    /** Where it was when the step began, degrees, and whether it turns in it. */
+    /** Angle when the step began, degrees, and whether it turns in the step. */
     private double before;
     private boolean turns;
-    /** For how many steps it has been held. */
+    /** Number of steps for which it has been blocked. */
     private int held;
     private boolean complained;
 
-    /** @param told takes, once a run, that the load is too heavy */
+    /** @param told takes, once per run, a warning about a load that is too heavy */
     public ServoDrive(Servo object, String robot, Consumer<String> told) {
         this.object = object;
         this.robot = robot;
@@ -55,7 +55,7 @@ public final class ServoDrive implements ServoHardware {
         restart();
     }
 
-    /** As at the start: at 0 degrees, or as near to it as it can be. */
+    /** Moves the servo to its start: 0 degrees, or the nearest legal angle. */
     public void restart() {
         wanted = Math.max(object.getMinAngle(), Math.min(object.getMaxAngle(), 0));
         angle = wanted;
@@ -66,7 +66,7 @@ public final class ServoDrive implements ServoHardware {
         complained = false;
     }
 
-    /** What it has to turn, to be filled and kept in its place. */
+    /** Load, to be filled and placed by the caller. */
     public ServoLoad getLoad() {
         return load;
     }
@@ -87,11 +87,10 @@ public final class ServoDrive implements ServoHardware {
 
     /**
      * Turns for one step.
-     *
      * @param body pose of the robot in the world
      * @param gravity m/s^2
-     * @param at where it is in the body frame
-     * @return whether it is elsewhere now
+     * @param at pose of the servo in the body frame
+     * @return whether the angle changed
      */
     public boolean step(Pose body, double gravity, Pose at) {
         before = angle;
@@ -116,7 +115,7 @@ public final class ServoDrive implements ServoHardware {
         return turns;
     }
 
-    /** What turned in this step met something: it is not where it was to be, if it was this one's. */
+    /** Corrects the angle if a contact stopped this servo in the step. */
     public void giveWay() {
         if (hinge.ahead() == 0) {
             return;
@@ -137,7 +136,7 @@ public final class ServoDrive implements ServoHardware {
         }
     }
 
-    /** The hinge that it is, if it turns in this step; else null. */
+    /** Its hinge if it turns in this step; else null. */
     public Hinge getHinge() {
         return turns ? hinge : null;
     }
@@ -175,23 +174,21 @@ public final class ServoDrive implements ServoHardware {
         }
     }
 
-    /** The speed, rad/s, that it comes to in the end. */
+    /** Returns the final speed, rad/s. */
     private double steady(double power, double moment) {
         return Math.toRadians(object.getSpeed()) * (power + moment / object.getStallTorque());
     }
 
-    /** The speed, rad/s, that it has after a step. */
+    /** Returns the speed after a step, rad/s. */
     private double reached(double power, double moment, double decay) {
         double end = steady(power, moment);
         return end + (spin - end) * decay;
     }
 
     /**
-     * The greatest speed from which it can still stop.
-     *
-     * @param within the speed with which it would be there in one step, rad/s
-     * @param loss what its torque takes off its speed in a step, at least, rad/s
-     * @return rad/s; in the fewest steps that each lose as much it ends there
+     * Returns the greatest speed from which it can still stop, rad/s, in the fewest steps with the same loss each.
+     * @param within speed that reaches the target in one step, rad/s
+     * @param loss smallest loss of speed per step by its torque, rad/s
      */
     private static double approach(double within, double loss) {
         if (loss <= 0) {
@@ -212,7 +209,7 @@ public final class ServoDrive implements ServoHardware {
         }
     }
 
-    /** What it does to what is on it, in the frame of what it is on itself: a turn about its axis. */
+    /** Returns its rotation about its axis, in the frame of its own mount. */
     public Pose turn() {
         double half = Math.toRadians(angle) / 2;
         double[] along = axis.rotate(0, Math.sin(half), 0);

@@ -5,13 +5,13 @@ import java.util.List;
 import org.SEAR.geometry.Pose;
 
 /**
- * What is mounted on a servo and has a mass: its moment of inertia about the servo's axis, and the moment of its weight. What the robot's own motion
- * and other servos' acceleration add to that is left out. Simulation thread.
+ * Mass mounted on a servo: moment of inertia about the servo's axis, and torque of the weight. Neglects the robot's own
+ * motion and the acceleration of other servos. Simulation thread.
  */
 public final class ServoLoad {
     private final List<Weight> weights = new ArrayList<>();
     private double inertia;
-    /** The weight's moment about the axis is the scalar product of this, kg m, and gravity; body frame. */
+    /** Scalar product with gravity gives the torque of the weight about the axis: kg m, body frame. */
     private double leverX;
     private double leverY;
     private double leverZ;
@@ -19,7 +19,7 @@ public final class ServoLoad {
     private double axisY;
     private double axisZ;
 
-    /** What weighs. */
+    /** Part with a mass. */
     private static final class Weight {
         private final int part;
         private final double mass;
@@ -37,23 +37,21 @@ public final class ServoLoad {
     }
 
     /**
-     * Puts something on it.
-     *
-     * @param part its number among the components
+     * Adds a part.
+     * @param part its index among the components
      * @param mass kg
-     * @param offset where its solid stands in the component's frame
+     * @param offset pose of its solid in the component's frame
      * @param centre of mass in the solid's frame, {x, y, z}, metres
-     * @param moments of inertia about the solid's axes through the centre of mass, for each kg, m^2
+     * @param moments of inertia about the solid's axes through the centre of mass, per kilogram, m^2
      */
     public void add(int part, double mass, Pose offset, double[] centre, double[] moments) {
         weights.add(new Weight(part, mass, offset, centre, moments));
     }
 
     /**
-     * Takes over where everything is now.
-     *
+     * Updates the load after a change of the poses.
      * @param places of the components in the body frame
-     * @param servo the number of the servo among them
+     * @param servo index of the servo among them
      */
     public void place(Pose[] places, int servo) {
         Pose at = places[servo];
@@ -84,26 +82,25 @@ public final class ServoLoad {
         leverZ = axisX * sumY - axisY * sumX;
     }
 
-    /** Whether nothing with a mass is on it. */
+    /** Whether no part with a mass is mounted. */
     boolean isEmpty() {
         return weights.isEmpty();
     }
 
-    /** About the axis, kg m^2. */
+    /** Moment of inertia about the axis, kg m^2. */
     double inertia() {
         return inertia;
     }
 
     /**
-     * How the weight turns the servo, N m, + counter-clockwise seen from the end of its axis.
-     *
+     * Returns the torque of the weight, N m, + counter-clockwise seen from the end of the axis.
      * @param gx gravity in the body frame, m/s^2, likewise gy and gz
      */
     double moment(double gx, double gy, double gz) {
         return leverX * gx + leverY * gy + leverZ * gz;
     }
 
-    /** The greatest moment that the weight has at any angle, N m; gravity as for {@link #moment}. */
+    /** Returns the greatest torque of the weight at any angle, N m; gravity as for {@link #moment}. */
     double greatest(double gx, double gy, double gz) {
         double along = gx * axisX + gy * axisY + gz * axisZ;
         double across = Math.max(0, gx * gx + gy * gy + gz * gz - along * along);

@@ -34,14 +34,15 @@ import org.SEAR.terrain.relief.GroundPicture;
 import org.SEAR.terrain.relief.Relief;
 
 /**
- * What cameras see of things and of robots' parts: the same pictures, colours and places of them as the window shows. A skin is made when a camera
- * looks first; what can't be read is told once, and the object's colour is seen. Simulation thread.
+ * Appearance of objects and robot parts to cameras: the same pictures, colours and picture mapping as in the window. It
+ * is made when a camera first looks. SEAR warns once of an unreadable file and shows the object's colour. Simulation
+ * thread.
  */
 final class AppearanceBuilder {
-    /** Of a wheel without a colour or picture of its own, and of its spokes. */
+    /** Colours of a wheel without its own colour or picture, and of its spokes. */
     private static final int TYRE = 0x212124;
     private static final int SPOKE = 0xbfc2c7;
-    /** Pixels of the longer side of the picture over a terrain, and pixels between two of its posts. */
+    /** Pixels of the longer side of a terrain's picture, and pixels between two posts. */
     private static final int LONGEST = 1024;
     private static final int PER_POST = 3;
 
@@ -67,7 +68,7 @@ final class AppearanceBuilder {
         }
     }
 
-    /** Never null. */
+    /** Returns the appearance, never null. */
     Appearance of(Solid solid) {
         return known.computeIfAbsent(solid, this::make);
     }
@@ -99,7 +100,7 @@ final class AppearanceBuilder {
             : new PlainAppearance(SurfaceColors.plain(shape), temperature);
     }
 
-    /** The picture or the colour of a shape. */
+    /** Returns the picture or the colour of a shape. */
     private Paint paint(Shape shape) {
         Paint picture = shape.getPicture() == null ? null : pictures.computeIfAbsent(shape.getPicture(), this::read);
         return picture == null ? Paint.of(SurfaceColors.plain(shape)) : picture;

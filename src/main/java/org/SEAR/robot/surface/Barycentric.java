@@ -1,22 +1,21 @@
 package org.SEAR.robot.surface;
 
 /**
- * Barycentric coordinates: points in triangles of a mesh as weights of their corners, so that what the corners have, such as a place in a picture,
- * is known in between (Ericson, "Real-time collision detection", 2005, sections 3.4 and 5.1.5).
+ * Barycentric coordinates of points in mesh triangles, for interpolation between corners (Ericson, "Real-time collision
+ * detection", 2005, sections 3.4 and 5.1.5).
  */
 final class Barycentric {
     private Barycentric() {
     }
 
     /**
-     * The weights of a triangle's corners at a point, or at the point beside it that lies in the triangle.
-     *
+     * Computes the weights of a triangle's corners at a point, clamped to the triangle.
      * @param positions x, y, z of each vertex, metres
      * @param indices of the triangles' corners
-     * @param first where the triangle's three stand
+     * @param first offset of the triangle's three indices
      * @param point x, y, z, metres
      * @param weights takes the three, which add up to 1
-     * @return square of the distance from the point to that point of the triangle, m^2; infinite for a triangle without area
+     * @return squared distance from the point to that point of the triangle, m^2; infinite for a triangle without area
      */
     static double of(float[] positions, int[] indices, int first, double[] point, double[] weights) {
         int a = 3 * indices[first];

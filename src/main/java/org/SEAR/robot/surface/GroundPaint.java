@@ -8,7 +8,7 @@ import org.SEAR.terrain.Ground;
 import org.SEAR.terrain.TerrainColors;
 import org.SEAR.terrain.relief.GroundPicture;
 
-/** The picture over a terrain, without the sun that window and tab show on it; where it has none, the terrain's colour. */
+/** Picture of a terrain, without the shading of window and tab; outside the picture, the terrain's colour. */
 final class GroundPaint implements SurfacePaint {
     private static final int RGB = 0xFFFFFF;
     private static final int OPAQUE = 255;
@@ -21,7 +21,7 @@ final class GroundPaint implements SurfacePaint {
     private boolean known;
     private GroundPicture.Colors colors;
 
-    /** @param told hears, when a sensor looks first, of a picture that can't be read */
+    /** @param told takes a warning if the picture can't be read, when a sensor first looks */
     GroundPaint(Terrain terrain, Ground ground, Assets assets, Consumer<String> told) {
         this.terrain = terrain;
         this.ground = ground;

@@ -6,7 +6,7 @@ import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
 
-/** The picture of a shape as it is wrapped around it, else its colour. The picture is read when a sensor looks at it first. */
+/** Picture of a shape as mapped onto it, else its colour. The picture is read when a sensor first looks. */
 final class ShapePaint implements SurfacePaint {
     private static final int CORNERS = 3;
 
@@ -21,7 +21,7 @@ final class ShapePaint implements SurfacePaint {
     private float[] places;
     private int[] indices;
 
-    /** @param pictures reads one; null for one that can't be read */
+    /** @param pictures reads a picture; null if it can't be read */
     ShapePaint(Shape shape, Solid solid, Function<String, SurfacePicture> pictures) {
         this.shape = shape;
         this.solid = solid;

@@ -11,11 +11,12 @@ import org.SEAR.physics.solid.Solid;
 import org.SEAR.terrain.Ground;
 
 /**
- * The colour of things and of robots' parts at a point of their surface: that of their picture, as the window shows it, else their own. A model's own
- * textures are not looked into: it has the colour of its object. Once a picture is read, looking allocates nothing. Simulation thread.
+ * Colour of objects and robot parts at a point of their surface: of their picture, as in the window, otherwise their
+ * own. Ignores a model's own textures: it has the colour of its object. Allocates nothing once a picture is read.
+ * Simulation thread.
  */
 public final class SurfaceColors {
-    /** Of what has no object of its own: the body of a robot without parts. */
+    /** Colour of a solid without an object: the body of a robot without parts. */
     static final int GREY = 0x999999;
     private static final int HEX = 16;
 
@@ -25,7 +26,7 @@ public final class SurfaceColors {
     private final SurfacePictures pictures;
     private final AppearanceBuilder skins;
 
-    /** @param told hears what the user should know of pictures that can't be read, when a sensor looks at them first */
+    /** @param told takes warnings of pictures that can't be read, when a sensor first looks */
     public SurfaceColors(Assets assets, Consumer<String> told) {
         this.assets = assets;
         this.reported = told;
@@ -33,21 +34,19 @@ public final class SurfaceColors {
         skins = new AppearanceBuilder(assets, pictures, told);
     }
 
-    /** A thing of the environment, or a part or wheel of a robot. */
+    /** Adds an object of the environment, or a part or wheel of a robot. */
     public void add(Shape shape, Solid solid) {
         paints.put(solid, new ShapePaint(shape, solid, pictures::get));
         skins.add(shape, solid, null);
     }
 
-    /** The terrain. */
     public void addTerrain(Terrain terrain, Solid solid, Ground ground) {
         paints.put(solid, new GroundPaint(terrain, ground, assets, reported));
         skins.add(terrain, solid, ground);
     }
 
     /**
-     * The colour at a point of a thing's surface.
-     *
+     * Returns the colour at a point of a surface.
      * @param point {x, y, z} in the solid's frame, metres
      * @return 0xRRGGBB
      */
@@ -56,7 +55,7 @@ public final class SurfaceColors {
         return paint == null ? GREY : paint.at(point);
     }
 
-    /** What cameras see of a thing; made when one looks first. Never null. */
+    /** Returns the appearance to cameras, made at its first use; never null. */
     public Appearance skin(Solid solid) {
         return skins.of(solid);
     }

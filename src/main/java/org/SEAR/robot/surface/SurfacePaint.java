@@ -1,11 +1,10 @@
 package org.SEAR.robot.surface;
 
-/** What is on the surface of one thing. Simulation thread. */
+/** Colours on the surface of one object. Simulation thread. */
 interface SurfacePaint {
     /**
-     * The colour at a point of the surface.
-     *
-     * @param point {x, y, z} in the frame of the thing's solid, metres
+     * Returns the colour at a point of the surface.
+     * @param point {x, y, z} in the solid's frame, metres
      * @return 0xRRGGBB
      */
     int at(double[] point);

@@ -3,7 +3,7 @@ package org.SEAR.robot.surface;
 import java.awt.image.BufferedImage;
 import org.SEAR.camera.Texture;
 
-/** A picture to be looked up in without allocation. Immutable, any thread. */
+/** Picture with look-up without allocation. Immutable, any thread. */
 final class SurfacePicture {
     private static final int RGB = 0xFFFFFF;
 
@@ -17,14 +17,13 @@ final class SurfacePicture {
         pixels = image.getRGB(0, 0, width, height, null, 0, width);
     }
 
-    /** The same picture, filtered for cameras. */
+    /** Returns the same picture, filtered for cameras. */
     Texture texture() {
         return new Texture(width, height, pixels, true);
     }
 
     /**
-     * The pixel at a place of the picture, which is repeated in both directions.
-     *
+     * Returns the pixel at a position of the picture, which repeats in both directions.
      * @param u 0 at its left edge, 1 at its right one
      * @param v 0 at its lower edge, 1 at its upper one
      * @return 0xRRGGBB

@@ -9,19 +9,19 @@ import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import org.SEAR.files.Assets;
 
-/** The pictures of a project's surfaces, each read when a sensor looks at it first. Simulation thread. */
+/** Pictures of a project's surfaces, each read when a sensor first looks. Simulation thread. */
 final class SurfacePictures {
     private final Assets assets;
     private final Consumer<String> reported;
     private final Map<String, SurfacePicture> known = new HashMap<>();
 
-    /** @param told hears, once, of each that can't be read */
+    /** @param told takes one warning per picture that can't be read */
     SurfacePictures(Assets assets, Consumer<String> told) {
         this.assets = assets;
         this.reported = told;
     }
 
-    /** Null for one that can't be read. */
+    /** Returns a picture; null if it can't be read. */
     SurfacePicture get(String path) {
         if (!known.containsKey(path)) {
             known.put(path, read(path));

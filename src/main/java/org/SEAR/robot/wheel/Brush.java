@@ -4,12 +4,14 @@ import org.SEAR.physics.ConstraintRow;
 import org.SEAR.physics.SolverBody;
 
 /**
- * Static friction of a tyre in one direction: a stiff spring, as the bristles of a brush, that bends until the tyre slips and that a rolling wheel
- * lets go. So several wheels share what they hold, and what stands comes back when it was moved: it does not creep. Solved implicitly. Simulation
- * thread.
+ * Static friction of a tyre in one direction, as a soft constraint: the bristles of a brush bend like a stiff spring
+ * until the tyre slips, and a rolling wheel releases them. Several wheels so share the load, and a standing robot
+ * returns after a displacement: it does not creep. Solved implicitly. Simulation thread.
  */
 final class Brush {
-    /** Natural frequency of what the wheel carries on this spring, rad/s: on 15 degrees it bends by a quarter of a millimetre. */
+    /**
+     * Natural frequency of the wheel's load on this spring, rad/s: on 15 degrees it bends by a quarter of a millimetre.
+     */
     private static final double FREQUENCY = 100;
 
     private final ConstraintRow row;
@@ -21,9 +23,8 @@ final class Brush {
     private double seconds;
 
     /**
-     * Of a row that is set elsewhere.
-     *
-     * @param carried by the wheel, kg
+     * Brush along a row set by the caller.
+     * @param carried load of the wheel, kg
      */
     Brush(ConstraintRow row, double carried) {
         this.row = row;
@@ -31,7 +32,7 @@ final class Brush {
         damping = 2 * FREQUENCY * carried;
     }
 
-    /** A substep begins, with the impulse of the last one as the first guess. */
+    /** Begins a substep and applies the last impulse (warm starting). */
     void prepare(SolverBody body) {
         double before = seconds;
         seconds = body.seconds();
@@ -43,20 +44,18 @@ final class Brush {
     }
 
     /**
-     * One pass of the solver.
-     *
+     * Solves one pass.
      * @param speed of the tyre over the ground, m/s
-     * @param most impulse, Ns
+     * @param most largest impulse, N s
      */
     void solve(double[] v, double speed, double most) {
         row.add(v, -(speed + bias + softness * row.impulse) / (row.mobility + softness), -most, most);
     }
 
     /**
-     * The substep ends.
-     *
+     * Ends the substep and updates the deflection.
      * @param speed of the tyre over the ground, m/s
-     * @param most impulse, Ns: the spring bends no farther
+     * @param most largest impulse, N s, which limits the deflection
      */
     void bend(double speed, double most) {
         double farthest = most / (seconds * stiffness);
@@ -64,16 +63,15 @@ final class Brush {
     }
 
     /**
-     * The wheel rolls on, and stands on another part of its tyre.
-     *
-     * @param way metres
-     * @param length over which a tyre forgets, metres
+     * Releases the bristles as the wheel rolls.
+     * @param way distance rolled, metres
+     * @param length relaxation length of the tyre, metres
      */
     void roll(double way, double length) {
         bent /= 1 + Math.abs(way) / length;
     }
 
-    /** Something else pushes along its row. */
+    /** Releases the bristles while a motor drives along the row. */
     void letGo() {
         bent = 0;
         seconds = 0;

@@ -4,22 +4,21 @@ import java.util.List;
 import org.SEAR.POJOs.Wheel;
 
 /**
- * Where a robot's centre of mass lies. It is the centroid of the components. Who gives masses to two of them or more says with that where the weight
- * is. Else that is not known; but who built a real robot put its battery so that it stands on its wheels, so a centroid that lies outside the wheels
- * or close to tipping is replaced by the middle of the wheels.
+ * Centre of mass of a robot: the centroid of its components. With masses on two components or more this is final.
+ * Otherwise the mass distribution is unknown. Real robots carry their battery so that they stand on their wheels, so a
+ * centroid outside the wheels or close to tipping is replaced by the middle of the wheels.
  */
 public final class CentreOfMass {
-    /** Least distance from tipping, as a share of the distance that the middle of the wheels has. */
+    /** Smallest distance from tipping, as a share of that of the middle of the wheels. */
     private static final double MIN_SHARE = 0.6;
 
     private CentreOfMass() {
     }
 
     /**
-     * The centre of mass: {x, y, z} in the body frame.
-     *
+     * Returns the centre of mass: {x, y, z} in the body frame.
      * @param centroid of the components
-     * @param weighed how many components have masses; if none, what is heavy sits no higher than where the wheels are fastened
+     * @param weighed number of components with a mass; if 0, the centre is no higher than the wheels' mounts
      */
     public static double[] place(double[] centroid, long weighed, List<Wheel> wheels) {
         if (wheels.size() < 3 || weighed > 1) {
@@ -40,7 +39,7 @@ public final class CentreOfMass {
         return new double[] {midX, y, midZ};
     }
 
-    /** Distance of a point from the nearest edge of the wheels' convex hull, metres; negative outside. */
+    /** Returns the distance of a point from the nearest edge of the wheels' convex hull, metres; negative outside. */
     static double room(double x, double z, List<Wheel> wheels) {
         double least = Double.POSITIVE_INFINITY;
         for (Wheel a : wheels) {
@@ -56,7 +55,7 @@ public final class CentreOfMass {
         return least == Double.POSITIVE_INFINITY ? 0 : least;
     }
 
-    /** Whether all wheels lie on one side of the line from a wheel along (ex, ez). */
+    /** Whether all wheels are on one side of the line from a wheel along (ex, ez). */
     private static boolean isEdge(Wheel a, double ex, double ez, List<Wheel> wheels) {
         boolean any = false;
         for (Wheel wheel : wheels) {
@@ -69,12 +68,15 @@ public final class CentreOfMass {
         return any;
     }
 
-    /** Where a wheel touches when the robot drives forward, in the body frame: x, metres. A caster runs behind its axis. */
+    /**
+     * Returns x of a wheel's contact point in the body frame when the robot drives forward, metres. A caster trails its
+     * pivot.
+     */
     public static double footX(Wheel wheel) {
         return wheel.getX() - wheel.getTrail() * Math.sin(Math.toRadians(wheel.getRy()));
     }
 
-    /** Likewise z. */
+    /** Returns z of that point. */
     public static double footZ(Wheel wheel) {
         return wheel.getZ() - wheel.getTrail() * Math.cos(Math.toRadians(wheel.getRy()));
     }

@@ -6,35 +6,37 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 
-/** What a robot's wheels get by its mass and measures: the force of motors, the grip of those that skid, how fast speeds may change. Immutable. */
+/**
+ * Limits of a robot's wheels from its mass and dimensions: motor force, grip of skid steering, acceleration. Immutable.
+ */
 final class DriveForces {
     static final double NO_TRACK = 1e-6;
-    /** Greatest force of all motors together for each kg of the robot, N/kg (climbs 20 degrees). */
+    /** Greatest force of all motors per kilogram of the robot, N/kg (climbs 20 degrees). */
     private static final double MOTOR_FORCE = 4;
     /** The same for a skid-steered robot, whose wheels scrub when it turns. */
     private static final double SKID_FORCE = 9;
-    /** Friction across the wheels of a skid-steered robot as a share of what its track and wheelbase would just allow. */
+    /** Lateral friction of a skid-steered robot's wheels, as a share of the limit set by track and wheelbase. */
     private static final double SKID_GRIP = 0.4;
-    /** While it turns, its wheels resist scrubbing in proportion to speed: force of all together for each kg and m/s, 1/s. */
+    /** Lateral damping of all wheels while a skid-steered robot turns, per kilogram, 1/s. */
     private static final double SKID_DAMPING = 25;
-    /** Greatest change of the wheels' speed that the motor controller asks for, m/s^2. */
+    /** Greatest change of the wheels' speed by the motor controller, m/s^2. */
     private static final double RAMP = 4;
     /** The same for an emergency stop, which shorts the motors; the grip of the tyres sets the limit. */
     private static final double BRAKE_RAMP = 20;
-    /** The same as a share of what would lift a wheel off the ground. */
+    /** Largest acceleration, as a share of the one that lifts a wheel. */
     private static final double TIPPING_SHARE = 0.5;
-    /** What tips over anyway starts and stops so, m/s^2. */
+    /** Smallest limit of the acceleration, for robots that tip over in any case, m/s^2. */
     private static final double MIN_RAMP = 0.2;
 
-    /** Distance of the left from the right driven wheels, metres. */
+    /** Track of the driven wheels, metres. */
     final double track;
-    /** Damping with which each wheel of a skid-steered robot resists scrubbing while it turns, N s/m; 0 for others. */
+    /** Lateral damping of each wheel of a skid-steered robot while it turns, N s/m; 0 for others. */
     final double scrubbing;
     /** Greatest change of speed, and that of an emergency stop, m/s^2. */
     final double ramp;
     final double brakeRamp;
 
-    /** Equips the wheels that no {@link MotorDrive} turns. */
+    /** Sets the limits of wheels without a {@link MotorDrive}. */
     DriveForces(Body body, List<RaycastWheel> wheels) {
         List<RaycastWheel> driven = wheels.stream().filter(RaycastWheel::isDriven).collect(Collectors.toList());
         track = mean(driven, 1) + mean(driven, -1);
@@ -54,12 +56,12 @@ final class DriveForces {
         brakeRamp = wheels.size() < 3 ? RAMP : Math.min(BRAKE_RAMP, safe);
     }
 
-    /** Mean distance of the driven wheels on a side from the middle, metres; 0 without any. */
+    /** Returns the mean distance of the driven wheels on a side from the middle, metres; 0 without any. */
     private static double mean(List<RaycastWheel> driven, int side) {
         return driven.stream().filter(wheel -> wheel.x * side > 0).mapToDouble(wheel -> wheel.x * side).average().orElse(0);
     }
 
-    /** How fast speeds may change, m/s^2: a tall robot must not fall over when it starts or stops. */
+    /** Returns the largest acceleration at which a tall robot does not fall over, m/s^2. */
     private static double safeRamp(Body body, List<RaycastWheel> wheels) {
         if (wheels.size() < 3) {
             return Double.POSITIVE_INFINITY;

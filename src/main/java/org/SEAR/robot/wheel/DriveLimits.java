@@ -7,11 +7,11 @@ import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.PhysicsWorld;
 
 /**
- * The speeds that a robot was told: what it can't reach is brought within its limits, with a word about it once, and they are approached as fast as
- * the robot may without tipping over. Simulation thread.
+ * Commanded wheel speeds of a robot. Limits commands beyond its abilities, with one warning per kind, and approaches
+ * them as fast as the robot can without tipping over. Simulation thread.
  */
 final class DriveLimits {
-    /** An order that is so much beyond what can be done is still obeyed, as a share. */
+    /** Relative excess above the limit that is no reason for a warning. */
     private static final double TOLERANCE = 1e-6;
 
     private final String robot;
@@ -27,7 +27,7 @@ final class DriveLimits {
     private double commandedLeft;
     private double commandedRight;
 
-    /** @param told takes what the robot does instead */
+    /** @param told takes warnings with the actual behaviour */
     DriveLimits(String robot, List<RaycastWheel> wheels, DriveForces forces, Consumer<String> told) {
         this.robot = robot;
         this.wheels = wheels;
@@ -35,7 +35,9 @@ final class DriveLimits {
         this.reported = told;
     }
 
-    /** @param newLeft m/s over ground, likewise newRight; both become slower in proportion until the motors can do it, so that an arc stays one */
+    /**
+     * @param newLeft m/s over ground, likewise newRight; both are scaled down to the motors' limit, which keeps the arc
+     */
     void set(double newLeft, double newRight) {
         double share = share(newLeft, newRight);
         commandedLeft = share * newLeft;
@@ -44,7 +46,7 @@ final class DriveLimits {
         braking = braking && newLeft == 0 && newRight == 0;
     }
 
-    /** An emergency stop, until the next command that moves. */
+    /** Starts an emergency stop, until the next command that moves. */
     void brake() {
         set(0, 0);
         braking = true;
@@ -70,10 +72,9 @@ final class DriveLimits {
     }
 
     /**
-     * Says that a circle is too tight.
-     *
+     * Warns of a circle that is too tight.
      * @param radius metres, positive
-     * @param steering that turns the robot as far as it can
+     * @param steering of the robot, with its limits
      * @param speed m/s
      */
     void reportTight(double radius, Steering steering, double speed) {
@@ -88,8 +89,7 @@ final class DriveLimits {
     }
 
     /**
-     * Says that a circle is too fast for its wheels to hold the robot on it.
-     *
+     * Warns of a circle that is too fast for the grip of the wheels.
      * @param speed m/s
      * @param turn rad/s
      */
@@ -110,7 +110,7 @@ final class DriveLimits {
         return value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
     }
 
-    /** Says that a servo steers, so that no order for the robot does. */
+    /** Warns that a servo steers, not drive commands. */
     void reportServo(String servo) {
         if (!reportedTight) {
             reportedTight = true;
@@ -120,7 +120,7 @@ final class DriveLimits {
         }
     }
 
-    /** Brings both speeds nearer to what is commanded, in proportion, so that an arc stays the same arc. */
+    /** Moves both speeds towards the commanded ones, in proportion, which keeps the arc. */
     void approach() {
         double largest = Math.max(Math.abs(commandedLeft - left), Math.abs(commandedRight - right));
         double step = (braking ? forces.brakeRamp : forces.ramp) * TimeStep.SECONDS;
@@ -134,7 +134,7 @@ final class DriveLimits {
         return (left + right) / 2;
     }
 
-    /** How fast both sides turn the robot, rad/s. */
+    /** Turn rate due to the speeds of both sides, rad/s. */
     double turn() {
         return turn(left, right);
     }
@@ -143,7 +143,7 @@ final class DriveLimits {
         return forces.track > DriveForces.NO_TRACK ? (ofRight - ofLeft) / forces.track : 0;
     }
 
-    /** Whether it moves, or is to. */
+    /** Whether a speed or a commanded speed is not 0. */
     boolean isCommanded() {
         return left != 0 || right != 0 || commandedLeft != 0 || commandedRight != 0;
     }

@@ -14,11 +14,11 @@ import org.SEAR.physics.SolverBody;
 import org.SEAR.robot.servo.ServoDrive;
 
 /**
- * The wheels of one robot. The physics solves them together with the contacts of the body: a motor on each driven wheel, grip along and across it,
- * springs on all; idlers roll freely in every direction. Simulation thread.
+ * Wheels of one robot, solved together with the contacts of its body: a motor on each driven wheel, longitudinal and
+ * lateral grip, springs on all. Idlers roll freely in every direction. Simulation thread.
  */
 public final class DriveTrain implements PhysicsWorld.Drive {
-    /** A robot slower than this stands, m/s. */
+    /** Speed below which a robot stands, m/s. */
     private static final double MIN_SPEED = 0.01;
 
     private final Body body;
@@ -30,7 +30,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private final DriveForces forces;
     private final DriveLimits orders;
     private final boolean swivels;
-    /** The z of the line on which it turns, in the body frame, metres. */
+    /** z of its turning line in the body frame, metres. */
     private final double centre;
     private final int owner;
     private final double frontAxle;
@@ -42,12 +42,11 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private final Vec3 sideways = new Vec3();
 
     /**
-     * Of a robot that starts anew.
-     *
+     * Drive train of a restarted robot.
      * @param springs of its wheels
      * @param motors of the robot, which get their wheels here
      * @param servos by their names
-     * @param reported takes what the user should know during the run
+     * @param reported takes warnings during the run
      */
     public DriveTrain(Body body, List<Wheel> objects, Spring[] springs, List<MotorDrive> motors, Function<String, ServoDrive> servos, int owner,
             Consumer<String> reported) {
@@ -80,13 +79,13 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         motors.forEach(MotorDrive::follow);
     }
 
-    /** An emergency stop, until the next command that moves. */
+    /** Starts an emergency stop, until the next command that moves. */
     public void brake() {
         orders.brake();
         motors.forEach(MotorDrive::follow);
     }
 
-    /** Whether the motors are to turn. */
+    /** Whether the motors have a command to turn. */
     public boolean isCommanded() {
         return orders.isCommanded() || isMotorCommanded() || steering != null && steering.isMoving();
     }
@@ -100,7 +99,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         return false;
     }
 
-    /** Whether the motors have orders of their own that turn the robot. */
+    /** Whether commands to single motors turn the robot. */
     private boolean isTurnedByMotors() {
         double first = motors.isEmpty() ? Double.NaN : motors.get(0).getWanted();
         for (int i = 1; i < motors.size(); i++) {
@@ -112,7 +111,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         return false;
     }
 
-    /** Tells each wheel what it is to do in this step. */
+    /** Sets the target speed of each wheel for this step. */
     private void reportWheels() {
         orders.approach();
         double turn = orders.turn();
@@ -135,7 +134,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         }
     }
 
-    /** Looks for the ground under each wheel, and for what stands before it, before the physics' step. */
+    /** Finds the ground under each wheel and the obstacle in front of it. Before the physics step. */
     public void look(RaycastScenes scenes) {
         reportWheels();
         Pose pose = body.getPose();
@@ -159,13 +158,13 @@ public final class DriveTrain implements PhysicsWorld.Drive {
             free &= wheel.getObstacle().body() == null;
         }
         for (int i = 0; i < geared.size(); i++) {
-            // pressed against a wall the gears would hold the pressure, and with it the robot askew
+            // gears pressed against a wall would hold the pressure and keep the robot askew
             geared.get(i).setGeared(free);
         }
         body.setCarried(carried);
     }
 
-    /** Finds out where wheels point that do not just point ahead. */
+    /** Updates the directions of wheels that don't point straight ahead. */
     private void aim() {
         sideways.cross(up, ahead);
         for (int i = 0; i < wheels.size(); i++) {
@@ -200,7 +199,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         }
     }
 
-    /** Turns the wheels, after the physics' step. */
+    /** Rotates the wheels. After the physics step. */
     public void roll() {
         for (int i = 0; i < wheels.size(); i++) {
             wheels.get(i).roll();
@@ -209,9 +208,8 @@ public final class DriveTrain implements PhysicsWorld.Drive {
 
     /**
      * Steers by its steered wheels.
-     *
      * @param degrees of a wheel in the middle, + to the left
-     * @throws IllegalArgumentException if it has none, or a servo steers them, or that is out of their range
+     * @throws IllegalArgumentException if it has none, if a servo steers them, or if the angle is out of range
      */
     public void steer(double degrees) {
         if (steering == null) {
@@ -220,14 +218,13 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         steering.steer(degrees);
     }
 
-    /** Whether it has steered wheels that no servo steers. */
+    /** Whether it has steered wheels without a servo. */
     public boolean canSteer() {
         return steering != null && steering.isFree();
     }
 
     /**
      * Steers to a circle, or as far as it can.
-     *
      * @param radius metres, + to the left, infinite = straight, 0 = the smallest, to the left with a positive speed
      * @param speed m/s
      */
@@ -239,14 +236,14 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         }
     }
 
-    /** Is told to drive on a circle where wheel speeds alone can make one. */
+    /** Notes a circle command that only wheel speeds can follow. */
     public void turnBySpeeds() {
         if (steering != null) {
             orders.reportServo(steering.getServo());
         }
     }
 
-    /** Degrees, + to the left; 0 without steered wheels. */
+    /** Steering angle, degrees, + to the left; 0 without steered wheels. */
     public double getSteering() {
         return steering == null ? 0 : steering.getDegrees();
     }
@@ -255,17 +252,17 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         return wheels;
     }
 
-    /** Distance of the left from the right driven wheels, metres. */
+    /** Track of the driven wheels, metres. */
     public double getTrack() {
         return forces.track;
     }
 
-    /** How far before the body's middle the foremost wheel is fastened, metres; 0 without wheels. */
+    /** z of the foremost wheel's mount in the body frame, metres; 0 without wheels. */
     public double getFrontAxle() {
         return frontAxle;
     }
 
-    /** Where the wheels are now in the body frame, spin included; immutable, of no use to the running world. */
+    /** Returns the wheels' poses in the body frame, spin included; an immutable copy for other threads. */
     public List<Pose> getWheelPoses() {
         return WheelPoses.of(wheels, mounts, swivels);
     }

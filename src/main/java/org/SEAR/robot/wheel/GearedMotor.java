@@ -3,18 +3,18 @@ package org.SEAR.robot.wheel;
 import org.SEAR.physics.ConstraintRow;
 
 /**
- * The motor of a wheel that no {@link org.SEAR.POJOs.Motor} turns: a servo of limited force. Its gears hold the wheel with all that the tyre can: it
- * neither rolls back nor coasts on. Simulation thread.
+ * Motor of a wheel without a {@link org.SEAR.POJOs.Motor}: a speed servo of limited force. Its gears hold the wheel up
+ * to the tyre's grip: it neither rolls back nor coasts. Simulation thread.
  */
 final class GearedMotor implements WheelMotor {
-    /** A motor that has stalled this long, seconds, gets less current, as motor controllers do, down to this share of its force. */
+    /** Stall time after which the controller reduces the current, seconds, and the remaining share of the force. */
     private static final double STALL_TIME = 0.25;
     private static final double STALL_SHARE = 0.05;
-    /** How much slower the force comes back when the wheel turns again. */
+    /** Rate at which the force recovers when the wheel turns again. */
     private static final double RECOVERY = 0.25;
-    /** A wheel slower than this share of what it is told to do has stalled. */
+    /** Share of the target speed below which a wheel has stalled. */
     private static final double STALLED = 0.5;
-    /** And slower than this, m/s. */
+    /** Speed below which a wheel has stalled, m/s; both conditions apply. */
     private static final double STANDING = 0.03;
 
     private double force;
@@ -23,12 +23,12 @@ final class GearedMotor implements WheelMotor {
     private boolean geared;
     private double load;
 
-    /** @param newForce its greatest, N */
+    /** @param newForce greatest force, N */
     void setForce(double newForce) {
         force = newForce;
     }
 
-    /** @param on whether gears hold the wheel where its motor alone is too weak */
+    /** @param on whether gears hold the wheel if the motor alone is too weak */
     void setGeared(boolean on) {
         geared = on;
     }
@@ -64,7 +64,7 @@ final class GearedMotor implements WheelMotor {
         row.add(v, (target - rolling) / row.mobility, least, most);
     }
 
-    /** Share of the motor's force that its controller allows now. */
+    /** Returns the share of the motor's force that its controller allows now. */
     private double strength() {
         return Math.max(STALL_SHARE, Math.min(1, 2 - stalled / STALL_TIME));
     }

@@ -6,13 +6,13 @@ import org.SEAR.physics.ConstraintRow;
 import org.SEAR.physics.SolverBody;
 
 /**
- * The friction of one wheel on the ground: along the way in which it drives what its motor gives, across it what holds it, both together no more than
- * friction allows. Simulation thread.
+ * Friction of one wheel on the ground: the motor's force along the driving direction and the holding force across it,
+ * both within the friction circle. Simulation thread.
  */
 final class Grip {
-    /** Coefficient of friction of a wheel that does not say: on a floor that does not, either, it makes 1. */
+    /** Default coefficient of friction of a wheel: 1 on a default floor. */
     private static final double RUBBER = 1.25;
-    /** A wheel slips at this share of its friction. */
+    /** Share of the friction limit above which a wheel slips. */
     private static final double SLIPS = 1 - 1e-9;
 
     private final double tyre;
@@ -33,14 +33,13 @@ final class Grip {
     private boolean slips;
     private boolean holds;
     private double mostHeld;
-    /** Length of the last substep if the motor drove in it, else 0. */
+    /** Length of the last substep if the motor drove in it, else 0, seconds. */
     private double driven;
 
     /**
-     * Of a wheel.
-     *
-     * @param across whether it grips across
-     * @param carried by it, kg
+     * Grip of a wheel.
+     * @param across whether it grips sideways
+     * @param carried load of the wheel, kg
      */
     Grip(Wheel wheel, boolean across, double carried) {
         tyre = wheel.getFriction() == null ? RUBBER : wheel.getFriction();
@@ -49,27 +48,27 @@ final class Grip {
         sideways = new Brush(side, carried);
     }
 
-    /** @param share of its friction that it has across */
+    /** @param share of its friction that acts sideways */
     void setSideShare(double share) {
         sideShare = share;
     }
 
-    /** @param damping with which it resists being moved across, instead of holding, N s/m; 0: it holds */
+    /** @param damping against sideways motion instead of holding, N s/m; 0: it holds */
     void setScrubbing(double damping) {
         scrubbing = damping;
     }
 
-    /** @param ground coefficient of friction of what it stands on */
+    /** @param ground coefficient of friction of the ground */
     void setGround(double ground) {
         friction = tyre * ground;
     }
 
-    /** Coefficient of friction of the wheel on the ground that it stands on, or stood on last. */
+    /** Coefficient of friction on the present or last ground. */
     double getFriction() {
         return friction;
     }
 
-    /** The wheel is in the air. */
+    /** Releases the wheel in the air. */
     void release() {
         holding.release();
         sideways.release();
@@ -78,9 +77,8 @@ final class Grip {
     }
 
     /**
-     * Makes the rows of a substep.
-     *
-     * @param driving along which the wheel drives, world frame
+     * Sets up the rows of a substep.
+     * @param driving direction in which the wheel drives, world frame
      * @param held whether the motor holds the wheel
      */
     void prepare(GroundContact ground, Vec3 driving, boolean held, SolverBody body) {
@@ -104,7 +102,7 @@ final class Grip {
         }
     }
 
-    /** The motor begins with what it gave in the last substep: wheels that were solved first would drive the more, and turn the robot. */
+    /** Warm starts the motor's row; otherwise wheels that are solved first would drive more and turn the robot. */
     private void driveOn(SolverBody body) {
         forward.impulse *= driven > 0 ? body.seconds() / driven : 0;
         driven = body.seconds();
@@ -112,11 +110,10 @@ final class Grip {
     }
 
     /**
-     * One pass of the solver.
-     *
-     * @param motor that turns the wheel; null for none
+     * Solves one pass.
+     * @param motor of the wheel; null for none
      * @param v velocities of the centre of mass, changed
-     * @param pressed impulse with which the ground carries the wheel, Ns
+     * @param pressed impulse of the ground on the wheel, N s
      */
     void solve(WheelMotor motor, double[] v, double pressed, double seconds) {
         most = friction * pressed;
@@ -146,7 +143,7 @@ final class Grip {
         return side.speed(v);
     }
 
-    /** Both together are within a circle; those of a wheel that scrubs are each within its own limit. */
+    /** Limits both impulses to the friction circle; those of a scrubbing wheel have their own limits. */
     private void limit(double[] v) {
         double beside = sideShare < 1 ? 0 : side.impulse;
         double used = most > 0 ? Math.hypot(forward.impulse, beside) / most : 1;
@@ -158,9 +155,8 @@ final class Grip {
     }
 
     /**
-     * Takes notice of what a substep came to.
-     *
-     * @param length over which the tyre forgets, metres
+     * Ends a substep.
+     * @param length relaxation length of the tyre, metres
      */
     void feel(double length, double seconds) {
         if (holds) {
@@ -172,32 +168,31 @@ final class Grip {
         }
     }
 
-    /** How fast the wheel rolls over the ground, m/s. */
+    /** Returns the rolling speed over the ground, m/s. */
     double rolling(double[] v) {
         return forward.speed(v);
     }
 
-    /** The same as the last pass has left it. */
+    /** Rolling speed after the last pass, m/s. */
     double rolling() {
         return rolling;
     }
 
-    /** How fast it slides over the ground to its left, as the last pass has left it, m/s. */
+    /** Sliding speed to the wheel's left after the last pass, m/s. */
     double sliding() {
         return sliding;
     }
 
-    /** Whether the motor holds the wheel, so that it does not turn. */
+    /** Whether the motor holds the wheel still. */
     boolean holds() {
         return holds && Math.abs(forward.impulse) < SLIPS * mostHeld;
     }
 
-    /** Whether it slips. */
     boolean slips() {
         return slips;
     }
 
-    /** The impulse along the way in which it drives, Ns. */
+    /** Impulse along the driving direction, N s. */
     double driving() {
         return forward.impulse;
     }

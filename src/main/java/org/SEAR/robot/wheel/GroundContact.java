@@ -7,31 +7,34 @@ import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.SolverBody;
 import org.SEAR.raycast.Hit;
 
-/** Where one wheel meets the ground: found by one ray a step along its suspension, and followed from substep to substep. Simulation thread. */
+/**
+ * Contact of one wheel with the ground: one ray per step along the suspension finds it, substeps update it. Simulation
+ * thread.
+ */
 final class GroundContact {
     /**
-     * Ground that leans more than this (cosine of the angle to the suspension) is a wall and carries no wheel. Nor does what is above it: the wheels
-     * of a robot that lies on its back meet the ground from below.
+     * Smallest cosine between ground normal and suspension of ground that supports a wheel; steeper ground is a wall.
+     * Downward-facing normals do not support either: the robot is on its back.
      */
     private static final double STEEPEST = 0.35;
     /**
-     * At this one it carries a wheel wholly, and the less the nearer it is to a wall; and what carries a wheel does so until it is as steep as the
-     * other. Else a robot that stands on its tail would hop from carried to not carried and back.
+     * Cosine of full support; between both it fades. Ground in contact supports a wheel down to the second cosine.
+     * Without this hysteresis a robot on its tail would hop.
      */
     private static final double CARRYING = 0.5;
     private static final double LETTING_GO = 0.3;
     /**
-     * A wheel that is in something that moves by more than this share of its diameter does not stand on it, nor does any on what is far in something:
-     * first they come apart as bodies do.
+     * Largest penetration into a movable body, as a share of the wheel's diameter, at which the wheel stands on it.
+     * Deeper overlaps, and bodies in a deep overlap, are resolved as contacts of bodies first.
      */
     private static final double DEEPEST = 0.25;
 
-    /** Of the ground, world frame. */
+    /** Ground normal and contact point, world frame. */
     final Vec3 normal = new Vec3();
     final Vec3 point = new Vec3();
     private final Hit hit = new Hit();
     private Body under;
-    /** Which of its solids, and how much of the step is over, seconds. */
+    /** Index of the ground's solid, and elapsed time of the step, seconds. */
     private int solid;
     private double gone;
     private double next;
@@ -41,13 +44,12 @@ final class GroundContact {
     private double gap;
 
     /**
-     * Looks for ground, once a step.
-     *
-     * @param from where the ray starts, world frame
+     * Finds the ground, once per step.
+     * @param from start of the ray, world frame
      * @param up along the suspension
-     * @param wheel from there to the lowest point of the wheel when its suspension is wholly compressed, metres
-     * @param rest how much farther that point is when nothing presses the wheel, metres
-     * @param owner whose parts are not ground
+     * @param wheel from there to the lowest point of the wheel at full compression, metres
+     * @param rest further distance to that point without load, metres
+     * @param owner number of the robot, whose parts are not ground
      */
     void look(RaycastScenes scenes, Vec3 from, Vec3 up, double wheel, double rest, int owner) {
         double distance = scenes.ground.cast(from.x, from.y, from.z, -up.x, -up.y, -up.z, wheel + rest, owner, hit);
@@ -71,12 +73,12 @@ final class GroundContact {
         point.set(from).add(-distance, up);
     }
 
-    /** Friction of what is below. */
+    /** Returns the ground's coefficient of friction. */
     double friction(RaycastScenes scenes) {
         return scenes.solid(hit.shape).getSurface().friction(under.isRobot());
     }
 
-    /** Takes over where the wheel and the ground are now. */
+    /** Updates the gap for a substep. */
     void prepare(SolverBody body) {
         gone = next;
         next += body.seconds();
@@ -88,12 +90,12 @@ final class GroundContact {
         }
     }
 
-    /** What it stands on, if that moves; else null. */
+    /** Returns the supporting body if it moves; else null. */
     private SolverBody carrier() {
         return under.solver();
     }
 
-    /** Has a row of the wheel act here along a direction. */
+    /** Sets up a row of the wheel at this contact along a direction. */
     void aim(ConstraintRow row, Vec3 along, SolverBody body) {
         row.set(along.x, along.y, along.z, point.x, point.y, point.z, body, carrier());
         if (carrier() != null && solid >= 0) {
@@ -101,27 +103,29 @@ final class GroundContact {
         }
     }
 
-    /** Whether the wheel is on the ground. */
     boolean touches() {
         return touches;
     }
 
-    /** How much of what the suspension can give the ground takes, 0 to 1, as steep as it is for the wheel. */
+    /** Share of the suspension force that the ground takes, 0 to 1, by its slope. */
     double share() {
         return share;
     }
 
-    /** How far the wheel hangs when it just touches the ground, metres; negative if it can't go up so far. As the ray has seen it. */
+    /**
+     * Length of the suspension at which the wheel just touches the ground, metres, as found by the ray; negative:
+     * beyond full compression.
+     */
     double seen() {
         return seen;
     }
 
-    /** The same now. */
+    /** The same, updated for this substep. */
     double gap() {
         return gap;
     }
 
-    /** What it stands on; null in the air. */
+    /** Supporting body; null in the air. */
     Body under() {
         return under;
     }

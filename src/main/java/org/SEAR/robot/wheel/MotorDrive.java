@@ -7,8 +7,8 @@ import org.SEAR.devices.MotorHardware;
 import org.SEAR.grammar.Parameter;
 
 /**
- * A motor and its gear. At a wheel that rolls at v over ground its force is a * power - b * v, a straight line from the stall torque to the speed
- * without load; with several wheels each has its share of it at its own speed, see {@link MotorShare}. Simulation thread.
+ * Motor with gear. The force at a wheel that rolls at v over ground is a * power - b * v, a line from stall torque to
+ * no-load speed. Several wheels share it, each at its own speed, see {@link MotorShare}. Simulation thread.
  */
 public final class MotorDrive implements MotorHardware {
     private static final double MIN_PART = 1e-6;
@@ -28,7 +28,7 @@ public final class MotorDrive implements MotorHardware {
         this.robot = robot;
     }
 
-    /** As at the start, on wheels that were made anew. */
+    /** Resets the motor on new wheels. */
     void restart(List<RaycastWheel> all) {
         wheels.clear();
         shares.clear();
@@ -49,7 +49,7 @@ public final class MotorDrive implements MotorHardware {
         return object.getName();
     }
 
-    /** It has its wheels roll as the robot is told to drive, until it gets an order of its own. */
+    /** Makes the wheels follow the robot's drive command, until the motor gets its own. */
     void follow() {
         order = Order.FOLLOW;
     }
@@ -74,12 +74,12 @@ public final class MotorDrive implements MotorHardware {
         return value;
     }
 
-    /** Whether it has an order of its own to move. */
+    /** Whether it has its own command to move. */
     boolean isCommanded() {
         return order == Order.POWER && power != 0 || order == Order.SPEED && speed != 0;
     }
 
-    /** How fast its wheels are told to turn, or would without load, rad/s; NaN if they follow the robot. */
+    /** Commanded or no-load speed of its wheels, rad/s; NaN if they follow the robot. */
     double getWanted() {
         return order == Order.FOLLOW ? Double.NaN : order == Order.SPEED ? speed : power * object.getNoLoadSpeed() / object.getGearRatio();
     }
@@ -88,17 +88,20 @@ public final class MotorDrive implements MotorHardware {
         return order;
     }
 
-    /** Share of the voltage that it was told, -1 to 1. */
+    /** Commanded share of the voltage, -1 to 1. */
     double getPower() {
         return power;
     }
 
-    /** The mean speed of its wheels that it was told, rad/s. */
+    /** Commanded mean speed of its wheels, rad/s. */
     double getCommanded() {
         return speed;
     }
 
-    /** What a wheel turns for each turn of the mean of all, if it rolls {@code part} metres for each of the robot's middle. */
+    /**
+     * Returns the rotation of a wheel per rotation of the mean, if it rolls {@code part} metres per metre of the
+     * robot's middle.
+     */
     double share(double part) {
         double sum = 0;
         for (int i = 0; i < shares.size(); i++) {
@@ -107,17 +110,17 @@ public final class MotorDrive implements MotorHardware {
         return Math.abs(sum) < MIN_PART ? 1 : part * shares.size() / sum;
     }
 
-    /** Greatest force of one wheel at full power and standstill, N. */
+    /** Returns the greatest force of one wheel at full power and standstill, N. */
     double stall(double reach) {
         return object.getStallTorque() * object.getGearRatio() / (wheels.size() * reach);
     }
 
-    /** How much less that is for each m/s, N s/m. */
+    /** Returns the loss of this force per m/s, N s/m. */
     double slope(double reach) {
         return stall(reach) / fastest(reach);
     }
 
-    /** Speed of its wheels at full power without load, m/s. */
+    /** Returns the speed of its wheels at full power without load, m/s. */
     double fastest(double reach) {
         return object.getNoLoadSpeed() * reach / object.getGearRatio();
     }

@@ -3,8 +3,9 @@ package org.SEAR.robot.wheel;
 import org.SEAR.physics.ConstraintRow;
 
 /**
- * One wheel's share of a motor. The straight line from stall to no load is solved implicitly, together with what the ground gives. A speed that the
- * motor was told is the mean of its wheels: each gets that part of it at which it rolls on the way that the robot is steered. Simulation thread.
+ * One wheel's share of a motor. The line from stall torque to no-load speed is solved implicitly, together with the
+ * ground's reaction. A commanded motor speed is the mean of its wheels: each gets the part that suits the steered
+ * curve. Simulation thread.
  */
 final class MotorShare implements WheelMotor {
     private final MotorDrive motor;
@@ -13,7 +14,7 @@ final class MotorShare implements WheelMotor {
     private double part = 1;
     private double load;
 
-    /** @param reach metres that the wheel rolls for each radian */
+    /** @param reach distance rolled per radian, metres */
     MotorShare(MotorDrive motor, double reach) {
         this.motor = motor;
         this.reach = reach;

@@ -9,29 +9,34 @@ import org.SEAR.physics.SolverBody;
 import org.SEAR.raycast.Hit;
 
 /**
- * Something steep before a wheel at the height of its axle: it can't roll up that. What can move gives way as it is pushed. The grip across is not
- * given to it: that would be a speed of its own in the next step, before the floor has held it, and the wheel would follow instead of standing.
- * Simulation thread.
+ * Steep obstacle in front of a wheel at axle height, too steep to roll up. A movable one yields when pushed. Simulation
+ * thread.
  */
 public final class Obstacle {
     /** Radius of the cylinder that keeps a wheel out of walls, as a share of the wheel's. */
     public static final double GUARD = 0.8;
-    /** Friction of a wheel's tread along what blocks it, level: else a robot that pushes against a wall would turn off it. */
+    /**
+     * Horizontal coefficient of friction of the tread at an obstacle, so that a robot does not turn off a wall that it
+     * pushes.
+     */
     private static final double TREAD = 0.3;
     private static final double MIN_LEVEL = 0.1;
-    /** What leans less than this (vertical part of the normal) is a wall. */
+    /** Vertical part of the normal below which a surface is a wall. */
     private static final double STEEPEST = 0.35;
-    /** Share of the depth that is corrected in a second. */
+    /** Rate of the position correction, 1/s. */
     private static final double CORRECTION = 12;
-    /** How much later than its guard the wheel itself stops at something high, metres: the guard feels it, and the wheel stops at a step. */
+    /**
+     * Distance by which the wheel's stop is behind its guard, metres: at tall obstacles the guard acts, at steps the
+     * wheel.
+     */
     private static final double BEHIND_GUARD = 1e-3;
-    /** What sleeps wakes when it is nearer than this and than the wheel comes in so many steps, metres. */
+    /** Gap at which a sleeping obstacle wakes, metres, in addition to the wheel's motion in this many steps. */
     private static final double AT_HAND = 2e-3;
     private static final int STEPS_AHEAD = 2;
 
-    /** Of its surface, towards the wheel, world frame. */
+    /** Normal towards the wheel, world frame. */
     public final Vec3 normal = new Vec3();
-    /** Of the wheel, where it meets it, world frame. */
+    /** Contact point of the wheel, world frame. */
     public final Vec3 point = new Vec3();
     private final ConstraintRow block = new ConstraintRow();
     private final ConstraintRow slide = new ConstraintRow();
@@ -39,16 +44,15 @@ public final class Obstacle {
     private Body body;
     private double seen;
     private double allowed;
-    /** Impulse of this step so far, but for the present substep, Ns. */
+    /** Impulse of this step before the present substep, N s. */
     private double given;
 
     /**
-     * Looks for it, once a step.
-     *
+     * Finds the obstacle, once per step.
      * @param from the wheel's centre, world frame
-     * @param way in which the wheel rolls
-     * @param speed with which it does or is to, m/s, + forward, 0 if it stands
-     * @param owner whose parts are none
+     * @param way rolling direction
+     * @param speed present or commanded speed along it, m/s, + forward, 0 at rest
+     * @param owner number of the robot, whose parts are not obstacles
      */
     void look(RaycastScenes scenes, Vec3 from, Vec3 way, double speed, double radius, int owner) {
         body = null;
@@ -105,7 +109,7 @@ public final class Obstacle {
         slide.add(v, -slide.speed(v) / slide.mobility, -hold, hold);
     }
 
-    /** What stands there; null if nothing does. */
+    /** Obstacle; null if there is none. */
     Body body() {
         return body;
     }

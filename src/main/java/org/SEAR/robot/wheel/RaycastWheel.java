@@ -9,25 +9,25 @@ import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.SolverBody;
 
 /**
- * A wheel that feels the ground with one ray along its suspension, as Bullet's vehicle does: the wheel's place in the body frame is where the
- * suspension is fastened, and the wheel's centre hangs below it by up to the rest length. Simulation thread.
+ * Wheel that finds the ground with one ray along its suspension, as Bullet's vehicle does. Its position in the body
+ * frame is the suspension's mount; its centre hangs below by up to the rest length. Simulation thread.
  */
 public final class RaycastWheel {
     public final Wheel object;
-    /** Metres, scaled. */
+    /** Scaled radius, metres. */
     public final double radius;
-    /** Where it is fastened in the body frame, metres. */
+    /** Mount in the body frame, metres. */
     public final double x;
     public final double y;
     public final double z;
-    /** Metres that it goes along its driving direction for each radian. */
+    /** Distance along its driving direction per radian, metres. */
     final double reach;
     private final Swivel swivel;
     private final GroundContact ground = new GroundContact();
     private final Suspension suspension;
     private final Grip grip;
     private final Obstacle obstacle = new Obstacle();
-    /** Null if nothing drives it. */
+    /** Null without a motor. */
     private WheelMotor motor;
     private final Vec3 from = new Vec3();
     private double reported;
@@ -55,21 +55,19 @@ public final class RaycastWheel {
         return object.isDriven();
     }
 
-    /** Has a motor turn it. */
     void setMotor(WheelMotor newMotor) {
         motor = newMotor;
     }
 
-    /** What turns it; null for nothing. */
+    /** Motor; null for none. */
     WheelMotor getMotor() {
         return motor;
     }
 
     /**
-     * What the robot was told.
-     *
-     * @param speed with which it is to roll over the ground, m/s, unless its motor has an order of its own
-     * @param part of the speed of the robot's middle, as it is steered
+     * Sets the target of a drive command.
+     * @param speed over the ground, m/s, unless its motor has its own command
+     * @param part ratio of its speed to that of the robot's middle, as steered
      */
     void follow(double speed, double part) {
         reported = speed;
@@ -78,23 +76,21 @@ public final class RaycastWheel {
         }
     }
 
-    /** Its friction. */
     Grip getGrip() {
         return grip;
     }
 
-    /** Where it points; null if that is always ahead. */
+    /** Direction of the wheel; null if it always points ahead. */
     Swivel getSwivel() {
         return swivel;
     }
 
     /**
-     * Looks for ground, and for what stands before it, once a step.
-     *
-     * @param body the robot's frame
-     * @param owner whose parts are neither
+     * Finds ground and obstacle, once per step.
+     * @param body the robot's pose
+     * @param owner number of the robot, whose parts are neither
      * @param up of the body, world frame, likewise {@code ahead}
-     * @param coasting which way the robot moves, if it is not told to: forward if positive, 0 if it stands
+     * @param coasting speed of the robot without a command, m/s, + forward, 0 at rest
      */
     void look(RaycastScenes scenes, Pose body, int owner, Vec3 up, Vec3 ahead, double coasting) {
         double rest = suspension.rest();
@@ -113,9 +109,8 @@ public final class RaycastWheel {
     }
 
     /**
-     * Makes the rows of a substep.
-     *
-     * @param body takes what the springs give
+     * Sets up the rows of a substep.
+     * @param body takes the impulses of the springs
      * @param ahead the body's forward axis in the world
      */
     void prepare(SolverBody body, Vec3 ahead) {
@@ -130,8 +125,7 @@ public final class RaycastWheel {
     }
 
     /**
-     * One pass of the solver.
-     *
+     * Solves one pass.
      * @param v velocities of the centre of mass, changed
      */
     void solve(double[] v) {
@@ -142,7 +136,7 @@ public final class RaycastWheel {
         }
     }
 
-    /** Takes notice of what the last substep came to. */
+    /** Ends the last substep. */
     private void feel() {
         if (pending == 0) {
             return;
@@ -162,7 +156,7 @@ public final class RaycastWheel {
         pending = 0;
     }
 
-    /** Turns the wheel by what it rolled in a step; a caster follows its way. */
+    /** Rotates the wheel by the distance rolled in a step; a caster follows its path. */
     void roll() {
         feel();
         if (seconds > 0) {
@@ -176,12 +170,12 @@ public final class RaycastWheel {
         seconds = 0;
     }
 
-    /** What stands before the wheel. */
+    /** Obstacle in front of the wheel. */
     public Obstacle getObstacle() {
         return obstacle;
     }
 
-    /** The body the wheel stands on; null in the air. */
+    /** Supporting body; null in the air. */
     public Body getGround() {
         return ground.under();
     }
@@ -190,12 +184,12 @@ public final class RaycastWheel {
         return ground.touches();
     }
 
-    /** Radians turned since the start, + forward. */
+    /** Rotation since the start, radians, + forward. */
     public double getAngle() {
         return angle;
     }
 
-    /** How fast it turns, rad/s, + forward. */
+    /** Angular velocity, rad/s, + forward. */
     double getSpin() {
         return spin;
     }
@@ -205,12 +199,12 @@ public final class RaycastWheel {
         return motor == null ? 0 : motor.load();
     }
 
-    /** How far its centre hangs below where it is fastened, metres. */
+    /** Distance of its centre below its mount, metres. */
     public double getLength() {
         return length;
     }
 
-    /** The same when nothing presses it. */
+    /** The same without load. */
     public double getRest() {
         return suspension.rest();
     }
@@ -223,13 +217,13 @@ public final class RaycastWheel {
         return swivel == null ? z : swivel.z();
     }
 
-    /** Where the wheel is in the body frame, spin included. */
+    /** Pose of the wheel in the body frame, spin included. */
     public Pose place() {
         return swivel == null ? WheelPoses.place(x, y, z, length, angle)
             : WheelPoses.place(swivel.x(), y, swivel.z(), length, angle, swivel.heading());
     }
 
-    /** Turns the body's frame into the wheel's, spin included. */
+    /** Transforms the body's frame into the wheel's, spin included. */
     public void place(Frame frame) {
         if (swivel != null) {
             frame.times(place());

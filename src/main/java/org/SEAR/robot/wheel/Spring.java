@@ -1,25 +1,24 @@
 package org.SEAR.robot.wheel;
 
-/** How one wheel is sprung. Immutable. */
+/** Spring of one wheel. Immutable. */
 public final class Spring {
-    /** What the wheel carries, kg. */
+    /** Load of the wheel, kg. */
     final double carried;
-    /** N/m. */
+    /** Stiffness, N/m. */
     final double stiffness;
-    /** Damping while it is compressed and released, N s/m. */
+    /** Damping in compression and in release, N s/m. */
     final double compressing;
     final double releasing;
-    /** N. */
+    /** Greatest force, N. */
     final double mostForce;
-    /** How far the wheel hangs below where it is fastened when nothing presses it, metres. */
+    /** Distance of the wheel's centre below its mount without load, metres. */
     public final double rest;
     /** The same when the robot stands, metres. */
     public final double hangs;
 
     /**
-     * With damping as shares of the critical one.
-     *
-     * @param critical damping of what it carries, N s/m
+     * Spring with damping as a share of the critical one.
+     * @param critical damping of its load, N s/m
      */
     Spring(double carried, double stiffness, double critical, double compression, double damping, double mostForce, double rest, double hangs) {
         this.carried = carried;

@@ -6,20 +6,23 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.physics.PhysicsWorld;
 
 /**
- * The springs of a robot's wheels. Where its {@link Dynamics} says no stiffness, each spring gives way by the same little under what its wheel
- * carries, so that all have one natural frequency and the robot stands level; and it hangs as low as the body needs to be clear of the ground.
+ * Springs of a robot's wheels. Without a stiffness in its {@link Dynamics}, all springs deflect equally little under
+ * their wheels' loads. They then have one natural frequency, the robot stands level, and the wheels hang low enough to
+ * lift the body off the ground.
  */
 public final class SpringDesign {
-    /** How far springs give way under the robot, as a share of its smallest wheel's radius, and metres at most. */
+    /** Deflection of springs under the robot, as a share of its smallest wheel's radius, and its limit, metres. */
     private static final double SAG = 0.1;
     private static final double MAX_SAG = 0.01;
-    /** The moment with which springs set the robot upright is at least so many times that with which its weight lays it over. */
+    /** Smallest ratio of the springs' righting moment to the tipping moment of the weight. */
     private static final double UPRIGHT = 10;
-    /** Length of a suspension whose stiffness is known, but not its length, and the greatest that is chosen, metres. */
+    /** Suspension length for a given stiffness without a length, and the greatest chosen length, metres. */
     private static final double LENGTH = 0.1;
-    /** A wheel that carries less than this share of an equal one counts as if it carried so much. */
+    /** Smallest load of a wheel, as a share of an equal one. */
     private static final double MIN_LOAD = 0.05;
-    /** A spring that is chosen can press its wheel down by so many times what that carries: else wheels of heavy robots would have no grip. */
+    /**
+     * Smallest ratio of a chosen spring's greatest force to the wheel's load; heavy robots would otherwise lose grip.
+     */
     private static final double MIN_FORCE = 10;
 
     private final Dynamics dynamics;
@@ -33,17 +36,16 @@ public final class SpringDesign {
     }
 
     /**
-     * Those of a robot, in the order of its wheels.
-     *
+     * Returns the springs of a robot, in the order of its wheels.
      * @param centre of mass in the body frame, {x, y, z}, metres
-     * @param lowest point of the body, metres
+     * @param lowest y of the body's lowest point, metres
      */
     public static Spring[] of(Dynamics dynamics, List<Wheel> wheels, double[] centre, double lowest) {
         SpringDesign design = new SpringDesign(dynamics, wheels, centre);
         return dynamics.getStiffness() == null ? design.chosen(lowest) : design.given(dynamics.getStiffness());
     }
 
-    /** In Bullet's measure: each spring has the stiffness times the mass of the whole robot. */
+    /** Uses Bullet's convention: the stiffness of each spring is the value times the mass of the whole robot. */
     private Spring[] given(double stiffness) {
         double rest = dynamics.getRestLength() == null ? LENGTH : dynamics.getRestLength();
         double sag = stiffness == 0 ? 0 : PhysicsWorld.GRAVITY / (wheels.size() * stiffness);
@@ -87,10 +89,9 @@ public final class SpringDesign {
     }
 
     /**
-     * How many times as stiff the springs of a robot would have to be to hold it upright: their moment against that of its weight.
-     *
-     * @param alongX whether it could fall sideways; else forwards or backwards
-     * @return 1 or less if they do; 0 if its wheels don't span an area, so that it rests on its body
+     * Returns the factor by which springs are too soft to hold a robot upright: tipping moment over righting moment.
+     * @param alongX tests falling sideways, otherwise forwards or backwards
+     * @return at most 1 if they hold; 0 if the wheels don't span an area, so that it rests on its body
      */
     public static double tooSoft(Spring[] springs, List<Wheel> wheels, double[] centre, double mass, boolean alongX) {
         if (CentreOfMass.room(centre[0], centre[2], wheels) <= 0) {
@@ -106,7 +107,7 @@ public final class SpringDesign {
         return upright == 0 ? 0 : mass * PhysicsWorld.GRAVITY * (centre[1] - ground) / upright;
     }
 
-    /** The greatest sag at which springs hold the robot upright, metres. */
+    /** Returns the greatest deflection at which springs hold the robot upright, metres. */
     private double upright(double[] loads, double height) {
         double across = 0;
         double along = 0;
@@ -117,7 +118,7 @@ public final class SpringDesign {
         return Math.min(across, along) / (UPRIGHT * dynamics.getMass() * Math.max(height, MAX_SAG));
     }
 
-    /** What each wheel carries, kg, by equal springs under a stiff body. */
+    /** Returns the load of each wheel, kg, for equal springs under a rigid body. */
     private double[] loads() {
         double[] loads = new double[wheels.size()];
         double[][] sums = new double[3][4];
@@ -140,7 +141,7 @@ public final class SpringDesign {
         return loads;
     }
 
-    /** Cramer's rule; null if wheels stand on a line, or all under the centre of mass. */
+    /** Solves by Cramer's rule; null if all wheels are on a line, or below the centre of mass. */
     private static double[] solve(double[][] m) {
         double whole = determinant(m, -1);
         if (Math.abs(whole) <= 1e-12 * m[0][0] * (m[1][1] + m[2][2]) * (m[1][1] + m[2][2])) {
@@ -149,7 +150,7 @@ public final class SpringDesign {
         return new double[] {determinant(m, 0) / whole, determinant(m, 1) / whole, determinant(m, 2) / whole};
     }
 
-    /** With the right side in the place of a column; -1 for none. */
+    /** Returns the determinant with the right side in place of a column; -1 for none. */
     private static double determinant(double[][] m, int replaced) {
         double sum = 0;
         for (int i = 0; i < 3; i++) {

@@ -9,11 +9,11 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.robot.servo.ServoDrive;
 
 /**
- * The steered wheels of one robot, by Ackermann's geometry: all axles point to the one point about which it turns, which lies on the line of the
- * axle that is not steered; with all wheels steered, on the line midway between them. Simulation thread.
+ * Steered wheels of one robot by Ackermann geometry. All axles point to the turning centre on the line of the unsteered
+ * axle; with all wheels steered, on the line midway between them. Simulation thread.
  */
 final class Steering {
-    /** How fast wheels are steered that no servo steers, rad/s. */
+    /** Steering speed without a servo, rad/s. */
     private static final double SPEED = Math.toRadians(200);
 
     private final List<RaycastWheel> steered;
@@ -37,17 +37,16 @@ final class Steering {
         point();
     }
 
-    /** That of a robot; null if it has no steered wheels. */
+    /** Returns the steering of a robot; null if it has no steered wheels. */
     static Steering of(List<RaycastWheel> wheels, Function<String, ServoDrive> servos, String robot) {
         List<RaycastWheel> steered = wheels.stream().filter(wheel -> wheel.object.isSteered()).collect(Collectors.toList());
         return steered.isEmpty() ? null : new Steering(wheels, steered, servos.apply(steered.get(0).object.getSteeringServo()), robot);
     }
 
     /**
-     * Where to steer, of a wheel in the middle between left and right.
-     *
+     * Commands the steering angle of a wheel in the middle between left and right.
      * @param degrees + to the left
-     * @throws IllegalArgumentException that names the robot, the value and the legal range
+     * @throws IllegalArgumentException with the robot, the value and the legal range
      */
     void steer(double degrees) {
         if (servo != null) {
@@ -65,33 +64,33 @@ final class Steering {
         return servo == null;
     }
 
-    /** @param curvature to be driven, 1/m, + to the left; beyond what can be steered the greatest angle counts */
+    /** @param curvature 1/m, + to the left; limited by the greatest angle */
     void follow(double curvature) {
         double degrees = Math.toDegrees(Math.atan(curvature * length));
         steer(Math.max(-most, Math.min(most, degrees)));
     }
 
-    /** Radius of the smallest circle of its middle, metres. */
+    /** Returns the radius of the smallest circle of its middle, metres. */
     double tightest() {
         return length / Math.tan(Math.toRadians(most));
     }
 
-    /** The greatest angle, degrees. */
+    /** Greatest angle, degrees. */
     double getMost() {
         return most;
     }
 
-    /** Name of the servo that steers; null for none. */
+    /** Name of the steering servo; null for none. */
     String getServo() {
         return servo == null ? null : servo.getName();
     }
 
-    /** Degrees, + to the left, of a wheel in the middle. */
+    /** Steering angle of a wheel in the middle, degrees, + to the left. */
     double getDegrees() {
         return Math.toDegrees(angle);
     }
 
-    /** Whether it is on its way. */
+    /** Whether it has not reached its angle. */
     boolean isMoving() {
         return angle != (servo == null ? wanted : Math.toRadians(servo.getAngle()));
     }
@@ -117,12 +116,12 @@ final class Steering {
         }
     }
 
-    /** 1 by the radius on which its middle goes, 1/m, + to the left. */
+    /** Returns the curvature of its middle's path, 1/m, + to the left. */
     double curvature() {
         return Math.tan(angle) / length;
     }
 
-    /** The z of the line on which it turns, in the body frame, metres. */
+    /** z of its turning line in the body frame, metres. */
     double getCentre() {
         return centre;
     }

@@ -3,9 +3,12 @@ package org.SEAR.robot.wheel;
 import org.SEAR.physics.ConstraintRow;
 import org.SEAR.physics.SolverBody;
 
-/** The spring of one wheel, solved implicitly, so that any stiffness is stable, and the stop at the end of its way. Simulation thread. */
+/**
+ * Spring of one wheel as a soft constraint, solved implicitly and stable at any stiffness, and the stop at the end of
+ * its travel. Simulation thread.
+ */
 final class Suspension {
-    /** Share of the depth beyond the stop that is corrected in a second. */
+    /** Rate of the position correction beyond the stop, 1/s. */
     private static final double CORRECTION = 12;
 
     private final Spring of;
@@ -21,13 +24,13 @@ final class Suspension {
         this.of = of;
     }
 
-    /** The wheel is in the air. */
+    /** Releases the wheel in the air. */
     void release() {
         spring.impulse = 0;
         stop.impulse = 0;
     }
 
-    /** Makes the rows of a substep; the impulses of the last one are the first guess. */
+    /** Sets up the rows of a substep and applies the last impulses (warm starting). */
     void prepare(GroundContact ground, SolverBody body) {
         double before = seconds;
         seconds = body.seconds();
@@ -60,12 +63,12 @@ final class Suspension {
         stop.add(v, -(stop.speed(v) - allowed) / stop.mobility, 0, Double.POSITIVE_INFINITY);
     }
 
-    /** Impulse with which the ground carries the wheel, Ns. */
+    /** Impulse of the ground on the wheel, N s. */
     double impulse() {
         return spring.impulse + stop.impulse;
     }
 
-    /** Metres; see {@link Spring#rest}. */
+    /** Length without load, metres; see {@link Spring#rest}. */
     double rest() {
         return of.rest;
     }

@@ -5,11 +5,11 @@ import org.SEAR.geometry.TimeStep;
 import org.SEAR.geometry.Vec3;
 
 /**
- * Where a wheel points that does not just point ahead: one that is steered, turns freely as a caster, has rollers, or whose axle is turned. Angles
- * are radians about the body's up axis, + to the left. Simulation thread.
+ * Direction of a wheel that does not simply point ahead: steered, a caster, with rollers, or with a rotated axle.
+ * Angles are radians about the body's up axis, + to the left. Simulation thread.
  */
 final class Swivel {
-    /** Slower than this the way of a caster has no direction, m/s. */
+    /** Speed below which a caster keeps its direction, m/s. */
     private static final double MIN_SPEED = 1e-6;
 
     private final double mountX;
@@ -19,10 +19,10 @@ final class Swivel {
     private final double trail;
     private final boolean slides;
     private double heading;
-    /** The wheel's centre in the body frame, metres. */
+    /** Wheel centre in the body frame, metres. */
     private double x;
     private double z;
-    /** The way in which it rolls, and along which it drives and brakes, in the world. */
+    /** Direction in which it rolls, and direction in which it drives and brakes, in the world. */
     private final Vec3 rolling = new Vec3();
     private final Vec3 driving = new Vec3();
 
@@ -36,7 +36,7 @@ final class Swivel {
         point(home);
     }
 
-    /** That of a wheel; null for one that just points ahead. */
+    /** Returns the swivel of a wheel; null for one that points ahead. */
     static Swivel of(Wheel wheel) {
         boolean plain = !wheel.isSteered() && wheel.getTrail() == 0 && wheel.getRollers() == null && wheel.getRy() == 0;
         return plain ? null : new Swivel(wheel);
@@ -48,17 +48,17 @@ final class Swivel {
         z = mountZ - trail * Math.cos(heading);
     }
 
-    /** @param angle from where it points unsteered */
+    /** @param angle from the unsteered direction */
     void steer(double angle) {
         point(home + angle);
     }
 
     /**
-     * A caster has no moment of its own, so it turns as if on rails: what the point where it touches moves across it turns the wheel, and the wheel
-     * rolls without slipping. Within a step, while that point keeps its speed, that is a tractrix.
-     *
-     * @param left speed over the ground of that point, fixed to the body, across the wheel, m/s
-     * @param forward the same along it
+     * Turns a caster. It has no moment of its own and follows as on rails: the lateral motion of its contact point
+     * turns it, and it rolls without slipping. With constant velocity of that point within a step, its path is a
+     * tractrix.
+     * @param left lateral speed over the ground of the contact point, fixed to the body, m/s
+     * @param forward speed of the point along the wheel, m/s
      */
     void trail(double left, double forward) {
         double speed = Math.hypot(left, forward);
@@ -70,7 +70,7 @@ final class Swivel {
         }
     }
 
-    /** Finds its directions in the world: {@code ahead} and {@code left} are the body's. */
+    /** Updates its directions in the world: {@code ahead} and {@code left} are the body's. */
     void aim(Vec3 ahead, Vec3 left) {
         mix(rolling, heading, ahead, left);
         mix(driving, heading + rollers, ahead, left);
@@ -81,8 +81,7 @@ final class Swivel {
     }
 
     /**
-     * How fast the point where it touches moves in the direction along which it drives, m/s.
-     *
+     * Returns the speed of its contact point along the driving direction, m/s.
      * @param forward speed of the body's middle, m/s
      * @param turn of the body, rad/s
      * @param centre z of the point that only moves forward, metres
@@ -91,12 +90,12 @@ final class Swivel {
         return (forward - turn * x) * Math.cos(heading + rollers) + turn * (z - centre) * Math.sin(heading + rollers);
     }
 
-    /** Metres over ground along its driving direction for each metre of its rim. */
+    /** Distance over ground along its driving direction per metre of its rim. */
     double share() {
         return Math.cos(rollers);
     }
 
-    /** Whether it slides across the direction along which it drives, on rollers. */
+    /** Whether it slides across its driving direction, on rollers. */
     boolean isSliding() {
         return slides;
     }

@@ -6,15 +6,18 @@ import java.util.RandomAccess;
 import org.SEAR.geometry.Pose;
 
 /**
- * The wheels of one robot in the body frame after one step. Most steps are never looked at, so a pose is made only when it is asked for. Immutable,
- * any thread; holds numbers only, nothing of the running world.
+ * Poses of one robot's wheels in the body frame after one step. Few steps are ever displayed, so poses are computed on
+ * demand. Immutable, any thread; holds numbers only, nothing of the running world.
  */
 final class WheelPoses extends AbstractList<Pose> implements RandomAccess {
-    /** Where each wheel is fastened: x, y, z in the body frame, metres. */
+    /** Mount of each wheel: x, y, z in the body frame, metres. */
     private final double[] mounts;
-    /** How far each wheel hangs, metres, and its angle, radians. */
+    /** Suspension length of each wheel, metres, and its rotation, radians. */
     private final double[] state;
-    /** Where the centre of each wheel is that swivels, x and z in the body frame, metres, and its heading, radians; null if none does. */
+    /**
+     * Centre of each swivelling wheel, x and z in the body frame, metres, and its heading, radians; null if none
+     * swivels.
+     */
     private final double[] swivels;
 
     private WheelPoses(double[] mounts, double[] state, double[] swivels) {
@@ -24,10 +27,9 @@ final class WheelPoses extends AbstractList<Pose> implements RandomAccess {
     }
 
     /**
-     * Where the wheels are now.
-     *
-     * @param mounts as {@link #mounts} made them
-     * @param swivels whether any wheel does not just point ahead
+     * Returns the present poses.
+     * @param mounts from {@link #mounts}
+     * @param swivels whether a wheel does not simply point ahead
      */
     static WheelPoses of(List<RaycastWheel> wheels, double[] mounts, boolean swivels) {
         double[] state = new double[2 * wheels.size()];
@@ -49,7 +51,7 @@ final class WheelPoses extends AbstractList<Pose> implements RandomAccess {
         return swivels;
     }
 
-    /** Where the wheels are fastened, once for all steps. */
+    /** Returns the mounts of the wheels, for all steps. */
     static double[] mounts(List<RaycastWheel> wheels) {
         double[] mounts = new double[3 * wheels.size()];
         for (int i = 0; i < wheels.size(); i++) {
@@ -74,13 +76,13 @@ final class WheelPoses extends AbstractList<Pose> implements RandomAccess {
         return state.length / 2;
     }
 
-    /** Where a wheel that is fastened at (x, y, z) is when it hangs this far, metres, and has turned this much, radians. */
+    /** Returns the pose of a wheel mounted at (x, y, z), with a suspension length, metres, and a rotation, radians. */
     static Pose place(double x, double y, double z, double hanging, double turned) {
         double half = Math.IEEEremainder(turned, 2 * Math.PI) / 2;
         return new Pose(x, y - hanging, z, Math.sin(half), 0, 0, Math.cos(half));
     }
 
-    /** The same for a wheel that points to the left of ahead by a heading, radians. */
+    /** The same for a wheel with a heading to the left of ahead, radians. */
     static Pose place(double x, double y, double z, double hanging, double turned, double heading) {
         double half = Math.IEEEremainder(turned, 2 * Math.PI) / 2;
         double sin = Math.sin(heading / 2);

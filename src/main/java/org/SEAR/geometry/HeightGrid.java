@@ -27,7 +27,7 @@ public abstract class HeightGrid {
         }
         double least = Math.max(closest(lowX, rows, spacingX), closest(lowZ, columns, spacingZ));
         if (!(Math.min(spacingX, spacingZ) >= least)) {
-            throw new IllegalArgumentException("height field: posts " + spacingX + " and " + spacingZ + " m apart, legal so far out: " + least
+            throw new IllegalArgumentException("height field: posts " + spacingX + " and " + spacingZ + " m apart, legal at this distance: " + least
                 + " m or more");
         }
         this.rows = rows;

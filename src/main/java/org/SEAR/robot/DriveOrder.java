@@ -40,7 +40,7 @@ public final class DriveOrder {
 
     /** @param degrees per second, + to the left */
     public static DriveOrder spin(double degrees) {
-        check("spin: speed", degrees, MAX_SPIN, "degrees a second");
+        check("spin: speed", degrees, MAX_SPIN, "degrees per second");
         return new DriveOrder(SPIN, false, degrees, 0, degrees);
     }
 
@@ -84,8 +84,8 @@ public final class DriveOrder {
         }
         double base = driven.getHardware().getWheelBase();
         if (base == 0) {
-            throw new IllegalArgumentException("robot " + name + " can't turn in place: its driven wheels are all in its middle;"
-                + " wheel.move(x, y, z) puts one to the left with x above 0, to the right with x below");
+            throw new IllegalArgumentException("robot " + name + " can't turn in place: all its driven wheels are in the middle."
+                + " Move them apart with wheel.move(x, y, z): x > 0 is left, x < 0 is right");
         }
         return Math.toRadians(first) * base / 2;
     }

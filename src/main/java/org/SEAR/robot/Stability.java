@@ -180,11 +180,11 @@ public final class Stability {
             return "";
         }
         String words = degrees <= 0
-            ? String.format(Locale.ROOT, "falls over %s where it stands: its centre of mass, at x %.3f, y %.3f, z %.3f of its frame, lies %.3f"
-                + " m outside of its wheels", way, centre[0] + 0.0, centre[1] + 0.0, centre[2] + 0.0, -room)
+            ? String.format(Locale.ROOT, "falls over %s at rest: its centre of mass at x %.3f, y %.3f, z %.3f of its frame is %.3f m"
+                + " outside its wheels", way, centre[0] + 0.0, centre[1] + 0.0, centre[2] + 0.0, -room)
             : String.format(Locale.ROOT, "tips over %s on a slope of %.0f degrees, or when it brakes or turns with more than %.1f m/s\u00b2", way,
                 Math.floor(degrees), Math.tan(Math.toRadians(degrees)) * PhysicsWorld.GRAVITY);
-        return words + (isCritical() ? "; put weight lower or farther inwards, or its wheels farther apart" : "")
-            + (balanced ? "; its weight counts in the middle of its wheels, until two of its shapes have a mass" : "");
+        return words + (isCritical() ? ". Put weight lower or further inwards, or its wheels further apart" : "")
+            + (balanced ? ". SEAR assumes its weight in the middle of its wheels until two of its shapes have a mass" : "");
     }
 }

@@ -23,7 +23,7 @@ final class UnitMistakes {
     private static final double LARGE_WHEEL = 1;
     private static final double TIMES_WHEEL = 3;
     private static final double CENTIMETRES = 100;
-    private static final String METRES = ": lengths are metres; if these are centimetres, write ";
+    private static final String METRES = ". Lengths are in metres: if these are centimetres, write ";
 
     private final SEARrobot robot;
     private final List<String> warnings;
@@ -72,7 +72,7 @@ final class UnitMistakes {
         double size = size(body);
         if (wheel.getRadius() > LARGE_WHEEL && wheel.getRadius() > TIMES_WHEEL * size) {
             found = true;
-            warnings.add(String.format(Locale.ROOT, "%s has a radius of %s m, and the body of its robot %s is only %.2g m large%s%s", wheel.getName(),
+            warnings.add(String.format(Locale.ROOT, "%s has a radius of %s m, but the body of its robot %s is only %.2g m large%s%s", wheel.getName(),
                 Parameter.format(wheel.getRadius()), robot.getName(), size, METRES, Parameter.format(wheel.getRadius() / CENTIMETRES)));
         } else {
             look(wheel, body);

@@ -308,7 +308,7 @@ public class SearCommandTest {
         assertEquals(err, 0, sear(script("from org.SEAR.POJOs import Box, Floor, Robots\nFloor('floor', 9, 9)\nrover = Robots.rover('rover')\n"
             + "mast = Box('mast', 0.1, 0.1, 0.1, 9)\nrover.addComponent(mast)\nmast.move(0, 0.5, 0.3)\n"), "--port", "none"));
         assertEquals(out + err, 0, sear("check"));
-        assertTrue(out, out.contains("warning: robot rover falls over forwards where it stands: its centre of mass, at x 0.000, y ")
+        assertTrue(out, out.contains("warning: robot rover falls over forwards at rest: its centre of mass at x 0.000, y ")
             && out.endsWith("SEARproject: no problems\n"));
     }
 

@@ -74,7 +74,7 @@ public class HeightFieldTest {
     public void postsThatCannotBeToldApartAreRefused() {
         IllegalArgumentException refused = assertThrows(IllegalArgumentException.class,
             () -> new HeightField(2, 2, 60_000, 0, 0.001, 1, new float[4]));
-        assertEquals("height field: posts 0.001 and 1.0 m apart, legal so far out: 0.00390625 m or more", refused.getMessage());
+        assertEquals("height field: posts 0.001 and 1.0 m apart, legal at this distance: 0.00390625 m or more", refused.getMessage());
     }
 
     private static float[] heights(int count, long seed) {

@@ -22,8 +22,8 @@ public class StabilityTest {
         Stability middle = at(0, 0.3, 0, FEET);
         assertEquals(Math.toDegrees(Math.atan2(0.2, 0.4)), middle.degrees, EXACT);
         assertEquals(4, middle.getSupport().length);
-        assertEquals("tips over to the left on a slope of 14 degrees, or when it brakes or turns with more than 2.5 m/s\u00b2; put weight lower or"
-            + " farther inwards, or its wheels farther apart", at(0.1, 0.3, 0, FEET).getWords());
+        assertEquals("tips over to the left on a slope of 14 degrees, or when it brakes or turns with more than 2.5 m/s\u00b2. Put weight lower or"
+            + " further inwards, or its wheels further apart", at(0.1, 0.3, 0, FEET).getWords());
         assertEquals(Math.toDegrees(Math.atan2(0.05, 0.4)), at(-0.15, 0.3, 0, FEET).degrees, EXACT);
         assertTrue(at(-0.15, 0.3, 0, FEET).getWords().startsWith("tips over to the right on a slope of 7 degrees"));
         assertTrue(at(0, 0.3, 0.25, FEET).getWords().startsWith("tips over forwards on a slope of 7 degrees"));
@@ -50,8 +50,8 @@ public class StabilityTest {
         Stability stability = at(0, 0.3, 0.35, FEET);
         assertEquals(-Math.toDegrees(Math.atan2(0.05, 0.4)), stability.degrees, EXACT);
         assertTrue(stability.isCritical());
-        assertEquals("falls over forwards where it stands: its centre of mass, at x 0.000, y 0.300, z 0.350 of its frame, lies 0.050 m"
-            + " outside of its wheels; put weight lower or farther inwards, or its wheels farther apart", stability.getWords());
+        assertEquals("falls over forwards at rest: its centre of mass at x 0.000, y 0.300, z 0.350 of its frame is 0.050 m"
+            + " outside its wheels. Put weight lower or further inwards, or its wheels further apart", stability.getWords());
     }
 
     @Test

@@ -79,7 +79,8 @@ public class StartWarningsTest {
     @Test
     public void whatWasDrawnInCentimetresOrMillimetresIsTold() throws Exception {
         new Box("crate", 40, 30, 30, 2).move(0, 15, 0);
-        assertTold("crate is 40 m large and weighs 2 kg", "lighter than air", "in centimetres, it is 0.400 m", "by 100, or scale(0.01) a model");
+        assertTold("crate is 40 m large and weighs 2 kg", "lighter than air", "in centimetres, it is 0.400 m",
+            "by 100, or call scale(0.01) on a model");
         new Box("crate", 400, 300, 300, 2).move(0, 150, 0);
         assertTold("drawn in millimetres, it is 0.400 m", "scale(0.001)");
         new Floor("floor", 20, 20);
@@ -96,7 +97,7 @@ public class StartWarningsTest {
         assertTrue(warnings().toString(), warnings().get(0).contains("robot robot is "));
         project.put("assets/hall.obj", "v 0 0 0\nv 12000 0 0\nv 0 3000 0\nf 1 2 3\n");
         new Model("hall", "hall.obj").move(20000, 0, 0);
-        assertTrue(warnings().toString(), warnings().toString().contains("model hall is 12000 m large: lengths are metres; if it was drawn in mill"));
+        assertTrue(warnings().toString(), warnings().toString().contains("model hall is 12000 m large. Lengths are in metres: if it was drawn in"));
         new Model("hall", "hall.obj").setTerrain(true);
         assertTrue(warnings().toString(), !warnings().toString().contains("model hall is"));
     }
@@ -118,11 +119,11 @@ public class StartWarningsTest {
         new Box("near", 1, 1, 1).move(0, 0.5, 55);
         assertEquals(List.of(), warnings());
         new Box("wall", 1, 1, 1).move(150, 0.5, 0);
-        assertTold("wall starts 140 m beside the ground, at x 150, z 0", "it is x 1.50, z 0");
+        assertTold("wall starts 140 m beside the ground, at x 150, z 0", "use x 1.50, z 0");
         new Box("wall", 400, 1, 10).move(0, 0.5, 0);
-        assertTold("wall is 400 m large, and the ground only 20 m", "divide them by 100");
+        assertTold("wall is 400 m large, but the ground only 20 m", "divide them by 100");
         new Box("wall", 1, 1, 1, 1).move(0, 90, 0);
-        assertTold("wall starts 90 m above the ground and will fall: lengths are metres");
+        assertTold("wall starts 90 m above the ground and will fall. Lengths are in metres");
     }
 
     @Test
@@ -137,8 +138,8 @@ public class StartWarningsTest {
         SEARrobot rover = threeWheels(0, 0, 0);
         rover.addComponent(new Motor("leftMotor", rover.getWheels().get(0), 0.0005, 20));
         rover.addComponent(new Motor("rightMotor", rover.getWheels().get(1), 0.0005, 20));
-        assertTold("robot robot weighs 2 kg, and its motors push it with 0.020 N in all, so that it needs 10 s to reach 0.1 m/s",
-            "stallTorque of leftMotor is 0.0005 N m");
+        assertTold("robot robot weighs 2 kg, but its motors push it with only 0.020 N in all: it needs 10 s to reach 0.1 m/s",
+            "stallTorque of leftMotor, now 0.0005 N m");
     }
 
     @Test
@@ -146,6 +147,6 @@ public class StartWarningsTest {
         new Floor("floor", 20, 20);
         new Box("wall", 1, 1, 1).move(0, 0.5, 0);
         Robots.rover("rover");
-        assertTold("rover started inside something fixed, wall; it was lifted by", "or another x or z, starts it outside");
+        assertTold("rover started inside a fixed object (wall); SEAR lifted it by", "or change x or z");
     }
 }

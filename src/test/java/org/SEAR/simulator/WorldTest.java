@@ -131,8 +131,8 @@ public class WorldTest {
         Worlds.roomba("apart", 0.5, 0, 0);
         Box crate = new Box("crate", 0.2, 0.2, 0.2, 1);
         crate.move(0.5, 0.1, 0);
-        assertEquals("[first and second start inside one another, by 0.076 m, and will be pushed apart; move one of them,"
-            + " crate and apart start inside one another, by 0.138 m, and will be pushed apart; move one of them]",
+        assertEquals("[first and second start 0.076 m inside each other and will be pushed apart; move one of them,"
+            + " crate and apart start 0.138 m inside each other and will be pushed apart; move one of them]",
             Worlds.start(project).snapshot().warnings.toString());
     }
 
@@ -143,7 +143,7 @@ public class WorldTest {
         new Box("right", 0.4, 0.4, 0.4, 1).move(0.28, 0.2, 0);
         new Box("above", 0.4, 0.4, 0.4, 1).move(0, 0.5995, 0);
         assertEquals("what stands on another thing by half a millimetre is not told",
-            "[left and right start inside one another, by 0.120 m, and will be pushed apart; move one of them]",
+            "[left and right start 0.120 m inside each other and will be pushed apart; move one of them]",
             Worlds.start(project).snapshot().warnings.toString());
     }
 

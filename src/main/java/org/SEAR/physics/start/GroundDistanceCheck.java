@@ -39,7 +39,7 @@ public final class GroundDistanceCheck {
         }
         warnings.addAll(reported.subList(0, Math.min(reported.size(), MAX_REPORTED)));
         if (reported.size() > MAX_REPORTED) {
-            warnings.add((reported.size() - MAX_REPORTED) + " more things are far beside the ground or many times as large");
+            warnings.add((reported.size() - MAX_REPORTED) + " more objects are far beside the ground or many times larger");
         }
     }
 
@@ -52,14 +52,14 @@ public final class GroundDistanceCheck {
         double z = body.getStart().z;
         if (beside > FAR) {
             reported.add(String.format(Locale.ROOT,
-                "%s starts %.0f m beside the ground, at x %s, z %s: lengths are metres; if these are centimetres, it"
-                + " is x %s, z %s", body.name, beside, number(x), number(z), number(x / CENTIMETRES), number(z / CENTIMETRES)));
+                "%s starts %.0f m beside the ground, at x %s, z %s. Lengths are in metres: if these are centimetres,"
+                + " use x %s, z %s", body.name, beside, number(x), number(z), number(x / CENTIMETRES), number(z / CENTIMETRES)));
         } else if (size > LARGE && size > TIMES * groundSize && !SizeCheck.isTooLight(body)) {
             reported.add(String.format(Locale.ROOT,
-                "%s is %.0f m large, and the ground only %.0f m: lengths are metres; if these are centimetres, divide"
-                + " them by 100", body.name, size, groundSize));
+                "%s is %.0f m large, but the ground only %.0f m. Lengths are in metres: if these are centimetres,"
+                + " divide them by 100", body.name, size, groundSize));
         } else if (above > FAR && above > TIMES * groundSize && !body.isFixed()) {
-            reported.add(String.format(Locale.ROOT, "%s starts %.0f m above the ground and will fall: lengths are metres", body.name, above));
+            reported.add(String.format(Locale.ROOT, "%s starts %.0f m above the ground and will fall. Lengths are in metres", body.name, above));
         }
     }
 

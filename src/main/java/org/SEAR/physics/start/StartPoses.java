@@ -41,8 +41,8 @@ public final class StartPoses {
                 if (lifted > 0) {
                     String inside = obstacles(body, before, fixed).map(obstacle -> obstacle.name).limit(MAX_OBSTACLES)
                         .collect(Collectors.joining(" and "));
-                    warnings.add(String.format(Locale.ROOT, "%s started inside something fixed, %s; it was lifted by %.3f m: move(x, y, z) with y"
-                        + " greater by so much, or another x or z, starts it outside", body.name, inside, lifted));
+                    warnings.add(String.format(Locale.ROOT, "%s started inside a fixed object (%s); SEAR lifted it by %.3f m. Raise y in its"
+                        + " move(x, y, z) by that, or change x or z", body.name, inside, lifted));
                 }
             }
         }
@@ -76,7 +76,7 @@ public final class StartPoses {
             for (int k = i + 1; k < order.length && boxes.get(order[k]).minX <= box.maxX; k++) {
                 pairs += box.overlaps(boxes.get(order[k])) ? 1 : 0;
                 if (pairs > MAX_PAIRS) {
-                    return "more than " + MAX_PAIRS + " pairs of things with mass start inside one another, as " + moving.get(order[i]).name
+                    return "more than " + MAX_PAIRS + " pairs of objects with mass start inside each other, such as " + moving.get(order[i]).name
                         + " and " + moving.get(order[k]).name;
                 }
             }
@@ -96,13 +96,13 @@ public final class StartPoses {
             boxes.add(mine.bounds(start));
             for (int k = 0; k < i; k++) {
                 if (reported == MAX_REPORTED) {
-                    warnings.add("more things start inside one another; only the first " + MAX_REPORTED + " are named");
+                    warnings.add("more objects start inside each other; SEAR names the first " + MAX_REPORTED + " only");
                     return;
                 }
                 if (boxes.get(i).overlaps(boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
                     reported++;
-                    warnings.add(String.format(Locale.ROOT, "%s and %s start inside one another, by %.3f m, and will be pushed apart; move one of"
-                        + " them", moving.get(k).name, moving.get(i).name, mine.depth(start, overlaps.get(k))));
+                    warnings.add(String.format(Locale.ROOT, "%s and %s start %.3f m inside each other and will be pushed apart;"
+                        + " move one of them", moving.get(k).name, moving.get(i).name, mine.depth(start, overlaps.get(k))));
                 }
             }
         }

@@ -124,8 +124,8 @@ public final class ServoDrive implements ServoHardware {
         held = Math.abs(to - wanted) > DEAD_BAND && Math.abs(to - before) < HELD * Math.abs(angle - before) ? held + 1 : 0;
         if (held == HELD_FOR && !complained) {
             complained = true;
-            reported.accept(String.format(Locale.ROOT, "servo %s of robot %s is held at %.1f deg, on its way to %.1f deg, by what it touches, as a"
-                + " gripper is by what it grips; where it should get on, give it more than its stallTorque of %s N m (%s.setStallTorque(...))",
+            reported.accept(String.format(Locale.ROOT, "servo %s of robot %s is blocked at %.1f deg, on its way to %.1f deg, by a contact, as a"
+                + " gripper is by its object. If it should move on, give it more than its stallTorque of %s N m (%s.setStallTorque(...))",
                 object.getName(), robot, to, wanted, Parameter.format(object.getStallTorque()), object.getName()));
         }
         angle = Math.max(object.getMinAngle(), Math.min(object.getMaxAngle(), to));
@@ -202,8 +202,8 @@ public final class ServoDrive implements ServoHardware {
         if (!complained) {
             complained = true;
             reported.accept(String.format(Locale.ROOT,
-                "servo %s of robot %s is too weak to turn what is on it to %.1f deg: at %.1f deg the weight pulls"
-                + " with %.3g N m, and its stallTorque is %s N m; give it more than the %.3g N m that it takes at most (%s.setStallTorque(...)), or"
+                "servo %s of robot %s is too weak to turn its load to %.1f deg: at %.1f deg the weight pulls with"
+                + " %.3g N m, and its stallTorque is %s N m. Give it more than %.3g N m, the most it needs (%s.setStallTorque(...)), or"
                 + " mount less, nearer to its axis", object.getName(), robot, wanted, angle, Math.abs(moment),
                 Parameter.format(object.getStallTorque()), greatest, object.getName()));
         }

@@ -121,7 +121,7 @@ final class AppearanceBuilder {
             return new MeshAppearance(loader.triangles(model), scale, look.normals, look.places, own ? look.materialOf : null,
                 own ? paints : new Paint[] {paint(model)}, temperature, !model.isTerrain());
         } catch (IOException e) {
-            reported.accept("cameras see a model in its colour only: " + e.getMessage());
+            reported.accept("cameras see a model only in its colour: " + e.getMessage());
             return new PlainAppearance(SurfaceColors.plain(model), temperature);
         }
     }
@@ -135,7 +135,7 @@ final class AppearanceBuilder {
         try {
             colors = TerrainColors.of(terrain, assets, ground);
         } catch (IOException e) {
-            reported.accept("cameras can't look at the picture over the terrain: " + e.getMessage());
+            reported.accept("cameras can't read the terrain's picture: " + e.getMessage());
         }
         Relief relief = new Relief(ground.field, LONGEST, PER_POST, ground.spacing);
         return new GroundAppearance(ground.heights, GroundPicture.landscape(relief, Daylight.onLandscape(), colors), temperature);

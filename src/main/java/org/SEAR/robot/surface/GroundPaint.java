@@ -35,7 +35,7 @@ final class GroundPaint implements SurfacePaint {
         try {
             colors = TerrainColors.of(terrain, assets, ground);
         } catch (IOException e) {
-            reported.accept("colour and line sensors can't look at the picture over the terrain: " + e.getMessage());
+            reported.accept("colour and line sensors can't read the terrain's picture: " + e.getMessage());
         }
     }
 

@@ -50,7 +50,7 @@ final class Steering {
      */
     void steer(double degrees) {
         if (servo != null) {
-            throw new IllegalArgumentException("robot " + robot + " is steered by its servo " + servo.getName() + ": that has to turn");
+            throw new IllegalArgumentException("robot " + robot + " is steered by its servo " + servo.getName() + ": turn that servo instead");
         }
         if (!(Math.abs(degrees) <= most)) {
             throw new IllegalArgumentException("robot " + robot + ": steering is " + degrees + ", legal: " + Parameter.format(-most) + " to "

@@ -74,7 +74,7 @@ public class TippingTest {
         });
         Stability stability = Worlds.start(project).getRobots().get(0).getStability();
         assertArrayEquals(new double[] {0, 0.4, 0}, stability.getCentre(), 1e-6);
-        assertTrue(stability.getWords(), stability.getWords().endsWith("; its weight counts in the middle of its wheels, until two of its shapes"
+        assertTrue(stability.getWords(), stability.getWords().endsWith(". SEAR assumes its weight in the middle of its wheels until two of its shapes"
             + " have a mass"));
     }
 
@@ -101,14 +101,14 @@ public class TippingTest {
     public void thatIsSaidAtTheStart() throws Exception {
         new Floor("floor", 10, 10);
         tower(1, 3, 0, 0.9);
-        assertEquals("[robot tower tips over to the left on a slope of 11 degrees, or when it brakes or turns with more than 2.0 m/s\u00b2;"
-            + " put weight lower or farther inwards, or its wheels farther apart]", Worlds.start(project).snapshot().warnings.toString());
+        assertEquals("[robot tower tips over to the left on a slope of 11 degrees, or when it brakes or turns with more than 2.0 m/s\u00b2."
+            + " Put weight lower or further inwards, or its wheels further apart]", Worlds.start(project).snapshot().warnings.toString());
         assertEquals("a check says the same", Worlds.start(project).snapshot().warnings, ProjectCheck.warnings(Project.read(project.folder())));
         tower(1, 3, 0.3, 0.1);
         assertEquals(Worlds.start(project).snapshot().warnings, ProjectCheck.warnings(Project.read(project.folder())));
         Simulation simulation = Worlds.start(project);
-        assertEquals("[robot tower falls over to the left where it stands: its centre of mass, at x 0.225, y 0.075, z 0.000 of its frame, lies"
-            + " 0.075 m outside of its wheels; put weight lower or farther inwards, or its wheels farther apart]",
+        assertEquals("[robot tower falls over to the left at rest: its centre of mass at x 0.225, y 0.075, z 0.000 of its frame is"
+            + " 0.075 m outside its wheels. Put weight lower or further inwards, or its wheels further apart]",
             simulation.snapshot().warnings.toString());
         Worlds.run(simulation, 3);
         assertTrue("it lies on its side", simulation.getPose("tower").rotate(0, 1, 0)[1] < 0.9);

@@ -151,7 +151,7 @@ public class HeightsUnderfootTest {
         box.move(3.1, 0.05, -2.2);
         HeightField flat = Grounds.slope(0);
         GroundWorld world = world(new TerrainSolid(flat), box);
-        assertEquals("[box started inside something fixed, ground; it was lifted by 0.150 m: move(x, y, z) with y greater by so much, or another"
-            + " x or z, starts it outside]", world.warnings.toString());
+        assertEquals("[box started inside a fixed object (ground); SEAR lifted it by 0.150 m. Raise y in its move(x, y, z) by that,"
+            + " or change x or z]", world.warnings.toString());
     }
 }

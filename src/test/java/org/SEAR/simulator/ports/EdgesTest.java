@@ -51,7 +51,7 @@ public class EdgesTest {
         }
         Simulation simulation = Worlds.start(project);
         List<String> warnings = simulation.snapshot().warnings;
-        assertTrue(warnings.toString(), warnings.contains("more things start inside one another; only the first 20 are named"));
+        assertTrue(warnings.toString(), warnings.contains("more objects start inside each other; SEAR names the first 20 only"));
         assertEquals(21, warnings.size());
         Worlds.run(simulation, 2);
         assertFalse(Double.isNaN(simulation.getPose("box11").x));
@@ -68,7 +68,7 @@ public class EdgesTest {
             Worlds.start(project);
             fail("9995 boxes on one spot were taken");
         } catch (ProjectException e) {
-            assertTrue(e.getMessage(), e.getMessage().contains("more than 50000 pairs of things with mass start inside one another, as box"));
+            assertTrue(e.getMessage(), e.getMessage().contains("more than 50000 pairs of objects with mass start inside each other, such as box"));
         }
     }
 }

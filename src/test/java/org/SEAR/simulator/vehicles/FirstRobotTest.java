@@ -104,7 +104,7 @@ public class FirstRobotTest {
             }
             try (Simulation simulation = Worlds.start(project)) {
                 assertEquals(wheels == 2, simulation.snapshot().warnings.toString().contains("robot first has its wheels left and right at the same"
-                    + " place, x 0, z 0 m, so that it can't stand on them: "));
+                    + " place, x 0, z 0 m, so it can't stand on them. Give each its place"));
                 Worlds.run(simulation, 2);
                 simulation.getRobots().get(0).drive(0.2, Double.POSITIVE_INFINITY);
                 Worlds.run(simulation, 2);
@@ -120,8 +120,8 @@ public class FirstRobotTest {
         robot(new Dynamics("soft", 2, 40, 0.3, 0.4, 10000, 0.2), 0.05, -0.15, 0.05, 0);
         try (Simulation simulation = Worlds.start(project)) {
             String warnings = simulation.snapshot().warnings.toString();
-            assertTrue(warnings, warnings.contains("robot first falls over forwards or backwards where it stands: its springs, of stiffness 40, are"
-                + " too soft for its centre of mass, at x 0.000, y 0.000, z "));
+            assertTrue(warnings, warnings.contains("robot first falls over forwards or backwards at rest: its springs of stiffness 40 are"
+                + " too soft for its centre of mass at x 0.000, y 0.000, z "));
         }
     }
 }

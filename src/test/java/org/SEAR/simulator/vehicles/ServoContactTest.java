@@ -62,8 +62,8 @@ public class ServoContactTest {
                     assertEquals(size + " m", closed, simulation.getServo("right").getAngle(), 1);
                     assertEquals("the cube lies where it did", 0.25, simulation.getPose("cube").z, 0.005);
                     String told = String.join("\n", messages(simulation));
-                    assertTrue(told, told.matches("(?s).*servo left of robot crane is held at -\\d+\\.\\d deg, on its way to -60\\.0 deg, by what it"
-                        + " touches, as a gripper is by what it grips; where it should get on, give it more than its stallTorque of "
+                    assertTrue(told, told.matches("(?s).*servo left of robot crane is blocked at -\\d+\\.\\d deg, on its way to -60\\.0 deg, by a"
+                        + " contact, as a gripper is by its object. If it should move on, give it more than its stallTorque of "
                         + (torque < 1 ? "0.18" : "2") + " N m \\(left\\.setStallTorque\\(\\.\\.\\.\\)\\).*"));
                     simulation.getServo("shoulder").setAngle(-30);
                     Worlds.run(simulation, 6);

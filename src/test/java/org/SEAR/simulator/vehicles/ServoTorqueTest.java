@@ -136,8 +136,8 @@ public class ServoTorqueTest {
         Worlds.run(simulation, 40);
         assertEquals("cos(60 degrees) = 1 / 2", -60, lift.getAngle(), SHARE * 60);
         assertEquals("and rests", 0, Worlds.physics(simulation).getBusyBodies());
-        assertEquals(List.of("servo lift of robot roomba is too weak to turn what is on it to 45.0 deg: at 0.0 deg the weight pulls with 0.360 N m,"
-            + " and its stallTorque is 0.18 N m; give it more than the 0.360 N m that it takes at most (lift.setStallTorque(...)), or mount less,"
+        assertEquals(List.of("servo lift of robot roomba is too weak to turn its load to 45.0 deg: at 0.0 deg the weight pulls with 0.360 N m,"
+            + " and its stallTorque is 0.18 N m. Give it more than 0.360 N m, the most it needs (lift.setStallTorque(...)), or mount less,"
             + " nearer to its axis"), complaints(simulation));
         simulation.reset();
         assertEquals(List.of(), complaints(simulation));

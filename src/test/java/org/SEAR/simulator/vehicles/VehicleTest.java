@@ -177,7 +177,7 @@ public class VehicleTest {
         simulation.getMotor("engine").setSpeed(8);
         double expected = BASE / Math.tan(Math.toRadians(15));
         assertEquals(expected, circle(simulation, "axle"), SHARE * expected);
-        said("robot car is steered by its servo steering: that has to turn", () -> simulation.getRobots().get(0).steer(3));
+        said("robot car is steered by its servo steering: turn that servo instead", () -> simulation.getRobots().get(0).steer(3));
     }
 
     /** Up a slope and over a curb the motor's line and the steering hold, too. */

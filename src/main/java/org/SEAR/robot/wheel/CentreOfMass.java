@@ -5,8 +5,8 @@ import org.SEAR.POJOs.Wheel;
 
 /**
  * Centre of mass of a robot: the centroid of its components. With masses on two components or more this is final.
- * Otherwise the mass distribution is unknown. Real robots carry their battery so that they stand on their wheels, so a
- * centroid outside the wheels or close to tipping is replaced by the middle of the wheels.
+ * Otherwise the mass distribution is unknown. Real robots carry their battery so that they stand on their wheels. A
+ * centroid outside the wheels or close to tipping is therefore replaced by the middle of the wheels.
  */
 public final class CentreOfMass {
     /** Smallest distance from tipping, as a share of that of the middle of the wheels. */

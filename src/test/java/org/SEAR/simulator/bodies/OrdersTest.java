@@ -43,8 +43,8 @@ public class OrdersTest {
         assertEquals("[]", warnings().toString());
         rover.drive(1.5, STRAIGHT);
         rover.drive(3, STRAIGHT);
-        assertEquals("[robot rover can't turn its wheels at 1.50 m/s: without load its motors reach 1.00 m/s, so it drives that fast instead,"
-            + " or slower under load. A motor's noLoadSpeed sets its limit]", warnings().toString());
+        assertEquals("[robot rover can't obey the command to turn its wheels at 1.50 m/s: without load its motors reach 1.00 m/s, so it drives"
+            + " that fast instead, or slower under load. A motor's noLoadSpeed sets its limit]", warnings().toString());
         Worlds.run(simulation, 2);
         Pose from = simulation.getPose("rover");
         Worlds.run(simulation, 1);
@@ -76,8 +76,8 @@ public class OrdersTest {
         assertEquals("[]", warnings().toString());
         create.drive(20, 1);
         create.drive(-20, -2);
-        assertEquals("[robot create can't drive at 20.00 m/s on a circle of 1.00 m radius: that takes 400.0 m/s\u00b2 of grip, and here its wheels"
-            + " have 9.8. It slides outwards instead; drive slower or on a wider circle]",
+        assertEquals("[robot create can't obey the command to drive at 20.00 m/s on a circle of 1.00 m radius: that takes 400.0 m/s\u00b2 of grip,"
+            + " and here its wheels have 9.8. It slides outwards instead; drive slower or on a wider circle]",
             warnings().toString());
     }
 
@@ -98,8 +98,8 @@ public class OrdersTest {
         double spin = Math.toRadians(40) * car.getHardware().getWheelBase() / 2;
         car.drive(spin, 0);
         car.drive(spin, 0.1);
-        assertEquals("[robot car can't turn in place: its wheels steer by 30 degrees at most. At 0.08 m/s it drives on a circle of 0.52 m"
-            + " radius instead, and turns at 9.2 degrees per second]", warnings().toString());
+        assertEquals("[robot car can't obey the command to turn in place: its wheels steer by 30 degrees at most. At 0.08 m/s it drives on a"
+            + " circle of 0.52 m radius instead, and turns at 9.2 degrees per second]", warnings().toString());
         Worlds.run(simulation, 3);
         assertEquals(9.2, Math.toDegrees(simulation.snapshot().robots.get(0).turnRate), 0.3);
         car.drive(0, 0);

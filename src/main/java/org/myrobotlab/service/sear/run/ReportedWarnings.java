@@ -9,7 +9,7 @@ import org.myrobotlab.service.sear.Host;
 
 /** Tells the user each warning of a simulation once. Any thread. */
 final class ReportedWarnings {
-    private static final String ORDERED = " was told to ";
+    private static final String ORDERED = " can't obey the command to ";
 
     private final Host host;
     private final Set<String> reported = new HashSet<>();

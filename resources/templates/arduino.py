@@ -1,18 +1,19 @@
-# arduino.py: a robot of two distance sensors, two motor drivers and an Arduino finds its way between boxes. The Arduino runs StandardFirmata; this script
-# is the program at the other end of its cable, and talks to a real Arduino in the same way. Change robot, pins and numbers to yours.
+# arduino.py: a robot with two distance sensors, two motor drivers and an Arduino finds its way between boxes. The
+# Arduino runs StandardFirmata. This script is the program at the other end of the cable, and works with a real Arduino,
+# too. Adapt robot, pins and numbers to yours.
 from org.SEAR.POJOs import Arduino, Box, Distance, Floor, Motor, Robots
 
 sear = Runtime.start("sear", "SEAR")
 
-PORT = "/dev/SEAR_UNO_01"           # of a real one: COM3, /dev/ttyACM0
+PORT = "/dev/SEAR_UNO_01"           # of a real Arduino: COM3, /dev/ttyACM0
 BAUD = 57600
 SECONDS = 30
-POWER = {"left": 9, "right": 10}    # pins of the motor drivers
+POWER = {"left": 9, "right": 10}    # PWM pins of the motor drivers
 DIRECTION = {"left": 7, "right": 8}
 LEFT_EYE, RIGHT_EYE = 0, 1          # analog channels
-NEAR = 1.0                          # volts: a GP2Y0A21 tells 0.27 m by them
+NEAR = 1.0                          # volts: reading of a GP2Y0A21 at 0.27 m
 
-# ---- the world and the robot: leave this out for a real one -----------------------------------------------------------------------------------
+# ---- world and robot: omit this for a real robot -----------------------------------------------------------------------------------------
 
 def build():
     Floor("ground", 20, 20)
@@ -47,8 +48,8 @@ class Firmata:
         self.serial.connect(port, BAUD)             # resets the board
         self.values = {}
         self.message = []
-        sear.simSleep(4)                            # boot loader, and blinks of its LED
-        while self.serial.available(): self.serial.read()    # version and name, and what a run before has left
+        sear.simSleep(4)                            # boot loader, and blinking of its LED
+        while self.serial.available(): self.serial.read()    # version and name, and remains of a previous run
 
     def write(self, *values):
         for value in values: self.serial.write(value)
@@ -60,7 +61,7 @@ class Firmata:
         self.write(0xF5, pin, level)
 
     def pwm(self, pin, duty):
-        """0 to 1."""
+        """Sets the duty cycle of a pin, 0 to 1."""
         value = int(255 * duty)
         self.write(0xE0 | pin, value & 127, value >> 7)
 
@@ -68,7 +69,7 @@ class Firmata:
         self.write(0xC0 | channel, 1)
 
     def volts(self, channel):
-        """As told last, every 19 ms; 0 if never."""
+        """Returns the latest value, sent every 19 ms; 0 if none has arrived."""
         while self.serial.available():
             value = self.serial.read() & 0xFF
             self.message = [value] if value >= 0x80 else self.message + [value]
@@ -79,7 +80,7 @@ class Firmata:
 # ---- the program ----------------------------------------------------------------------------------------------------------------------------
 
 def drive(board, left, right):
-    """Shares of the full power, negative backward."""
+    """Drives the wheels. Arguments: fractions of the full power, negative backward."""
     for (side, power) in (("left", left), ("right", right)):
         board.digital(DIRECTION[side], 1 if power >= 0 else 0)
         board.pwm(POWER[side], abs(power))
@@ -102,7 +103,7 @@ while sear.getTime() < end:
     else:
         if turning == 0:
             turns += 1
-            turning = -1 if left > right else 1     # away from what is nearer, and not to and fro in a corner
+            turning = -1 if left > right else 1     # away from the nearer side; keeping the direction avoids oscillating in a corner
         drive(board, -0.4 * turning, 0.4 * turning)
     sear.simSleep(0.1)
 drive(board, 0, 0)

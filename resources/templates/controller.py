@@ -1,6 +1,7 @@
-# controller.py: the microcontroller of a simulated robot. It waits on its serial port for the two bytes 0x8E (Roomba: "sensor request") and a
-# sensor number from 43 to 255, reads that sensor in the simulator, and sends the reading back as 16-bit numbers, high byte first.
-# userCode.py runs this file. Change the ports, the sensor names and the numbers below to those of your robot.
+# controller.py: the microcontroller of a simulated robot. It waits on its serial port for the byte 0x8E (Roomba:
+# "sensor request") and a sensor number from 43 to 255. It then reads that sensor in the simulator and sends the reading
+# as 16-bit numbers, high byte first. userCode.py runs this file. Adapt the ports, sensor names and numbers to your
+# robot.
 from org.myrobotlab.serial import SerialDeviceFactory
 from org.myrobotlab.serial import VirtualSerialPort
 import math
@@ -9,19 +10,19 @@ UARTport = "/dev/my_Controller01"
 userPort = "/dev/user_CONTROLLER_01"
 
 SENSOR_REQUEST = 0x8E
-ADC_STEPS_PER_VOLT = 1024 / 3.3     # 10 bits, reference 3.3 V, as an Arduino has it
+ADC_STEPS_PER_VOLT = 1024 / 3.3     # 10 bits, reference 3.3 V, as in an Arduino
 GRAVITY = 9.80665                   # m/s^2
 
 sear = Runtime.start("SEAR", "SEAR")
 
-# ---- what each device makes of SEAR's readings ---------------------------------------------------------------------------------------------
+# ---- conversion of SEAR's readings to the devices' numbers ------------------------------------------------------------------------------
 
 def centimetres(metres):
     """PING))): whole centimetres."""
     return int(round(metres * 100))
 
 def adc(volts):
-    """What a 10-bit analogue-to-digital converter reads."""
+    """Returns the reading of a 10-bit analogue-to-digital converter."""
     return max(0, min(1023, int(volts * ADC_STEPS_PER_VOLT)))
 
 def adxl330(metresPerSecondSquared):
@@ -35,14 +36,14 @@ def idg500(radiansPerSecond):
     return adc(1.35 + 0.002 * degrees)
 
 def hmc6352(degrees):
-    """HMC6352: heading in tenths of a degree, 0 to 3599. SEAR answers -180 to 180."""
+    """HMC6352: heading in tenths of a degree, 0 to 3599. SEAR returns -180 to 180."""
     return int(round(degrees * 10)) % 3600
 
 def axes(text):
-    """"x,y,z" as three numbers."""
+    """Returns the three numbers of a text "x,y,z"."""
     return [float(token) for token in text.split(",")]
 
-# ---- which sensor number answers what: each function gives a list of 16-bit numbers ---------------------------------------------------------
+# ---- sensor numbers and their functions: each returns a list of 16-bit numbers ----------------------------------------------------------
 
 def sonar1():
     return [centimetres(sear.getDistanceResult("testPing1"))]

@@ -1,5 +1,5 @@
-# userCode.py: drives a simulated robot and asks its microcontroller (controller.py) for the simple sensors, over a serial port as with real
-# hardware. Change names, ports and the folder of controller.py to your own.
+# userCode.py: drives a simulated robot and reads its microcontroller's simple sensors (controller.py) over a serial
+# port, as with real hardware. Adapt names, ports and the folder of controller.py.
 
 controllerFile = "SEARproject/controller.py"
 robotPort = "/dev/SEAR_Robot_01"
@@ -14,11 +14,12 @@ COMPASS = 0x2F
 sear = Runtime.start("SEAR", "SEAR")
 if not sear.isSimulating():
     sear.startSimulation()
-sear.simSleep(1)                        # things fall into their places
+sear.simSleep(1)                        # lets objects come to rest
 python.execFile(controllerFile)         # the microcontroller
 
 def connectRoomba(roomba, port):
-    """MyRobotLab's Roomba service lets go of its port at once and talks through the service named "serial": this connects that."""
+    """MyRobotLab's Roomba service closes its port immediately and talks through the service named "serial": this
+    connects that service."""
     roomba.connect(port)
     line = Runtime.getService("serial")
     if line is not None and not line.isConnected():
@@ -43,7 +44,7 @@ userSerial.connect(controllerPort, 9600, 8, 1, 0)
 userSerial.addListener("publishRX", python.getName(), "onControllerReply")
 
 def ask(sensorNumber, count):
-    """Requests a sensor, waits for its 16-bit numbers (high byte first), and answers them."""
+    """Requests a sensor, waits for its 16-bit numbers (high byte first), and returns them."""
     del msgBuffer[:]
     userSerial.write(0x8E)
     userSerial.write(sensorNumber)
@@ -55,7 +56,7 @@ def ask(sensorNumber, count):
     return [msgBuffer[2 * i] * 256 + msgBuffer[2 * i + 1] for i in range(count)]
 
 ADC_STEPS_PER_VOLT = 1024 / 3.3
-AT_REST_ADXL330 = int(1.5 * ADC_STEPS_PER_VOLT)     # what each of the two answers when nothing moves
+AT_REST_ADXL330 = int(1.5 * ADC_STEPS_PER_VOLT)     # readings at rest
 AT_REST_IDG500 = int(1.35 * ADC_STEPS_PER_VOLT)
 
 def metresPerSecondSquared(counts):

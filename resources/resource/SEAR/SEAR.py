@@ -1,16 +1,16 @@
-# A robot drives towards a wall, and its distance sensor says how far that is.
-# Change anything and run it again; docs/objects.md lists everything that a world can hold.
+# A robot drives towards a wall and measures its distance. Change anything and run the script again. docs/objects.md
+# lists all objects of a world.
 from org.SEAR.POJOs import Box, Distance, Floor, Robots
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
 Floor("floor", 10, 10, False)
 wall = Box("wall", 4, 0.1, 1, 0)
-wall.setColor("tan")    # or "#rrggbb"; wall.setImage takes a picture
+wall.setColor("tan")    # or "#rrggbb"; wall.setImage sets a picture
 wall.move(0, 0.5, 3)
 
-robot = Robots.create("robot", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot = Robots.create("robot", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real robot
 ping = Distance("ping", "PING)))")
 ping.move(0, 0.2, 0.15)
 robot.addComponent(ping)

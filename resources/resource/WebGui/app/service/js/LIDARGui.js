@@ -1,4 +1,4 @@
-// Panel of the LIDAR service. MyRobotLab loads this script by its name; what the panel does is in modules, which come later.
+// Panel of the LIDAR service. MyRobotLab loads this script by its name. The panel's code is in modules loaded later.
 angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scope', '$timeout', function($scope, $timeout) {
     var self = this
     import(new URL('service/js/sear/lidar/panel.js', document.baseURI)).then(function(panel) {
@@ -6,7 +6,7 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
             panel.open(self, $scope, $timeout)
         }
     }).catch(function(error) {
-        $scope.failed = 'This panel could not be loaded: ' + error.message + '. Install SEAR again, then reload this page'
+        $scope.failed = 'This panel did not load: ' + error.message + '. Reinstall SEAR, then reload this page'
     }).then(function() {
         $scope.$applyAsync()
     })

@@ -131,7 +131,7 @@ public class ClicksTest extends InPage {
         openExample("maze");
         page.browser.type(".sear-path", "maze.sear");
         page.browser.click(".sear-save");
-        page.browser.seeText(".sear-question", "maze.sear is there already, and this page did not write it.");
+        page.browser.seeText(".sear-question", "maze.sear already exists, and this page did not save it.");
         page.browser.click(".sear-beside");
         page.browser.seeText(".sear-last", "saved maze-2.sear");
         Path saved = mrl.folder().resolve("maze-2.sear");

@@ -1,4 +1,4 @@
-// The service "mrl" that panels get: messages to and from MyRobotLab's services. docs/panels.md describes it.
+// The service "mrl" for panels: messages to and from MyRobotLab's services. docs/panels.md describes it.
 angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout', function($rootScope, $q, $timeout) {
     var self = this
     var RETRY = 1000
@@ -7,14 +7,14 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
     var nextId = 1
     var waiting = {}        // id of a call -> promise of its answer
     var topics = {}         // service -> topic -> true
-    var shown = {}          // service and topic, where a service's panel has asked for it
-    var callbacks = {}      // service -> functions that get its messages
+    var shown = {}          // service and topic subscribed to by a service's own panel
+    var callbacks = {}      // service -> functions that receive its messages
     var states = {}         // service -> its last state
     var methods = {}        // service -> names of its methods
     var interfaces = {}     // service -> msg
-    var missed = false      // whether states may have changed while there was no connection
+    var missed = false      // whether states may have changed without a connection
     this.connected = false
-    this.refused = false    // whether the server asks for a token, and has not got the right one
+    this.refused = false    // whether the server asks for a token and has not received a valid one
     this.services = []
 
     function connect() {
@@ -50,7 +50,7 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
         }
     }
 
-    /** A web socket does not say why it could not be opened. */
+    /** A web socket does not report why it failed to open; a request does. */
     function askWhy() {
         fetch('api/service').then(function(answer) {
             self.refused = answer.status === 401
@@ -117,12 +117,12 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
         })
     }
 
-    /** Has a service call a method; nobody waits for the answer. */
+    /** Calls a service's method without waiting for an answer. */
     this.sendTo = function(name, method) {
         transmit({name: name, method: method, data: Array.prototype.slice.call(arguments, 2)})
     }
 
-    /** Has a service call a method. @return a promise of its answer */
+    /** Calls a service's method. @return a promise of its answer */
     this.sendBlocking = function(name, method) {
         var answer = $q.defer()
         var id = nextId++
@@ -135,7 +135,7 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
         return answer.promise
     }
 
-    /** Has a service's publishX arrive as onX. */
+    /** Subscribes to a topic: a service's publishX arrives as onX. */
     this.subscribe = function(name, topic) {
         topics[name] = topics[name] || {}
         topics[name][topic] = true
@@ -149,12 +149,12 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
         transmit({unsubscribe: name, topic: topic})
     }
 
-    /** Whether a service's own panel has asked for a topic. */
+    /** Whether a service's own panel has subscribed to a topic. */
     this.isShown = function(name, topic) {
         return Boolean(shown[name + ' ' + topic])
     }
 
-    /** Has a function get all messages of a service. */
+    /** Calls a function with all messages of a service. */
     this.subscribeToService = function(callback, name) {
         callbacks[name] = callbacks[name] || []
         if (callbacks[name].indexOf(callback) < 0) {
@@ -168,7 +168,7 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
         })
     }
 
-    /** The last state of a service. */
+    /** Returns the last state of a service. */
     this.getService = function(name) {
         return states[name]
     }
@@ -177,7 +177,9 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
         return self.services
     }
 
-    /** The msg of a panel: send, subscribe and so on for one service, and a function for each of its methods. */
+    /**
+     * Returns the msg of a panel: send, subscribe and so on for one service, and a function for each of its methods.
+     */
     this.createMsgInterface = function(name) {
         interfaces[name] = interfaces[name] || makeInterface(name)
         addMethods(name)
@@ -231,7 +233,7 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
         }
     }
 
-    // A browser may keep a page that was left, connection and all, for the button that goes back; then it connects again.
+    // A browser may cache a left page with its connection for the back button. The page then connects again.
     window.addEventListener('pagehide', function() {
         socket.close()
     })

@@ -1,4 +1,4 @@
-// The front of the embedded MyRobotLab: a tab for each service, with its panel XGui, and the messages of all services.
+// Page of the embedded MyRobotLab: a tab for each service, with its panel XGui, and the messages of all services.
 (function() {
     var app = angular.module('mrlapp', ['mrlapp.mrl'])
     var providers = {}
@@ -14,18 +14,18 @@
         var LAST = ['Runtime', 'WebGui']
         var REPEATED = 'could not invoke '
         var BARE = 'AnyGuiCtrl'
-        var PORT = 'Serial'     // there are many of them, and they are rarely looked at
-        var faces = {}          // by type: whether it has a panel of its own
+        var PORT = 'Serial'     // numerous and rarely viewed
+        var faces = {}          // by type: whether it has its own panel
         shell.main = []         // services with a tab
-        shell.ports = []        // and those in the menu
+        shell.ports = []        // services in the menu
         shell.bare = []
         shell.services = []
-        shell.menu = false      // whether it is open
+        shell.menu = false      // whether the menu is open
         shell.statuses = []
         shell.form = {name: '', type: ''}
-        var wanted = null       // the tab that the user wants, shown whenever its service is there
+        var wanted = null       // the tab that the user wants, shown whenever its service exists
         shell.shown = null
-        // as MyRobotLab shows panels: beside the list of services, as far from the window's edges
+        // like MyRobotLab's layout: beside the list of services, at the same distance from the window's edges
         shell.beside = /[?&]layout=myrobotlab\b/.test(window.location.search)
 
         Object.defineProperty(shell, 'connected', {get: function() {
@@ -55,7 +55,7 @@
             return !isPort(service) && faces[service.simpleName]
         }
 
-        /** Services whose panel shows more than their state get a tab, the others stand in the menu. */
+        /** Services whose panel shows more than their state get a tab; the others are in the menu. */
         function sort() {
             shell.ports = shell.services.filter(isPort)
             shell.main = shell.services.filter(isMain)
@@ -68,7 +68,7 @@
         function lookForFace(service) {
             var type = service.simpleName
             if (!(type in faces)) {
-                faces[type] = FIRST.indexOf(type) >= 0      // until it is known
+                faces[type] = FIRST.indexOf(type) >= 0      // until known
                 panels(type).then(function(panel) {
                     faces[type] = panel.controller !== BARE
                     sort()
@@ -102,7 +102,7 @@
             }
         }
 
-        var told = {}           // services that have said why a call failed, which MyRobotLab has not repeated yet
+        var told = {}           // services that have reported why a call failed, before MyRobotLab's repetition
         function add(status) {
             var text = status.key || status.detail
             if (status.level === 'error') {
@@ -116,7 +116,7 @@
             shell.statuses.splice(MOST_STATUSES)
         }
 
-        /** Messages that the panel in front shows itself are not shown twice. */
+        /** Whether to list a message here: not if the panel in front shows it itself. */
         shell.isNews = function(status) {
             var name = String(status.name).split('@')[0]
             return name !== shell.shown || !mrl.isShown(name, 'publishStatus')
@@ -128,7 +128,7 @@
             }
             choose()
         }
-        /** The service in front, if it stands in the menu. */
+        /** Whether the service in front is in the menu. */
         shell.inMenu = function() {
             return shell.bare.concat(shell.ports).some(function(service) {
                 return service.name === shell.shown
@@ -140,7 +140,7 @@
 
         function closeMenu() {
             shell.menu = false
-            document.getElementById('shell-more').focus()   // not lost with what is hidden
+            document.getElementById('shell-more').focus()   // keeps the focus, which would disappear with the menu
             $scope.$applyAsync()
         }
         $document.on('mousedown', function(event) {
@@ -156,7 +156,7 @@
         })
     }])
 
-    // A module that comes after the start of the application: what it declares is handed to the providers by hand.
+    // Registers a module loaded after the application's start: passes its declarations to the providers.
     function register(module) {
         module._invokeQueue.forEach(function(call) {
             providers[call[0]][call[1]].apply(providers[call[0]], call[2])
@@ -189,7 +189,7 @@
             })
         }
 
-        /** The panel of a type; that of any service if it has none. */
+        /** Returns the panel of a type, or the general one if it has none. */
         return function(type) {
             loaded[type] = loaded[type] || load(type).catch(function() {
                 return type === 'Any' ? $q.reject() : load('Any')
@@ -198,7 +198,10 @@
         }
     }])
 
-    /** What MyRobotLab puts on a panel's scope after its controller has run; what a panel has put there under such a name is lost. */
+    /**
+     * Adds the members that MyRobotLab puts on a panel's scope after its controller; they overwrite the panel's own of
+     * the same name.
+     */
     function addMembers(scope, msg) {
         scope.parentPanel = {name: msg.name}
         scope.peer = null

@@ -295,7 +295,7 @@ public class BuildingTest {
         browser.type(".sear-sought", "laser");
         browser.until("what is looked for", () -> browser.texts(".sear-make").equals(List.of("Laser scanner")));
         browser.type(".sear-sought", "xyz");
-        browser.seeText(".sear-palette", "Nothing is called so.");
+        browser.seeText(".sear-palette", "Nothing found.");
     }
 
     @Test

@@ -117,7 +117,7 @@ public class MeanwhileTest {
             at(x, 0).clickAndHold().perform();
             at(x + 0.5, 0).perform();
             another("delete", "crate");
-            browser.seeText(".sear-last", "crate is gone or has another name; the last edit of another page or a script: delete crate");
+            browser.seeText(".sear-last", "crate was deleted or renamed by another page or a script. Its last edit: delete crate");
             at(1, 1).release().perform();
             assertTrue("nothing was complained about", tab.isTrue("(messages.list | filter:{level: 'error'}).length == 0"));
             selectACrate();
@@ -147,8 +147,8 @@ public class MeanwhileTest {
         type("mass", "9", Keys.ENTER);
         at(0.3, 0.3).clickAndHold().perform();
         at(1.3, 0.3).release().perform();
-        browser.seeText("[data-field='mass'] .sear-wrong", "an edit has no answer");
-        browser.seeText(".sear-last", "an edit has no answer");
+        browser.seeText("[data-field='mass'] .sear-wrong", "no answer to an edit");
+        browser.seeText(".sear-last", "no answer to an edit");
         browser.until("it is shown where it is", () -> tab.number(CRATE + "[0]") == 0 && !tab.isTrue("building.isBusy()"));
         browser.script("var msg = angular.element(document.querySelector('.sear-main')).scope().msg; msg.send = msg.own");
         type("mass", "9", Keys.ENTER);

@@ -70,7 +70,7 @@ public class OwnRobotTest {
 
     @Test
     public void twoWheelsACasterAndTwoMotorsMakeARobotThatStandsAndDrives() {
-        browser.seeText(".sear-note", "the project is empty: choose something in the palette, then click where it is to stand");
+        browser.seeText(".sear-note", "the project is empty: choose an object in the palette, then click where to place it");
         arm("Wheel");
         browser.click(".sear-middle");
         browser.seeText(".sear-last", "a Wheel is a part of a robot: make one first, such as the Chassis, below Robots");
@@ -109,7 +109,7 @@ public class OwnRobotTest {
         assertEquals(List.of("wheel1", "wheel2"), browser.texts("[data-field='wheel'] option"));
         arm("Motor");
         browser.click(".sear-middle");
-        browser.seeText(".sear-last", "a Motor turns a driven wheel, and chassis1 has none without a motor");
+        browser.seeText(".sear-last", "a Motor needs a driven wheel without a motor, and chassis1 has none");
         browser.click(".sear-disarm");
         drive();
     }

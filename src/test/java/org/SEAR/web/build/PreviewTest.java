@@ -72,7 +72,7 @@ public class PreviewTest {
     @Test
     public void theProjectIsSeenFromAboveAsItWillStart() {
         open("office", "office Roomba");
-        browser.seeText(".sear-note", "Not running: this is how the project starts, with the button Start or sear.startSimulation()");
+        browser.seeText(".sear-note", "Not running: the view shows the project before its start, by the button Start or sear.startSimulation()");
         tab.waitForStatus("no simulation runs");
         browser.seeText(".sear-tree", "office Roomba robot");
         browser.click(".sear-beams");
@@ -137,7 +137,7 @@ public class PreviewTest {
         assertTrue("it is no message each second", browser.all(".sear-main .alert").isEmpty());
         Files.delete(bad);
         browser.until("no problems", () -> browser.all(".sear-problems").isEmpty());
-        browser.seeText(".sear-note", "Not running: this is how the project starts");
+        browser.seeText(".sear-note", "Not running: the view shows the project before its start");
     }
 
     @Test

@@ -65,7 +65,7 @@ public class ProjectsInTheTabTest {
         browser.seeText(".sear-robots", "maze Roomba");
         assertTrue(browser.all(".sear-main datalist option").stream().anyMatch(option -> "kept.sear".equals(option.getAttribute("value"))));
         for (String css : List.of(".sear-load", ".sear-new", ".sear-example")) {
-            assertEquals("not while the simulation runs: Stop it first", browser.see(css).getAttribute("title"));
+            assertEquals("stop the simulation first", browser.see(css).getAttribute("title"));
         }
         assertTrue("no project is opened while one runs", !browser.see(".sear-load").isEnabled() && !browser.see(".sear-example").isEnabled());
     }
@@ -90,7 +90,7 @@ public class ProjectsInTheTabTest {
         tab.openExample("maze");
         seePath("maze.sear");
         browser.click(".sear-save");
-        browser.seeText(".sear-question", "maze.sear is there already, and this page did not write it.");
+        browser.seeText(".sear-question", "maze.sear already exists, and this page did not save it.");
         browser.click(".sear-cancel");
         browser.until("no question", () -> browser.all(".sear-question").isEmpty());
         assertArrayEquals(foreign, bytes("maze.sear"));

@@ -251,7 +251,7 @@ public class RecordsTabTest {
         browser.choose(".sear-source", "run1.searlog");
         browser.seeText(".sear-badge", "Replay of run1.searlog");
         browser.click(".sear-share");
-        browser.seeText(".sear-main .alert-info", "it has no beams, and its wheels don't turn: run1.searlog is of another project");
+        browser.seeText(".sear-main .alert-info", "without beams and wheel rotation: run1.searlog is of another project");
         browser.driver().get(browser.download("run1.html").toUri().toString());
         browser.until("the robot drives", () -> inPlayer("robots[0].shown[2]") > 0.1);
         assertFalse("there are none to be shown", browser.driver().findElement(By.id("beams")).isDisplayed());
@@ -269,7 +269,7 @@ public class RecordsTabTest {
         browser.click(".sear-play");
         browser.until("a second of it", () -> tab.number("replay.time()") > 1);
         browser.click(".sear-video");
-        browser.seeText(".sear-main .alert-info", "the video is saved as sear.webm");
+        browser.seeText(".sear-main .alert-info", "saved the video as sear.webm");
     }
 
     private void assertRangesAreChosenByMouse() {

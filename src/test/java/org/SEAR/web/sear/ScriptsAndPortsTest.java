@@ -131,7 +131,7 @@ public class ScriptsAndPortsTest {
         browser.click(".python-open");
         browser.seeText(".python-question", "The text below is not saved.");
         browser.click(".python-go");
-        browser.seeText(".python-problem", "mispelt.py can't be opened: there is no such file");
+        browser.seeText(".python-problem", "mispelt.py can't be opened: no such file");
         assertEquals("print 'not saved yet'", python.text());
         browser.type(".python-file", "no/such/folder/x.py");
         browser.click(".python-save");
@@ -146,7 +146,7 @@ public class ScriptsAndPortsTest {
         code("print 'mine'");
         browser.type(".python-file", "foreign.py");
         browser.click(".python-save");
-        browser.seeText(".python-question", "foreign.py is there already");
+        browser.seeText(".python-question", "foreign.py already exists");
         browser.click(".python-cancel");
         assertEquals("print 'foreign'", read("foreign.py"));
         browser.click(".python-save");

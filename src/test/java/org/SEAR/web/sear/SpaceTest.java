@@ -246,7 +246,7 @@ public class SpaceTest {
             + " return kind.indexOf('webgl') >= 0 ? null : original.apply(this, arguments) } })(HTMLCanvasElement.prototype.getContext)");
         browser.click(".sear-map");
         browser.click(".sear-space");
-        browser.seeText(".sear-pointed", "This browser has no WebGL: the map is all that it can show");
+        browser.seeText(".sear-pointed", "This browser has no WebGL and shows only the map");
         browser.see(".sear-view");
     }
 

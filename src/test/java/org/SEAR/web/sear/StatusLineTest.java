@@ -49,7 +49,7 @@ public class StatusLineTest {
     public void whatHasNoNameIsNotSaved() {
         browser.see(".sear-path").sendKeys(Keys.chord(Keys.CONTROL, "a"), Keys.DELETE);
         browser.click(".sear-save");
-        browser.seeText(".sear-last", "a project without a name can't be saved: write one into the field Project, such as project.sear");
+        browser.seeText(".sear-last", "enter a name in the field Project before you save, for example project.sear");
         type(".sear-path", ".sear");
         browser.click(".sear-save");
         browser.seeText(".sear-last", "the path \".sear\" names no file");
@@ -77,7 +77,7 @@ public class StatusLineTest {
     public void aRefusedNameIsSaidBelowItsFieldAndLeavesNothingBehind() {
         selectTheCrate();
         type("#sear-p-name", "a/b");
-        browser.seeText(".sear-name-error", "\"a/b\" is no name for it; legal: ");
+        browser.seeText(".sear-name-error", "\"a/b\" is not a valid name here; legal: ");
         browser.until("the name that it has", () -> "crate".equals(browser.see("#sear-p-name").getAttribute("value")));
         type("#sear-p-name", "chest");
         browser.until("another name", () -> tab.isTrue("edits.object && edits.object.name == 'chest'"));

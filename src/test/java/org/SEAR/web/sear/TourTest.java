@@ -119,7 +119,7 @@ public class TourTest {
         goToTheObstacle();
         WebElement view = browser.see(".sear-view");
         onMap(view, 0.5, -1.5).click().perform();
-        browser.seeText(".driver-popover-description", "That box is not in its way. Drag it");
+        browser.seeText(".driver-popover-description", "That box is not in the rover's way. Drag it");
         assertEquals("still the same step", 5, tab.number("tour.step"), 0);
         browser.until("a box that can be dragged", () -> tab.isTrue("edits.object && edits.object.type == 'Box' && building.found() !== null"));
         onMap(view, 0.5, -1.5).clickAndHold().perform();

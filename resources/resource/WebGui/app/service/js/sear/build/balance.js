@@ -1,13 +1,14 @@
-// Where the centre of mass of a selected robot is, and what it stands on, in the views of the SEAR panel. The numbers come with the world.
+// Centre of mass and support polygon of the selected robot in the SEAR panel's views. The world message contains the
+// numbers.
 import * as geometry from '../shared/geometry.js'
 
 var SAFE = '#5cb85c'
 var CRITICAL = '#d9534f'
-var SIZE = 0.035            // of the mark, as a share of the camera's distance
-var RADIUS = 7              // of the mark on the map, pixels
-var ABOVE = 0.004           // metres between the ground and what is drawn there
+var SIZE = 0.035            // size of the mark, as a fraction of the camera's distance
+var RADIUS = 7              // radius of the mark on the map, pixels
+var ABOVE = 0.004           // height of the drawn polygon above the ground, metres
 
-/** The robot that is selected, or whose part is; null for none. @param found see pointing.find */
+/** Returns the selected robot, or the robot whose part is selected; null for none. @param found see pointing.find */
 export function robotOf(found) {
     var robot = found && (found.robot || found.object)
     return robot && robot.balance ? robot : null
@@ -15,7 +16,7 @@ export function robotOf(found) {
 function color(balance) {
     return balance.critical ? CRITICAL : SAFE
 }
-/** The usual mark of a centre of mass: a circle of black and white quarters. */
+/** Draws the usual symbol of a centre of mass: a circle of black and white quarters. */
 function mark(pen, x, y, radius) {
     for (var i = 0; i < 4; i++) {
         pen.beginPath()
@@ -53,7 +54,7 @@ function spriteOf() {
     return sprite
 }
 
-/** Where the plumb line from the centre of mass ends, in the body. */
+/** Returns the lower end of the plumb line from the centre of mass, in the body's frame. */
 function plumb(balance) {
     var sum = balance.support.reduce((height, corner) => height + corner[1], 0)
     return [balance.centre[0], balance.support.length ? sum / balance.support.length : 0, balance.centre[2]]
@@ -72,7 +73,7 @@ function make(scene, balance) {
     return group
 }
 
-/** Shows it in space. @param found what is selected, null for nothing */
+/** Shows the balance in the 3D view. @param found the selection; null for none */
 export function show(scene, found) {
     var robot = robotOf(found)
     if (scene.balance && (!robot || scene.balance.balance !== robot.balance)) {
@@ -90,7 +91,7 @@ export function show(scene, found) {
     }
 }
 
-/** Draws it on the map. @param at where a point of the ground lies there, in pixels */
+/** Draws the balance on the map. @param at maps a ground point to pixels */
 export function draw(pen, found, at) {
     var robot = robotOf(found)
     if (!robot) {

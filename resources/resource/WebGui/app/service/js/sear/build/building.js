@@ -1,4 +1,4 @@
-// Mouse and keys that select, place, move, turn and size things in the views of the SEAR panel.
+// Mouse and keyboard control that selects, places, moves, turns and resizes objects in the SEAR panel's views.
 import * as balance from './balance.js'
 import * as geometry from '../shared/geometry.js'
 import * as handles from './handles.js'
@@ -6,37 +6,37 @@ import {mounted} from './mounting.js'
 import * as places from './places.js'
 import * as pointing from '../world/pointing.js'
 
-var CLICK = 4               // pixels: a mouse that moves less than this clicks
-var STEP = 0.05             // metres of an arrow key; a fifth of it with the alt key
+var CLICK = 4               // pixels: a shorter mouse movement is a click
+var STEP = 0.05             // metres per arrow key; a fifth of it with the Alt key
 var TURN = 15               // degrees
-var SMALLEST = 0.05         // metres that a size snaps to, at least
-var NEAR = 10               // pixels of the map: what is selected and has no shape, or is below others, can be taken so near
-var PAUSE_MILLIS = 400      // several keys within this time are one edit
+var SMALLEST = 0.05         // minimum of a snapped size, metres
+var NEAR = 10               // pixels on the map: pick radius of a selected object without a shape or below others
+var PAUSE_MILLIS = 400      // key presses within this time form one edit
 var ARROWS = {ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 0, 1], ArrowDown: [0, 0, -1], PageUp: [0, 1, 0], PageDown: [0, -1, 0]}
 var AXES = ['x', 'y', 'z']
 
-/** Of one panel. */
+/** Makes the build controls of one panel. */
 export function makeBuilding(panel, messages, world, view, edits, palette, pointer, picture) {
     var building = {found: found}
-    var drag = null             // what the mouse does with the selected object
-    var grip = null             // where the mouse went down
-    var keyed = null            // what keys have moved and turned that is not sent yet
-    var asked = 0               // how many of its edits have no answer yet
-    // Where what is selected is shown until the service answers, whatever a running simulation tells meanwhile: object, pose; drawn, the pose that it
-    // was given last, and truth, the one that it had before
+    var drag = null             // the mouse's current action on the selected object
+    var grip = null             // where the mouse button went down
+    var keyed = null            // movement by keys that is not sent yet
+    var asked = 0               // number of edits without an answer
+    // Pose shown until the service answers, whatever the running simulation reports. Fields: object, pose; drawn, the
+    // pose set last; truth, the object's pose from the service.
     var held = null
 
     edits.changed.hear(function() {
         if (drag && drag.object !== edits.selected) {
-            drag = null         // it is gone, or another one was selected
+            drag = null         // the object was deleted, or another one was selected
             release(false)
         }
     })
-    /** What is selected, see pointing.find. */
+    /** Returns the selection, see pointing.find. */
     function found() {
         return pointing.find(world.shown(), edits.selected)
     }
-    /** The ray of a pixel while something is dragged. */
+    /** Returns the ray of a pixel during a drag. */
     function ray(x, y) {
         return pointer.ray(x, y, drag.from[1] + 1)
     }
@@ -56,7 +56,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
             balance.draw(pen, selected, view.toScreen)
         }
     }
-    /** With the size that the mouse gives it. */
+    /** Returns the extent, with the size that the mouse is giving it. */
     function extent(selected) {
         return drag && drag.extent || pointing.extent(selected.object)
     }
@@ -65,7 +65,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         return handles.spots(selected, extent(selected), selected.object.type ? handles.sizesOf(edits.typeOf(selected.object.type)) : {},
             scene ? handles.inSpace(scene, selected) : handles.above(view.scale))
     }
-    /** Where the handle of what is selected is in the world; null if it has none of that name. */
+    /** Returns a handle's position in the world; null if the selection has no such handle. */
     building.handle = function(name) {
         var selected = found()
         var spot = selected && spots(selected)[name]
@@ -73,14 +73,17 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
     }
 
     // ---- moving ------------------------------------------------------------------------------------------------------------------------
-    /** What begins to be moved: object, its values, start: its pose, place: see places.of */
+    /** Returns the start of a movement: object, values, start (pose), place (see places.of). */
     function begun(selected) {
         building.hold()
         var values = edits.values()
         return {object: edits.selected, values: values, start: selected && selected.object.pose.slice(),
             place: places.of(selected, values, panel.isSimulating() && world.shown() === world.running)}
     }
-    /** Shows it elsewhere until the service answers. @param shift in its parent's frame @param degrees that it is turned about y */
+    /**
+     * Shows the object at another pose until the service answers. @param shift in its parent's frame @param degrees
+     * rotation about y
+     */
     function showMoved(start, shift, degrees) {
         var selected = found()
         if (!selected) {
@@ -97,9 +100,9 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         held.pose = pose
         picture.repaint()
     }
-    /** Whether something is held that is not where it was; the view does not follow it meanwhile. */
+    /** Whether an object is shown away from its reported pose; the view then does not follow it. */
     building.isBusy = () => drag !== null || held !== null
-    /** Comes before the views are drawn. */
+    /** Applies the held pose. Called before the views are drawn. */
     building.hold = function() {
         var selected = held && pointing.find(world.shown(), held.object)
         if (selected) {
@@ -107,7 +110,10 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
             selected.object.pose = held.drawn = held.pose
         }
     }
-    /** Nothing is held any more, if nothing else is under way. @param stays whether it stands where it was shown, else it goes back to where it is */
+    /**
+     * Stops holding if no drag, key or edit is pending. @param stays whether the object keeps the shown pose, else it
+     * returns to its own
+     */
     function release(stays) {
         if (!held || drag || keyed || asked) {
             return
@@ -120,7 +126,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         held = null
         picture.repaint()
     }
-    /** Sends what was changed. What was shown meanwhile goes back if it is refused. @param done see begun */
+    /** Sends the change. If the service rejects it, the object returns to its pose. @param done see begun */
     function send(done, set) {
         var edit = edits.setting(done.object, places.edit(done.place, set), done.values)
         edit.stand = done.place.stands && set.y === undefined
@@ -150,7 +156,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
             from: kind ? building.handle(kind) : under.point, up: event.shiftKey && Boolean(scene), set: null,
             extent: kind && kind !== 'turn' ? pointing.extent(selected.object) : null})
     }
-    /** Whether what is selected is what was met at a pixel. */
+    /** Whether the object at a pixel is the selected one. */
     function isAt(selected, under, x, y) {
         if (under && under.who && (under.who.address === edits.selected || under.who.robot === edits.selected)) {
             return true
@@ -200,7 +206,9 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         })
         showMoved(drag.start, shift, 0)
     }
-    /** A sensor that is dragged over the body of its robot stays on it. @return whether there was one below the mouse */
+    /**
+     * Keeps a sensor that is dragged over its robot's body on its surface. @return whether a body is under the mouse
+     */
     function slideOnBody(x, y, free) {
         var selected = found()
         var isSensor = selected && selected.robot && selected.robot.parts.indexOf(selected.object) < 0
@@ -228,7 +236,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         drag.set = {ry: places.plain(ry)}
         showMoved(drag.start, [0, 0, 0], ry - drag.place.ry)
     }
-    /** The side opposite to the handle stays where it is. */
+    /** Resizes the object; the side opposite to the handle stays in place. */
     function size(x, y, free) {
         var i = AXES.indexOf(drag.kind)
         var what = handles.sizesOf(edits.typeOf(edits.object.type))[drag.kind]
@@ -282,7 +290,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         }
         panel.scope.$applyAsync()
     }
-    /** A robot first, its parts once it is selected. */
+    /** Selects a robot first; its parts once the robot is selected. */
     function choice(who) {
         if (!who) {
             return null
@@ -326,7 +334,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
             click(event, p[0], p[1])
         }
     }
-    /** Once the canvases are there; what is done here comes before what turns and moves the views. */
+    /** Adds the listeners once the canvases exist. They run before those that turn and move the views. */
     building.listen = function() {
         panel.element('view').parentNode.addEventListener('mousedown', down, true)
         window.addEventListener('mousemove', moved, true)
@@ -340,7 +348,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
     }
 
     // ---- keys --------------------------------------------------------------------------------------------------------------------------
-    /** Left and right, forth and back as one sees it, along the world's axes. */
+    /** Maps an arrow key to the world axis nearest to its direction as seen. */
     function direction(arrow) {
         var scene = pointer.scene()
         if (!scene || arrow[1]) {
@@ -350,7 +358,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         var forth = [-Math.cos(azimuth), -Math.sin(azimuth)]
         return [forth[0] * arrow[2] - forth[1] * arrow[0], 0, forth[1] * arrow[2] + forth[0] * arrow[0]]
     }
-    /** Keys add up until none has come for a moment; what they have done is sent then, or before anything else is done. */
+    /** Adds up key presses. They are sent after a pause, or before any other edit. */
     function byKey(selected, shift, degrees) {
         keyed = keyed || angular.extend(begun(selected), {shift: [0, 0, 0], by: 0})
         clearTimeout(keyed.timer)
@@ -395,7 +403,7 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         }
     }
     edits.leaving.hear(sendKeyed)
-    /** @return whether it was a key of building */
+    /** Handles a key. @return whether it was a build key */
     building.key = function(event) {
         var command = event.ctrlKey || event.metaKey
         var key = event.key.length === 1 ? event.key.toLowerCase() : event.key

@@ -1,28 +1,28 @@
-// What the SEAR panel has the service do to the project, and which object is selected.
+// Edits of the project, done by the service, and the selected object.
 import {plain} from './places.js'
 import {makeEvent} from '../shared/event.js'
 
-var PATIENCE_MILLIS = 15000 // an answer that takes longer does not come, as when the connection was lost
-var UNANSWERED = 'an edit has no answer: MyRobotLab has ended or is busy, and it may not have been done'
+var PATIENCE_MILLIS = 15000 // timeout: a later answer is lost, for example with the connection
+var UNANSWERED = 'no answer to an edit: MyRobotLab has ended or is busy, and the edit may not be done'
 
-/** Of one panel. */
+/** Makes the edits of one panel. */
 export function makeEdits(panel, messages, world, view, picture) {
     var msg = panel.msg
-    var page = Math.random().toString(36).slice(2)      // tells answers to this page from those to others
+    var page = Math.random().toString(36).slice(2)      // distinguishes answers to this page from answers to other pages
     var sent = 0
-    var waiting = {}            // by number of an edit of this page that has no answer yet: edit, answered(answer)
-    var others = ''             // what another page or a script has done since the selected object was last seen
+    var waiting = {}            // edits of this page without an answer, by number: edit, answered(answer)
+    var others = ''             // latest edit of another page or a script since the selected object was last seen
     var edits = {
-        grammar: null,          // types and templates of what can be made; null until it is known
-        undoable: null,         // what undo would take back, in words
+        grammar: null,          // types and templates that can be made; null until known
+        undoable: null,         // text of the edit that undo reverts
         redoable: null,
-        selected: null,         // what edits call it: box1, rover, rover/ping
-        object: null,           // as its file has it; null until it is known
-        changed: makeEvent(),   // what is selected is another thing, or has other values
-        leaving: makeEvent()    // another edit or another selection follows: what has waited for more is sent before
+        selected: null,         // address of the selected object in edits: box1, rover, rover/ping
+        object: null,           // values in its file; null until known
+        changed: makeEvent(),   // another object is selected, or its values changed
+        leaving: makeEvent()    // before another edit or selection: sends pending key presses
     }
 
-    /** Has the service do an edit. @param then takes its answer; else this page says what was wrong */
+    /** Sends an edit to the service. @param then takes the answer; without it, the page shows why an edit failed */
     edits.edit = function(edit, then) {
         edits.leaving.tell()
         edit.page = page + ' ' + ++sent
@@ -34,7 +34,7 @@ export function makeEdits(panel, messages, world, view, picture) {
             }
             answered(answer)
         }}
-        view.choose()           // who builds looks where he wants to
+        view.choose()           // a user who builds keeps the view where it is
         msg.send('tryEdit', edit)
         panel.timeout(function() {
             if (waiting[edit.page]) {
@@ -42,14 +42,17 @@ export function makeEdits(panel, messages, world, view, picture) {
             }
         }, PATIENCE_MILLIS)
     }
-    /** What this page has set in an object without an answer yet. */
+    /** Returns what this page has set in an object, without an answer yet. */
     function unanswered(object) {
         return Object.values(waiting).map(one => one.edit).filter(edit => edit['do'] === 'set' && edit.object === object)
             .reduce((all, edit) => angular.extend(all, edit.set), {})
     }
-    /** The values of what is selected, as its file will have them. */
+    /** Returns the selection's values as its file will contain them. */
     edits.values = () => angular.extend({}, edits.object.values, unanswered(edits.selected))
-    /** An edit that sets, and is refused where somebody else has changed the same. @param seen the values that its user has seen */
+    /**
+     * Returns an edit that sets values; the service rejects it if another client has changed them. @param seen values
+     * that the user saw
+     */
     edits.setting = function(object, set, seen) {
         var was = {}
         Object.keys(set).forEach(function(name) {
@@ -62,7 +65,7 @@ export function makeEdits(panel, messages, world, view, picture) {
             messages.say('error', edits.refusal(answer))
         }
     }
-    /** Why an edit was not done, in one text. */
+    /** Returns why an edit failed, as one text. */
     edits.refusal = function(answer) {
         return answer.reason || answer.problems.map(function(problem) {
             return problem.file + ': ' + (problem.field ? problem.field + ' is "' + problem.value + '"' : problem.value) + ', legal: ' + problem.legal
@@ -111,11 +114,11 @@ export function makeEdits(panel, messages, world, view, picture) {
         takeBack('undo', 'undone')
     }
     edits.redo = function() {
-        takeBack('redo', 'done again')
+        takeBack('redo', 'redone')
     }
 
     // ---- what is selected --------------------------------------------------------------------------------------------------------------
-    /** @param address what edits call it; null for nothing */
+    /** Selects an object. @param address see selected; null for none */
     edits.select = function(address) {
         if (edits.selected !== address) {
             edits.leaving.tell()
@@ -132,32 +135,32 @@ export function makeEdits(panel, messages, world, view, picture) {
             msg.send('getProjectObject', edits.selected)
         }
     }
-    /** Each page gets the answers to all pages. */
+    /** Takes the data of an object. Each page receives the answers to all pages. */
     function onProjectObject(object) {
         if (!object || object.object !== edits.selected) {
             return
         }
         if (object.gone) {
             if (others) {
-                messages.say('warn', edits.selected + ' is gone or has another name; the last edit of another page or a script: ' + others)
+                messages.say('warn', edits.selected + ' was deleted or renamed by another page or a script. Its last edit: ' + others)
             }
             edits.select(null)
             return
         }
         others = ''
         if (Object.keys(unanswered(object.object)).length) {
-            return              // it is asked for again with the answer
+            return              // the answer to the edit asks for it again
         }
         edits.object = object
         edits.changed.tell()
         picture.repaint()
     }
-    /** What edits call a part or sensor of a robot, which the world may tell with its robot's name before it. */
+    /** Returns the address of a robot's part or sensor; the world message may prefix the robot's name. */
     edits.address = function(robot, name) {
         return robot + '/' + name.slice(name.indexOf('/') + 1)
     }
 
-    /** The description of a class; null if there is none. */
+    /** Returns the description of a class; null if there is none. */
     edits.typeOf = function(name) {
         return edits.grammar && edits.grammar.types.filter(type => type.type === name)[0] || null
     }
@@ -175,22 +178,22 @@ export function makeEdits(panel, messages, world, view, picture) {
             edits.edit({'do': 'delete', object: edits.selected}, function(answer) {
                 sayRefusal(answer)
                 if (answer.done) {
-                    if (!answer.note) {     // else that says what went with it
-                        messages.say('info', answer.words + ': Undo brings it back')
+                    if (!answer.note) {     // a note says what was deleted with it
+                        messages.say('info', answer.words + ': Undo restores it')
                     }
                     edits.select(null)
                 }
             })
         }
     }
-    /** The copy stands a little beside. */
+    /** Copies the selection half a metre to the side. */
     edits.duplicate = function() {
         if (edits.object) {
             edits.leaving.tell()
             edits.edit({'do': 'duplicate', object: edits.selected, set: {z: plain(Number(edits.values().z) + 0.5)}}, selectAfter)
         }
     }
-    /** @param refused takes the answer if that is no legal name */
+    /** Renames the selection. @param refused takes the answer if the name is invalid */
     edits.rename = function(name, refused) {
         edits.edit({'do': 'rename', object: edits.selected, name: name}, answer => (answer.done ? selectAfter : refused)(answer))
     }
@@ -204,7 +207,7 @@ export function makeEdits(panel, messages, world, view, picture) {
 
     world.previewed.hear(function() {
         edits.ask()
-        msg.send('getEdits')    // another project has other edits, which nobody tells
+        msg.send('getEdits')    // another project has other edits, and no message announces them
     })
     edits.handlers = {
         onEdit: onEdit,

@@ -1,22 +1,22 @@
-// What shows which object is selected in the views of the SEAR panel: a frame around it, and handles that turn it and change its size.
+// Marks of the selected object in the SEAR panel's views: a frame around it, and handles that turn and resize it.
 import * as geometry from '../shared/geometry.js'
 import * as pointing from '../world/pointing.js'
 
 var FRAME = 0xff7f0e
 var EYE = 0x8e5bd0
-var FAR = 1                 // metres from a sensor to the far end of what one sees through its eye
+var FAR = 1                 // length of the pyramid that shows a sensor's field of view, metres
 var HANDLES = [['x', 0xd9534f], ['y', 0x5cb85c], ['z', 0x337ab7], ['turn', 0xf0ad4e]]
-var SIZE = 0.012            // of a handle, as a share of the camera's distance
-var GAP = 0.06              // between the frame and the handle that turns, likewise
-var CUBE = 1.6              // sizes: side of a handle that changes a size
-var DISC = 1.3              // sizes: radius of the one that turns
-var ABOVE = 520             // pixels: the map shows handles as large as a camera at this distance does
-var NEAR = 3                // pixels beside a handle of the map that still count
-var ALONG = 0.95            // cosine: what one looks along that much can't be dragged
-var GROUND = 20             // metres that the grid is wide, to either side
-var MARKER = 0.02           // radius in metres of what stands for a sensor, which has no shape
+var SIZE = 0.012            // size of a handle, as a fraction of the camera's distance
+var GAP = 0.06              // distance of the turn handle from the frame, likewise
+var CUBE = 1.6              // side of a resize handle, in sizes
+var DISC = 1.3              // radius of the turn handle, in sizes
+var ABOVE = 520             // pixels: handles on the map are as large as for a camera at this distance
+var NEAR = 3                // pixels around a handle on the map that still pick it
+var ALONG = 0.95            // cosine: axes nearer than this to the line of sight have no handle
+var GROUND = 20             // half width of the grid, metres
+var MARKER = 0.02           // radius of the ball that marks a sensor, metres
 
-/** Which parameter is how long along which axis, for the handles: {x: {name, share}, ..}; share is how much of the length it is. */
+/** Returns the size parameter along each axis: {x: {name, share}, ..}; share is the parameter divided by the length. */
 export function sizesOf(type) {
     var names = type ? type.parameters.map(parameter => parameter.name) : []
     function has(name) {
@@ -39,8 +39,9 @@ export function sizesOf(type) {
 }
 
 /**
- * Where the handles are in the frame of what is selected, by their names; those of sizes only where there is one that can be seen.
- * @param found see pointing.find @param extent its corners @param sizes see sizesOf @param eye away: its distance, metres, along: where it looks
+ * Returns the handles' positions in the selection's frame, by name. Axes along the line of sight have no resize handle.
+ * @param found see pointing.find @param extent its corners @param sizes see sizesOf @param eye away: its distance in
+ * metres, along: its direction
  */
 export function spots(found, extent, sizes, eye) {
     var middle = [0, 1, 2].map(i => (extent[0][i] + extent[1][i]) / 2)
@@ -58,21 +59,21 @@ export function spots(found, extent, sizes, eye) {
     })
     return all
 }
-/** A spot in the world. */
+/** Converts a position in the selection's frame to the world. */
 export function placed(found, spot) {
     var at = geometry.rotate(found.pose, spot)
     return [found.pose[0] + at[0], found.pose[1] + at[1], found.pose[2] + at[2]]
 }
 
 // ---- on the map ------------------------------------------------------------------------------------------------------------------------
-/** The eye of a map that shows so many pixels a metre. */
+/** Returns the map's eye, for a scale in pixels per metre. */
 export function above(scale) {
     return {away: ABOVE / scale, along: [0, -1, 0]}
 }
 function css(color) {
     return '#' + ('00000' + color.toString(16)).slice(-6)
 }
-/** Draws frame and handles on the map. @param all see spots @param at where a point of the ground lies there, in pixels */
+/** Draws frame and handles on the map. @param all see spots @param at maps a ground point to pixels */
 export function draw(pen, found, extent, all, at) {
     function pixel(spot) {
         var point = geometry.onGround(found.pose, spot)
@@ -105,7 +106,7 @@ export function draw(pen, found, extent, all, at) {
         }
     })
 }
-/** The handle under a pixel of the map; null for none. */
+/** Returns the handle under a pixel of the map; null for none. */
 export function pickOnMap(found, all, at, x, y) {
     var nearest = null
     var least = DISC * SIZE * ABOVE + NEAR
@@ -124,7 +125,7 @@ export function pickOnMap(found, all, at, x, y) {
 }
 
 // ---- in space --------------------------------------------------------------------------------------------------------------------------
-/** The eye of the view in space. */
+/** Returns the 3D view's eye. */
 export function inSpace(scene, found) {
     var from = scene.camera.position
     var way = [found.pose[0] - from.x, found.pose[1] - from.y, found.pose[2] - from.z]
@@ -140,7 +141,7 @@ function lines(points, color) {
     var material = new THREE.LineBasicMaterial({color: color})
     return THREE.LineSegments ? new THREE.LineSegments(shape, material) : new THREE.Line(shape, material, THREE.LinePieces)
 }
-/** The twelve edges of a cube of side 1. */
+/** Returns the twelve edges of a unit cube. */
 function edges() {
     var points = []
     for (var axis = 0; axis < 3; axis++) {
@@ -157,7 +158,7 @@ function edges() {
     return points
 }
 
-/** What is seen from the origin: four edges and the far end of a pyramid that is 2 wide, 2 high and 1 long, along z. */
+/** Returns the edges of a field of view from the origin: a pyramid 2 wide, 2 high and 1 long, along z. */
 function pyramid() {
     var corners = [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]]
     var points = []
@@ -187,7 +188,10 @@ function make(scene) {
     return group
 }
 
-/** Shows what is selected. @param found see pointing.find, null for nothing @param extent its corners @param all see spots */
+/**
+ * Shows the selection's frame and handles.
+ * @param found see pointing.find; null for none @param extent its corners @param all see spots
+ */
 export function show(scene, found, extent, all) {
     if (!scene.handles) {
         if (!found) {
@@ -219,14 +223,14 @@ export function show(scene, found, extent, all) {
     showEye(scene, group.eye, found)
     group.updateMatrixWorld(true)
 }
-/** Of a sensor, what the view shows when one looks through its eye. */
+/** Shows what the view would show through a selected sensor's eye. */
 function showEye(scene, eye, found) {
     var up = Math.tan(scene.eyeField * Math.PI / 360)
     eye.visible = Boolean(found.robot) && found.robot.parts.indexOf(found.object) < 0
     eye.scale.set(FAR * up * scene.camera.aspect, FAR * up, FAR)
 }
 
-/** The handle under a pixel: 'x', 'y', 'z' or 'turn'; null for none. */
+/** Returns the handle under a pixel: 'x', 'y', 'z' or 'turn'; null for none. */
 export function pick(scene, x, y) {
     if (!scene.handles || !scene.handles.visible) {
         return null
@@ -236,7 +240,7 @@ export function pick(scene, x, y) {
     return hit ? hit.object.handle : null
 }
 
-/** While one builds: a grid on the ground, and something to click on for each sensor. */
+/** Shows the build aids: a grid on the ground, and a clickable ball for each sensor. */
 export function showAids(scene, world, building) {
     var THREE = window.THREE
     if (building && !scene.grid) {

@@ -1,12 +1,13 @@
-// The inspector of the SEAR panel: every parameter of the selected object with its unit, what is legal, and what it means, as the grammar says it.
+// The inspector of the SEAR panel: each parameter of the selected object with its unit, valid values and meaning from
+// the grammar.
 import {robotOf} from './balance.js'
 import {sizesOf} from './handles.js'
 import * as places from './places.js'
 import {drivenWheels} from './wheels.js'
 import {find} from '../world/pointing.js'
 
-var PARTS = ['component', 'wheel']              // of a robot: other edits see to them
-// Which parameters stand together, by their names, in the order in which the groups are shown; the others are in the group OWN.
+var PARTS = ['component', 'wheel']              // parameters of a robot that other edits handle
+// Groups of parameters, in the order shown, with a pattern of their names. All other parameters are in the group OWN.
 var GROUPS = [
     ['Size', /^(length|width|height|radius|scale[XYZ]|size)$/],
     ['Place', /^([xyz]|r[xyz]|onGround)$/],
@@ -16,23 +17,23 @@ var GROUPS = [
     ['Earth', /^place[A-Z]/]
 ]
 var OWN = 'Settings'
-// What others write for a number: with a comma, or with a unit behind it, each with what it is in the unit of SEAR.
+// Numbers with a decimal comma or a unit, and each unit's factor to SEAR's unit.
 var WRITTEN = /^([+-]?\d*[.,]?\d+)\s*([a-z°]*)$/i
 var UNITS = {m: {mm: 0.001, cm: 0.01, dm: 0.1, m: 1, km: 1000}, kg: {g: 0.001, kg: 1, t: 1000}, deg: {deg: 1, '°': 1}}
 
-/** Of one panel. */
+/** Makes the inspector of one panel. */
 export function makeInspector(panel, world, edits) {
-    var shown = null            // whose rows these are
-    var pen = document.createElement('canvas').getContext('2d')     // which knows the names of colours
+    var shown = null            // object and type of the rows
+    var pen = document.createElement('canvas').getContext('2d')     // converts colour names
     var inspector = {
-        groups: [],             // of the rows: name, rows
-        rows: [],               // of the parameters
-        parts: [],              // of a selected robot: what edits call them, and their names
-        nameError: '',          // what was wrong with the name that was last typed
-        inspected: {},          // the name as it stands in its field, and the robot that it is on
-        mountable: false,       // whether it may be on a robot
-        stays: false,           // whether it has to
-        refused: ''             // what was wrong and belongs to no field
+        groups: [],             // groups of rows: name, rows
+        rows: [],               // one row per parameter
+        parts: [],              // parts of a selected robot: address in edits, name
+        nameError: '',          // error of the name typed last
+        inspected: {},          // name in its field, and the robot it is mounted on
+        mountable: false,       // whether it can be mounted on a robot
+        stays: false,           // whether it must be on a robot
+        refused: ''             // errors that belong to no field
     }
 
     function grouped(rows) {
@@ -40,17 +41,17 @@ export function makeInspector(panel, world, edits) {
             var found = GROUPS.filter(group => group[1] && group[1].test(row.p.name))[0]
             return found ? found[0] : OWN
         }
-        var isScale = row => /^scale/.test(row.p.name) ? 1 : 0      // which few use
+        var isScale = row => /^scale/.test(row.p.name) ? 1 : 0      // rarely used
         return GROUPS.map(group => ({name: group[0], rows: rows.filter(row => nameOf(row) === group[0]).sort((a, b) => isScale(a) - isScale(b))}))
             .filter(group => group.rows.length)
     }
-    /** Text of a value, entries of a list of them. */
+    /** Compares texts, or lists of entries. */
     function same(a, b) {
         return angular.equals(a === undefined ? '' : a, b === undefined ? '' : b)
     }
     function rowOf(parameter) {
         var row = {p: parameter, id: 'sear-p-' + parameter.name, text: '', was: '', entries: null, error: ''}
-        /** Its colour in the form that the browser's chooser has, be it a name or such a form; sets another one. */
+        /** Returns the colour in the form of the browser's colour input; with an argument, sets another one. */
         row.color = function(chosen) {
             if (arguments.length) {
                 row.text = chosen
@@ -62,7 +63,7 @@ export function makeInspector(panel, world, edits) {
         }
         return row
     }
-    /** Fields of one entry of a list: of a group its parameters, else the value itself. */
+    /** Returns the fields of a list entry: a group's parameters, or the value itself. */
     function entryOf(row, value) {
         var fields = row.p.parameters || [row.p]
         return fields.map(function(parameter) {
@@ -70,7 +71,7 @@ export function makeInspector(panel, world, edits) {
             return {p: parameter, text: text === undefined || text === null ? parameter.initial || parameter['default'] : text}
         })
     }
-    /** Whether the user is typing there, and has not pressed Enter or left it yet. */
+    /** Whether the user is typing there, and has neither pressed Enter nor left the field. */
     function isTyped(row) {
         var field = document.activeElement
         var model = field && field.closest('[data-field="' + row.p.name + '"] input.form-control') && angular.element(field).controller('ngModel')
@@ -79,14 +80,14 @@ export function makeInspector(panel, world, edits) {
     function fill(row, value) {
         row.behind = row.filled && !same(row.was, value) && isTyped(row)
         if (row.behind || same(row.was, value) && row.filled) {
-            return              // what the user is just typing stays; if another page has set it meanwhile, it will be refused
+            return              // keeps text being typed; if another page has set the value meanwhile, the service rejects it
         }
         row.filled = true
         row.was = value === undefined ? '' : value
         if (!row.refused) {
             row.error = ''
         }
-        row.refused = false     // what another page has set in the meantime comes with the reason why this page could not set it
+        row.refused = false     // another page's new value comes together with the reason why this page could not set its own
         if (row.p.list) {
             row.entries = (value || []).map(one => entryOf(row, one))
         } else {
@@ -149,14 +150,14 @@ export function makeInspector(panel, world, edits) {
             return value
         })
     }
-    /** What a text would be as a number of a parameter; empty if it is one, or can't be known. */
+    /** Returns the number that a text means in a parameter's unit; empty if the text is a number, or not understood. */
     function numberMeant(parameter, text) {
         var found = parameter.kind === 'number' && isNaN(Number(text)) ? WRITTEN.exec(String(text).trim()) : null
         var unit = found && found[2].toLowerCase()
         var factor = !found ? 0 : !unit || unit === parameter.unit ? 1 : (UNITS[parameter.unit] || {})[unit] || 0
         return factor ? String(Number((Number(found[1].replace(',', '.')) * factor).toPrecision(12))) : ''
     }
-    /** What is set with a size: what grows upwards stays with its underside where that is. */
+    /** Returns what to set for a size: growing upwards keeps the underside in place. */
     function withUnderside(row, value) {
         var set = {}
         set[row.p.name] = value
@@ -172,7 +173,7 @@ export function makeInspector(panel, world, edits) {
         set.y = places.plain(place.at[1] + grown / size.share / 2 * (Number(values.scaleY) || 1))
         return places.edit(place, set)
     }
-    /** Sends what stands in a row. */
+    /** Sends the value of a row. */
     inspector.setRow = function(row) {
         var value = valueOf(row)
         var meant = row.entries ? '' : numberMeant(row.p, value)
@@ -182,7 +183,7 @@ export function makeInspector(panel, world, edits) {
         }
         var name = row.p.name
         var seen = edits.values()
-        if (same(seen[name], edits.object.values[name])) {      // else this page has set it just now
+        if (same(seen[name], edits.object.values[name])) {      // else this page has just set it
             seen[name] = row.was
         }
         edits.edit(edits.setting(edits.selected, withUnderside(row, value), seen), function(answer) {
@@ -213,11 +214,11 @@ export function makeInspector(panel, world, edits) {
         row.refused = Boolean(row.error)
         if (!answer.problems.length) {
             row.filled = false
-            fill(row, row.was)      // so that the same can be written once more
+            fill(row, row.was)      // so that the same value can be entered again
         }
         inspector.refused = other.join('; ')
     }
-    /** Escape puts back into a field what stood there before it was typed into; what was wrong with a parameter is no longer said. */
+    /** Escape restores a field's value and clears the parameter's error. */
     inspector.key = function(event) {
         var model = event.key === 'Escape' && event.target.matches('input.form-control') && angular.element(event.target).controller('ngModel')
         if (!model) {
@@ -233,29 +234,29 @@ export function makeInspector(panel, world, edits) {
         })
         event.stopPropagation()
     }
-    /** What is no legal name is said below its field, which goes back to the name that the thing has. */
+    /** Renames the object. An invalid name shows an error below its field, and the field returns to the old name. */
     inspector.rename = function() {
         var name = inspector.inspected.name
         inspector.nameError = ''
         edits.rename(name, function(answer) {
             var why = answer.reason || answer.problems.map(one => 'legal: ' + one.legal).join('; ')
-            inspector.nameError = '"' + name + '" is no name for it; ' + why
+            inspector.nameError = '"' + name + '" is not a valid name here; ' + why
             inspector.inspected.name = edits.object.name
         })
     }
-    /** What a field may have, if that is the name of a driven wheel of the same robot; what it has is among that. */
+    /** Returns the choices of a field for a driven wheel's name, including its present value. */
     inspector.choices = function(field) {
         var wheels = field.p.names === 'Wheel' && edits.object ? drivenWheels(world.shown(), edits.object.robot) : []
         return !wheels.length || !field.text || wheels.indexOf(field.text) >= 0 ? wheels : wheels.concat(field.text)
     }
-    /** A value with what it means. */
+    /** Returns a value with its meaning. */
     inspector.wordOf = function(parameter, value) {
         var word = parameter.words && parameter.words[parameter.values.indexOf(value)]
         return word ? value + ' ' + word : value
     }
     inspector.isSwitch = row => row.p.kind === 'switch'
     inspector.isColor = row => row.p.name === 'color' && !row.entries
-    /** What the box of a switch shows: its value, or its default where it has none. */
+    /** What a switch's box shows: the value, or the default. */
     inspector.isOn = row => (row.text || row.p['default']) === 'true'
     inspector.flip = function(row) {
         row.text = inspector.isOn(row) ? 'false' : 'true'
@@ -271,16 +272,19 @@ export function makeInspector(panel, world, edits) {
         row.entries.splice(row.entries.indexOf(entry), 1)
         inspector.setRow(row)
     }
-    /** What the selected thing is, of a sensor also where it looks: ahead, or at the floor. */
+    /** Returns the description of the selection's type. */
     inspector.about = function() {
         var type = edits.object && edits.typeOf(edits.object.type)
         return type ? type.doc.charAt(0).toUpperCase() + type.doc.slice(1) + '.' : ''
     }
-    /** What it means, what is legal and what it is without a value. */
+    /** Returns a parameter's meaning, valid values and default. */
     inspector.docOf = function(parameter) {
         return parameter.doc + '. Legal: ' + parameter.legal + (parameter['default'] ? '. Default: ' + parameter['default'] : '') + '.'
     }
-    /** Of the robot that is selected, or whose part is: centre, critical, words; null for none. */
+    /**
+     * Returns the balance of the selected robot, or of the robot whose part is selected: centre, critical, words; null
+     * for none.
+     */
     inspector.balance = function() {
         var robot = robotOf(find(world.shown(), edits.selected))
         return robot && robot.balance

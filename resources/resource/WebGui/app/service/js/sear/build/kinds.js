@@ -1,9 +1,10 @@
-// What the palette says of each kind of thing that can be made: a word, a picture, which the view has drawn, and the group that it is in.
+// The palette's entry of each kind of object: a word, a picture drawn by the view, and a group.
 
 export var GROUPS = ['Things', 'Robots', 'Drives', 'Sensors', 'Boards']
 var BY_KIND = {shape: 'Things', sensor: 'Sensors', part: 'Drives'}
 var BOARDS = ['Arduino', 'Led']
-// The pictures lie in one file, in this order, so many in a row; ./gradlew tabScreenshots -Ppictures=palette takes them.
+// The pictures are tiles of one file, in this order, COLUMNS per row; ./gradlew tabScreenshots -Ppictures=palette takes
+// them.
 var PICTURES = new URL('../tiles/palette.png', import.meta.url)
 export var COLUMNS = 8
 var WORDS = {
@@ -14,7 +15,7 @@ var WORDS = {
     LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)', chassis: 'Chassis',
     Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture'
 }
-// By what else they are looked for.
+// Other search words.
 var ALSO = {
     Box: 'wall cube block crate obstacle', Cylinder: 'pole pillar can tube', Cone: 'pylon', Sphere: 'ball', Terrain: 'ground hill mountain landscape',
     Floor: 'ground plane line', Model: 'mesh stl obj', roomba400: 'vacuum cleaner irobot', create: 'irobot', create2: 'irobot roomba',
@@ -27,17 +28,17 @@ var ALSO = {
 }
 var ALSO_ROBOTS = 'robot'
 export var PICTURED = Object.keys(WORDS)
-// For what has none of its own, such as a sensor of a plug-in.
+// Pictures for kinds without their own, for example sensors of a plug-in.
 var OTHER = {Things: 'Box', Robots: 'rover', Drives: 'Motor', Sensors: 'Distance', Boards: 'Arduino'}
 
-/** Where the picture of a kind is, as the style of what shows it. */
+/** Returns the CSS style that shows the picture of a kind. */
 function styleOf(name) {
     var i = PICTURED.indexOf(name)
     var rows = Math.ceil(PICTURED.length / COLUMNS)
     return {'background-image': 'url("' + PICTURES + '")', 'background-size': COLUMNS * 100 + '% ' + rows * 100 + '%',
         'background-position': i % COLUMNS / (COLUMNS - 1) * 100 + '% ' + Math.floor(i / COLUMNS) / (rows - 1) * 100 + '%'}
 }
-/** Words of a name in camel case, for what is not known here: thermalGrid is "Thermal grid". */
+/** Splits a camel-case name into words, for kinds not listed here: thermalGrid becomes "Thermal grid". */
 function words(name) {
     var apart = name.replace(/([a-z0-9])([A-Z])/g, '$1 $2')
     return apart.charAt(0).toUpperCase() + apart.slice(1).replace(/ [A-Z](?=[a-z])/g, start => start.toLowerCase())
@@ -47,12 +48,12 @@ function kind(name, group, more) {
         sought: [WORDS[name] || words(name), name, ALSO[name] || '', group === 'Robots' ? ALSO_ROBOTS : ''].join(' ').toLowerCase()}, more)
 }
 
-/** Of a type of the grammar. */
+/** Returns the entry of a type of the grammar. */
 export function ofType(type) {
     return kind(type.type, BOARDS.indexOf(type.type) < 0 ? BY_KIND[type.kind] : 'Boards', {type: type, doc: type.doc})
 }
-/** Of a whole robot. */
+/** Returns the entry of a whole robot. */
 export function ofTemplate(name) {
-    return kind(name, 'Robots', {template: name, doc: name === 'chassis' ? 'a robot without wheels, for one of your own: put wheels and motors on it'
-        : 'a whole robot that drives'})
+    return kind(name, 'Robots', {template: name, doc: name === 'chassis' ? 'an empty body for your own robot: add wheels and motors'
+        : 'a complete robot that drives'})
 }

@@ -1,19 +1,20 @@
-// Where parts of robots and whole robots are put.
+// Initial positions of robots and their parts.
 import {plain} from './places.js'
 
-var FLOOR = '20'            // metres: side of the floor that a robot gets where there is no ground
-var UPRIGHT = 0.7           // a surface whose normal is less steep than this is a side
+var FLOOR = '20'            // side of the floor added to a world without ground, metres
+var UPRIGHT = 0.7           // a surface whose normal has a smaller vertical component is a side
 var TURN = 15               // degrees
-var TILT = '-20'            // degrees about x, upwards: the widest beam that comes with SEAR sees no ground then, but what is ahead
+var TILT = '-20'            // degrees about x, upwards: SEAR's widest beam then sees obstacles ahead, but no ground
 
-/** The edit that makes a robot, and ground for it in a world that has none. */
+/** Returns the edit that makes a robot; in a world without ground it also adds a floor. */
 export function withGround(edit, world) {
     var ground = world && world.objects.some(object => object.type === 'Floor' || object.ground || object.terrain)
     return ground ? edit : {'do': 'all', edits: [{'do': 'add', type: 'Floor', set: {length: FLOOR, width: FLOOR}}, edit]}
 }
 /**
- * Where a part of a robot is put: at a point of its body, snapped along the surface only; what has beams looks away from a side.
- * @param at what was met, see pointing @param type its class @param free whether it does not snap @param snapped see palette
+ * Returns the mounting position of a robot's part at a point of its body, snapped along the surface only. A part with
+ * beams faces away from a side.
+ * @param at see pointing @param type its class @param free whether it does not snap @param snapped see palette
  */
 export function mounted(at, type, free, snapped) {
     var set = {}
@@ -27,7 +28,7 @@ export function mounted(at, type, free, snapped) {
     }
     return set
 }
-/** What has cones looks over the ground, for else it would tell of nothing but that. */
+/** Returns the tilt of a part: cones look above the ground, as they would otherwise detect only the ground. */
 export function tilted(type) {
     return hasBeams(type) && type.parameters.some(parameter => parameter.name === 'cone') ? {rx: TILT} : {}
 }

@@ -1,20 +1,20 @@
-// The palette of the SEAR panel: everything that can be made, and where a click in the view puts it.
+// The palette of the SEAR panel: all kinds of objects, placed by a click in the view.
 import {mounted, tilted, withGround} from './mounting.js'
 import * as making from './kinds.js'
 import {plain} from './places.js'
 import {besideBody, drivenWheels, wheelToTurn} from './wheels.js'
 import * as pointing from '../world/pointing.js'
 
-var GRID = 0.05             // metres between the places that things snap to
+var GRID = 0.05             // snapping distance, metres
 var STEPS = {ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1}
 
-/** Of one panel. */
+/** Makes the palette of one panel. */
 export function makePalette(panel, messages, world, view, edits, pointer) {
-    var carried = null          // the button from which something is being dragged
+    var carried = null          // the button being dragged from
     var palette = {
-        armed: null,            // what the next click makes: type or template, and fields that have to be filled in
+        armed: null,            // what the next click makes: type or template, and fields to fill in
         snap: true,
-        sought: ''              // a part of the word of what is looked for
+        sought: ''              // search text
     }
 
     palette.build = function() {
@@ -22,11 +22,11 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
         view.build(!view.building)
     }
     // ---- what can be made, in groups ---------------------------------------------------------------------------------------------------
-    var kinds = []              // of the grammar, in the order in which they are shown
-    var groups = []             // of those that are looked for
-    var made = null             // the grammar and the words that these are of
-    var stop = null             // what the Tab key comes to: the one that the arrow keys went to last
-    /** Name and kinds of each group; the same as long as nothing else is looked for. */
+    var kinds = []              // kinds found, in the order shown
+    var groups = []             // groups of the kinds found
+    var made = null             // grammar and search text that these belong to
+    var stop = null             // kind that the Tab key reaches: the one that the arrow keys reached last
+    /** Returns the groups of kinds that match the search text: name, kinds. The same array until that text changes. */
     palette.groups = function() {
         if (made && made.grammar === edits.grammar && made.sought === palette.sought) {
             return groups
@@ -44,7 +44,7 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
     palette.isStop = function(kind) {
         return kind === stop
     }
-    /** The arrow keys go from one to the next, Home and End to the ends. */
+    /** Arrow keys go to the next kind, Home and End to the ends. */
     palette.key = function(event) {
         var at = kinds.findIndex(kind => kind.make === event.target.getAttribute('data-make'))
         var next = event.key === 'Home' ? 0 : event.key === 'End' ? kinds.length - 1 : at + STEPS[event.key]
@@ -66,19 +66,19 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
         }) : []}
         edits.select(null)
     }
-    /** What has no value to begin with: somebody has to say it. */
+    /** Whether a parameter has no initial value, so that the user must enter one. */
     function isAsked(parameter) {
         return isOfWheels(parameter) || parameter.required && parameter.initial === '' && parameter.name !== 'name'
     }
-    /** Whether it names wheels that something turns. */
+    /** Whether a parameter names wheels that a part turns. */
     function isOfWheels(parameter) {
         return parameter.list && parameter.names === 'Wheel'
     }
-    /** What a field may have, if that is a list: the robot's driven wheels. */
+    /** Returns the choices of a field that is a list: the robot's driven wheels. */
     palette.choices = function(field) {
         return isOfWheels(field.p) ? drivenWheels(world.shown(), view.robot) : []
     }
-    /** A motor turns the first wheel that has none, if nobody says which. @return whether there is one */
+    /** Without a chosen wheel, a motor turns the first wheel without a motor. @return whether there is one */
     function chooseWheel(edit) {
         var parameter = palette.armed.type.parameters.filter(isOfWheels)[0]
         if (!parameter || edit.set[parameter.name]) {
@@ -87,15 +87,17 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
         var wheel = wheelToTurn(world.shown(), edit.to)
         edit.set[parameter.name] = wheel
         if (!wheel) {
-            messages.say('error', 'a ' + palette.armed.name + ' turns a driven wheel, and ' + edit.to
-                + ' has none without a motor: put a Wheel on it first')
+            messages.say('error', 'a ' + palette.armed.name + ' needs a driven wheel without a motor, and ' + edit.to
+                + ' has none: add a Wheel first')
         }
         return Boolean(wheel)
     }
     palette.disarm = function() {
         leave()
     }
-    /** Nothing is to be made any more. A user of keys who was in the bar that goes with that is in the view then, where keys move what was made. */
+    /**
+     * Ends placing. If the focus was in the bar that disappears, it moves to the view, where keys move the new object.
+     */
     function leave() {
         var last = document.activeElement
         palette.armed = null
@@ -108,15 +110,15 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
     }
     palette.armedText = function() {
         var armed = palette.armed
-        return !armed ? '' : palette.isForRobots() ? 'Click on a robot to mount it there' : 'Click where it is to stand'
+        return !armed ? '' : palette.isForRobots() ? 'Click on a robot to mount it there' : 'Click where to place it'
     }
 
-    /** The number of a parameter with which a new object begins. */
+    /** Returns a parameter's initial number in a new object. */
     function initial(type, name) {
         var found = type.parameters.filter(parameter => parameter.name === name)[0]
         return found ? Number(found.initial || found['default']) || 0 : 0
     }
-    /** How far the middle of a new object is above what it stands on. */
+    /** Returns the height of a new object's middle above its support. */
     function lift(type) {
         return initial(type, 'height') / 2 || initial(type, 'radius')
     }
@@ -126,9 +128,10 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
     }
 
     /**
-     * Makes what is armed. @param at what was met: point [x, y, z] in the world, ground (whether that is a terrain), robot (its name, null for
-     * none), local (the point in its frame), normal (of its surface, there) @param free whether it does not snap
-     * @param anywhere whether nobody has pointed at that place
+     * Makes the armed kind.
+     * @param at point [x, y, z] in the world, ground (whether that is a terrain), robot (its name, null for none),
+     * local (the point in its frame), normal (of its surface, there)
+     * @param free whether it does not snap @param anywhere whether the place is a default, not the user's
      */
     palette.place = function(at, free, anywhere) {
         var armed = palette.armed
@@ -144,7 +147,7 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
         if (palette.isForRobots()) {
             var robot = at.robot || view.robot
             if (!robot) {
-                messages.say('error', 'a ' + armed.name + ' is a part of a robot: make one first, such as the Chassis, below Robots')
+                messages.say('error', 'a ' + armed.name + ' is a robot part: place a robot first, for example Chassis from the group Robots')
                 return
             }
             edit.to = robot
@@ -176,7 +179,7 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
             }
         })
     }
-    /** What was wrong gets a field, so that somebody can say it: the name of a motor's wheel. */
+    /** Adds a field for each invalid parameter, so that the user can enter it, for example a motor's wheel. */
     function askFor(armed, problems) {
         armed.type.parameters.forEach(function(parameter) {
             var wrong = problems.some(problem => problem.field.split(/[.#]/)[0] === parameter.name)
@@ -186,13 +189,13 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
             }
         })
     }
-    /** The height stays that of what was met, but for the last digits of a sum. */
+    /** Keeps the point's height, rounded. */
     function put(set, point, free) {
         set.x = plain(palette.snapped(point[0], free))
         set.y = plain(point[1])
         set.z = plain(palette.snapped(point[2], free))
     }
-    /** For those who use no mouse: where the view looks at; a part of a robot in the middle of its top. */
+    /** Places the kind without a mouse: where the view looks; a robot part in the middle of the robot's top. */
     palette.placeInTheMiddle = function() {
         var middle = pointer.middle()
         palette.place(palette.isForRobots() ? onTop(middle.robot || view.robot) || middle : middle, false, true)
@@ -206,7 +209,7 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
     function grab(event) {
         carried = event.target.closest && event.button === 0 ? event.target.closest('.sear-palette [data-make]') : null
     }
-    /** The views don't turn meanwhile. */
+    /** Stops the views from turning during a drag from the palette. */
     function carry(event) {
         if (carried) {
             event.stopPropagation()

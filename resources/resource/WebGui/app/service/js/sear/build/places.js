@@ -1,31 +1,31 @@
-// Where a thing of the SEAR panel stands, in the numbers of its file: those that stand there, or, once a running simulation has moved it, those with
-// which it would start where it is now.
+// Where an object is, in the numbers of its file: those written there, or, once a running simulation has moved it,
+// those that would start it at its present place.
 import * as geometry from '../shared/geometry.js'
 
 var AXES = ['x', 'y', 'z']
 var ANGLES = ['rx', 'ry', 'rz']
-var MOVED = 0.01            // metres: what has moved less stands where its file says, but for its springs
+var MOVED = 0.01            // metres: within this distance an object is where its file says, apart from its springs
 var TURNED = 1              // degrees, likewise
 var FINEST = 1e4            // a tenth of a millimetre
-var NORTH = 90              // degrees about y of what looks to the north
+var NORTH = 90              // degrees about y of the direction north
 
-/** A number as it stands in files, without the last digits of a sum. */
+/** Formats a number for a file, rounded. */
 export function plain(number) {
     return String(Math.round(number * FINEST) / FINEST)
 }
 function numbers(values, names) {
     return names.map(name => Number(values[name]) || 0)
 }
-/** Within half a turn to either side. */
+/** Wraps an angle to half a turn to either side. */
 export function wrapped(degrees) {
     return degrees - 360 * Math.round(degrees / 360)
 }
-/** Degrees about y to where a frame looks. */
+/** Returns a frame's heading, degrees about y. */
 function heading(frame) {
     var ahead = geometry.rotate(frame, [0, 0, 1])
     return Math.atan2(ahead[0], ahead[2]) * 180 / Math.PI
 }
-/** Degrees between two rotations. */
+/** Returns the angle between two rotations, degrees. */
 function between(a, b) {
     var cosine = 0
     for (var i = 3; i < 7; i++) {
@@ -35,11 +35,11 @@ function between(a, b) {
 }
 
 /**
- * Where something stands.
- * @param selected see pointing.find @param values of its file @param live whether it is seen as a running simulation moves it
- * @return at [x, y, z] and ry, degrees, as its file has them or should; strayed: what its file has to say, too, if it is put elsewhere;
- * onGround, onEarth, headed: how its file says where it is; moves: whether it is seen as a running simulation moves it;
- * stands: whether its height is to come from what is below it
+ * Returns where an object is.
+ * @param selected see pointing.find @param values of its file @param live whether a running simulation moves it
+ * @return at [x, y, z] and ry in degrees, as its file has them or should have them; strayed: what the file must also
+ * set when the object is moved; onGround, onEarth, headed: how its file gives its place; moves: whether a running
+ * simulation moves it; stands: whether its height comes from what is below it
  */
 export function of(selected, values, live) {
     var headed = values.placeHeading !== undefined
@@ -53,7 +53,7 @@ export function of(selected, values, live) {
     }
     return place
 }
-/** It is seen somewhere else than its file says. */
+/** Records that the object is not where its file says. */
 function stray(place, at) {
     AXES.forEach(function(axis, i) {
         var fixed = axis === 'y' && (place.onGround || place.stands)
@@ -73,7 +73,10 @@ function thing(place, object, values) {
     }
     stray(place, object.pose)
 }
-/** What it has moved and turned since its start is added to the numbers that it was put there with, since its Dynamics may stand apart from it. */
+/**
+ * Adds the movement and rotation since the start to the robot's start values, because its Dynamics may shift the start
+ * pose.
+ */
 function robot(place, object) {
     var start = geometry.frame(object.start)
     var now = geometry.frame(object.pose)
@@ -88,7 +91,7 @@ function robot(place, object) {
     }
 }
 
-/** What an edit sets. @param place see of @param set what the user has changed: x, y, z, ry, sizes */
+/** Returns the values that an edit sets. @param place see of @param set the user's changes: x, y, z, ry, sizes */
 export function edit(place, set) {
     var stays = !place.moves && AXES.every(axis => set[axis] === undefined)
     var all = angular.extend({}, stays ? {} : place.strayed, set)

@@ -2,22 +2,22 @@ import * as pointing from '../world/pointing.js'
 
 var NOTHING = {objects: [], robots: [], sensors: []}
 
-/** What is under a point of the view that is shown, be that the one in space or the map. Points are pixels of its canvas. */
+/** Finds objects under points of the shown view, 3D or map. Points are pixels of its canvas. */
 export function makePointer(world, view, picture) {
-    /** The point of the ground, [x, z], of a pixel of the map. */
+    /** Returns the ground point [x, z] of a pixel of the map. */
     function onMap(x, y) {
         var shown = picture.canvas()
         return [view.x - (y - shown.clientHeight / 2) / view.scale, view.z + (x - shown.clientWidth / 2) / view.scale]
     }
     var pointer = {
         canvas: picture.canvas,
-        /** The view in space; null while that is not shown. */
+        /** Returns the 3D view; null while it is hidden. */
         scene: () => view.mode === 'space' ? view.scene() : null,
         position: function(event) {
             var box = picture.canvas().getBoundingClientRect()
             return [event.clientX - box.left, event.clientY - box.top]
         },
-        /** @param without what is looked through in space */
+        /** Finds the object at a pixel. @param without object to ignore in the 3D view */
         at: function(x, y, without) {
             var scene = pointer.scene()
             if (scene) {
@@ -26,13 +26,13 @@ export function makePointer(world, view, picture) {
             var point = onMap(x, y)
             return pointing.onMap(world.shown() || NOTHING, point[0], point[1])
         },
-        /** The ray of a pixel. @param height metres from which it comes down on the map */
+        /** Returns the ray of a pixel. @param height metres from which it starts downwards on the map */
         ray: function(x, y, height) {
             var scene = pointer.scene()
             var point = scene ? null : onMap(x, y)
             return scene ? pointing.ray(scene, x, y) : pointing.down(point[0], point[1], height)
         },
-        /** What is under the mouse. */
+        /** Finds the object under the mouse. */
         under: function(event) {
             var p = pointer.position(event)
             return pointer.at(p[0], p[1])

@@ -1,12 +1,12 @@
-// Where wheels are put on robots by mouse, and which of them motors can turn.
+// Positions of new wheels on robots, and which wheels motors can turn.
 import {contains, extent, top} from '../world/pointing.js'
 import {plain} from './places.js'
 
 var GAP = 0.005             // metres between a wheel and the body
-var HANGING = 0.018         // metres that an axle hangs below where it is written, in the springs that robots are made with
-var CLEARANCE = 0.04        // metres of a body above the ground, where that can't be found
-var FARTHEST = 0.5          // metres of a body above what is taken for its ground
-// Sides of a body in the order in which wheels are put there if nobody says where: left, right, behind, before.
+var HANGING = 0.018         // metres that an axle hangs below its file position, with the springs of new robots
+var CLEARANCE = 0.04        // height of a body above the ground, where no ground is found, metres
+var FARTHEST = 0.5          // maximum height of a body above its ground, metres
+// Sides of a body in the order in which wheels get a default place: left, right, behind, front.
 var SIDES = [[0, 1], [0, -1], [2, -1], [2, 1]]
 
 function named(world, robot) {
@@ -16,26 +16,26 @@ function isWheel(part) {
     return part.type === 'Wheel'
 }
 
-/** Names of the driven wheels of a robot of a world. */
+/** Returns the names of a robot's driven wheels. */
 export function drivenWheels(world, robot) {
     var found = named(world, robot)
     return found ? found.parts.filter(part => part.driven).map(part => part.name) : []
 }
-/** The first of them that no motor turns; null if there is none. */
+/** Returns the first driven wheel without a motor; null if there is none. */
 export function wheelToTurn(world, robot) {
     var found = named(world, robot)
     var free = found && found.parts.filter(part => part.driven && !part.motor)[0]
     return free ? free.name : null
 }
 
-/** The height of what is below a robot, in the world; null where that can't be found. */
+/** Returns the height of the ground below a robot, in the world; null where none is found. */
 function ground(world, robot) {
     var pose = robot.pose
     var below = world.objects.filter(object => !object.ground && object.$shape && contains(object.$shape.outline, pose[0], pose[2])).map(top)
         .filter(height => height < pose[1] && height > pose[1] - FARTHEST)
     return below.length ? Math.max.apply(null, below) : null
 }
-/** How low wheels reach in the frame of their robot: as its others do, else to the ground. */
+/** Returns the lowest point of wheels in the robot's frame: that of its other wheels, else the ground. */
 function lowest(world, robot, body) {
     var wheels = robot.parts.filter(isWheel)
     if (wheels.length) {
@@ -46,8 +46,9 @@ function lowest(world, robot, body) {
 }
 
 /**
- * Where a new wheel is put: beside that side of the body that is nearest to a point, at the height of the ground.
- * @param near a point in the robot's frame; null for the first side where no wheel is yet @param size its radius and width, metres
+ * Returns the place of a new wheel: beside the body's side nearest to a point, on the ground.
+ * @param near a point in the robot's frame; null for the first side without a wheel @param size its radius and width,
+ * metres
  * @param snapped see palette
  */
 export function besideBody(world, name, near, size, snapped) {

@@ -1,4 +1,4 @@
-// Panel of the GPS service: the table of the last fix, a track in metres, the raw sentences.
+// Panel of the GPS service: table of the last fix, track in metres, raw sentences.
 import '../shared/style.js'
 import {makeMessages} from '../shared/messages.js'
 import {makePanel} from '../shared/panel.js'
@@ -11,18 +11,18 @@ var ALTITUDE = 9
 var QUALITIES = {0: 'no fix', 1: 'GPS', 2: 'differential GPS', 6: 'dead reckoning', 7: 'manual', 8: 'simulator'}
 var MOST_SENTENCES = 40
 var LONGEST_TRACK = 2000
-var HALF = 45               // units of the plot from the middle to the edge
-// WGS84: metres in a degree, as series in the latitude
+var HALF = 45               // half size of the plot, in its units
+// WGS84: metres per degree, as series in the latitude
 var METRES_PER_DEGREE = 111132.954
 var EQUATOR_DEGREE = 111412.84
 
 var UBLOX = 'NEO-M8N'
-var UBLOX_BAUD = 9600       // as delivered
+var UBLOX_BAUD = 9600       // factory setting
 var OTHER_BAUD = 38400
 var BAUDS = [4800, 9600, 14400, 19200, 38400, 57600, 115200]
 var UBLOX_BAUDS = [4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600]
 
-/** Opens a panel. @param controller of MyRobotLab's, on whose scope the panel's state is put */
+/** Opens a panel. @param controller MyRobotLab's, whose scope gets the panel's state */
 export function open(controller, $scope, $timeout) {
     var panel = makePanel(controller, $scope, 'gps', $timeout)
     var msg = panel.msg
@@ -39,9 +39,9 @@ export function open(controller, $scope, $timeout) {
     $scope.position = null
     $scope.track = []
     var start = null
-    var counting = false        // whether the number of sentences has been asked for
+    var counting = false        // whether the number of sentences was requested
 
-    /** What came before this page was opened; a sentence that has come meanwhile is newer. */
+    /** Takes the last fix before the page opened. A sentence received since then is newer. */
     function onLastFix(fix) {
         if (fix && !$scope.tokens) {
             $scope.tokens = fix.tokens
@@ -64,7 +64,7 @@ export function open(controller, $scope, $timeout) {
         $scope.plot = plot()
     }
 
-    /** Where the last fix lies from the first one, in words. */
+    /** Returns the last fix relative to the first, as text. */
     $scope.offset = function() {
         if (!$scope.track.length) {
             return '–'
@@ -74,7 +74,7 @@ export function open(controller, $scope, $timeout) {
             + Math.abs(last[1]).toFixed(2) + (last[1] < 0 ? ' m south' : ' m north')
     }
 
-    /** The track as an SVG polyline in a square of 100 units, with the scale that it has. */
+    /** Returns the track as an SVG polyline in a square of 100 units, with its scale. */
     function plot() {
         var reach = 1
         $scope.track.forEach(function(point) {
@@ -106,7 +106,7 @@ export function open(controller, $scope, $timeout) {
         return utc ? utc.substring(0, 2) + ':' + utc.substring(2, 4) + ':' + utc.substring(4) + ' UTC' : '–'
     }
 
-    /** A speed that the other kind of receiver is delivered with becomes that of this kind. */
+    /** Replaces the other kind's default baud rate with that of the chosen model. */
     $scope.chooseModel = function() {
         var ublox = $scope.form.model === UBLOX
         port.touch()

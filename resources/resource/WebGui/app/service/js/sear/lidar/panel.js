@@ -1,4 +1,4 @@
-// Panel of the LIDAR service: a live polar plot of the last scan, the device's settings, the scan as a table and as a CSV file.
+// Panel of the LIDAR service: live polar plot of the last scan, device settings, scan as a table and as a CSV file.
 import '../shared/style.js'
 import {makeMessages} from '../shared/messages.js'
 import {oncePerPicture, penOf, whenPageChanges} from '../shared/page.js'
@@ -7,20 +7,20 @@ import {makePort} from '../shared/port.js'
 import {saveText} from '../shared/words.js'
 
 var MARGIN = 28             // pixels above and below the plot
-var SIDE = 42               // beside it, for the labels of 0 and 180 degrees
-var LABEL = 40              // for the label of a ring
+var SIDE = 42               // pixels beside the plot, for the labels of 0 and 180 degrees
+var LABEL = 40              // pixels for a ring's label
 var ANGLE_STEP = 30
 var RING_STEPS = [0.25, 0.5, 1, 2, 5, 10, 20]
 var MOST_RINGS = 6
-var EMPTY_REACH = 8         // metres, the range of most scanners
-var SHRINK = 0.6            // the automatic range shrinks when the farthest value is this near, so that it doesn't jump to and fro
+var EMPTY_REACH = 8         // range of an empty plot, metres: that of most scanners
+var SHRINK = 0.6            // the automatic range shrinks below this fraction, which avoids jumping
 var FULL_CIRCLE = 180.5
 var RATE_MILLIS = 3000
 var TABLE_MILLIS = 300
 var KEY_STEPS = {ArrowLeft: 1, ArrowRight: -1, ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10, Home: -Infinity, End: Infinity}
-var SAME_RESOLUTION = 0.1   // a device with steps of its own tells a resolution this near, as a share, to the one that was chosen
+var SAME_RESOLUTION = 0.1   // relative tolerance: devices with their own steps report a slightly different resolution
 
-/** Opens a panel. @param controller of MyRobotLab's, on whose scope the panel's state is put */
+/** Opens a panel. @param controller MyRobotLab's, whose scope gets the panel's state */
 export function open(controller, $scope, $timeout) {
     var panel = makePanel(controller, $scope, 'lidar', $timeout)
     var msg = panel.msg
@@ -34,12 +34,12 @@ export function open(controller, $scope, $timeout) {
     $scope.scan = null
     $scope.rate = 0
     $scope.table = null
-    $scope.beam = null          // which value of the scan is pointed at
-    var wanted = {}             // what was chosen here and is not settled yet: model, baud, mode
+    $scope.beam = null          // index of the highlighted value of the scan
+    var wanted = {}             // choices not confirmed by the service yet: model, baud, mode
     var arrivals = []
     var reach = 0
 
-    // The fields show what the device is set to; until the user connects, what the user has typed.
+    // The fields show the device's settings; before the user connects, the user's input.
     function follow() {
         var service = $scope.service
         var config = service.config || {}
@@ -72,7 +72,7 @@ export function open(controller, $scope, $timeout) {
         })[0] || null
     }
 
-    // Scans may come faster than the screen is drawn: only the newest one is drawn.
+    // Scans may arrive faster than the screen refreshes: only the newest one is drawn.
     var redraw = oncePerPicture(function() {
         draw()
         $scope.$applyAsync()
@@ -93,7 +93,7 @@ export function open(controller, $scope, $timeout) {
         updateReach()
         updateTable()
         redraw()
-        return false            // that shows it
+        return false            // showScan requests the update itself
     }
 
     $scope.connect = function() {
@@ -116,12 +116,12 @@ export function open(controller, $scope, $timeout) {
         msg.send('setScanMode', wanted.mode.spread, wanted.mode.resolution)
     }
 
-    // ---- the plot: sensor at the bottom in the middle, 0 degrees to the right, 90 ahead --------------------------------------------------
+    // ---- the plot: sensor at the bottom centre, 0 degrees to the right, 90 degrees ahead -------------------------------------------------
     function canvas() {
         return panel.element('plot')
     }
 
-    /** Metres at the outermost ring: as chosen, or a round number beyond the farthest distance. */
+    /** Returns the radius of the outermost ring, metres: as chosen, or a round number beyond the greatest distance. */
     $scope.reach = function() {
         return $scope.form.rings === 'auto' ? reach || EMPTY_REACH : Number($scope.form.rings)
     }
@@ -149,7 +149,7 @@ export function open(controller, $scope, $timeout) {
         return RING_STEPS[RING_STEPS.length - 1]
     }
 
-    /** Where in the plot a distance at an angle lies; also what tests compare with the scan. */
+    /** Returns the plot's geometry in pixels. Tests use it, too. */
     $scope.geometry = function() {
         var element = canvas()
         var width = element ? element.clientWidth : 0
@@ -288,7 +288,7 @@ export function open(controller, $scope, $timeout) {
         }
     }
 
-    /** The chosen beam in words. */
+    /** Returns the chosen beam as text. */
     $scope.beamText = function() {
         var scan = $scope.scan
         var i = $scope.beam
@@ -297,7 +297,8 @@ export function open(controller, $scope, $timeout) {
     }
 
     // ---- table and file ------------------------------------------------------------------------------------------------------------------
-    // A table of hundreds of rows takes longer to lay out than a plot: while scans stream it shows some of them, and the last one in the end.
+    // A table of hundreds of rows takes longer to lay out than a plot. While scans stream, the table shows some of
+    // them, and the last one at the end.
     var tableTimer = null
     function updateTable() {
         if ($scope.form.table && !tableTimer) {
@@ -352,7 +353,7 @@ export function open(controller, $scope, $timeout) {
         },
         onScan: onScan,
         onLastScan: function(scan) {
-            return scan && !$scope.scan && showScan(scan)       // one that has come meanwhile is newer
+            return scan && !$scope.scan && showScan(scan)       // a scan received meanwhile is newer
         },
         onModels: function(models) {
             $scope.models = models

@@ -1,6 +1,6 @@
-// What stands at the top of the view of the SEAR panel while that shows a record, with the way back to what is now.
+// Badge above the SEAR panel's view while it shows a record, with a button back to the present.
 
-/** Of one panel. */
+/** Makes the badge of one panel. */
 export function makeBadge(panel, replay) {
     var element = null
     var words = null
@@ -31,7 +31,7 @@ export function makeBadge(panel, replay) {
             }
         }
     }
-    /** Once the views are there. */
+    /** Creates the badge once the views exist. */
     badge.listen = function() {
         make(panel.element('view').parentElement)
         show()

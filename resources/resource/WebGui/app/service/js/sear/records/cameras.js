@@ -1,29 +1,30 @@
-// Pictures of cameras in the SEAR panel: asked for one after the other while somebody looks at them, of the running world or of a record.
-var LOOK_MILLIS = 100       // how often it looks whether a picture is wanted
-var REST_MILLIS = 200       // between an answer and the next question; longer if the answer took longer
-var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
+// Camera pictures in the SEAR panel, of the running world or of a record. The page requests a camera's pictures one by
+// one while the camera is visible.
+var LOOK_MILLIS = 100       // interval of checks for wanted pictures
+var REST_MILLIS = 200       // minimum pause between an answer and the next request; longer if the answer took longer
+var PATIENCE_MILLIS = 10000 // timeout: requests the picture again
 var SMALL = 320             // pixels of the longer side in the drawer
-var LARGE = 640             // and over the view
-var SMALLEST = 200          // on the page, over the view
-var AROUND = 170            // above and below it there
+var LARGE = 640             // pixels of the longer side over the view
+var SMALLEST = 200          // minimum width over the view, page pixels
+var AROUND = 170            // height kept free above and below it, page pixels
 var STEPS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}
 
-/** Of one panel. @param $interval Angular's */
+/** Makes the camera pictures of one panel. @param $interval Angular's */
 export function makeCameras(panel, world, replay, picture, $interval) {
-    var shown = Object.create(null)    // by name of the camera: the last answer of the running world
-    var kept = Object.create(null)    // likewise of the record that is shown
-    var marks = Object.create(null)    // by name: the pixel of which is told what it sees, {column, row, style}
-    var questions = Object.create(null)    // by name: the last question, {key, asked: when, rest: until when nothing is asked, awaited}
+    var shown = Object.create(null)    // by name of the camera: last answer of the running world
+    var kept = Object.create(null)    // by name of the camera: last answer of the shown record
+    var marks = Object.create(null)    // by name: the pixel whose value is shown, {column, row, style}
+    var questions = Object.create(null)    // by name: last request, {key, asked: when, rest: time of the next allowed request, awaited}
     var plotted = () => []
     var cameras = {
-        large: ''               // name of the one that is shown over the view
+        large: ''               // name of the camera shown over the view
     }
 
-    /** @param lines a function that answers the names of what is plotted of the running world */
+    /** Sets the source of plotted names. @param lines returns the names plotted of the running world */
     cameras.plottedBy = function(lines) {
         plotted = lines
     }
-    /** What is shown of a camera: picture, words, range, column, row, pixel; null for nothing. */
+    /** Returns what is shown of a camera: picture, words, range, column, row, pixel; null for none. */
     cameras.seen = function(sensor) {
         var record = replay.shown
         if (record) {
@@ -33,11 +34,11 @@ export function makeCameras(panel, world, replay, picture, $interval) {
     }
     /** Whether there is a camera. */
     cameras.any = () => replay.sensors().some(sensor => sensor.eye)
-    /** Of the camera that is shown over the view. */
+    /** Returns the camera shown over the view. */
     cameras.ofLarge = function() {
         return replay.sensors().filter(sensor => sensor.name === cameras.large && sensor.eye)[0] || null
     }
-    /** How wide that is, so that it fits between what else stands over the view. */
+    /** Returns the width of the large picture, which fits between the other elements over the view. */
     cameras.largeSize = function(sensor) {
         var canvas = picture.canvas()
         var room = canvas ? Math.min(0.46 * canvas.clientWidth, (canvas.clientHeight - AROUND) * sensor.eye.width / sensor.eye.height, LARGE) : 0
@@ -46,11 +47,11 @@ export function makeCameras(panel, world, replay, picture, $interval) {
     cameras.enlarge = function(name) {
         cameras.large = cameras.large === name ? '' : name
     }
-    /** Why there is no picture. */
+    /** Returns why there is no picture. */
     cameras.why = function(sensor) {
-        return isLive(sensor) ? '...' : replay.shown ? 'The record has no pictures of it' : 'Pictures come when the simulation runs'
+        return isLive(sensor) ? '...' : replay.shown ? 'The record contains no pictures of this camera' : 'Start the simulation to see pictures'
     }
-    /** Whether pictures come. */
+    /** Whether pictures are available. */
     function isLive(sensor) {
         return replay.shown ? replay.shown.pictures.indexOf(sensor.name) >= 0 : panel.isSimulating()
     }
@@ -62,15 +63,15 @@ export function makeCameras(panel, world, replay, picture, $interval) {
         marks[sensor.name] = at
         look()
     }
-    /** The pixel under the mouse; by a key, which has no place, the one in the middle. */
+    /** Marks the pixel under the mouse; a key marks the middle pixel. */
     cameras.point = function(sensor, event) {
         var image = event.currentTarget.querySelector('img')
         var box = image && image.getBoundingClientRect()
-        var byMouse = (event.originalEvent || event).detail > 0 && box      // jQuery does not hand it on
+        var byMouse = (event.originalEvent || event).detail > 0 && box      // jQuery does not copy it
         mark(sensor, Math.floor(sensor.eye.width * (byMouse ? (event.clientX - box.left) / box.width : 0.5)),
             Math.floor(sensor.eye.height * (byMouse ? (event.clientY - box.top) / box.height : 0.5)))
     }
-    /** Arrow keys go from pixel to pixel, with shift ten at once; Escape forgets it. */
+    /** Arrow keys move the mark by a pixel, with Shift by ten; Escape removes it. */
     cameras.key = function(sensor, event) {
         var at = marks[sensor.name]
         var step = STEPS[event.key]
@@ -81,16 +82,16 @@ export function makeCameras(panel, world, replay, picture, $interval) {
             event.preventDefault()
         }
     }
-    /** Where the mark stands on the picture; null without one. */
+    /** Returns the mark's place on the picture; null without a mark. */
     cameras.cross = function(sensor) {
         return marks[sensor.name] ? marks[sensor.name].style : null
     }
-    /** What the marked pixel sees, in words. */
+    /** Returns the marked pixel's value as text. */
     cameras.pixel = function(sensor) {
         var at = marks[sensor.name]
         var seen = cameras.seen(sensor)
         var told = at && seen && seen.column === at.column && seen.row === at.row
-        var words = told ? seen.pixel : isLive(sensor) ? '...' : 'told while the simulation runs'
+        var words = told ? seen.pixel : isLive(sensor) ? '...' : 'shown while the simulation runs'
         return at ? 'column ' + at.column + ', row ' + at.row + ': ' + words : ''
     }
 
@@ -101,7 +102,7 @@ export function makeCameras(panel, world, replay, picture, $interval) {
         var within = around ? around.getBoundingClientRect() : {top: 0, bottom: window.innerHeight}
         return box.height > 0 && box.bottom > Math.max(0, within.top) && box.top < Math.min(window.innerHeight, within.bottom)
     }
-    /** By name of each camera that somebody looks at: how many pixels its picture is to have. */
+    /** Returns the picture size in pixels of each visible camera, by name. */
     function wanted() {
         var sizes = Object.create(null)
         var workspace = panel.element('workspace')
@@ -145,7 +146,7 @@ export function makeCameras(panel, world, replay, picture, $interval) {
             panel.msg.send('getCameraPicture', name, size, at.column, at.row)
         }
     }
-    /** Each page gets the answers to all pages. */
+    /** Matches an answer with its request. Each page receives the answers to all pages. */
     function answered(sent) {
         var question = sent && questions[sent.name]
         if (question && question.awaited) {
@@ -176,7 +177,7 @@ export function makeCameras(panel, world, replay, picture, $interval) {
         return true
     }
 
-    /** Another world, or none: what was seen of it is gone. */
+    /** Drops the pictures of the previous world. */
     function forget() {
         shown = Object.create(null)
         questions = Object.create(null)

@@ -1,4 +1,4 @@
-// Lines over time in the SEAR panel, drawn by uPlot: drag over a range to see only that, the wheel zooms, a double click shows all.
+// Time plots in the SEAR panel, drawn by uPlot: dragging selects a range, the wheel zooms, a double click shows all.
 import uPlot from '../lib/uPlot.esm.js'
 import {isNumber} from './table.js'
 import {titleWithin} from './values.js'
@@ -7,31 +7,34 @@ export var colors = ['#337ab7', '#d9534f', '#3c9a3c', '#e08e0b', '#8e5bb5', '#1b
 var FONT = '12px system-ui, sans-serif'
 var MARK = '#d9534f'
 var GRID = 'rgba(128, 128, 128, 0.25)'
-var LOWER = 42             // pixels of a plot's height that its axis of time takes
-var DRAG = 4                // pixels that are no click
-var PAPER = 14              // pixels around a picture that is saved
+var LOWER = 42             // height of the time axis, pixels
+var DRAG = 4                // pixels: a shorter movement is a click
+var PAPER = 14              // margin of a saved picture, pixels
 
 var style = document.createElement('link')
 style.rel = 'stylesheet'
 style.href = new URL('../lib/uPlot.min.css', import.meta.url)
 document.head.appendChild(style)
 
-/** @param box an element to draw in @param changed is called when another range is to be seen, and with the time below the pointer, null for none */
+/**
+ * @param box element to draw in
+ * @param changed called when the range changes, and with the time under the pointer, null for none
+ */
 export function Curves(box, changed) {
     this.box = box
     this.changed = changed
-    this.range = null           // [from, to] that the user has chosen, seconds; null for all
+    this.range = null           // [from, to] chosen by the user, seconds; null for all
     this.lines = []             // {name, unit, times, values, dashed, color, source}
-    this.marked = null          // a time that is marked
+    this.marked = null          // marked time
     this.plot = null
-    this.kind = ''              // what it was made for: lines of other values only change its numbers
+    this.kind = ''              // kind that the plot was made for: lines with other values only change its numbers
 }
 
-/** Whether there is a number to be drawn. */
+/** Whether no line has a number. */
 Curves.prototype.isEmpty = function() {
     return !this.lines.some(line => line.values.some(isNumber))
 }
-/** Seconds that are seen: [from, to]; null without anything. */
+/** Returns the visible range in seconds: [from, to]; null without a plot. */
 Curves.prototype.seen = function() {
     var x = this.plot && this.plot.scales.x
     return x && isNumber(x.min) ? [x.min, x.max] : null
@@ -57,7 +60,7 @@ Curves.prototype.draw = function(lines, marked) {
         this.plot.setData(data)
     }
 }
-/** What is drawn along each axis: its unit, and what stands beside it. */
+/** Returns the units of the axes, each with its title. */
 Curves.prototype.titles = function() {
     var pen = document.createElement('canvas').getContext('2d')
     var lines = this.lines
@@ -78,7 +81,10 @@ Curves.prototype.size = function() {
     return {width: this.box.clientWidth, height: this.box.clientHeight}
 }
 
-/** Lines of the same times share them; null is a gap, where others have points it is none. */
+/**
+ * Returns the data for uPlot. Lines with the same times share them. null is a gap, but not where only other lines have
+ * points.
+ */
 Curves.prototype.data = function() {
     var tables = []
     this.lines.forEach(function(line) {
@@ -102,7 +108,7 @@ Curves.prototype.data = function() {
     }))
 }
 
-// ---- what it looks like ----------------------------------------------------------------------------------------------------------------
+// ---- appearance ------------------------------------------------------------------------------------------------------------------------
 Curves.prototype.options = function() {
     var self = this
     var scales = {x: {time: false, range: (u, from, to) => self.rangeOf(from, to)}}
@@ -153,7 +159,7 @@ Curves.prototype.mark = function(u) {
 }
 
 // ---- the range -------------------------------------------------------------------------------------------------------------------------
-/** @param range seconds, null for all */
+/** Shows a range. @param range seconds; null for all */
 Curves.prototype.look = function(range) {
     this.range = range
     this.changed(null)
@@ -167,7 +173,7 @@ Curves.prototype.select = function(u) {
         this.look(range)
     }
 }
-/** @param about a time that stays where it is; the middle without */
+/** Zooms. @param about time that stays in place; the middle by default */
 Curves.prototype.zoom = function(factor, about) {
     var now = this.seen()
     if (now) {
@@ -184,7 +190,7 @@ Curves.prototype.listen = function(over) {
 }
 
 // ---- the picture -----------------------------------------------------------------------------------------------------------------------
-/** A picture of it, with what its lines are, on paper of a colour. @return a canvas */
+/** Returns a picture of the plot with a legend. @param paper its background colour @return a canvas */
 Curves.prototype.picture = function(paper) {
     var drawn = this.plot.ctx.canvas
     var ratio = drawn.width / this.plot.width

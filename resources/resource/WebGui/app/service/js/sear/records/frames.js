@@ -1,7 +1,7 @@
-// What was read at one moment of a record, in the form in which the world tells it while it runs.
+// Readings at one moment of a record, in the form of the running world.
 /**
- * The sensors with what they read then.
- * @param sensors of the world that is shown; @param record its frames; @param index of one of them
+ * Returns the sensors with their readings at a frame.
+ * @param sensors of the shown world @param record its frames @param index of the frame
  */
 export function sensorsAt(sensors, record, index) {
     return sensors.map(function(sensor) {
@@ -11,7 +11,7 @@ export function sensorsAt(sensors, record, index) {
     })
 }
 
-/** Has the robots of a world drive and shine as they did then. @param robots by name */
+/** Sets the robots' poses, speeds, paths and lights as at a frame. @param robots by name */
 export function robotsAt(robots, record, index) {
     record.robots.forEach(function(name, i) {
         if (robots[name]) {

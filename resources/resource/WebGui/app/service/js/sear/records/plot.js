@@ -5,27 +5,27 @@ import {firstOf, unitOf, valuesOf} from './values.js'
 import {oncePerPicture, whenPageChanges} from '../shared/page.js'
 import {saveBlob, saveText} from '../shared/words.js'
 
-var MOST_SAMPLES = 6000     // live ones; ten minutes
+var MOST_SAMPLES = 6000     // live samples: ten minutes
 var MOST_NAMES = 300        // values of a live world
 var MOST_LINES = 16
 
-/** Of one panel. */
+/** Makes the plots of one panel. */
 export function makePlot(panel, world, records, replay, layout) {
     var msg = panel.msg
-    var chart = null            // made when it is first seen
+    var chart = null            // made when first shown
     var live = {times: [], values: Object.create(null), last: -1}
-    var fetched = {}            // values of records: by path and name, {times, values}
+    var fetched = {}            // values of records, by path and name: {times, values}
     var awaited = {}
-    var touched = false         // whether the user has said what to plot
+    var touched = false         // whether the user has chosen values
     var plot = {
-        source: '',             // path of the record that is plotted; empty for the running simulation
-        other: '',              // path of a second one
-        add: '',                // the name that is being chosen
-        open: false,            // whether that part is open
-        paused: null,           // the live samples as they were when the plot was paused
-        lines: [],              // names that are plotted
-        hint: '',               // what to do where nothing is seen
-        names: []               // names that there are
+        source: '',             // path of the plotted record; empty for the running simulation
+        other: '',              // path of a second record, for comparison
+        add: '',                // name being chosen
+        open: false,            // whether the plots are unfolded
+        paused: null,           // live samples at the time of the pause
+        lines: [],              // plotted names
+        hint: '',               // hint while nothing is visible
+        names: []               // available names
     }
 
     // ---- which values ------------------------------------------------------------------------------------------------------------------
@@ -45,7 +45,7 @@ export function makePlot(panel, world, records, replay, layout) {
             begin()
         }
     }
-    /** As long as its user has not chosen, it shows what most want to see. */
+    /** Plots the usual first values until the user chooses. */
     function begin() {
         var first = touched ? [] : firstOf(world.now(), plot.names)
         if (first.length) {
@@ -68,7 +68,7 @@ export function makePlot(panel, world, records, replay, layout) {
             msg.send('getRecordFrames', plot.source)
         }
     }
-    /** What is now is plotted and shown, no record. */
+    /** Plots and shows the present instead of a record. */
     plot.showNow = function() {
         replay.end()
         if (plot.source) {
@@ -90,7 +90,7 @@ export function makePlot(panel, world, records, replay, layout) {
         plot.lines = plot.lines.filter(other => other !== name)
         draw()
     }
-    /** Asks for what is plotted of records and not there yet. */
+    /** Requests plotted values of records that are missing. */
     function fetch() {
         [plot.source, plot.other].filter(Boolean).forEach(function(path) {
             plot.lines.forEach(function(name) {
@@ -106,7 +106,7 @@ export function makePlot(panel, world, records, replay, layout) {
     plot.compare = fetch
 
     // ---- live --------------------------------------------------------------------------------------------------------------------------
-    /** After each message of the running world. */
+    /** Adds a sample after each message of the running world. */
     function sample() {
         var state = world.running
         if (!state || state.time === live.last) {
@@ -167,7 +167,7 @@ export function makePlot(panel, world, records, replay, layout) {
     function timeMarked() {
         return pointed !== null ? pointed : replay.time()
     }
-    /** A line's values at the time that the mouse points at, or the slider. */
+    /** Returns a line's values at the time under the mouse, else at the slider. */
     plot.lineText = function(name) {
         var time = timeMarked()
         return !chart ? '' : chart.lines.filter(line => line.name === name).map(function(line) {
@@ -195,13 +195,13 @@ export function makePlot(panel, world, records, replay, layout) {
         draw()
         panel.scope.$applyAsync()
     })
-    /** What to do where nothing is seen. */
+    /** Returns a hint for an empty plot. */
     function hint() {
         if (plot.lines.length && !chart.isEmpty()) {
             return ''
         }
-        return !plot.lines.length ? 'Nothing is plotted: choose a value above' : plot.source || world.running ? 'No values yet'
-            : 'Start the simulation, or choose a record, to see values over time'
+        return !plot.lines.length ? 'Choose a value above to plot it' : plot.source || world.running ? 'No values yet'
+            : 'Start the simulation, or choose a record, to plot its values'
     }
     plot.zoom = function(factor) {
         if (chart) {
@@ -230,7 +230,7 @@ export function makePlot(panel, world, records, replay, layout) {
         var box = plot.open && panel.element('plot')
         return box ? box.clientWidth + ' ' + box.clientHeight : ''
     }, draw)
-    /** What draws it, for tests; null before it was seen. */
+    /** Returns the drawn chart, for tests; null before the first drawing. */
     plot.chart = function() {
         return chart
     }

@@ -1,17 +1,17 @@
-// Writing what happens in a run into a file, and which of these files there are.
+// Recording runs into files, and the list of these files.
 import {makeEvent} from '../shared/event.js'
 
-var MEGABYTES = 512         // at which a record ends by itself
-var PICTURES = 5            // of each camera a simulated second
+var MEGABYTES = 512         // size limit of a record
+var PICTURES = 5            // pictures per camera and simulated second
 
-/** Of one panel. */
+/** Makes the recording controls of one panel. */
 export function makeRecords(panel, messages) {
     var msg = panel.msg
     var records = {
-        path: 'run.searlog',    // of the next one
-        pictures: false,        // whether it keeps those of cameras
+        path: 'run.searlog',    // path of the next record
+        pictures: false,        // whether it contains camera pictures
         list: [],
-        ended: makeEvent()      // one has ended
+        ended: makeEvent()      // a record has ended
     }
     records.toggle = function() {
         if (panel.scope.service.recorded) {
@@ -29,7 +29,7 @@ export function makeRecords(panel, messages) {
             records.list = paths || []
         },
         onRecordRun: function(path) {
-            messages.say('info', 'recording ' + (panel.isSimulating() ? '' : 'the next run ') + 'into ' + path)
+            messages.say('info', 'recording ' + (panel.isSimulating() ? '' : 'the next run ') + 'to ' + path)
         },
         onEndRecord: function(seconds) {
             messages.say('info', 'recorded ' + Number(seconds).toFixed(2) + ' s')

@@ -1,23 +1,26 @@
-// A record that is shown again in the views.
+// Replay of a record in the views.
 import {makeEvent} from '../shared/event.js'
 import * as frames from './frames.js'
 
 function ending(record) {
-    return record.whole ? '' : record.written ? ', it is still being written' : ', where it was cut off'
+    return record.whole ? '' : record.written ? ', still being written' : ', incomplete'
 }
 
-/** Of one panel. */
+/** Makes the replay of one panel. */
 export function makeReplay(panel, messages, world, picture) {
     var replay = {
-        shown: null,            // as the service has sent it, with world, index, playing
+        shown: null,            // data from the service, with world, index, playing
         speed: '1',
         moved: makeEvent()      // another frame is shown, or none
     }
-    /** Seconds of what is shown; null without a record. */
+    /** Returns the time of the shown frame, seconds; null without a record. */
     replay.time = function() {
         return replay.shown && replay.shown.times[replay.shown.index]
     }
-    /** What sensors read, now or in the record: their places are not in it, so that the views show none there. */
+    /**
+     * Returns the sensors' readings, now or in the record. A record has no sensor poses, so the views show no sensors
+     * then.
+     */
     replay.sensors = function() {
         var seen = world.shown()
         return replay.shown && replay.shown.read || seen && seen.sensors || []
@@ -32,12 +35,12 @@ export function makeReplay(panel, messages, world, picture) {
     replay.show = function(sent) {
         var seen = world.now()
         if (!seen || !sent.times.length) {
-            messages.say('warn', sent.path + ' can\'t be shown in the view: there is no world; open the project that was recorded')
+            messages.say('warn', sent.path + ' can\'t be shown: there is no world; open the recorded project')
             return
         }
         sent.known = angular.copy(seen.sensors)
         sent.world = angular.extend({}, seen, {sensors: [], robots: angular.copy(seen.robots).map(function(robot) {
-            robot.devices = []      // of which the record knows only bytes
+            robot.devices = []      // the record has only their bytes
             return robot
         }), objects: seen.objects.map(object => angular.extend({}, object))})
         sent.index = 0
@@ -50,7 +53,7 @@ export function makeReplay(panel, messages, world, picture) {
         world.showInstead(sent)
         replay.seek()
     }
-    /** Shows the frame of the slider. */
+    /** Shows the slider's frame. */
     replay.seek = function() {
         var record = replay.shown
         record.index = Math.max(0, Math.min(record.times.length - 1, Math.round(Number(record.index))))
@@ -110,7 +113,7 @@ export function makeReplay(panel, messages, world, picture) {
     }
 
     panel.scope.$on('$destroy', function() {
-        replay.shown = null     // which ends its playing, too
+        replay.shown = null     // stops playing, too
     })
     return replay
 }

@@ -1,6 +1,6 @@
-// Lines over time as numbers: a line's value at a time, and lines as a table.
+// Plotted lines as numbers: a line's value at a time, and lines as a table.
 
-/** Where in ordered times one would stand. */
+/** Returns the insertion index of a time in sorted times. */
 function indexOf(times, time) {
     var low = 0
     var high = times.length
@@ -19,13 +19,15 @@ export function isNumber(value) {
     return typeof value === 'number' && isFinite(value)
 }
 
-/** A line's value at a time: that of its last point before; undefined if it has none there. */
+/** Returns a line's value at a time: that of the latest point up to then; undefined without one. */
 export function valueAt(line, time) {
     var i = indexOf(line.times, time + 1e-9) - 1
     return i < 0 ? undefined : line.values[i]
 }
 
-/** Lines as a table: for each, a column of times and one of values; lines of the same times share the first. */
+/**
+ * Returns lines as CSV: a column of times and one of values each. Successive lines with the same times share the times.
+ */
 export function csv(lines) {
     var columns = []
     lines.forEach(function(line) {

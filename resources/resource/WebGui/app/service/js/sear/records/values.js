@@ -1,14 +1,14 @@
-// The values of a world that can be plotted, by name, and their units.
+// Plottable values of a world, by name, and their units.
 import {frame, rotate} from '../shared/geometry.js'
 
 var PARTS = {x: 'm', y: 'm', z: 'm', heading: 'deg', speed: 'm/s', turnRate: 'rad/s'}
 var ENDINGS = [[/ (speed|left|right) wanted$/, 'm/s'], [/ radius wanted$/, 'm'], [/ (received|sent)$/, 'bytes']]
-/** What is measured so, for the title of an axis. */
+/** Quantity of each unit, for axis titles. */
 var QUANTITIES = {'m': 'length', 'm/s': 'speed', 'deg': 'angle', 'rad/s': 'turning', 'm/s2': 'acceleration', 'bytes': 'serial port'}
 
-/** All values of a world by their names. */
+/** Returns all values of a world by name. */
 export function valuesOf(world) {
-    var values = Object.create(null)    // sensors may be called as what every object has, constructor
+    var values = Object.create(null)    // a sensor may be named like a member of every object, for example constructor
     world.robots.forEach(function(robot) {
         var ahead = rotate(frame(robot.pose), [0, 0, 1])
         values[robot.name + '.x'] = robot.pose[0]
@@ -26,12 +26,12 @@ export function valuesOf(world) {
     return values
 }
 
-/** The unit of a sensor's number; a GPS has one for each. */
+/** Returns the unit of a sensor's n-th number; a GPS has one per number. */
 function unitOfNumber(sensor, i) {
     var units = (sensor.unit || '').split(', ')
     return units.length > 1 ? units[i] || '' : units[0]
 }
-/** The unit of a value, which may be a record's. @param world null for none; empty if it has none */
+/** Returns the unit of a value, possibly of a record; empty if it has none. @param world null for none */
 export function unitOf(name, world) {
     var unit
     angular.forEach(world && world.sensors, function(sensor) {
@@ -41,13 +41,16 @@ export function unitOf(name, world) {
     var ending = ENDINGS.filter(one => one[0].test(name))[0]
     return unit === undefined ? ending ? ending[1] : PARTS[name.slice(name.lastIndexOf('.') + 1)] || '' : unit
 }
-/** What stands beside an axis. @param names of what is drawn along it */
+/** Returns an axis title. @param names of the lines on that axis */
 export function titleOf(names, unit) {
     var title = names.length === 1 ? names[0] : QUANTITIES[unit] || ''
     return title && unit ? title + ' (' + unit + ')' : title || unit
 }
 
-/** The same, no longer than there is room: names are cut in their middle, units are not. @param room pixels @param length of a text in pixels */
+/**
+ * Returns an axis title no longer than the available length. Names are shortened in the middle, units are not.
+ * @param room available pixels @param length returns a text's length in pixels
+ */
 export function titleWithin(names, unit, room, length) {
     var title = titleOf(names, unit)
     for (var kept = names.length === 1 ? names[0].length - 1 : 0; kept > 1 && length(title) > room; kept--) {
@@ -57,7 +60,10 @@ export function titleWithin(names, unit, room, length) {
     return title
 }
 
-/** With what a plot begins: the first robot's speed and its first sensor. @param names of what there is */
+/**
+ * Returns the first values of a new plot: the first robot's speed and its first sensor.
+ * @param names available names
+ */
 export function firstOf(world, names) {
     var robot = world && world.robots[0]
     var sensor = robot && world.sensors.filter(one => one.robot === robot.name && one.names.length)[0]

@@ -1,29 +1,29 @@
-// Driving in the SEAR panel by keys that are held, WASD and the arrows, and by a gamepad: what is let go stops.
-var SPEED = 0.2             // m/s of the keys, as of the buttons
-var FASTEST = 0.4           // m/s of a gamepad's stick at its end
-var DEAD = 0.15             // how far a stick has to leave its middle
-var LOOK_MILLIS = 50        // how often a gamepad is looked at
+// Driving in the SEAR panel with held keys (WASD, arrows) or a gamepad. The robot stops on release.
+var SPEED = 0.2             // m/s with keys, as with the buttons
+var FASTEST = 0.4           // m/s with a gamepad stick at its end
+var DEAD = 0.15             // dead zone of a stick
+var LOOK_MILLIS = 50        // polling interval of gamepads
 var KEYS = {w: [1, 0], s: [-1, 0], a: [0, 1], d: [0, -1], arrowup: [1, 0], arrowdown: [-1, 0], arrowleft: [0, 1], arrowright: [0, -1]}
-var PAD = {12: [1, 0], 13: [-1, 0], 14: [0, 1], 15: [0, -1]}    // the buttons of its cross
+var PAD = {12: [1, 0], 13: [-1, 0], 14: [0, 1], 15: [0, -1]}    // buttons of the D-pad
 
 function sum(ways) {
     return ways.reduce((a, b) => [a[0] + b[0], a[1] + b[1]], [0, 0]).map(value => Math.max(-1, Math.min(1, value)))
 }
-/** How far a gamepad says to go: [forward, left], -1 to 1. */
+/** Returns the direction that a gamepad commands: [forward, left], -1 to 1. */
 function wayOf(pad) {
     var stick = [pad.axes[1], pad.axes[0]].map(value => Math.abs(value) > DEAD ? -Math.round(20 * value) / 20 : 0)
     return sum([stick].concat(Object.keys(PAD).filter(i => pad.buttons[i] && pad.buttons[i].pressed).map(i => PAD[i])))
 }
 
-/** Of one panel. */
+/** Makes the keyboard and gamepad control of one panel. */
 export function makeDriving(panel, world, view, edits, run, picture) {
-    var held = {}               // keys that are down, by what they say
-    var padded = false          // whether a gamepad has said something that it has not taken back
+    var held = {}               // keys held down, by name
+    var padded = false          // whether a gamepad has commanded a movement not stopped yet
     var looking = null
-    var last = []               // the calls of what it was told
+    var last = []               // the latest calls
     var driving = {}
 
-    /** @param way how far forward and to the left, -1 to 1 */
+    /** Sends changed drive calls. @param way forward and left, -1 to 1 @param most m/s at 1 */
     function go(way, most) {
         var calls = run.orders(way, most)
         calls.filter((call, i) => String(call) !== String(last[i])).forEach(call => panel.msg.send.apply(panel.msg, call))
@@ -44,11 +44,11 @@ export function makeDriving(panel, world, view, edits, run, picture) {
     }
 
     // ---- keys --------------------------------------------------------------------------------------------------------------------------
-    /** Arrows move what is selected while one builds, but for a test drive. */
+    /** While building, arrow keys move the selection, except in a test drive. */
     function isBuilding(key) {
         return key.length > 1 && view.building && edits.selected && !run.testing
     }
-    /** @return whether it was a key that drives */
+    /** Handles a key. @return whether it was a drive key */
     driving.key = function(event) {
         var key = (event.key || '').toLowerCase()
         if (!KEYS[key] || !canDrive() || isBuilding(key) || event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) {
@@ -57,7 +57,7 @@ export function makeDriving(panel, world, view, edits, run, picture) {
         event.preventDefault()
         if (!held[key]) {
             if (!Object.keys(held).length) {
-                last = []       // something else may have driven meanwhile
+                last = []       // another client may have driven the robot meanwhile
             }
             held[key] = true
             goOn()
@@ -88,7 +88,7 @@ export function makeDriving(panel, world, view, edits, run, picture) {
         }
     }
 
-    /** Once the views are there. */
+    /** Adds the listeners once the views exist. */
     driving.listen = function() {
         var leaving = ['blur', 'beforeunload']
         window.addEventListener('keyup', up, true)
@@ -104,6 +104,6 @@ export function makeDriving(panel, world, view, edits, run, picture) {
         held = {}
         padded = false
     })
-    panel.scope.$watch(() => Boolean(world.instead), instead => instead && letGo())     // what is not seen is not driven
+    panel.scope.$watch(() => Boolean(world.instead), instead => instead && letGo())     // stops driving during a replay
     return driving
 }

@@ -1,21 +1,21 @@
-// The mouse as a hand in the SEAR panel: with the shift key it takes what is loose in a running world and pulls it by a spring, which the service
-// holds.
+// Drag spring in the SEAR panel: with the Shift key, the mouse pulls a loose object of a running world. The service
+// simulates the spring.
 import * as geometry from '../shared/geometry.js'
 import {find, local, onPlane, ray} from '../world/pointing.js'
 
 var SEND_MILLIS = 50        // between two messages to the service
-var AGAIN_MILLIS = 400      // the service lets go when it hears nothing for longer than a second
+var AGAIN_MILLIS = 400      // the service releases the object after a second without messages
 
-/** Of one panel. */
+/** Makes the drag spring of one panel. */
 export function makeHand(panel, world, view, pointer) {
-    var held = null             // name, from: where it was taken, grip: the same in its own frame, way, normal of the plane that the mouse moves in
-    var spring = null           // the line that is seen
+    var held = null             // name, from: point taken, grip: the same in its own frame, way, normal of the mouse's plane
+    var spring = null           // drawn line
     var hand = {}
 
     function nameOf(who) {
         return who && (who.robot || (who.object.loose ? who.object.name : null))
     }
-    /** Which way one looks. */
+    /** Returns the viewing direction. */
     function ahead() {
         var canvas = pointer.canvas()
         return pointer.scene() ? ray(pointer.scene(), canvas.clientWidth / 2, canvas.clientHeight / 2).along : null
@@ -74,7 +74,7 @@ export function makeHand(panel, world, view, pointer) {
         }
     }
 
-    // ---- what is seen of it ------------------------------------------------------------------------------------------------------------
+    // ---- drawing ---------------------------------------------------------------------------------------------------------------------------
     function makeSpring() {
         var space = 'http://www.w3.org/2000/svg'
         var svg = document.createElementNS(space, 'svg')
@@ -106,11 +106,11 @@ export function makeHand(panel, world, view, pointer) {
         }
     })
 
-    /** Once the views are there; before whoever else hears of the mouse. */
+    /** Adds the listeners once the views exist, before all other mouse listeners. */
     hand.listen = function() {
         panel.element('view').parentElement.addEventListener('mousedown', take, true)
         var heard = {mousemove: move, mouseup: letGo, beforeunload: letGo, blur: function(event) {
-            if (event.target === window) {      // not of an element in it
+            if (event.target === window) {      // not for an element in it
                 letGo()
             }
         }}

@@ -1,7 +1,8 @@
-// What a shared run shows beside its record: wheels and servos as they turned and what sensors saw, in the form that the Java class Motion tells.
+// Motion that a shared run adds to its record: wheel and servo rotations and sensor readings, in the form of the Java
+// class Motion.
 import * as geometry from '../shared/geometry.js'
 
-var NOTHING = 65535         // a beam that met nothing
+var NOTHING = 65535         // a beam without a hit
 var CENTIMETRES = 100
 
 function unpacked(text) {
@@ -13,12 +14,12 @@ function unpacked(text) {
     }
     return ranges
 }
-/** Poses on the way from one moment to another; null where there are none. */
+/** Interpolates poses between two frames; null without poses. */
 function between(a, b, share, seconds) {
     return a && a.map((pose, i) => geometry.between(geometry.frame(pose), geometry.frame(b[i]), share, seconds))
 }
 
-/** @param sent as the service tells it @param world whose robots it turns, and which gets its sensors */
+/** @param sent as the service sends it @param world whose robots move, and which gets the sensors */
 export function makeMotion(sent, world) {
     var robots = sent.robots.map(name => world.robots.filter(robot => robot.name === name)[0])
     var shown = -1
@@ -33,7 +34,7 @@ export function makeMotion(sent, world) {
         }
         return own
     })
-    /** Has all be as it was at a time. */
+    /** Shows all as at a time. */
     function show(time) {
         var at = 0
         while (at < sent.frames.length - 1 && sent.frames[at + 1].time <= time) {

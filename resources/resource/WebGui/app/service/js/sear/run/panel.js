@@ -1,4 +1,4 @@
-// The SEAR panel as a whole: its parts, each of which knows only those before it, and what they hear of the service.
+// The SEAR panel: creates its parts, each of which knows only earlier ones, and subscribes them to the service.
 import '../shared/style.js'
 import {makeBadge} from '../records/badge.js'
 import {makeBuilding} from '../build/building.js'
@@ -35,11 +35,11 @@ var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems
     'publishEdit', 'getProjectObject', 'getScript', 'getExampleScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames',
     'getRecordMotion', 'getRecordValues', 'getCameraPicture', 'getRecordPicture']
 var ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits']
-var LOOK_MILLIS = 1000      // how often a page that shows the project asks whether that has changed
-var SETTLED_MILLIS = 12000  // how long the line of status has what was only told
-var LISTEN_MILLIS = 100     // how often a panel looks whether the page has its view
+var LOOK_MILLIS = 1000      // interval at which a page that shows the project asks for changes
+var SETTLED_MILLIS = 12000  // time after which the status line drops a notice
+var LISTEN_MILLIS = 100     // interval of checks for the view's elements
 
-/** Opens a panel. @param controller of MyRobotLab's, on whose scope the panel's parts are put */
+/** Opens a panel. @param controller MyRobotLab's, whose scope gets the panel's parts */
 export function open(controller, $scope, $timeout, $interval) {
     var panel = makePanel(controller, $scope, 'sear', $timeout)
     var messages = makeMessages()
@@ -71,7 +71,7 @@ export function open(controller, $scope, $timeout, $interval) {
     var share = makeShare(panel, messages, replay, ground)
 
     cameras.plottedBy(() => plot.open && !plot.source ? plot.lines : [])
-    // a replay ends when its user turns to what is now
+    // a replay ends when the user returns to the present
     project.left.hear(plot.showNow)
     run.begun.hear(plot.showNow)
     $scope.$watch(() => view.building, begun => begun && replay.end())

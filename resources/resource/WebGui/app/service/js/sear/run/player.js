@@ -1,4 +1,4 @@
-// What a shared run does in its own page, without SEAR: plays its record. See share.js, which writes that page.
+// Plays the record of a shared run in its own page, without SEAR. share.js writes that page.
 import * as geometry from '../shared/geometry.js'
 import {makeMotion} from './motion.js'
 import {Scene} from '../scene/scene.js'
@@ -15,7 +15,7 @@ export function play(run) {
     var world = run.world
     var last = record.times.length - 1
     var index = 0
-    var began = 0               // when it was started, by the browser's clock; 0 while it stands
+    var began = 0               // start of playing, by the browser's clock; 0 while paused
     var from = 0
     var waiting = false
     var grip = null

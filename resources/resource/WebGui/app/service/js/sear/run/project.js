@@ -3,27 +3,27 @@ import {makeEvent} from '../shared/event.js'
 import {recallJson, remember} from '../shared/page.js'
 import * as words from '../shared/words.js'
 
-var CHUNK = 256 * 1024      // characters; MyRobotLab takes messages up to 1 MiB
+var CHUNK = 256 * 1024      // characters; MyRobotLab accepts messages up to 1 MiB
 var RECENT = 'sear.recentProjects'
 var NEW = 'project.sear'
 var MOST_RECENT = 8
 
-/** Of one panel. */
+/** Makes the project controls of one panel. */
 export function makeProject(panel, messages, problems, view) {
     var msg = panel.msg
-    var given = {}              // scripts that this page has given to MyRobotLab's tab of python
-    var asked = {}              // paths that this page wants saved and opened
+    var given = {}              // scripts that this page added to MyRobotLab's Python tab
+    var asked = {}              // paths that this page asked to save and open
     var project = {
         path: NEW,
         example: '',
         examples: [],
         script: '',
-        scripts: [],            // names of the examples that drive
+        scripts: [],            // names of the example scripts
         template: 'userCode.py',
-        folder: 'SEARproject',  // into which that is copied
-        question: null,         // a file that is to be overwritten: path, and free, a name that is not taken
+        folder: 'SEARproject',  // target folder of the template
+        question: null,         // question before overwriting a file: path, and free, an unused name
         transfer: null,
-        left: makeEvent(),      // the user wants another project
+        left: makeEvent(),      // the user opens another project
         recent: recallJson(RECENT) || []
     }
 
@@ -39,7 +39,7 @@ export function makeProject(panel, messages, problems, view) {
         asked.load = path
         msg.send('loadProject', path)
     }
-    /** What comes from an example is saved beside it, not over it. */
+    /** An opened example is saved beside the example, not over it. */
     function onLoaded() {
         view.fit()
         messages.say('info', 'opened ' + (asked.load || 'by another page'))
@@ -54,14 +54,14 @@ export function makeProject(panel, messages, problems, view) {
         msg.send('newProject')
     }
 
-    var written = {}            // paths that this page has saved to: those it overwrites without asking
+    var written = {}            // paths that this page has saved to and overwrites without asking
     project.save = function() {
         project.saveTo(project.path, Boolean(written[project.path]))
     }
     project.saveTo = function(path, overwrite) {
         project.question = null
         if (!path || !path.trim()) {
-            messages.say('error', 'a project without a name can\'t be saved: write one into the field Project, such as ' + NEW)
+            messages.say('error', 'enter a name in the field Project before you save, for example ' + NEW)
             return
         }
         asked.save = path
@@ -90,7 +90,7 @@ export function makeProject(panel, messages, problems, view) {
     project.runScript = function() {
         var script = project.script
         view.fit()
-        messages.say('info', 'running ' + script + ', whose text is in the tab of python, to be changed and run again')
+        messages.say('info', 'running ' + script + '. You can change it in the Python tab and run it again')
         project.left.tell()
         msg.send('runExampleScript', script)
         asked.script = script
@@ -100,7 +100,7 @@ export function makeProject(panel, messages, problems, view) {
         var script = asked.script
         asked.script = null
         if (!script) {
-            return              // another page runs one
+            return              // run by another page
         }
         var opened = /\bloadProject\(\s*["']([^"']+)/.exec(code)
         if (opened) {
@@ -109,7 +109,7 @@ export function makeProject(panel, messages, problems, view) {
         }
         show({file: script, code: code})
     }
-    /** Gives a script to the tab of python, once: what its user makes of it stays. */
+    /** Adds a script to the Python tab once, which keeps the user's changes. */
     function show(script) {
         var told = panel.scope.$root.$broadcast('python.show', script)
         if (!told.defaultPrevented && !given[script.file]) {
@@ -145,7 +145,7 @@ export function makeProject(panel, messages, problems, view) {
         reader.readAsDataURL(file)
     }
 
-    var parts = null            // of the bundle that this page downloads
+    var parts = null            // parts of the bundle that this page downloads
     project.download = function() {
         parts = []
         project.transfer = 'saving'
@@ -153,7 +153,7 @@ export function makeProject(panel, messages, problems, view) {
     }
     function onBundle(part) {
         if (!parts || part.index !== parts.length) {
-            return              // another page downloads
+            return              // downloaded by another page
         }
         parts.push(part.data)
         if (parts.length < part.count) {
@@ -166,7 +166,7 @@ export function makeProject(panel, messages, problems, view) {
         project.transfer = null
     }
 
-    /** Once its fields are there. */
+    /** Adds the listeners once the elements exist. */
     project.listen = function() {
         var drop = panel.element('workspace')
         drop.addEventListener('dragover', function(event) {
@@ -176,15 +176,15 @@ export function makeProject(panel, messages, problems, view) {
             event.preventDefault()
             project.upload(event.dataTransfer.files[0])
         })
-        drop.addEventListener('change', function(event) {      // its field comes and goes
+        drop.addEventListener('change', function(event) {      // the file field is created dynamically
             if (event.target.classList.contains('sear-file')) {
                 project.upload(event.target.files[0])
-                event.target.value = ''     // so that the same file can be chosen again
+                event.target.value = ''     // allows choosing the same file again
             }
         })
     }
 
-    /** A call has failed: nothing is awaited any more. */
+    /** Forgets pending requests after a failed call. */
     project.fail = function() {
         project.transfer = null
         asked = {}
@@ -220,7 +220,7 @@ export function makeProject(panel, messages, problems, view) {
                 project.path = NEW
             }
             asked.anew = false
-            messages.say('info', 'an empty project' + (backup ? '; the former one is kept in ' + backup : ''))
+            messages.say('info', 'new project' + (backup ? '; the previous one is stored in ' + backup : ''))
         },
         onCopyTemplate: function(path) {
             messages.say('info', 'copied to ' + path)

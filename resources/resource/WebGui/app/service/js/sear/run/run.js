@@ -1,27 +1,27 @@
-// The run of the simulation in the SEAR panel: start, stop, speed, driving.
+// Simulation controls of the SEAR panel: start, stop, speed, driving.
 import {drive, isFixed} from './steering.js'
 import {makeEvent} from '../shared/event.js'
 import {find} from '../world/pointing.js'
 
 var SPEED = 0.2             // m/s of the drive buttons, MyRobotLab's Roomba default
-// How far forward and to the left; what is steered can't turn in place.
+// Forward and left; steered robots can't turn in place.
 var WAYS = {forward: [1, 0], backward: [-1, 0], left: [0, 1], right: [0, -1], stop: [0, 0]}
 var ARCS = {left: [1, 1], right: [1, -1]}
 var KEYS = {h: 'left', k: 'right', u: 'forward', j: 'backward', ';': 'stop', enter: 'reset'}
 
-/** Of one panel. */
+/** Makes the simulation controls of one panel. */
 export function makeRun(panel, messages, world, problems, view, edits, picture) {
     var $scope = panel.scope
     var msg = panel.msg
-    var known = 1               // the speed that the simulation has
-    var driving = false         // whether a test drive is to begin as soon as the simulation runs
-    var fixed = []              // names of the robots of which this run has said that nothing steers them
-    var before = null           // the last message when this page told it to start
-    var followed = null         // whether the view has followed before the test drive; null without one
+    var known = 1               // present speed of the simulation
+    var driving = false         // whether a test drive waits for the simulation to start
+    var fixed = []              // robots with a warning in this run that nothing steers them
+    var before = null           // last message when this page started the simulation
+    var followed = null         // whether the view followed a robot before the test drive; null without one
     var run = {
-        pending: null,          // what the service has been told to do and has not done yet: starting or stopping
-        testing: false,         // whether a test drive goes on
-        begun: makeEvent(),     // this page has it start
+        pending: null,          // call to the service that is not done yet: starting or stopping
+        testing: false,         // whether a test drive is running
+        begun: makeEvent(),     // this page starts the simulation
         speed: '1'
     }
 
@@ -53,7 +53,7 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
             event.preventDefault()
         }
     }
-    /** Nobody waits for the script any more: time runs by itself. */
+    /** Lets time run by itself, as no script advances it. */
     run.letTimeRun = function() {
         msg.send('setSpeed', 1)
         msg.send('setLockStep', false)
@@ -62,7 +62,7 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
         return run.pending || (!panel.isSimulating() ? 'no simulation runs' : $scope.service.paused ? 'paused' :
             world.waiting ? 'time waits for a script' : 'running')
     }
-    /** Goes on where the status ends; apart from it, since that is read out when it changes. */
+    /** Continues the status text. A separate element, because screen readers announce status changes. */
     run.timeText = function() {
         var state = run.pending ? null : world.running
         return state ? ' at ' + state.time.toFixed(2) + ' s' + (state.speed ? ', ' + state.speed.toFixed(1) + ' × real time' : '') : ''
@@ -70,33 +70,34 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
 
     // ---- the test drive --------------------------------------------------------------------------------------------------------------------
     /**
-     * Calls that drive the chosen robot, else the first; says so once in a run if nothing steers that.
-     * @param way how far forward and to the left, -1 to 1; @param most m/s at 1; @param arc the way of what can't turn in place, if it is another
+     * Returns the calls that drive the chosen robot, else the first. Warns once per run if nothing steers the robot.
+     * @param way forward and left, -1 to 1 @param most m/s at 1 @param arc direction for a robot that can't turn in
+     * place, if another
      */
     run.orders = function(way, most, arc) {
         var robots = world.running ? world.running.robots : []
         var robot = robots.filter(one => one.name === view.robot)[0] || robots[0]
         if (robot && way[1] !== 0 && isFixed(robot) && fixed.indexOf(robot.name) < 0) {
             fixed.push(robot.name)
-            messages.say('warn', robot.name + ' can\'t be steered: its driven wheels all stand in its middle, and no wheel is steered. Put driven '
-                + 'wheels to its left and right, or give wheels before or behind them a steering angle, or a servo that steers them')
+            messages.say('warn', robot.name + ' can\'t be steered: all driven wheels are on its centre line, and no wheel is steered. Add driven '
+                + 'wheels left and right, or give front or rear wheels a steering angle or a steering servo')
         }
         return robot ? drive(robot, robot.steered && arc || way, most) : []
     }
-    /** Robots of a world that have something to drive. */
+    /** Returns the robots of a world with driven wheels. */
     run.drivers = function(seen) {
         return seen ? seen.robots.filter(robot => robot.drives) : []
     }
-    /** Why there is nothing to drive; empty if there is. */
+    /** Returns why there is nothing to drive; empty if there is. */
     run.whyNoDrive = function() {
         var seen = world.now()
         return panel.isSimulating() || run.drivers(seen).length ? '' : !seen || !seen.robots.length
-            ? 'there is no robot to drive: choose one in the palette and click on the ground'
-            : seen.robots.map(robot => robot.name).join(', ') + ' has no driven wheels: put a Wheel of type 1 on it, or a whole robot on the ground'
+            ? 'no robot to drive: choose one in the palette and click on the ground'
+            : seen.robots.map(robot => robot.name).join(', ') + ' has no driven wheels: add a Wheel of type 1, or place a complete robot'
     }
-    /** Why no other project can be opened now; empty if one can. */
-    run.whyNoOther = () => panel.isSimulating() ? 'not while the simulation runs: Stop it first' : ''
-    /** Starts, or ends, a simulation in which the keys drive the robot that is selected, else the one that is driven anyway. */
+    /** Returns why no other project can be opened now; empty if one can. */
+    run.whyNoOther = () => panel.isSimulating() ? 'stop the simulation first' : ''
+    /** Starts or ends a simulation in which the keys drive the selected robot, else the chosen one. */
     run.testDrive = function() {
         var seen = world.now()
         if (panel.isSimulating()) {
@@ -132,12 +133,12 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
         }
     })
 
-    // ---- what the service tells ------------------------------------------------------------------------------------------------------------
-    /** The service has done what it was told, or has failed, whatever has happened since. */
+    // ---- messages of the service -----------------------------------------------------------------------------------------------------------
+    /** Ends the pending state after the service's answer or failure. */
     run.settle = function() {
         run.pending = null
     }
-    /** The service has said whether it simulates; another state may have been on its way before. */
+    /** Takes the service's simulation state; a state from before the call may arrive first. */
     run.follow = function() {
         if (run.pending === (panel.isSimulating() ? 'starting' : 'stopping')) {
             run.settle()

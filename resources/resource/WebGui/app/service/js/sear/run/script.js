@@ -1,10 +1,10 @@
-// "Show as Python" in the SEAR panel: the script that makes the project, to read, to copy and to save.
+// "Show as Python" in the SEAR panel: the script that makes the project, to read, copy and save.
 import * as words from '../shared/words.js'
 
-/** Of one panel. */
+/** Makes the script view of one panel. */
 export function makeScript(panel, messages, project) {
-    var asked = false           // whether this page wants it: each page gets the answers to all pages
-    var script = {shown: null}  // text, and lines of the field
+    var asked = false           // whether this page asked: each page receives the answers to all pages
+    var script = {shown: null}  // text, and rows of the text field
 
     script.show = function() {
         asked = true

@@ -1,12 +1,12 @@
-// Writes a record as one HTML file that plays it anywhere, without SEAR and without network: what was where, what things look like, three.js, and the
-// modules of this panel that draw.
+// Saves a record as one HTML file that plays it anywhere, without SEAR and network. The file contains poses, models,
+// pictures, three.js, and this panel's drawing modules.
 import {fileName, saveText} from '../shared/words.js'
 
-var MOST = 24e6             // characters of the file
+var MOST = 24e6             // maximum file size, characters
 var PLAYER = 'run/player.js'
-var AT_ONCE = 60            // looks that are asked for together
+var AT_ONCE = 60            // looks requested together
 var PATIENCE_MILLIS = 30000
-var MOST_SECONDS = 600      // of a record that is run again for its beams and its wheels
+var MOST_SECONDS = 600      // maximum duration of a record that is rerun for its beams and wheels
 var IMPORT = /^import (.+) from '([^']+)'$/gm
 
 function textOf(url) {
@@ -17,11 +17,11 @@ function textOf(url) {
         return answer.text()
     })
 }
-/** As it may stand in a script of a page. */
+/** Escapes text for a script element. */
 function safe(text) {
     return text.replace(/<\/(script)/gi, '<\\/$1').replace(/<!--/g, '<\\!--')
 }
-/** JSON in which nothing ends a script. */
+/** Returns JSON that can't end a script element. */
 function json(what) {
     return JSON.stringify(what).replace(/</g, '\\u003c')
 }
@@ -29,7 +29,10 @@ function escaped(text) {
     return text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;')
 }
 
-/** A module and all that it imports, each as the function that it becomes, in order. @param made names of those that are there */
+/**
+ * Returns a module and all of its imports, each as a function, in order.
+ * @param made names of modules already included
+ */
 function bundle(name, made) {
     if (made.indexOf(name) >= 0) {
         return Promise.resolve('')
@@ -50,18 +53,18 @@ function bundle(name, made) {
     })
 }
 
-/** @param form of the page, see player.html @param parts by the name of a place in it */
+/** Fills a page template. @param form the template, see player.html @param parts by the name of a place in it */
 function page(form, parts) {
     return form.replace(/@(\w+)@/g, (all, name) => parts[name])
 }
 
-/** Of one panel. */
+/** Makes the sharing controls of one panel. */
 export function makeShare(panel, messages, replay, ground) {
-    var looks = null            // what has come of what is needed, by key; null while nothing is shared
-    var missing = null          // keys that have not come
+    var looks = null            // received looks and pictures, by key; null while nothing is shared
+    var missing = null          // keys not received yet
     var since = 0
-    var motion = null           // how wheels turned and what sensors saw, or {why: there is none}; null while that is awaited
-    var waiting = null          // what ends that
+    var motion = null           // wheel rotations and sensor readings, or {why: there are none}; null while awaited
+    var waiting = null          // timeout of the motion
     var share = {busy: false}
 
     share.record = function() {
@@ -83,7 +86,7 @@ export function makeShare(panel, messages, replay, ground) {
         })
         askForMotion()
     }
-    /** The record is run again for what is not in it; where that can't be, it is shared without. */
+    /** Has the service rerun the record for its motion; without it the record is shared anyway. */
     function askForMotion() {
         var times = share.shown.times
         motion = null
@@ -93,7 +96,7 @@ export function makeShare(panel, messages, replay, ground) {
         }
         panel.msg.send('getRecordMotion', share.shown.path)
         waiting = panel.timeout(function() {
-            takeMotion({why: 'it took too long to run the record again'})
+            takeMotion({why: 'the rerun of the record took too long'})
         }, 2 * PATIENCE_MILLIS)
     }
     function takeMotion(sent) {
@@ -111,7 +114,7 @@ export function makeShare(panel, messages, replay, ground) {
             panel.msg.send('getLooks', keys.slice(0, AT_ONCE))
             panel.timeout(function() {
                 if (share.busy && Date.now() - since >= PATIENCE_MILLIS) {
-                    fail('what things look like did not come')
+                    fail('no answer with the models and pictures')
                 }
             }, PATIENCE_MILLIS)
         } else {
@@ -123,9 +126,9 @@ export function makeShare(panel, messages, replay, ground) {
     }
     function fail(why) {
         share.busy = false
-        messages.say('error', 'the run could not be shared: ' + why)
+        messages.say('error', 'sharing failed: ' + why)
     }
-    /** What the service has sent, for this panel or another. */
+    /** Takes models and pictures, requested by this panel or another. */
     share.take = function(sent) {
         if (!share.busy) {
             return
@@ -161,15 +164,15 @@ export function makeShare(panel, messages, replay, ground) {
             var text = page(parts[0], {title: escaped(title), three: safe(parts[1]), modules: safe(parts[2]), run: json(run)})
             var size = (text.length / 1e6).toFixed(1) + ' MB'
             if (text.length > MOST) {
-                throw new Error('the file would have ' + size + ', legal: at most ' + MOST / 1e6
-                    + ' MB; share a shorter record, or one of a world with fewer and simpler models')
+                throw new Error('the file is too large: ' + size + ', at most ' + MOST / 1e6
+                    + ' MB; share a shorter record, or a world with fewer and simpler models')
             }
             saveText(title + '.html', text)
-            messages.say('info', 'the run is saved as ' + title + '.html, ' + size + ': it opens in any browser, without SEAR'
-                + (motion.why ? '; it has no beams, and its wheels don\'t turn: ' + motion.why : ''))
+            messages.say('info', 'saved the run as ' + title + '.html, ' + size + ': it opens in any browser, without SEAR'
+                + (motion.why ? '; without beams and wheel rotation: ' + motion.why : ''))
         })
     }
-    /** A world without what this page has noted in it. */
+    /** Returns a world without this page's own data. */
     function plain(world) {
         return JSON.parse(JSON.stringify({time: 0, sensors: [], objects: world.objects, robots: world.robots},
             (key, value) => key === '$shape' || key === '$$hashKey' || key === 'path' ? undefined : value))

@@ -1,17 +1,17 @@
-// What the SEAR panel tells a robot that somebody drives by keys, buttons or a gamepad: calls of the service, by how the robot is steered.
-var RADIUS = 0.3            // metres of the narrowest arc of a robot that turns by its two sides, while it drives on
+// Service calls of a robot that the user drives with keys, buttons or a gamepad, depending on its steering.
+var RADIUS = 0.3            // metres: narrowest arc of a differential drive while it drives on
 
 function angle(steered, left) {
     return left === 0 ? steered.straight : steered.straight + Math.abs(left) * ((left > 0 ? steered.left : steered.right) - steered.straight)
 }
-/** Whether nothing turns it. */
+/** Whether nothing can steer the robot. */
 export function isFixed(robot) {
     return !robot.steered && !robot.turns
 }
 
 /**
- * The method and what it is given, of each call.
- * @param way how far forward and to the left, -1 to 1; @param most m/s at 1
+ * Returns each call as its method and arguments.
+ * @param way forward and left, -1 to 1 @param most m/s at 1
  */
 export function drive(robot, way, most) {
     var speed = way[0] * most

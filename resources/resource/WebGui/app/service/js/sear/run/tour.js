@@ -1,19 +1,19 @@
-// The tour of the SEAR panel: from an empty ground to a robot that sees and drives, each step as soon as its user has done it. By driver.js, which
-// the build puts into lib. docs/first-robot.md is the same in words.
+// The tour of the SEAR panel: from empty ground to a driving robot with a sensor. A step ends as soon as the user has
+// done it. Uses driver.js, which the build copies to lib. docs/first-robot.md has the same content.
 import {driver} from '../lib/driver.js'
 import {frame} from '../shared/geometry.js'
 import {local} from '../world/pointing.js'
 
-var OPENS_MILLIS = 2000     // how long a step waits for the part of the page that it points at
-var MOVED = 0.3             // metres that a robot has to drive
-var NEAREST = 0.2           // metres before a robot where something is in its way, at least
-var FARTHEST = 3            // and at most: as far as the eye sees
-var MARK = 'sear-marked'    // the class of what is to be clicked
-var ASIDE = 0.35            // metres to the left or right of its way
+var OPENS_MILLIS = 2000     // maximum wait for a step's element
+var MOVED = 0.3             // metres that the robot has to drive
+var NEAREST = 0.2           // minimum distance of an obstacle ahead of the robot, metres
+var FARTHEST = 3            // and maximum: the sensor's range
+var MARK = 'sear-marked'    // class of the element to click
+var ASIDE = 0.35            // maximum lateral offset of an obstacle, metres
 
 /**
- * The steps: what they point at, which thing of the palette is to be clicked there, what is said, whether it is done, and what is said instead once
- * that has been done wrongly. A step without done ends by its button.
+ * Returns the steps: element to point at, palette entry to click, text, completion test, and the text after a mistake.
+ * A step without a test ends by its button.
  */
 function stepsOf(panel, world, palette, script, layout) {
     function now() {
@@ -22,7 +22,7 @@ function stepsOf(panel, world, palette, script, layout) {
     function isArmed(name) {
         return Boolean(palette.armed && palette.armed.name === name)
     }
-    /** Whether a robot is not where it has started. */
+    /** Whether a robot has left its start. */
     function hasMoved() {
         return panel.isSimulating() && now().robots.some(function(robot) {
             var first = robot.path[0]
@@ -32,7 +32,7 @@ function stepsOf(panel, world, palette, script, layout) {
     var hasRobot = () => now().robots.length > 0
     var hasSensor = () => now().sensors.length > 0
     var boxes = () => now().objects.filter(object => object.type === 'Box')
-    /** Whether a thing stands before a robot. */
+    /** Whether an object is ahead of a robot. */
     function isAhead(thing) {
         return now().robots.some(function(robot) {
             var at = local(frame(robot.pose), thing.pose)
@@ -41,48 +41,48 @@ function stepsOf(panel, world, palette, script, layout) {
     }
     return [
         {at: '.sear-palette', make: 'rover', title: 'Choose a robot',
-            text: 'All that can be made is here. Click <b>Rover</b>: two driven wheels and a caster.',
+            text: 'The palette contains all objects. Click <b>Rover</b>: two driven wheels and a caster.',
             done: () => isArmed('rover') || hasRobot()},
         {at: '.sear-canvas', title: 'Put it on the ground',
-            text: 'Click on the ground near the middle. It gets a floor to stand on.', done: hasRobot},
+            text: 'Click on the ground near the middle. SEAR adds a floor.', done: hasRobot},
         {at: '.sear-palette', make: 'Distance', title: 'Give it an eye',
-            text: 'Click <b>Distance sensor</b>, below <i>Sensors</i>.', done: () => isArmed('Distance') || hasSensor()},
+            text: 'Click <b>Distance sensor</b>, in the group <i>Sensors</i>.', done: () => isArmed('Distance') || hasSensor()},
         {at: '.sear-canvas', title: 'Mount it',
-            text: 'Click on the rover, or on <b>Put it in the middle</b>. It looks ahead, and a little up, over the floor.', done: hasSensor},
+            text: 'Click on the rover, or on <b>Put it in the middle</b>. The sensor looks ahead and slightly up, over the floor.', done: hasSensor},
         {at: '.sear-palette', make: 'Box', title: 'An obstacle',
-            text: 'Click <b>Box</b>, the first of all.', done: () => isArmed('Box') || boxes().length > 0},
+            text: 'Click <b>Box</b>, the first entry.', done: () => isArmed('Box') || boxes().length > 0},
         {at: '.sear-canvas', title: 'In its way',
-            text: 'Click on the ground about a metre ahead of the rover. It looks along the blue axis, to the east.',
+            text: 'Click on the ground about a metre ahead of the rover. The rover faces along the blue axis, to the east.',
             done: () => boxes().some(isAhead), wrong: () => boxes().length > 0,
-            instead: 'That box is not in its way. Drag it to about a metre ahead of the rover, along the blue axis.'},
+            instead: 'That box is not in the rover\'s way. Drag it to about a metre ahead of the rover, along the blue axis.'},
         {at: '.sear-making', title: 'Start',
-            text: 'Click <b>Test drive</b>: the simulation starts, and the keys are the rover\'s.', done: panel.isSimulating},
+            text: 'Click <b>Test drive</b>: the simulation starts, and the keys drive the rover.', done: panel.isSimulating},
         {at: '.sear-driving', title: 'Drive',
-            text: 'Hold <b>W</b> or the arrow up, or click an arrow below the view. <i>Readings</i>, at the right, has what the eye sees.',
+            text: 'Hold <b>W</b> or the arrow up, or click an arrow below the view. <i>Readings</i>, on the right, shows the sensor\'s values.',
             done: hasMoved},
         {at: '.sear-drawers', title: 'See what it did',
-            text: 'Click <b>Plots</b>: the rover\'s speed and what its eye sees, over time.', done: () => !layout.isFolded('plots')},
+            text: 'Click <b>Plots</b>: the rover\'s speed and the sensor\'s reading over time.', done: () => !layout.isFolded('plots')},
         {at: '.sear-bar', title: 'Stop',
-            text: 'Click the red button. What you have built stays.', done: () => !panel.isSimulating()},
+            text: 'Click the red button. Your robot and objects remain.', done: () => !panel.isSimulating()},
         {at: '.sear-drawers', title: 'It is a script, too',
             text: 'Click <b>Scripts</b>.', done: () => !layout.isFolded('scripts')},
         {at: '.sear-scripts', title: 'It is a script, too',
-            text: 'Click <b>Show as Python</b>: these lines make the same robot. A script can drive it as well: '
-            + 'docs/first-robot.md goes on there.', done: () => script.shown !== null},
+            text: 'Click <b>Show as Python</b>: this script makes the same robot. A script can also drive it: see '
+            + 'docs/first-robot.md.', done: () => script.shown !== null},
         {at: '.sear-scripts', title: 'That is your first robot',
-            text: '<b>Save</b>, below the project\'s name, makes one file of it.'}
+            text: '<b>Save</b>, below the project\'s name, stores it in one file.'}
     ]
 }
 
-/** Of one panel. */
+/** Makes the tour of one panel. */
 export function makeTour(panel, world, view, palette, script, layout) {
-    var tour = {step: null}     // the number of the step, null while there is no tour
+    var tour = {step: null}     // number of the step; null without a tour
     var steps = stepsOf(panel, world, palette, script, layout)
     var guide = null
 
     function show() {
         return driver({
-            animate: false,                     // a step that is done is followed at once, and what is clicked meanwhile counts
+            animate: false,                     // continues immediately after a finished step, and clicks during a transition count
             allowKeyboardControl: false,        // the arrow keys drive
             overlayOpacity: 0.35,
             stagePadding: 4,
@@ -110,14 +110,14 @@ export function makeTour(panel, world, view, palette, script, layout) {
             }
         })
     }
-    /** What is to be clicked in the palette is brought into sight there, and marked. */
+    /** Scrolls to the palette entry to click, and marks it. */
     function point() {
         var step = steps[tour.step]
         var whole = panel.element('workspace')
         unmark(whole)
         if (step && step.make) {
             palette.sought = ''
-            panel.timeout(function() {      // when all is there that was not looked for
+            panel.timeout(function() {      // when the unfiltered palette exists
                 var button = whole.querySelector('[data-make="' + step.make + '"]')
                 if (button && steps[tour.step] === step) {
                     button.classList.add(MARK)
@@ -137,7 +137,7 @@ export function makeTour(panel, world, view, palette, script, layout) {
             panel.scope.$applyAsync()
         })
     }
-    /** Comes with what the page is told: a step that is done makes room for the next. */
+    /** Checks the step at each digest: a finished step opens the next one. */
     panel.scope.$watch(function() {
         var step = guide && steps[tour.step]
         return step && step.done && step.done() ? tour.step : null
@@ -151,7 +151,7 @@ export function makeTour(panel, world, view, palette, script, layout) {
             })
         }
     })
-    /** A step that was done wrongly says how to mend that. */
+    /** After a mistake, the step shows how to correct it. */
     panel.scope.$watch(function() {
         var step = guide && steps[tour.step]
         return step && step.wrong && step.wrong() && !step.done() ? tour.step : null
@@ -170,13 +170,13 @@ export function makeTour(panel, world, view, palette, script, layout) {
 }
 
 var style = null
-/** The styles of driver.js, once for each page. */
+/** Loads the styles of driver.js, once per page. */
 function loadStyle() {
     style = style || new Promise(function(done) {
         var link = document.createElement('link')
         link.rel = 'stylesheet'
         link.href = new URL('../lib/driver.css', import.meta.url)
-        link.onload = link.onerror = done       // it works without, too
+        link.onload = link.onerror = done       // works without styles, too
         document.head.appendChild(link)
     })
     return style

@@ -1,13 +1,13 @@
-// Records the view of the SEAR panel as a film, by the browser's own recorder.
+// Records the SEAR panel's view as a video with the browser's recorder.
 import {saveBlob} from '../shared/words.js'
 
-var RATE = 30               // pictures a second at most
-var BITS = 6e6              // a second
+var RATE = 30               // maximum frame rate
+var BITS = 6e6              // bits per second
 var LONGEST_MILLIS = 600000
 var KINDS = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm']
 var STOP = /(#[0-9a-f]{6}) (-?[\d.]+)%/g
 
-/** Of one panel. */
+/** Makes the video recorder of one panel. */
 export function makeVideo(panel, messages, view, picture) {
     var film = null             // canvas, pen, recorder, parts, timer
     var video = {running: false}
@@ -15,9 +15,9 @@ export function makeVideo(panel, messages, view, picture) {
     function kind() {
         return window.MediaRecorder && KINDS.filter(one => window.MediaRecorder.isTypeSupported(one))[0]
     }
-    /** Why there can be none; empty if there can. */
+    /** Returns why no video is possible; empty if one is. */
     video.whyNot = function() {
-        return kind() ? '' : 'This browser records no video'
+        return kind() ? '' : 'This browser can\'t record video'
     }
     video.toggle = function() {
         if (film) {
@@ -39,7 +39,7 @@ export function makeVideo(panel, messages, view, picture) {
         film.recorder.onstop = end
         film.recorder.start(1000)
         film.timer = window.setTimeout(function() {
-            messages.say('warn', 'the video ends here: it is as long as one may be, ' + LONGEST_MILLIS / 60000 + ' minutes')
+            messages.say('warn', 'the video ends here at its maximum length, ' + LONGEST_MILLIS / 60000 + ' minutes')
             film.recorder.stop()
         }, LONGEST_MILLIS)
         video.running = true
@@ -52,11 +52,11 @@ export function makeVideo(panel, messages, view, picture) {
         window.clearTimeout(done.timer)
         done.recorder.stream.getTracks().forEach(track => track.stop())
         saveBlob('sear.webm', new Blob(done.parts, {type: 'video/webm'}))
-        messages.say('info', 'the video is saved as sear.webm')
+        messages.say('info', 'saved the video as sear.webm')
         panel.scope.$applyAsync()
     }
 
-    /** What the page shows behind the view: the sky, which has no picture of its own, or its colour. */
+    /** Paints the background of the view: the sky, which is CSS, or the page's colour. */
     function paintBehind(shown) {
         var height = film.canvas.height
         var scene = view.mode === 'space' && view.scene()
@@ -72,7 +72,7 @@ export function makeVideo(panel, messages, view, picture) {
         film.pen.fillRect(0, 0, film.canvas.width, height)
         film.pen.drawImage(shown, 0, 0, film.canvas.width, height)
     }
-    /** While what was drawn is there: the browser forgets it afterwards. */
+    /** Copies the frame right after drawing, because the browser discards it afterwards. */
     picture.painted.hear(function() {
         if (film) {
             paintBehind(picture.canvas())

@@ -1,29 +1,29 @@
-// What the SEAR panel shows in place of an empty view: pictures of what one can begin with.
+// Start tiles that the SEAR panel shows in an empty view.
 
 var TILES = '../tiles/'
-var TOUR = {name: 'tour', title: 'First robot', text: 'A tour of ten minutes: build a rover with an eye, and drive it.', picture: 'tour.jpg',
+var TOUR = {name: 'tour', title: 'First robot', text: 'A ten-minute tour: build a rover with a sensor, and drive it.', picture: 'tour.jpg',
     first: true}
-var MINE = {name: 'build', title: 'Build my own', text: 'An empty ground, and a palette of things, robots and sensors.', picture: 'build.jpg'}
-// By the name of an example: its title, and what one sees there.
+var MINE = {name: 'build', title: 'Build my own', text: 'Empty ground, and a palette of objects, robots and sensors.', picture: 'build.jpg'}
+// Title and description of each example, by name.
 var EXAMPLES = {
     office: ['Office', 'A Roomba with a laser scanner among desks and chairs.'],
-    maze: ['Maze', 'A robot that looks for the way out.'],
-    sensors: ['Every sensor', 'One robot with all of them, in a yard.'],
+    maze: ['Maze', 'A robot that searches for the exit.'],
+    sensors: ['Every sensor', 'One robot with all sensors, in a yard.'],
     ramps: ['Ramps', 'Slopes, steps and kerbs: what can it climb?'],
     mountain: ['Mountain', 'Real terrain from elevation data.'],
     car: ['Car', 'A steered car on a road.'],
-    line: ['Line', 'A black line on the floor, to be followed.'],
+    line: ['Line', 'A black line on the floor to follow.'],
     rover: ['Arduino rover', 'Motors and sensors on the pins of an Arduino.'],
-    turret: ['Turret', 'A distance sensor that a servo turns.'],
+    turret: ['Turret', 'A distance sensor turned by a servo.'],
     ball: ['Ball', 'A rover with cameras, and a red ball to follow.'],
     dock: ['Docking station', 'A marker at a dock, and a robot with a camera.']
 }
 var BY_HEART = Object.keys(EXAMPLES)
 
-/** Of one panel. */
+/** Makes the start tiles of one panel. */
 export function makeWelcome(world, view, palette, project, tour) {
     var tiles = []
-    var made = null             // the examples that these are of
+    var made = null             // examples that the tiles belong to
     var welcome = {}
 
     welcome.isShown = function() {
@@ -47,7 +47,7 @@ export function makeWelcome(world, view, palette, project, tour) {
     function ownTile(tile, open) {
         return angular.extend({}, tile, {picture: picture(tile.picture), open: open})
     }
-    /** The tour, one to build without any example, and one for each example. */
+    /** Returns the tiles: the tour, one for building, and one for each example. */
     welcome.tiles = function() {
         if (made !== project.examples) {
             made = project.examples

@@ -1,15 +1,16 @@
-// What sensors see, in the view in space of the SEAR panel: fans of LIDARs, cones of distance sensors and what they hit, how far cameras see around.
+// Sensor beams in the SEAR panel's 3D view: scan planes of LIDARs, cones and hits of distance sensors, fields of view
+// of cameras.
 var HIT = '#d9534f'
 var BEAM = '#f0ad4e'
 var CONE = '#d9534f'
-var EYE = '#2e9bd6'        // as the window has it
+var EYE = '#2e9bd6'        // as in the Java window
 var CORNERS = 4
 
 function seeThrough(color, opacity) {
     return new window.THREE.MeshBasicMaterial({color: color, transparent: true, opacity: opacity, side: window.THREE.DoubleSide, depthWrite: false})
 }
 
-/** Shows in an item of a scene what a sensor sees. @param beams whether to */
+/** Shows a sensor's beams in an item of a scene. @param beams whether to show them */
 export function show(scene, item, sensor, beams) {
     var THREE = window.THREE
     if (!item.dressed) {
@@ -46,7 +47,7 @@ export function show(scene, item, sensor, beams) {
     }
 }
 
-/** Around the forward axis, +z, turned by its yaw to the left. */
+/** Returns a cone around the forward axis, +z, turned left by its yaw. */
 function coneOf(cone) {
     var THREE = window.THREE
     var radius = Math.max(0.003, Math.tan(cone.halfAngle * Math.PI / 180) * cone.range)
@@ -58,7 +59,10 @@ function coneOf(cone) {
     return mesh
 }
 
-/** Lines around what a camera sees. @param edge x, y, z of points around its picture, as many from corner to corner */
+/**
+ * Returns the outline of a camera's field of view.
+ * @param edge x, y, z of points around its picture, the same number per side
+ */
 function eyeOf(edge) {
     var THREE = window.THREE
     var count = edge.length / 3
@@ -80,7 +84,7 @@ function eyeOf(edge) {
     return THREE.LineSegments ? new THREE.LineSegments(shape, material) : new THREE.Line(shape, material, THREE.LinePieces)
 }
 
-/** A triangle for each two beams that met something; where nothing was met there is a gap. */
+/** Draws a triangle for each two adjacent beams with hits; a beam without a hit leaves a gap. */
 function spreadFan(fan, sensor) {
     var THREE = window.THREE
     var count = Math.max(0, sensor.ranges.length - 1)

@@ -1,4 +1,4 @@
-/** What mouse, wheel and fingers do in the views, and what is told of the point below the mouse: text. */
+/** Makes the mouse, wheel and touch control of the views, and the text about the point under the mouse. */
 export function makePointed(panel, world, ground, view) {
     var pointed = {text: ''}
 
@@ -20,7 +20,7 @@ export function makePointed(panel, world, ground, view) {
         tell(!found ? '' : land ? land.words(found.point[0], found.point[2]) : found.object ? found.object.name + ', ' + found.object.type : '')
     }
 
-    // ---- mouse, wheel, fingers ---------------------------------------------------------------------------------------------------------------
+    // ---- mouse, wheel, touch ---------------------------------------------------------------------------------------------------------------
     function listenToMap(shown) {
         var grip = null
         listenToWheel(shown)
@@ -42,7 +42,7 @@ export function makePointed(panel, world, ground, view) {
         })
     }
 
-    /** Left button or one finger: turn; other buttons, the shift key or two fingers: move. */
+    /** Left button or one finger turns; other buttons, the Shift key or two fingers pan. */
     function listenToScene(shown) {
         var grip = null
         listenToWheel(shown)
@@ -87,7 +87,7 @@ export function makePointed(panel, world, ground, view) {
         })
     }
 
-    /** Once the canvases are there. */
+    /** Adds the listeners once the canvases exist. */
     pointed.listen = function() {
         listenToMap(panel.element('view'))
         listenToScene(panel.element('scene'))

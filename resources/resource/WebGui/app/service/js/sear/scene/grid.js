@@ -1,9 +1,9 @@
-// The ground of the view in space where things are built: a grid of metres, the axes and what they are called.
+// Ground of the 3D view while building: a metre grid, and axes with labels.
 
 var HALF = 10               // metres to each side
 var FINE = '#8a929c'
 var AXES = [['x north', '#c62828', [1, 0]], ['z east', '#1565c0', [0, 1]]]
-var ABOVE = 0.004           // metres, so that a floor at height 0 does not hide it
+var ABOVE = 0.004           // metres; keeps the grid above a floor at height 0
 var WORDS = {width: 128, height: 32}
 
 function lines(points, color, opacity) {
@@ -16,7 +16,7 @@ function lines(points, color, opacity) {
     return THREE.LineSegments ? new THREE.LineSegments(geometry, material) : new THREE.Line(geometry, material, THREE.LinePieces)
 }
 
-/** Words that look at the camera. @param size metres that they are high */
+/** Returns a label that faces the camera. @param size its height, metres */
 function words(text, color, x, z, size) {
     var THREE = window.THREE
     var canvas = document.createElement('canvas')
@@ -39,7 +39,7 @@ function words(text, color, x, z, size) {
     return sprite
 }
 
-/** An object of three.js with all of it. */
+/** Returns a three.js object with grid, axes and labels. */
 export function makeGrid() {
     var grid = new window.THREE.Object3D()
     var points = []

@@ -1,21 +1,21 @@
-// A thing in the view in space of the SEAR panel: a holder that goes from pose to pose without jumps, with what is seen in it.
+// Object in the SEAR panel's 3D view: a holder with content that moves smoothly from pose to pose.
 import * as geometry from '../shared/geometry.js'
 
-/** What stands somewhere: a holder in the scene that is moved, with what is seen in it. */
+/** Makes an object's holder in the scene. */
 export function Item(parent, source) {
     this.source = source
     this.parent = parent
     this.holder = new window.THREE.Object3D()
     this.holder.visible = false
     parent.add(this.holder)
-    this.extra = null           // what stands beside it in the scene and goes with it
-    this.marker = null          // likewise, what stands for a sensor while one builds
+    this.extra = null           // another object in the scene, removed together with it
+    this.marker = null          // likewise, the ball that marks a sensor while building
     this.pose = null
     this.from = null
     this.to = null
     this.dressed = false
 }
-/** @param seconds simulated, that it takes to get there */
+/** Starts a movement to a pose. @param seconds simulated duration of the movement */
 Item.prototype.goTo = function(pose, now, seconds) {
     if (pose === this.pose) {
         return
@@ -27,7 +27,7 @@ Item.prototype.goTo = function(pose, now, seconds) {
     this.since = now
     this.holder.visible = true
 }
-/** @return whether it is still on its way */
+/** Moves the holder. @return whether it is still moving */
 Item.prototype.move = function(now, period) {
     if (!this.to || this.shown === this.to) {
         return false

@@ -1,7 +1,7 @@
-// What shapes look like, for the view in space of the SEAR panel: asked for once, each look when it is first needed. The form of what the service
-// sends stands at the Java class Looks.
+// Models and pictures of shapes for the SEAR panel's 3D view, each requested when first needed. The Java class Looks
+// documents the data format.
 var KEYS_AT_ONCE = 60
-var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
+var PATIENCE_MILLIS = 10000 // timeout: requests it again
 var MOST_SAMPLES = 8
 
 function numbers(Type, base64) {
@@ -31,20 +31,20 @@ function surface(part) {
 }
 
 /**
- * @param ask a function that asks the service for looks and pictures by their keys
- * @param whenThere called when some have come
- * @param smooth samples of a pixel at a flat angle that the graphics card can take
+ * @param ask requests looks and pictures by their keys
+ * @param whenThere called when some have arrived
+ * @param smooth the graphics card's maximum anisotropy
  */
 export function Looks(ask, whenThere, smooth) {
     this.ask = ask
     this.whenThere = whenThere
     this.smooth = Math.min(MOST_SAMPLES, smooth)
-    this.looks = {}             // by the number of a look: its parts that have come
-    this.textures = {}          // by the path of a picture: texture, or null if it can't be shown
-    this.wanted = {}            // keys, and when they were asked for
+    this.looks = {}             // by number of the look: its received parts
+    this.textures = {}          // by path of the picture: texture, or null if it can't be shown
+    this.wanted = {}            // requested keys, and when they were requested
 }
 
-/** The parts of a look; null while they are not all there. */
+/** Returns the parts of a look; null until all are there. */
 Looks.prototype.look = function(id) {
     var look = this.looks[id]
     if (!look) {
@@ -60,7 +60,7 @@ Looks.prototype.look = function(id) {
     return look
 }
 
-/** Of a picture; undefined while it is not there, null if it can't be shown. */
+/** Returns the texture of a picture; undefined until it is there, null if it can't be shown. */
 Looks.prototype.texture = function(path) {
     if (!Object.prototype.hasOwnProperty.call(this.textures, path)) {
         this.wanted['picture ' + path] = this.wanted['picture ' + path] || 0
@@ -83,7 +83,7 @@ Looks.prototype.want = function() {
     }
 }
 
-/** Takes what the service has sent, for this page or for another one. */
+/** Takes what the service has sent, for this page or another one. */
 Looks.prototype.take = function(sent) {
     angular.forEach(sent, function(one) {
         if (Object.prototype.hasOwnProperty.call(this.wanted, one.key)) {
@@ -99,7 +99,7 @@ Looks.prototype.take = function(sent) {
         }
     }, this)
     Object.keys(this.wanted).forEach(function(key) {
-        this.wanted[key] = 0        // what did not fit into the answer is asked for again
+        this.wanted[key] = 0        // requests again what did not fit into the answer
     }, this)
     this.whenThere()
 }
@@ -118,7 +118,7 @@ Looks.prototype.takePicture = function(sent) {
         var round = (image.width & image.width - 1) === 0 && (image.height & image.height - 1) === 0
         texture.wrapS = texture.wrapT = THREE.RepeatWrapping
         if (!round) {
-            texture.image = squared(image)      // only such pictures are repeated
+            texture.image = squared(image)      // WebGL 1 repeats only power-of-two textures
         }
         texture.anisotropy = self.smooth
         texture.needsUpdate = true
@@ -132,7 +132,7 @@ Looks.prototype.takePicture = function(sent) {
     image.src = sent.data
 }
 
-/** A picture whose sides are powers of two. */
+/** Scales a picture to sides that are powers of two. */
 function squared(image) {
     var canvas = document.createElement('canvas')
     canvas.width = Math.pow(2, Math.round(Math.log(image.width) / Math.LN2))

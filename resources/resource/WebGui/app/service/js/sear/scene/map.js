@@ -1,15 +1,15 @@
-// The flat view of the SEAR panel, from above: north (+x) up, east (+z) to the right. It works on each machine, without WebGL.
+// The SEAR panel's map, from above: north (+x) up, east (+z) to the right. It works without WebGL.
 import * as geometry from '../shared/geometry.js'
 import {penOf} from '../shared/page.js'
 import {lay} from './pictures.js'
 
 var PATH = '#337ab7'
 var EYE = '#2e9bd6'
-var AXES = [['x north', ['#c62828', '#ff8a80'], [1, 0]], ['z east', ['#1565c0', '#7ab8ff'], [0, 1]]]    // on light and on dark ground
-var AXIS = 1.5              // metres that they are long: less than what an empty map shows
-var SMALLEST_ROBOT = 4      // pixels: one that looks smaller is a dot
+var AXES = [['x north', ['#c62828', '#ff8a80'], [1, 0]], ['z east', ['#1565c0', '#7ab8ff'], [0, 1]]]    // for light and dark ground
+var AXIS = 1.5              // length of the axes, metres: less than an empty map shows
+var SMALLEST_ROBOT = 4      // pixels: a smaller robot is drawn as a dot
 
-/** A function from metres on the ground to pixels of a canvas. */
+/** Returns a function from metres on the ground to pixels of a canvas. */
 export function projection(element, view) {
     var x0 = element.clientWidth / 2
     var y0 = element.clientHeight / 2
@@ -18,7 +18,7 @@ export function projection(element, view) {
     }
 }
 
-/** @param world may be null @param terrain null without one @param pictures see makePictures */
+/** Draws the map. @param world may be null @param terrain null without one @param pictures see makePictures */
 export function draw(element, view, world, terrain, shapes, pictures) {
     var pen = penOf(element)
     var at = projection(element, view)
@@ -60,14 +60,14 @@ export function draw(element, view, world, terrain, shapes, pictures) {
     })
 }
 
-/** What a canvas shows: its ends in metres. */
+/** Returns the area that a canvas shows: its edges in metres. */
 function areaOf(element, view) {
     var up = element.clientHeight / 2 / view.scale
     var across = element.clientWidth / 2 / view.scale
     return {south: view.x - up, north: view.x + up, west: view.z - across, east: view.z + across}
 }
 
-/** Makes points, in pixels, the present path. */
+/** Makes points, in pixels, the current path. */
 function trace(pen, points) {
     pen.beginPath()
     points.forEach(function(point) {
@@ -103,7 +103,7 @@ function drawGrid(pen, at, ink, element, view) {
     pen.globalAlpha = 1
 }
 
-/** Where things are built, as in space. */
+/** Draws the axes while building, as in the 3D view. */
 function drawAxes(pen, at, dark) {
     pen.lineWidth = 2
     AXES.forEach(function(axis) {
@@ -147,13 +147,13 @@ function drawBeams(pen, at, sensor) {
     }
 }
 
-/** Where a beam ends, in pixels. @param direction unit vector in the sensor's frame */
+/** Returns the end of a beam, in pixels. @param direction unit vector in the sensor's frame */
 function beamEnd(at, pose, direction, metres) {
     var end = geometry.onGround(pose, direction.map(part => part * metres))
     return at(end[0], end[1])
 }
 
-/** The beams that met something; where nothing was met there is a gap. */
+/** Draws the beams with hits; beams without a hit leave a gap. */
 function drawScan(pen, at, pose, sensor) {
     var from = at(pose[0], pose[2])
     var ends = sensor.ranges.map((metres, i) => metres === null ? null : beamEnd(at, pose, sensor.fan[i], metres))
@@ -169,7 +169,7 @@ function drawScan(pen, at, pose, sensor) {
     })
 }
 
-/** A cone of a sonar; one without width is a line. */
+/** Draws a sonar's cone; one without width is a line. */
 function drawCone(pen, at, pose, cone) {
     var points = [at(pose[0], pose[2])]
     for (var i = -6; i <= 6; i++) {
@@ -184,7 +184,7 @@ function drawCone(pen, at, pose, cone) {
     pen.stroke()
 }
 
-/** What a camera sees between its left and its right edge. @param edge x, y, z of points around its picture */
+/** Draws a camera's field of view between its left and right edges. @param edge x, y, z of points around its picture */
 function drawEye(pen, at, pose, edge) {
     var half = edge.length / 6
     var points = [at(pose[0], pose[2])]

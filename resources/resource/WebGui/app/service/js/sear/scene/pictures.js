@@ -1,17 +1,17 @@
-// Pictures that lie on floors, for the map of the SEAR panel: asked for once, when they are first needed.
+// Floor pictures for the SEAR panel's map, each requested when first needed.
 import * as geometry from '../shared/geometry.js'
 
-var KEY = 'picture '        // so begin the keys of pictures among those of looks
-var NIGHT = 0.55            // how much of a picture is seen on a dark page, where names on it are light
-var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
+var KEY = 'picture '        // prefix of picture keys among the keys of looks
+var NIGHT = 0.55            // opacity of pictures on a dark page, where labels are light
+var PATIENCE_MILLIS = 10000 // timeout: requests the picture again
 
-/** @param ask a function that asks the service for pictures by their keys @param whenThere called when one has come */
+/** @param ask requests pictures by their keys @param whenThere called when one has arrived */
 export function makePictures(ask, whenThere) {
-    var images = {}             // by path; null for one that can't be shown
-    var asked = {}              // by path: when it was asked for
+    var images = {}             // by path; null if it can't be shown
+    var asked = {}              // by path: time of the request
 
     return {
-        /** The image of a path; null as long as it is not there. */
+        /** Returns the image of a path; null until it is there. */
         of: function(path) {
             var now = Date.now()
             if (images[path] === undefined && !(now - asked[path] < PATIENCE_MILLIS)) {
@@ -41,7 +41,10 @@ export function makePictures(ask, whenThere) {
     }
 }
 
-/** Lays an image on a floor, as the view in space has it: its right is at -z, its top at -x. @param at see map.projection @param dark the theme */
+/**
+ * Draws an image on a floor as in the 3D view: its right at -z, its top at -x.
+ * @param at see map.projection @param dark the theme
+ */
 export function lay(pen, at, floor, image, dark) {
     var half = [0, 2].map(axis => Math.max.apply(null, floor.corners.map(point => point[axis])))
     var pose = geometry.frame(floor.pose)

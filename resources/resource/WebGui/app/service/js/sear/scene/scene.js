@@ -1,4 +1,4 @@
-// The view in space of the SEAR panel, with three.js as MyRobotLab has it (release 73; it works with 71, too). World frame: x north, y up, z east.
+// The SEAR panel's 3D view, with MyRobotLab's three.js (release 73; 71 works, too). World frame: x north, y up, z east.
 import {show as showBeams} from './beams.js'
 import * as geometry from '../shared/geometry.js'
 import {makeGrid} from './grid.js'
@@ -6,28 +6,29 @@ import * as shapes from './shapes.js'
 import {Item} from './item.js'
 import {Looks} from './looks.js'
 
-var FIELD_OF_VIEW = 50      // degrees, of the camera
-var EYE_FIELD = 75          // looking through a sensor
-var NEAREST = 0.05          // metres between camera and what it turns around
+var FIELD_OF_VIEW = 50      // degrees, of the free camera
+var EYE_FIELD = 75          // degrees, through a sensor
+var NEAREST = 0.05          // metres between the camera and its target
 var FARTHEST = 20000
-var LOWEST = 0.02          // metres of the camera above the ground
-var STEEPEST = 1.55         // radians: straight down is the map's
-var SLOWEST_MILLIS = 250    // between two states; longer is no movement to be smoothed
+var LOWEST = 0.02          // minimum height of the camera above the ground, metres
+var STEEPEST = 1.55         // radians: the map is the view straight down
+var SLOWEST_MILLIS = 250    // longer pauses between two states are not smoothed
 var SUN = [-0.35, 1, -0.25]
 var SHADOW_PIXELS = 2048
 var SKY = {light: ['#7fb2e5', '#e8f1fa', '#cfd3c8', '#b9bdb0'], dark: ['#0d1b2f', '#33475f', '#2c2f2b', '#20231f']}
 var BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
-// The processor looks up one point of a shadow for each pixel and smooths no edges: together these would take as long as all the rest. Instead:
-var COARSE = [1, 0.7, 0.5]  // pixels a side for each of the page's, of what moves: as many as there is time for
-var SLOW = 28               // milliseconds of a picture from which on it has fewer
-var FAST = 19               // and below which it has more
-var FINE = 1.5              // pixels a side for each of the page's, of what rests: the browser makes one of several
-var FINEST = 2e6            // pixels of such a picture at most, where it has more than the page
-var STILL_MILLIS = 300      // after which it draws all of them again
-var PAUSE_MILLIS = 15       // between two pictures by the processor of what moves: some 30 a second are enough
+// A software renderer uses one shadow sample per pixel and no antialiasing, which would double the drawing time.
+// Instead:
+var COARSE = [1, 0.7, 0.5]  // resolution per axis relative to the page, for moving scenes: as high as time permits
+var SLOW = 28               // frame time in milliseconds above which the resolution decreases
+var FAST = 19               // and below which it increases
+var FINE = 1.5              // resolution per axis relative to the page, for resting scenes: the browser averages pixels
+var FINEST = 2e6            // maximum pixels of a frame that is finer than the page
+var STILL_MILLIS = 300      // pause before a scene is drawn at full resolution
+var PAUSE_MILLIS = 15       // between two software-rendered frames of a moving scene: some 30 frames per second are enough
 var PATH = '#337ab7'
 
-/** Whether the browser draws in space; with a graphics card and not by the processor, if that is asked for. */
+/** Whether the browser can draw 3D. @param fast only with a graphics card */
 export function isPossible(fast) {
     try {
         var canvas = document.createElement('canvas')
@@ -44,8 +45,8 @@ function isByProcessor(gl) {
 
 /**
  * @param canvas to draw on
- * @param ask a function that asks the service for looks and pictures by their keys
- * @param repaint a function that has the panel draw again
+ * @param ask requests looks and pictures by their keys
+ * @param repaint has the panel draw again
  */
 export function Scene(canvas, ask, repaint) {
     var THREE = window.THREE
@@ -71,22 +72,22 @@ export function Scene(canvas, ask, repaint) {
     this.sensors = []
     this.looks = new Looks(ask, repaint, this.renderer.getMaxAnisotropy ? this.renderer.getMaxAnisotropy() : 1)
     this.ground = null
-    this.land = null            // the terrain, for heights; null without one
-    this.time = 0               // of what is shown, simulated seconds
-    this.seconds = 0            // that passed since what was shown before
+    this.land = null            // terrain, for its elevation; null without one
+    this.time = 0               // simulated time shown, seconds
+    this.seconds = 0            // simulated time since the state shown before
     this.arrived = 0
     this.period = 100
-    this.coarse = 1             // which of COARSE is drawn
-    this.millis = (SLOW + FAST) / 2     // that a picture of what moves has taken lately, at least PAUSE_MILLIS
+    this.coarse = 1             // index of the current resolution in COARSE
+    this.millis = (SLOW + FAST) / 2     // smoothed frame time of moving scenes, at least PAUSE_MILLIS
     this.movedAt = 0
-    this.unshaded = true        // whether shadows are not those of what is shown
-    this.pictures = 0           // drawn so far, and how many of them with other shadows
+    this.unshaded = true        // whether the shadows are outdated
+    this.pictures = 0           // frames drawn, and frames with new shadows
     this.shadings = 0
     this.light(10)
 }
 
-// ---- what it shows -------------------------------------------------------------------------------------------------------------------------
-/** A sun whose shadow covers so many metres around what the camera turns around. */
+// ---- content -------------------------------------------------------------------------------------------------------------------------------
+/** Adds a sun whose shadow covers an area around the camera's target. @param reach metres */
 Scene.prototype.light = function(reach) {
     var THREE = window.THREE
     if (this.sun) {
@@ -108,7 +109,7 @@ Scene.prototype.light = function(reach) {
     this.unshaded = true
 }
 
-/** Brings the scene to a world as the service tells it. @param terrain null without one @param beams whether to show what sensors see */
+/** Updates the scene to a world message. @param terrain null without one @param beams whether to show sensor beams */
 Scene.prototype.show = function(world, terrain, beams) {
     var now = Date.now()
     if (this.time !== world.time) {
@@ -139,7 +140,7 @@ Scene.prototype.show = function(world, terrain, beams) {
     this.looks.want()
 }
 
-/** Has one item for each of a list; those of another world go. */
+/** Keeps one item for each element of a list; removes items of another world. */
 Scene.prototype.keep = function(list, sources, parent) {
     var items = this[list]
     for (var i = 0; i < Math.max(items.length, sources.length); i++) {
@@ -157,7 +158,7 @@ Scene.prototype.keep = function(list, sources, parent) {
     items.length = sources.length
 }
 
-/** Gives an item its surface as soon as that is there. */
+/** Gives an item its surface once that is loaded. */
 Scene.prototype.dress = function(item, object) {
     if (item.dressed) {
         return
@@ -195,7 +196,7 @@ Scene.prototype.showRobot = function(item, robot, now) {
     this.showPath(item, robot)
 }
 
-/** Lights, lit or dark. */
+/** Shows lights, lit or dark. */
 Scene.prototype.showLights = function(item, robot, now) {
     var THREE = window.THREE
     item.lights = item.lights || (robot.leds || []).map(function(led) {
@@ -249,7 +250,7 @@ Scene.prototype.showGround = function(terrain) {
     this.scene.add(this.ground)
 }
 
-/** Shows a grid of metres with the axes, or takes it away. */
+/** Shows or hides the metre grid with the axes. */
 Scene.prototype.showGrid = function(on) {
     if (on && !this.grid) {
         this.grid = makeGrid()
@@ -260,7 +261,8 @@ Scene.prototype.showGrid = function(on) {
     }
 }
 
-// ---- the camera ----------------------------------------------------------------------------------------------------------------------------
+// Fits the camera to everything but the ground. @param area see geometry.area @param points further points that must be
+// visible
 /** Has the camera show everything but the ground. @param area see geometry.area @param points that have to be seen, too, whatever the area says */
 Scene.prototype.fit = function(area, points) {
     this.orbit.target.set(area.x, area.y, area.z)
@@ -271,7 +273,7 @@ Scene.prototype.fit = function(area, points) {
         this.orbit.distance *= 1.05
     }
 }
-/** Whether points [x, y, z] are all in the view from outside. */
+/** Whether points [x, y, z] are all visible to the free camera. */
 Scene.prototype.sees = function(points) {
     this.aim(-1)
     return points.every(point => new window.THREE.Vector3(point[0], point[1], point[2]).project(this.camera).toArray().every(at => Math.abs(at) <= 1))
@@ -280,14 +282,14 @@ Scene.prototype.zoom = function(factor) {
     this.orbit.distance = Math.min(FARTHEST, Math.max(NEAREST, this.orbit.distance / factor))
     this.stayAbove()
 }
-/** Where the camera is, of which the horizontal part does not depend on how the ground is. */
+/** Returns the camera's position. */
 Scene.prototype.position = function() {
     var orbit = this.orbit
     var flat = orbit.distance * Math.cos(orbit.elevation)
     return new window.THREE.Vector3(orbit.target.x + flat * Math.cos(orbit.azimuth), orbit.target.y + orbit.distance * Math.sin(orbit.elevation),
         orbit.target.z + flat * Math.sin(orbit.azimuth))
 }
-/** The camera does not go below the ground: that of the terrain, else the height 0, or what it looks at if that is lower. */
+/** Keeps the camera above the ground: above the terrain, else above height 0, or above its target if that is lower. */
 Scene.prototype.stayAbove = function() {
     var orbit = this.orbit
     var at = this.position()
@@ -298,13 +300,13 @@ Scene.prototype.stayAbove = function() {
         orbit.elevation = Math.asin(Math.max(-1, sine))
     }
 }
-/** @param right pixels that the mouse has moved, likewise down */
+/** Turns the camera. @param right mouse movement in pixels, likewise down */
 Scene.prototype.turn = function(right, down) {
     this.orbit.azimuth += right * 0.008
     this.orbit.elevation = Math.max(-STEEPEST, Math.min(STEEPEST, this.orbit.elevation + down * 0.008))
     this.stayAbove()
 }
-/** Along what the camera sees, so that the point under the mouse stays there. */
+/** Moves the camera parallel to its image plane, so that the point under the mouse stays there. */
 Scene.prototype.pan = function(right, down) {
     var metres = 2 * this.orbit.distance * Math.tan(FIELD_OF_VIEW * Math.PI / 360) / Math.max(1, this.canvas.clientHeight)
     var e = this.camera.matrixWorld.elements
@@ -324,7 +326,7 @@ Scene.prototype.follow = function(robot) {
     }
 }
 
-/** @param sensor number of the sensor through whose eye one looks; -1 for the free camera */
+/** Aims the camera. @param sensor number of the sensor to look through; -1 for the free camera */
 Scene.prototype.aim = function(sensor) {
     var camera = this.camera
     var orbit = this.orbit
@@ -349,7 +351,10 @@ Scene.prototype.aim = function(sensor) {
 }
 
 // ---- drawing -------------------------------------------------------------------------------------------------------------------------------
-/** Draws. @param sensor see {@link aim} @param followed number of the robot in the middle, -1 for none @param dark the theme */
+/**
+ * Draws.
+ * @param sensor see {@link aim} @param followed number of the robot in the middle, -1 for none @param dark the theme
+ */
 Scene.prototype.draw = function(sensor, followed, dark) {
     var now = Date.now()
     var moving = false
@@ -396,7 +401,7 @@ Scene.prototype.draw = function(sensor, followed, dark) {
     }
 }
 
-/** Pixels a side for each of the page's. @param area pixels of the page */
+/** Returns the resolution per axis relative to the page. @param area pixels of the page */
 Scene.prototype.ratio = function(area, moving, now) {
     var plain = Math.min(2, window.devicePixelRatio || 1)
     if (!this.byProcessor) {
@@ -405,7 +410,7 @@ Scene.prototype.ratio = function(area, moving, now) {
     return this.isCoarse(moving, now) ? COARSE[this.coarse] * plain : Math.max(plain, Math.min(FINE * plain, Math.sqrt(FINEST / Math.max(1, area))))
 }
 
-/** A picture by the processor of what moves has taken so long, which tells how many pixels the next ones may have. */
+/** Adapts the resolution to the time of a software-rendered frame. */
 Scene.prototype.took = function(millis) {
     this.millis = 0.9 * this.millis + 0.1 * Math.min(4 * SLOW, millis)
     var other = this.coarse + (this.millis > SLOW ? 1 : this.millis < FAST ? -1 : 0)
@@ -415,7 +420,7 @@ Scene.prototype.took = function(millis) {
     }
 }
 
-/** Whether fewer pixels are drawn since something moves or the user looks around, or just did; what has come to rest is drawn again. */
+/** Whether the resolution is reduced, because the scene moves or did so just now; schedules a sharp frame. */
 Scene.prototype.isCoarse = function(moving, now) {
     var seenFrom = this.camera.matrixWorld.elements.join(' ')
     this.movedAt = moving || this.seenFrom && this.seenFrom !== seenFrom ? now : this.movedAt
@@ -428,7 +433,7 @@ Scene.prototype.isCoarse = function(moving, now) {
     return coarse
 }
 
-/** The shadow lies where the camera looks. */
+/** Moves the shadow to the camera's target. */
 Scene.prototype.shade = function() {
     var reach = Math.min(200, Math.max(2, 1.5 * this.orbit.distance))
     if (reach > 1.5 * this.sun.reach || reach < this.sun.reach / 1.5) {
@@ -441,7 +446,7 @@ Scene.prototype.shade = function() {
     this.sun.target.updateMatrixWorld()
 }
 
-/** Sky above the horizon, haze below, behind the canvas. */
+/** Paints the background behind the canvas: sky above the horizon, haze below. */
 Scene.prototype.paintSky = function(dark) {
     var forward = this.camera.getWorldDirection ? this.camera.getWorldDirection() : new window.THREE.Vector3(0, 0, -1)
     var pitch = Math.asin(Math.max(-1, Math.min(1, forward.y)))
@@ -456,16 +461,17 @@ Scene.prototype.paintSky = function(dark) {
     }
 }
 
-// ---- what is where -------------------------------------------------------------------------------------------------------------------------
-/** Where a point of the world lies on the canvas, in pixels. */
+// ---- picking -------------------------------------------------------------------------------------------------------------------------------
+/** Returns the canvas position of a point of the world, in pixels. */
 Scene.prototype.toScreen = function(x, y, z) {
     var at = new window.THREE.Vector3(x, y, z).project(this.camera)
     return {x: (at.x + 1) / 2 * this.canvas.clientWidth, y: (1 - at.y) / 2 * this.canvas.clientHeight, seen: Math.abs(at.z) < 1}
 }
 
 /**
- * What is under a point of the canvas: its object or part, where it was met, and the surface's normal there, in the world; null for nothing.
- * @param without an object that is looked through
+ * Finds what is under a point of the canvas: object or part, the point, and the surface's normal there, in the world;
+ * null for none.
+ * @param without an object to ignore
  */
 Scene.prototype.pick = function(x, y, without) {
     var THREE = window.THREE

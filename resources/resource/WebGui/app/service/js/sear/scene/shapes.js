@@ -1,5 +1,5 @@
-// Shapes that the view in space of the SEAR panel makes itself: the ground out of its heights, and boxes around what is not told.
-var MOST_POSTS = 255        // of the terrain on a side: corners are counted with 16 bits
+// Shapes made by the SEAR panel's 3D view: the ground from its elevation, and boxes around objects without a model.
+var MOST_POSTS = 255        // maximum grid posts per side of the terrain: indices have 16 bits
 
 export function ground(terrain) {
     var THREE = window.THREE
@@ -37,7 +37,7 @@ export function ground(terrain) {
     return made
 }
 
-/** The box around an object, for one whose look is not told. */
+/** Returns the box around an object without a model. */
 export function boxAround(corners) {
     var low = [Infinity, Infinity, Infinity]
     var high = [-Infinity, -Infinity, -Infinity]

@@ -1,37 +1,37 @@
-// The view of the SEAR panel: the one in space where the browser can do that, else the map.
+// The view of the SEAR panel: 3D if the browser supports it, else the map.
 import * as geometry from '../shared/geometry.js'
 import * as map from './map.js'
 import {makePictures} from './pictures.js'
 import {recall, remember, whenPageChanges} from '../shared/page.js'
 import {Scene, isPossible} from './scene.js'
 
-var MODE = 'sear.view'      // where the browser remembers which one was chosen
-var MOST_LISTED = 100       // objects of the world; the others on request
-var BENCH = 4               // metres that an empty view shows where things are built
-var TURN = 20               // pixels of a mouse that an arrow key stands for
+var MODE = 'sear.view'      // local storage key of the chosen view
+var MOST_LISTED = 100       // objects of the world in the list; the others on request
+var BENCH = 4               // size of an empty view while building, metres
+var TURN = 20               // mouse movement in pixels that an arrow key corresponds to
 var ARROWS = {ArrowLeft: [-TURN, 0], ArrowRight: [TURN, 0], ArrowUp: [0, TURN], ArrowDown: [0, -TURN]}
 
-/** Of one panel. */
+/** Makes the view of one panel. */
 export function makeView(panel, messages, world, ground, picture) {
     var element = panel.element
-    var overlay = null          // what is drawn with the world, see view.overlaidBy
-    var scene = null            // made when it is first seen
-    var fitted = {}             // by mode: whether that view shows everything, or what the user wants
+    var overlay = null          // drawn with the world, see view.overlaidBy
+    var scene = null            // made when first shown
+    var fitted = {}             // by mode: whether the view is fitted to the world, or set by the user
     var pictures = makePictures(keys => panel.msg.send('getLooks', keys), picture.repaint)
-    var benched = false         // whether the view shows the empty ground before one who builds
+    var benched = false         // whether the view shows empty ground for building
     var view = {
-        x: 0, z: 0,             // metres: the middle of the map
-        scale: 60,              // its pixels a metre
+        x: 0, z: 0,             // centre of the map, metres
+        scale: 60,              // scale of the map, pixels per metre
         fitted: false,
         chosen: false,          // whether the user has zoomed or moved
-        building: false,        // whether things are made in it
+        building: false,        // whether the user is building
         listed: MOST_LISTED,
         mode: firstMode(),      // 'space' or 'map'
-        noSpace: '',            // why there is no view in space
+        noSpace: '',            // why there is no 3D view
         beams: true,
         follow: false,
-        robot: null,            // that is driven and followed
-        eye: ''                 // the sensor through whose eye one looks
+        robot: null,            // the driven and followed robot
+        eye: ''                 // name of the sensor to look through
     }
 
     function firstMode() {
@@ -40,28 +40,28 @@ export function makeView(panel, messages, world, ground, picture) {
     }
     view.setMode = function(mode) {
         if (mode === 'space' && !isPossible(false)) {
-            view.noSpace = 'This browser has no WebGL: the map is all that it can show'
+            view.noSpace = 'This browser has no WebGL and shows only the map'
             return
         }
         view.mode = mode
         remember(MODE, mode, messages, 'the view')
-        panel.timeout(picture.repaint)      // when the canvas is there
+        panel.timeout(picture.repaint)      // when the canvas exists
     }
 
     function canvas() {
         return element(view.mode === 'space' ? 'scene' : 'view')
     }
-    /** Width and height of the canvas; changes when something beside it is folded, too. */
+    /** Returns width and height of the canvas; folding adjacent parts changes them, too. */
     function sizeOf() {
         var shown = canvas()
         return shown ? shown.clientWidth + ' ' + shown.clientHeight : ''
     }
 
-    /** Where a point of the ground lies on the map; also what tests compare with the robot's pose. */
+    /** Returns a ground point's position on the map. Tests use it, too. */
     view.toScreen = function(x, z) {
         return map.projection(element('view'), view)(x, z)
     }
-    /** The view in space; null before it was seen. */
+    /** Returns the 3D view; null before it was shown. */
     view.scene = function() {
         return scene
     }
@@ -81,26 +81,29 @@ export function makeView(panel, messages, world, ground, picture) {
         picture.repaint()
     }
     view.redraw = picture.repaint
-    /** The user looks where he wants to. */
+    /** Notes that the user has chosen the viewpoint. */
     view.choose = function() {
         view.chosen = true
     }
     view.build = function(on) {
         view.building = on
         if (on && world.isEmpty()) {
-            view.fit()          // so near that what is made first is well to be seen, and does not fill the view
+            view.fit()          // close enough to see a first object well, without it filling the view
         }
         picture.repaint()
     }
     view.driveRobot = function(name) {
         view.robot = name
     }
-    /** @param drawn hold() comes before the world is drawn, decorate(scene, world) and decorateMap(canvas) after it; isBusy(): it is dragged */
+    /**
+     * @param drawn hold() runs before the world is drawn, decorate(scene, world) and decorateMap(canvas) after it;
+     * isBusy(): during a drag
+     */
     view.overlaidBy = function(drawn) {
         overlay = drawn
     }
 
-    /** Another world is to be seen: what the user has zoomed to stays as long as it has the same robots. */
+    /** Shows another world. The user's zoom stays while the robots are the same. */
     world.news.hear(function(shown) {
         var robots = shown.robots.map(robot => robot.name).join('\n')
         if (!shown.robots.some(isChosen)) {
@@ -113,9 +116,9 @@ export function makeView(panel, messages, world, ground, picture) {
         }
         view.robots = robots
     })
-    /** Each view shows everything when it is drawn next. */
+    /** Fits each view to the world when it is drawn next. */
     function refit() {
-        view.fitted = false      // the one that is shown
+        view.fitted = false      // the shown one
         fitted = {}
         benched = false
     }
@@ -198,7 +201,7 @@ export function makeView(panel, messages, world, ground, picture) {
         scene.draw(eyes(seen).indexOf(view.eye), followed(seen), geometry.isLight(window.getComputedStyle(shown).color))
     }
 
-    /** Of what is looked at: that of the first robot, else that of the ground. */
+    /** Returns the height to look at: that of the first robot, else of the ground. */
     function heightOf(seen, terrain, area) {
         return seen.robots.length ? seen.robots[0].pose[1] : terrain ? terrain.height(area.x, area.z) || 0 : 0
     }
@@ -206,13 +209,13 @@ export function makeView(panel, messages, world, ground, picture) {
     function eyes(seen) {
         return seen.sensors.map(sensor => sensor.name)
     }
-    /** Names of the sensors through whose eyes one may look. */
+    /** Returns the names of the sensors to look through. */
     view.eyes = function() {
         var seen = world.shown()
         return seen ? eyes(seen) : []
     }
 
-    /** Turns the view in space, or moves it. @param right pixels, likewise down */
+    /** Turns or pans the 3D view. @param right pixels, likewise down */
     view.drag = function(right, down, moves) {
         if (scene) {
             scene[moves ? 'pan' : 'turn'](right, down)
@@ -221,14 +224,14 @@ export function makeView(panel, messages, world, ground, picture) {
             picture.repaint()
         }
     }
-    /** Moves the map to a point of the ground. */
+    /** Moves the map's centre to a point of the ground. */
     view.moveTo = function(x, z) {
         view.x = x
         view.z = z
         view.chosen = true
         picture.repaint()
     }
-    /** Arrow keys turn the view in space, + and - zoom. @return whether it was such a key */
+    /** Arrow keys turn the 3D view, + and - zoom. @return whether it was such a key */
     view.key = function(event) {
         if (ARROWS[event.key] && view.mode === 'space') {
             view.drag(ARROWS[event.key][0], ARROWS[event.key][1], event.shiftKey)
@@ -242,7 +245,7 @@ export function makeView(panel, messages, world, ground, picture) {
     }
 
     picture.drawnBy({canvas: canvas, draw: draw})
-    whenPageChanges(panel.scope, picture.repaint)       // which digests, too, and so measures
+    whenPageChanges(panel.scope, picture.repaint)       // also digests, and so measures the layout
     panel.scope.$on('$destroy', function() {
         if (scene) {
             scene.close()

@@ -1,4 +1,4 @@
-/** What happens again and again: hear(listener) has a function called each time, tell(what) calls all. */
+/** Makes an event: hear(listener) adds a listener, tell(what) calls all of them. */
 export function makeEvent() {
     var listeners = []
     return {

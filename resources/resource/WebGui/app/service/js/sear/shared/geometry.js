@@ -1,12 +1,12 @@
-// Poses and outlines of what a world holds, as functions of what they are given. Metres; degrees at the edges.
+// Poses and outlines of a world's objects, as pure functions. Metres; degrees at the interfaces.
 var GROUND = 'rgba(128, 128, 128, 0.12)'
 var ROBOT = 'rgba(51, 122, 183, 0.55)'
-var FAR = 1                 // metres; what is farther off and would have been faster than FASTEST did not move: it was put there
+var FAR = 1                 // metres: a step longer than this and faster than FASTEST is a teleport
 var FASTEST = 60            // m/s
 
 /**
- * A pose [x, y, z, rx, ry, rz] in metres and degrees as the frame [x, y, z, qx, qy, qz, qw], the rotation as jME's Quaternion.fromAngles; a frame
- * stays as it is.
+ * Converts a pose [x, y, z, rx, ry, rz] in metres and degrees to a frame [x, y, z, qx, qy, qz, qw], rotated like jME's
+ * Quaternion.fromAngles. Returns a frame unchanged.
  */
 export function frame(pose) {
     if (pose.length === 7) {
@@ -40,11 +40,11 @@ export function times(outer, inner) {
 }
 
 /**
- * The pose on the way from one frame to another, by the rule of the Java class Movement: straight on, and evenly the shorter way round; what was put
- * elsewhere is there at once.
+ * Interpolates between two frames, by the rule of the Java class Movement: linear in position, the shorter way in
+ * rotation. Teleports are not interpolated.
  *
- * @param share of the way, 0 to 1
- * @param seconds simulated, that the whole way took
+ * @param share fraction of the path, 0 to 1
+ * @param seconds simulated time of the whole path
  */
 export function between(a, b, share, seconds) {
     if (share >= 1 || Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]) > Math.max(FAR, FASTEST * seconds)) {
@@ -56,7 +56,7 @@ export function between(a, b, share, seconds) {
     return [0, 1, 2].map(i => a[i] + (b[i] - a[i]) * share).concat(rotation.map(value => value / length))
 }
 
-/** Where a part of a robot is in its body now: a wheel as it has turned, others where a servo has turned them. @param i its number */
+/** Returns the present pose of a part in its robot's body, with wheel and servo rotations. @param i its number */
 export function placeOf(robot, i) {
     var part = robot.parts[i]
     if (part.type === 'Wheel' && robot.wheels) {
@@ -65,13 +65,13 @@ export function placeOf(robot, i) {
     return robot.turned && robot.turned[i] || part.pose
 }
 
-/** Where a point that is fixed to something lies on the ground: [x, z]. */
+/** Returns the ground position [x, z] of a point fixed to an object. */
 export function onGround(pose, point) {
     var at = rotate(pose, point)
     return [pose[0] + at[0], pose[2] + at[2]]
 }
 
-/** The convex outline on the ground, [x, z] points in order. */
+/** Returns the convex outline on the ground: [x, z] points in order. */
 function outline(object, pose) {
     var points = object.corners.map(corner => onGround(pose, corner)).sort((a, b) => a[0] - b[0] || a[1] - b[1])
     return halfHull(points).concat(halfHull(points.reverse()))
@@ -93,7 +93,7 @@ function turn(a, b, c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/** Everything of a world that has a surface, with its outline on the ground; floors and terrains first, since all else lies on them. */
+/** Returns the shapes of a world with their outlines on the ground; floors and terrains first, below all others. */
 export function shapesOf(world) {
     var all = world.objects.map(shapeOf)
     world.robots.forEach(function(robot) {
@@ -105,7 +105,7 @@ export function shapesOf(world) {
     all = all.filter(shape => shape.outline.length > 2)
     return all.filter(isGround).concat(all.filter(isNoGround))
 }
-/** Of an object of the environment, made anew only when that has moved. */
+/** Returns an environment object's shape, cached until the object moves. */
 function shapeOf(object) {
     if (!object.$shape || object.$shape.pose !== object.pose) {
         var ground = object.type === 'Floor' || object.type === 'Terrain' || object.terrain
@@ -114,7 +114,7 @@ function shapeOf(object) {
     }
     return object.$shape
 }
-/** An object's own colour, else another one. */
+/** Returns an object's own colour, else another one. */
 function colorOf(object, other) {
     return object.colored ? object.color : other
 }
@@ -125,7 +125,10 @@ function isNoGround(shape) {
     return !shape.ground
 }
 
-/** The middle of everything but the ground, of that too if there is nothing but robots on it; null for nothing. */
+/**
+ * Returns the centre and size of everything but the ground; with the ground if there are only robots; null for an empty
+ * world.
+ */
 export function area(shapes) {
     var things = shapes.filter(isNoGround)
     var points = [].concat.apply([], (things.some(isNoRobot) ? things : shapes).map(shape => shape.outline))
@@ -136,14 +139,14 @@ export function area(shapes) {
     var z = extent(points, 1)
     return {x: x.middle, z: z.middle, north: x.length, east: z.length, size: Math.max(x.length, z.length)}
 }
-/** Where the corners of objects are in the world, but for the ground. */
+/** Returns the corners of objects in the world, without the ground. */
 export function corners(objects) {
     return [].concat.apply([], objects.filter(object => !shapeOf(object).ground).map(function(object) {
         var at = frame(object.pose)
         return (object.corners || []).map(corner => rotate(at, corner).map((metres, i) => metres + at[i]))
     }))
 }
-/** Has a map show that. */
+/** Fits a map to the shapes. */
 export function fit(view, shapes, element) {
     var all = area(shapes)
     if (all) {
@@ -165,7 +168,7 @@ function extent(points, axis) {
     return {middle: (low + high) / 2, length: Math.max(0.1, high - low)}
 }
 
-/** Whether a colour as the browser says it is light: then the theme is dark. */
+/** Whether a CSS colour is light: a light text colour means a dark theme. */
 export function isLight(color) {
     var parts = (color.match(/[\d.]+/g) || [0, 0, 0]).map(Number)
     return parts[0] + parts[1] + parts[2] > 384

@@ -1,17 +1,17 @@
-// The workspace of the SEAR panel: how it fills the window, and which of its parts are folded.
+// The SEAR panel's workspace: how it fills the window, and which parts are folded.
 import {isLight} from './geometry.js'
 import {recallJson, remember} from './page.js'
 
-var FOLDS = 'sear.folds'    // where the browser remembers what its user has folded and opened
-var WORDY = 1080            // pixels from which on the drawers have words beside their icons
-var WIDE = 900              // and from which on there are three columns
-var MEDIUM = 720            // and two; below, all stands below each other, and the page scrolls
-var BELOW = ['project', 'plots', 'messages', 'scripts']    // what stands above or below the view, and what nobody needs at first
-var SLACK = 24              // more than a scroll bar that comes or goes
-var LEAST = 420             // pixels of height that the columns need
-var MOST_BELOW = 200        // pixels that are kept free for what the page has below the panel
+var FOLDS = 'sear.folds'    // local storage key of the user's folds
+var WORDY = 1080            // minimum width for words beside the drawers' icons, pixels
+var WIDE = 900              // minimum width for three columns
+var MEDIUM = 720            // minimum width for two columns; below it, all parts are stacked and the page scrolls
+var BELOW = ['project', 'plots', 'messages', 'scripts']    // parts above or below the view that are folded at first
+var SLACK = 24              // hysteresis, wider than a scroll bar
+var LEAST = 420             // minimum height of the columns, pixels
+var MOST_BELOW = 200        // maximum height kept free for the page's content below the panel, pixels
 
-/** Where an element begins in the page, wherever that is scrolled to. */
+/** Returns an element's top in the page, whatever the scroll position. */
 function topOf(element) {
     var top = 0
     for (var e = element; e; e = e.offsetParent) {
@@ -20,7 +20,7 @@ function topOf(element) {
     return top
 }
 
-/** What an element scrolls in: MyRobotLab's own frame around panels, or the page. */
+/** Returns the scroll container of an element: MyRobotLab's frame around panels, or the page. */
 function frameOf(element) {
     var e = element.parentElement
     while (e !== document.body && !/auto|scroll/.test(window.getComputedStyle(e).overflowY)) {
@@ -29,7 +29,7 @@ function frameOf(element) {
     return e
 }
 
-/** Pixels of what a frame has below an element. */
+/** Returns the height of a frame's content below an element, pixels. */
 function below(element, frame) {
     var sum = 0
     for (var e = element; e !== frame; e = e.parentElement) {
@@ -44,32 +44,35 @@ function below(element, frame) {
     return Math.min(MOST_BELOW, Math.ceil(sum))
 }
 
-/** Pixels from where an element begins to where its frame, or the window, ends, without what stands below it. */
+/**
+ * Returns the height available for an element, pixels: to the end of its frame or the window, without the content below
+ * it.
+ */
 function roomFor(element) {
     var frame = frameOf(element)
     var end = frame === document.body ? window.innerHeight : Math.min(window.innerHeight, topOf(frame) + frame.clientHeight)
     return end - topOf(element) - below(element, frame)
 }
 
-/** Of one panel. */
+/** Makes the layout of one panel. */
 export function makeLayout(panel, messages) {
     var folds = recallJson(FOLDS)
-    var chosen = angular.isObject(folds) ? folds : {}   // by the name of a part: whether its user has folded it
+    var chosen = angular.isObject(folds) ? folds : {}   // by part: whether the user folded it
     var layout = {
         room: null,             // 'wide', 'medium' or 'narrow'
-        crowded: false,         // whether there is no room for the drawers' words
-        dark: false             // the page: it may be light where its user prefers dark ones
+        crowded: false,         // whether the drawers have no room for words
+        dark: false             // the page's theme, which may differ from the browser's preference
     }
     layout.room = roomOf(window.innerWidth)
 
-    /** As long as nobody has chosen: the view has what a narrow page has, and on others what stands beside it. */
+    /** Default folds: a narrow page also folds the part beside the view. */
     function isFoldedAtFirst(part) {
         return layout.room === 'narrow' ? part === 'world' || BELOW.indexOf(part) >= 0 : BELOW.indexOf(part) >= 0
     }
     layout.isFolded = function(part) {
         return part in chosen ? Boolean(chosen[part]) : isFoldedAtFirst(part)
     }
-    /** Folds a part, or opens it. */
+    /** Folds or unfolds a part. */
     layout.fold = function(part) {
         chosen[part] = !layout.isFolded(part)
         remember(FOLDS, angular.toJson(chosen), messages, 'what is folded')
@@ -79,7 +82,7 @@ export function makeLayout(panel, messages) {
         var room = layout.room
         return width >= WIDE + (room === 'wide' ? 0 : SLACK) ? 'wide' : width >= MEDIUM + (room === 'narrow' ? SLACK : 0) ? 'medium' : 'narrow'
     }
-    /** Takes the room and the height that there are now; those of before while the tab is not shown. @return them */
+    /** Measures room and height; keeps the old values while the tab is hidden. @return them */
     function measure() {
         var whole = panel.element('workspace')
         if (!whole || !whole.clientWidth) {

@@ -1,10 +1,13 @@
-// What a panel tells its user, newest first.
+// A panel's messages to the user, newest first.
 var MOST = 100
-var REPEATED = 'could not invoke '      // so MyRobotLab begins to say once more that a call has failed
+var REPEATED = 'could not invoke '      // start of MyRobotLab's second message about a failed call
 
-/** Of one panel: list; unread, how many of it nobody has seen; last, the newest one as a line, null for none. */
+/**
+ * Makes the messages of one panel: list; unread, the number of unseen messages; last, the newest one as a line, null
+ * for none.
+ */
 export function makeMessages() {
-    var told = false            // whether the service has said why a call failed, and MyRobotLab has not repeated that yet
+    var told = false            // whether the service has reported why a call failed, before MyRobotLab's repetition
     var said = 0
     var messages = {list: [], unread: 0, last: null}
 
@@ -20,7 +23,10 @@ export function makeMessages() {
         }
         messages.last = {level: level, text: text, line: text.split('\n')[0]}
     }
-    /** What a service's status says that was not said before; empty for nothing. An exception's detail is its stack trace, its key what happened. */
+    /**
+     * Returns the news in a service's status; empty for a repetition. Of an exception, detail is the stack trace and
+     * key the message.
+     */
     messages.newsOf = function(status) {
         var text = status && (status.key || status.detail) || ''
         if (text && status.level === 'error') {
@@ -40,7 +46,7 @@ export function makeMessages() {
     messages.hideLast = function() {
         messages.last = null
     }
-    /** What has succeeded since makes an error old. @param before the last message when that began */
+    /** Hides an older error after a success. @param before the last message before the successful action */
     messages.succeed = function(before) {
         if (before && before.level === 'error') {
             messages.settle(before)
@@ -52,7 +58,7 @@ export function makeMessages() {
             messages.hideLast()
         }
     }
-    /** The list is before its reader's eyes. */
+    /** Called while the list is visible. */
     messages.read = function() {
         messages.unread = 0
     }

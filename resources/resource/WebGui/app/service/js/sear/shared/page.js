@@ -1,6 +1,6 @@
-// The browser's page, as all panels use it: its memory, its pictures, its theme.
+// The browser's page for all panels: local storage, frames, theme.
 
-/** What the page has remembered; null if nothing, or if the browser remembers nothing. */
+/** Returns a stored text; null if there is none, or if the browser stores nothing. */
 export function recall(key) {
     try {
         return window.localStorage.getItem(key)
@@ -8,7 +8,7 @@ export function recall(key) {
         return null
     }
 }
-/** The same of what was remembered as JSON. */
+/** Returns a stored JSON value, likewise. */
 export function recallJson(key) {
     try {
         return JSON.parse(recall(key))
@@ -16,16 +16,16 @@ export function recallJson(key) {
         return null
     }
 }
-/** @param what it is, for the warning if the browser remembers nothing */
+/** Stores a text. @param what name of the text, for the warning if the browser can't store it */
 export function remember(key, text, messages, what) {
     try {
         window.localStorage.setItem(key, text)
     } catch (e) {
-        messages.say('warn', 'this browser does not remember ' + what + ': ' + e.message)
+        messages.say('warn', 'this browser does not store ' + what + ': ' + e.message)
     }
 }
 
-/** A function that has something done with the browser's next picture, however often it is called until then. */
+/** Returns a function that runs another one in the next animation frame, once however often it is called. */
 export function oncePerPicture(done) {
     var waiting = false
     return function() {
@@ -39,7 +39,7 @@ export function oncePerPicture(done) {
     }
 }
 
-/** Has a panel drawn again when its window or the theme changes, until the panel goes. */
+/** Redraws a panel when its window or the theme changes, until the panel closes. */
 export function whenPageChanges($scope, draw) {
     var theme = window.matchMedia('(prefers-color-scheme: dark)')
     theme.addEventListener('change', draw)
@@ -50,7 +50,7 @@ export function whenPageChanges($scope, draw) {
     })
 }
 
-/** Empties a canvas and gives its pen, whose units are the page's pixels. */
+/** Clears a canvas and returns its context, in page pixels. */
 export function penOf(canvas) {
     var ratio = window.devicePixelRatio || 1
     canvas.width = canvas.clientWidth * ratio

@@ -1,21 +1,21 @@
-// A panel of MyRobotLab's WebGui: its scope, its service, and the messages that come from there.
+// A panel of MyRobotLab's WebGui: its scope, its service, and the service's messages.
 
 /**
- * Makes what all parts of a panel need.
- * @param controller that MyRobotLab has made @param prefix of the ids in its view @param $timeout Angular's
+ * Makes the common base of a panel's parts.
+ * @param controller MyRobotLab's @param prefix of the ids in its view @param $timeout Angular's
  */
 export function makePanel(controller, $scope, prefix, $timeout) {
     return {
         scope: $scope,
         msg: controller.msg,
         timeout: $timeout,
-        /** An element of this panel's view; null while the page has none. */
+        /** Returns an element of this panel's view; null if the page has none. */
         element: kind => $scope.service ? document.getElementById(prefix + '-' + kind + '-' + $scope.service.name) : null,
         isSimulating: () => Boolean($scope.service && $scope.service.simulating),
         /**
-         * Has a panel hear its service.
-         * @param topics that it wants to hear of @param asked methods whose answers come as messages and which are asked at once
-         * @param handlers by the name of a message; each takes what came, and says by false that nothing else has to be shown anew
+         * Subscribes to the service.
+         * @param topics subscribed topics @param asked methods called immediately, whose answers are messages
+         * @param handlers by message name; each takes the data, and returns false if no digest is needed
          */
         hear: function(topics, asked, handlers) {
             controller.onMsg = function(inMsg) {

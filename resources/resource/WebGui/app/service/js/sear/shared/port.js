@@ -1,4 +1,4 @@
-/** The serial port of a device as its fields show it: what the service is set to; until the user connects, what the user has typed. */
+/** Makes the serial port fields of a device: the service's settings; before the user connects, the user's input. */
 export function makePort(panel, baud) {
     var touched = false
     var port = {path: '', baud: baud, names: []}
@@ -9,7 +9,11 @@ export function makePort(panel, baud) {
     port.refresh = function() {
         panel.msg.send('getPortNames')
     }
-    /** @param wanted the baud rate that was chosen here and is not settled yet, if there is one @return whether the fields show the service's */
+    /**
+     * Follows the service's settings.
+     * @param wanted baud rate chosen here and not confirmed yet, if any @return whether the fields show the service's
+     * settings
+     */
     port.follow = function(service, wanted) {
         touched = touched && !service.connected
         var follows = Boolean(service.config) && !touched

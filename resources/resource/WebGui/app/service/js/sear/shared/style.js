@@ -1,4 +1,4 @@
-// The style sheet of all panels: it is in the page before the first of them shows.
+// Style sheet of all panels, loaded before the first panel shows.
 var link = document.createElement('link')
 link.rel = 'stylesheet'
 link.href = new URL('style.css', import.meta.url)

@@ -1,4 +1,4 @@
-// Words of the SEAR panel, and the files that it gives to the browser.
+// Texts of the SEAR panel, and files that it saves in the browser.
 export function count(number, thing) {
     return number + ' ' + thing + (number === 1 ? '' : 's')
 }
@@ -8,12 +8,12 @@ function bytes(base64) {
     return Uint8Array.from(window.atob(base64), one => one.charCodeAt(0))
 }
 
-/** The last part of a path. */
+/** Returns the last part of a path. */
 export function fileName(path) {
     return path.split(/[\\/]/).pop()
 }
 
-/** Has the browser save a file. @param parts of it, in base64 */
+/** Saves a file in the browser. @param parts of it, in base64 */
 export function saveFile(name, parts) {
     saveBlob(name, new Blob(parts.map(bytes), {type: 'application/zip'}))
 }

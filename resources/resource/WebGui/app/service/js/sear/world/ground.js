@@ -1,14 +1,14 @@
 import {Terrain} from './terrain.js'
 
-var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
+var PATIENCE_MILLIS = 10000 // timeout: requests the terrain again
 
-/** The terrain below a world, which comes apart from that. */
+/** Makes the terrain of a world, which the service sends separately. */
 export function makeGround(panel, picture) {
-    var terrain = null          // what the service has sent last, ready for use
-    var awaited = {}            // which has been asked for, and when
+    var terrain = null          // latest terrain from the service, ready for use
+    var awaited = {}            // stamp of the requested terrain, and when it was requested
     return {
         terrain: () => terrain,
-        /** The ground of a world, which is asked for when it is first seen; null if there is none or it has not come yet. */
+        /** Returns the terrain of a world, requested when first needed; null without one, or until it arrives. */
         of: function(world) {
             var stamps = world ? world.objects.map(object => object.ground).filter(Boolean) : []
             if (!stamps.length) {
@@ -24,7 +24,7 @@ export function makeGround(panel, picture) {
             return null
         },
         handlers: {
-            /** Each page gets the answers to all pages. */
+            /** Each page receives the answers to all pages. */
             onTerrain: function(sent) {
                 if (sent && sent.stamp && sent.stamp === awaited.stamp && !(terrain && terrain.sent.stamp === sent.stamp)) {
                     terrain = new Terrain(sent, picture.repaint)

@@ -1,22 +1,25 @@
-// What lies under a point of a view of the SEAR panel, as building needs it: the same for the view in space and the map.
+// Picking for building, the same for the 3D view and the map.
 import * as geometry from '../shared/geometry.js'
 
-var FAR = 2000              // metres: nothing is put farther away
+var FAR = 2000              // metres: maximum distance of placed objects
 
 export function back(pose, v) {
     return geometry.rotate([0, 0, 0, -pose[3], -pose[4], -pose[5], pose[6]], v)
 }
-/** A point of the world in a frame. */
+/** Converts a point of the world to a frame. */
 export function local(pose, point) {
     return back(pose, [point[0] - pose[0], point[1] - pose[1], point[2] - pose[2]])
 }
 
-/** The name of a part or sensor without its robot's. */
+/** Returns the name of a part or sensor without its robot's name. */
 function short(name) {
     return name.slice(name.indexOf('/') + 1)
 }
 
-/** Which thing of the world a source of the scene is: {address, robot (its name or null), object}; null for none. */
+/**
+ * Returns the object of the world that a scene source belongs to: {address, robot (its name or null), object}; null for
+ * none.
+ */
 function whose(world, source) {
     if (!source) {
         return null
@@ -35,7 +38,10 @@ function robotNamed(world, name) {
     return world.robots.filter(robot => robot.name === name)[0] || null
 }
 
-/** What a selection is in a world: {object, robot (null for none), pose (frame in the world), parent (frame it stands in)}; null if not there. */
+/**
+ * Finds a selection in a world: {object, robot (null for none), pose (frame in the world), parent (its parent frame)};
+ * null if absent.
+ */
 export function find(world, address) {
     if (!world || !address) {
         return null
@@ -59,7 +65,10 @@ export function find(world, address) {
     return sensor ? {object: sensor, robot: robot, pose: geometry.frame(sensor.pose), parent: parent} : null
 }
 
-/** Lowest and highest corner of an object in its own frame: [[x, y, z], [x, y, z]]; of a robot, of all its parts. */
+/**
+ * Returns the lowest and highest corner of an object in its own frame: [[x, y, z], [x, y, z]]; for a robot, of all
+ * parts.
+ */
 export function extent(object) {
     var points = object.corners || []
     angular.forEach(object.parts, function(part) {
@@ -75,18 +84,18 @@ export function extent(object) {
     return [Math.min, Math.max].map(which => [0, 1, 2].map(axis => which.apply(null, points.map(point => point[axis]))))
 }
 
-/** The ray of a pixel of the view in space: {from, along}. */
+/** Returns the ray of a pixel of the 3D view: {from, along}. */
 export function ray(scene, x, y) {
     var THREE = window.THREE
     var caster = new THREE.Raycaster()
     caster.setFromCamera(new THREE.Vector2(2 * x / scene.canvas.clientWidth - 1, 1 - 2 * y / scene.canvas.clientHeight), scene.camera)
     return {from: caster.ray.origin.toArray(), along: caster.ray.direction.toArray(), caster: caster}
 }
-/** The ray of a point of the map, from a height down. */
+/** Returns the downward ray of a point of the map. */
 export function down(x, z, height) {
     return {from: [x, height, z], along: [0, -1, 0]}
 }
-/** Where a ray meets a plane through a point; null where that is too far or behind. */
+/** Intersects a ray with a plane through a point; null if too far or behind. */
 export function onPlane(line, point, normal) {
     var nearer = line.along[0] * normal[0] + line.along[1] * normal[1] + line.along[2] * normal[2]
     var far = 0
@@ -96,7 +105,7 @@ export function onPlane(line, point, normal) {
     far /= nearer
     return far > 0 && far < FAR ? line.from.map((from, k) => from + far * line.along[k]) : null
 }
-/** How far along an axis through a point a ray comes nearest to it, metres. */
+/** Returns the distance along an axis through a point at which it is nearest to a ray, metres. */
 export function alongAxis(line, point, axis) {
     var between = point.map((value, i) => value - line.from[i])
     function dot(a, b) {
@@ -106,7 +115,7 @@ export function alongAxis(line, point, axis) {
     return (b * dot(line.along, between) - dot(axis, between)) / Math.max(1e-6, 1 - b * b)
 }
 
-/** @param normal of the surface in the world; null if it is not known */
+/** @param normal of the surface in the world; null if unknown */
 function met(world, who, point, ground, normal) {
     var robot = who && who.robot ? robotNamed(world, who.robot) : null
     var frame = robot ? geometry.frame(robot.pose) : null
@@ -114,8 +123,8 @@ function met(world, who, point, ground, normal) {
         normal: robot && normal ? back(frame, normal) : null}
 }
 /**
- * What is under a pixel of the view in space; the plane at height 0 where nothing is; null above the horizon.
- * @param without what is looked through
+ * Finds what is under a pixel of the 3D view; the plane at height 0 if nothing is there; null above the horizon.
+ * @param without object to ignore
  */
 export function inSpace(scene, world, x, y, without) {
     var found = scene.pick(x, y, without)
@@ -126,7 +135,7 @@ export function inSpace(scene, world, x, y, without) {
     return point ? met(world, null, point, false) : null
 }
 
-/** Whether a point of the ground lies in an outline. */
+/** Whether an outline contains a point of the ground. */
 export function contains(outline, x, z) {
     var inside = false
     for (var i = 0, k = outline.length - 1; i < outline.length; k = i++) {
@@ -138,17 +147,17 @@ export function contains(outline, x, z) {
     }
     return inside
 }
-/** The height of its highest point, in the world. */
+/** Returns the height of an object's highest point, in the world. */
 export function top(object) {
     var pose = geometry.frame(object.pose)
     return Math.max.apply(null, object.corners.map(corner => pose[1] + geometry.rotate(pose, corner)[1]))
 }
-/** The height of the highest point of a robot's part, in the world. */
+/** Returns the height of the highest point of a robot's part, in the world. */
 function topOf(robot, part) {
     var pose = geometry.times(geometry.frame(robot.pose), geometry.frame(part.pose))
     return Math.max.apply(null, part.corners.map(corner => pose[1] + geometry.rotate(pose, corner)[1]))
 }
-/** What is at a point of the map: a robot, else the highest thing there, else the height 0. */
+/** Finds what is at a point of the map: a robot, else the highest object there, else the height 0. */
 export function onMap(world, x, z) {
     var robot = world.robots.filter(one => Math.sqrt(Math.pow(one.pose[0] - x, 2) + Math.pow(one.pose[2] - z, 2)) < Math.max(one.radius, 0.1))[0]
     if (robot) {

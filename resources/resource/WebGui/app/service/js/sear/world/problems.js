@@ -1,6 +1,6 @@
 import * as words from '../shared/words.js'
 
-/** What is wrong with the project: what a call found, else what the project has as it is. */
+/** Makes the list of the project's problems: those of the last call, else those of the preview. */
 export function makeProblems(panel, world, messages) {
     var checking = false
     var problems = {found: []}
@@ -21,7 +21,7 @@ export function makeProblems(panel, world, messages) {
     world.previewed.hear(problems.forget)
     problems.handlers = {
         onProblems: onProblems,
-        /** Each page gets the answers to all pages. */
+        /** Each page receives the answers to all pages. */
         onCheckProject: function(answer) {
             onProblems(answer.problems)
             if (checking && !answer.problems.length) {

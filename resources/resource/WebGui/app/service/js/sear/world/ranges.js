@@ -1,8 +1,8 @@
-// Scans as the Java class Ranges tells them: 16 bits a beam.
-var NOTHING = 65535         // a beam that met nothing
-var TENTHS = 10000          // of millimetres in a metre
+// Scans in the form of the Java class Ranges: 16 bits per beam.
+var NOTHING = 65535         // a beam without a hit
+var TENTHS = 10000          // tenths of a millimetre per metre
 
-/** @return metres of each beam, null where nothing was met */
+/** @return metres of each beam, null without a hit */
 export function rangesOf(text) {
     var bytes = window.atob(text)
     var unit = numberAt(bytes, 0) / TENTHS
@@ -17,7 +17,7 @@ function numberAt(bytes, at) {
     return bytes.charCodeAt(2 * at) + 256 * bytes.charCodeAt(2 * at + 1)
 }
 
-/** Has the sensors of a list or of changes their ranges as numbers. */
+/** Converts the ranges of sensors, or of their changes, to numbers. */
 export function unpackRanges(sensors) {
     angular.forEach(sensors, function(sensor) {
         if (typeof sensor.ranges === 'string') {

@@ -1,23 +1,23 @@
-// The ground in the SEAR panel: a shaded picture, contour lines, and what height and place a point has. SEARGui.js loads it. The form of what the
-// service sends stands at the Java class TerrainJson.
-var CONTOUR_PIXELS = 6      // between the points at which the height is asked for
-var MOST_LINES = 14         // contour lines between the lowest and the highest point in sight
-var INDEX = 5               // every so many lines one is thick and has its height
-var LABEL_PIXELS = 280      // between two heights of lines
+// The terrain in the SEAR panel: shaded picture, contour lines, elevation and place of a point. The Java class
+// TerrainJson documents the data format.
+var CONTOUR_PIXELS = 6      // distance of the elevation samples for contours, pixels
+var MOST_LINES = 14         // maximum contour lines between the lowest and the highest visible point
+var INDEX = 5               // every n-th line is thick and labelled
+var LABEL_PIXELS = 280      // distance between two labels
 var MOST_LABELS = 40
 var PLACES = 33
 var CONTOURS = {light: 'rgba(96, 58, 20, 0.45)', dark: 'rgba(255, 226, 190, 0.35)'}
 var LABELS = {light: '#5b3a1a', dark: '#f0dcc0'}
 var NIGHT = 'rgba(10, 14, 20, 0.5)'
 
-/** The smallest of 1, 2, 5, 10, 20, 50, .. and their tenths that is not below a value. */
+/** Returns the smallest of 1, 2, 5, 10, 20, 50, .. and their tenths that is not below a value. */
 export function nice(value) {
     var ten = Math.pow(10, Math.floor(Math.log(value) / Math.LN10 + 1e-9))
     var one = value / ten
     return ten * (one <= 1 + 1e-9 ? 1 : one <= 2 + 1e-9 ? 2 : one <= 5 + 1e-9 ? 5 : 10)
 }
 
-/** Makes what the service has sent ready for use. @param whenSeen called when the picture can be drawn */
+/** Decodes the service's data. @param whenSeen called when the picture can be drawn */
 export function Terrain(sent, whenSeen) {
     var bytes = window.atob(sent.heights)
     this.sent = sent
@@ -32,7 +32,10 @@ export function Terrain(sent, whenSeen) {
     this.lines = null
 }
 
-/** Between the posts of a grid: calls back with the four around a point and its shares north and east; null beside the grid. */
+/**
+ * Calls back with the grid cell of a point: index of its south-west post, fractions north and east. Returns null
+ * outside the grid.
+ */
 Terrain.prototype.among = function(x, z, rows, columns, use) {
     var row = (x - this.sent.south) / (this.sent.north - this.sent.south) * (rows - 1)
     var column = (z - this.sent.west) / (this.sent.east - this.sent.west) * (columns - 1)
@@ -48,7 +51,7 @@ function mixed(southWest, southEast, northWest, northEast, north, east) {
     return (southWest * (1 - east) + southEast * east) * (1 - north) + (northWest * (1 - east) + northEast * east) * north
 }
 
-/** Metres in the world; null beside the area. */
+/** Returns the elevation in metres of the world; null outside the area. */
 Terrain.prototype.height = function(x, z) {
     var heights = this.heights
     var columns = this.sent.columns
@@ -57,7 +60,7 @@ Terrain.prototype.height = function(x, z) {
     })
 }
 
-/** Latitude and longitude in degrees; null beside the area, or if the ground has no place on Earth. */
+/** Returns latitude and longitude in degrees; null outside the area, or for ground without a place on Earth. */
 Terrain.prototype.place = function(x, z) {
     var places = this.sent.places
     return places && this.among(x, z, PLACES, PLACES, function(at, north, east) {
@@ -67,7 +70,7 @@ Terrain.prototype.place = function(x, z) {
     })
 }
 
-/** What is at a point, in words; empty beside the area. */
+/** Describes a point as text; empty outside the area. */
 Terrain.prototype.words = function(x, z) {
     var height = this.height(x, z)
     if (height === null) {
@@ -79,8 +82,8 @@ Terrain.prototype.words = function(x, z) {
 }
 
 /**
- * Contour lines of the part in sight: interval in metres, and lines as [level, x1, z1, x2, z2]. Heights are asked for on a grid that stays where it
- * is in the world as the view moves.
+ * Returns the contour lines of the visible part: interval in metres, and lines as [level, x1, z1, x2, z2]. The sampling
+ * grid is fixed in the world while the view moves.
  */
 Terrain.prototype.contours = function(area, scale) {
     var key = [area.south, area.north, area.west, area.east, scale].join(' ')
@@ -118,7 +121,9 @@ Terrain.prototype.traced = function(area, step) {
     return found
 }
 
-/** Adds the lines that cross a square, whose corners are south-west, south-east, north-east, north-west: in each of two triangles one. */
+/**
+ * Adds the lines in a square with corners south-west, south-east, north-east, north-west: one in each of two triangles.
+ */
 function cross(found, x, z, step, corners) {
     var low = Math.min.apply(null, corners)
     var high = Math.max.apply(null, corners)
@@ -141,7 +146,11 @@ function cross(found, x, z, step, corners) {
     }
 }
 
-/** @param at from metres on the ground to pixels @param area south, north, west and east ends of what is in sight @param dark the theme */
+/**
+ * Draws the terrain.
+ * @param at maps metres on the ground to pixels @param area edges of the visible part: south, north, west, east @param
+ * dark the theme
+ */
 Terrain.prototype.draw = function(pen, at, area, scale, dark) {
     var corner = at(this.sent.north, this.sent.west)
     var other = at(this.sent.south, this.sent.east)
@@ -172,7 +181,7 @@ Terrain.prototype.draw = function(pen, at, area, scale, dark) {
     label(pen, at, found, LABELS[theme])
 }
 
-/** The heights of some thick lines, apart from each other. */
+/** Labels some thick lines with their elevation, spaced apart. */
 function label(pen, at, found, ink) {
     var put = []
     pen.fillStyle = ink

@@ -1,30 +1,30 @@
-// What the SEAR panel knows of the world: the running one, which the service tells again and again, else the project as it would start.
+// The world in the SEAR panel: the running one, updated by the service, else the project as it would start.
 import {makeEvent} from '../shared/event.js'
 import {unpackRanges} from './ranges.js'
 import * as words from '../shared/words.js'
 
-var PATH_STEP = 0.02        // metres; as the service has it
+var PATH_STEP = 0.02        // metres; as in the service
 var LONGEST_PATH = 500      // points
-var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
-var WAIT_MILLIS = 1500      // so long time stands still in lock-step before the page says so
-// fields of robots and sensors that the view does not draw
+var PATIENCE_MILLIS = 10000 // timeout: requests it again
+var WAIT_MILLIS = 1500      // standstill in lock-step after which the page reports it
+// Fields of robots and sensors that the view does not draw.
 var UNSEEN = ['speed', 'turnRate', 'devices', 'value', 'words', 'numbers', 'picture']
 
-/** Of one panel. */
+/** Makes the world of one panel. */
 export function makeWorld(panel, messages, picture) {
     var $scope = panel.scope
     var msg = panel.msg
     var world = {
-        running: null,          // that of the simulation
+        running: null,          // the simulation's world
         preview: null,          // the project as it would start: stamp, world, problems, reason
-        instead: null,          // what is shown in place of these: world, note()
+        instead: null,          // shown instead of both: world, note()
         waiting: false,         // whether time stands still in lock-step
-        news: makeEvent(),      // of another world that is to be seen
-        told: makeEvent(),      // of the running world as it is now, null for none
-        previewed: makeEvent()  // of another preview
+        news: makeEvent(),      // another world is to be shown
+        told: makeEvent(),      // new state of the running world, null for none
+        previewed: makeEvent()  // another preview has arrived
     }
-    var missing = 0             // when the whole was asked for, 0 if nothing is awaited
-    /** The whole world, for a page that opens later: what was warned of until then, too. */
+    var missing = 0             // time of the request for the whole world, 0 if none is pending
+    /** Takes the whole world, with earlier warnings for a page that opens later. */
     function onWorld(state) {
         angular.forEach(state && state.warnings, function(text) {
             if (!messages.list.some(function(message) { return message.text === text })) {
@@ -34,7 +34,7 @@ export function makeWorld(panel, messages, picture) {
         return onSimulation(state)
     }
 
-    /** Takes the whole of a world, or what has changed in the one that is shown. */
+    /** Takes a whole world, or changes of the shown one. */
     function onSimulation(state) {
         unpackRanges(state && (state.changes ? state.changes.sensors : state.sensors))
         if (!state || !state.running || !panel.isSimulating()) {
@@ -46,7 +46,7 @@ export function makeWorld(panel, messages, picture) {
             }
             world.running = state
         } else if (world.running && state.number <= world.running.number) {
-            return false        // it came after the whole that has it already
+            return false        // older than the whole world received before
         } else if (world.running && state.number === world.running.number + 1) {
             change(world.running, state)
         } else {
@@ -60,16 +60,16 @@ export function makeWorld(panel, messages, picture) {
         } else {
             picture.repaint()
         }
-        return false            // it may come faster than the screen is drawn
+        return false            // may arrive faster than the screen refreshes
     }
-    /** Whether changes are of what the view draws, not of words and numbers only. */
+    /** Whether the view draws any of the changes, not only texts and numbers. */
     function isSeen(changes) {
         return Object.keys(changes).some(list => Object.values(changes[list]).some(one => Object.keys(one).some(field => UNSEEN.indexOf(field) < 0)))
     }
 
-    var moved = 0               // when simulated time was seen to pass, by this page's clock
+    var moved = 0               // when simulated time last advanced, by this page's clock
     var seenTime = null
-    /** In lock-step time stands still unless a script lets it pass. */
+    /** Detects a standstill: in lock-step, only a script advances time. */
     function watchTime(state) {
         var waited = world.waiting
         if (!state || state.time !== seenTime) {
@@ -101,7 +101,7 @@ export function makeWorld(panel, messages, picture) {
         delete state.changes
     }
 
-    /** As the service does it for pages that open later. */
+    /** Extends a path like the service does for pages that open later. */
     function extendPath(robot) {
         var path = robot.path
         var last = path[path.length - 1]
@@ -114,7 +114,7 @@ export function makeWorld(panel, messages, picture) {
     }
 
     // ---- the project as it would start, while nothing runs --------------------------------------------------------------------------------
-    var lookedAt = 0            // when it was asked for, 0 if nothing is awaited
+    var lookedAt = 0            // time of the request, 0 if none is pending
     world.look = function() {
         var now = Date.now()
         if (picture.width() && !document.hidden && !panel.isSimulating() && now - lookedAt > PATIENCE_MILLIS) {
@@ -125,7 +125,8 @@ export function makeWorld(panel, messages, picture) {
     function onPreview(preview) {
         lookedAt = 0
         unpackRanges(preview && preview.world && preview.world.sensors)
-        // each page gets the answers to all pages: only what has a world or says why not is one, else the page that asked has the newest
+        // Each page receives the answers to all pages: ignore answers without world and problems, as the page that
+        // asked has the newest preview.
         if (preview && preview.problems && !panel.isSimulating() && !angular.equals(preview, world.preview)) {
             world.preview = preview
             world.previewed.tell(preview)
@@ -136,7 +137,7 @@ export function makeWorld(panel, messages, picture) {
         }
     }
 
-    /** The service has said whether it simulates. */
+    /** Takes the service's simulation state. */
     world.follow = function() {
         if (!panel.isSimulating()) {
             world.running = null
@@ -144,19 +145,19 @@ export function makeWorld(panel, messages, picture) {
         }
         picture.repaint()
     }
-    /** @param other what is to be shown in place of what is now; null for nothing */
+    /** Shows another world instead of the present one. @param other null for none */
     world.showInstead = function(other) {
         world.instead = other
         picture.repaint()
     }
-    /** The running world, else the project as it would start; null if it has none. */
+    /** Returns the running world, else the project as it would start; null if it has none. */
     world.now = function() {
         return world.running || world.preview && world.preview.world
     }
     world.shown = function() {
         return world.instead ? world.instead.world : world.now()
     }
-    /** Whether it is known that there is nothing to start. */
+    /** Whether the project is known to be empty. */
     world.isEmpty = function() {
         var seen = !panel.isSimulating() && world.preview && world.preview.world
         return Boolean(seen && !seen.objects.length && !seen.robots.length)
@@ -177,10 +178,10 @@ export function makeWorld(panel, messages, picture) {
         }
         if (!preview.world.objects.length && !preview.world.robots.length) {
             return 'Not running, and the project is empty: ' + ($scope.view.building
-                ? 'choose something in the palette, then click where it is to stand'
-                : 'open one or an example, drop a .sear file here, press Build, or create objects in a script')
+                ? 'choose an object in the palette, then click where to place it'
+                : 'open a project or an example, drop a .sear file here, press Build, or create objects in a script')
         }
-        return 'Not running: this is how the project starts, with the button Start or ' + $scope.service.name + '.startSimulation()'
+        return 'Not running: the view shows the project before its start, by the button Start or ' + $scope.service.name + '.startSimulation()'
     }
 
     world.handlers = {onSimulation: onSimulation, onWorld: onWorld, onPreview: onPreview}

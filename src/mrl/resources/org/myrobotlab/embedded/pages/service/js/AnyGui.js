@@ -1,4 +1,4 @@
-// Panel of a service that has none of its own: its state.
+// Panel of a service without its own: its state.
 angular.module('mrlapp.service.AnyGui', []).controller('AnyGuiCtrl', ['$scope', function($scope) {
     var msg = this.msg
 

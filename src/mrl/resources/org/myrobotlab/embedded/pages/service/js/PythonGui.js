@@ -1,18 +1,18 @@
-// Panel of the Python service: an editor, run and stop, and what the script prints.
+// Panel of the Python service: an editor, run and stop, and the script's output.
 angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$scope', '$timeout', 'mrl', 'editors', function($scope, $timeout, mrl, editors) {
     var msg = this.msg
     var MOST_LINES = 2000
     var DRAFT = 'python.draft.' + msg.name
     var KEEP_MILLIS = 300
-    var TYPED = /([A-Za-z_]\w*)\.\w*$/      // a call of a service, as far as it is typed
+    var TYPED = /([A-Za-z_]\w*)\.\w*$/      // a service call being typed
     var LINE = /File "<script>", line (\d+)/g
-    var editor = null           // ace's, once that is there
+    var editor = null           // the Ace editor, once loaded
 
     $scope.form = {file: 'script.py', code: 'print "Hello from", python.name\n'}
-    $scope.question = null      // what Open or Save would lose: text, and go, what to do all the same
+    $scope.question = null      // question before text or a file is lost: text, and go, which continues
     $scope.problem = ''
-    var kept = $scope.form.code // the text as it is in a file, or as it was before anybody typed
-    var known = {}              // files that this page has opened or saved: those it overwrites without asking
+    var kept = $scope.form.code // last text saved, opened or initial
+    var known = {}              // files that this page has opened or saved: overwritten without asking
     recall()
     $scope.files = []
     $scope.lines = []
@@ -45,7 +45,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
         $scope.$applyAsync()
     }
 
-    // The console has a script's errors already, and beside the file's name stands what was wrong with that.
+    // The console already shows a script's errors, and the page shows file errors beside the file's name.
     var lastError = ''
     var ABOUT_FILES = /\b(openScript|saveScript)\b/
     function onStatus(text, level) {
@@ -69,16 +69,16 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
     $scope.stop = function() {
         msg.sendBlocking('stop')
     }
-    // ---- files: no text and no file is lost unasked ----------------------------------------------------------------------------------------
+    // ---- files: asks before text or a file is lost --------------------------------------------------------------------------------------------
     $scope.saveScript = function() {
         var file = $scope.form.file
         msg.sendBlocking('getScriptList').then(function(files) {
-            // only scripts in the folder of scripts are listed: of any other file nobody knows whether it is there
+            // the list has only files of the script folder: for other files, the page can't know whether they exist
             var inFolder = /^[^/\\:]+\.py$/.test(file)
             if (known[file] || inFolder && files.indexOf(file) < 0) {
                 write(file)
             } else {
-                ask(file + (inFolder ? ' is there already, and this page has not opened it.' : ' is overwritten if it is there already.'), 'Save it',
+                ask(file + (inFolder ? ' already exists, and this page has not opened it.' : ' is overwritten if it exists.'), 'Save it',
                     write, file)
             }
         })
@@ -86,7 +86,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
     $scope.open = function() {
         var file = $scope.form.file
         if ($scope.isUnsaved()) {
-            ask('The text below is not saved.', 'Open ' + file + ' all the same', read, file)
+            ask('The text below is not saved.', 'Open ' + file + ' anyway', read, file)
         } else {
             read(file)
         }
@@ -107,7 +107,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
     function write(file) {
         var code = $scope.form.code
         call('saveScript', [file, code]).then(function(script) {
-            if (settle(file, script, ' was not saved: is there such a folder, and may it be written to?')) {
+            if (settle(file, script, ' was not saved: does its folder exist, and is it writable?')) {
                 kept = code
                 msg.send('getScriptList')
                 keep()
@@ -116,13 +116,13 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
     }
     function read(file) {
         call('openScript', [file]).then(function(script) {
-            if (settle(file, script, ' can\'t be opened: there is no such file')) {
+            if (settle(file, script, ' can\'t be opened: no such file')) {
                 show(script.code)
             }
         })
     }
-    // ---- examples: of services that have some ------------------------------------------------------------------------------------------------
-    var offering = null         // the name of such a service
+    // ---- examples of services that have some -------------------------------------------------------------------------------------------------
+    var offering = null         // name of such a service
     $scope.examples = []
     function askForExamples() {
         var service = mrl.getServices().filter(function(one) {
@@ -144,7 +144,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
         }
         $scope.form.example = null
         if ($scope.isUnsaved()) {
-            ask('The text below is not saved.', 'Show ' + name + ' all the same', showExample, name)
+            ask('The text below is not saved.', 'Show ' + name + ' anyway', showExample, name)
         } else {
             showExample(name)
         }
@@ -159,20 +159,20 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
         $scope.problem = ''
         show(script.code)
     }
-    /** Another panel has a script to show here: unsaved text is not lost for it. */
+    /** Shows another panel's script; asks before unsaved text is lost. */
     $scope.$on('python.show', function(event, script) {
-        event.preventDefault()      // so that it knows
+        event.preventDefault()      // tells the other panel
         if (script.code === $scope.form.code) {
             return
         }
         if ($scope.isUnsaved()) {
-            ask('The text below is not saved.', 'Show ' + script.file + ' all the same', showScript, script)
+            ask('The text below is not saved.', 'Show ' + script.file + ' anyway', showScript, script)
         } else {
             showScript(script)
         }
     })
 
-    /** @return a promise of the script as the service has it then; undefined if it could not be done */
+    /** @return a promise of the script in the service's state; undefined after a failure */
     function call(method, data) {
         return msg.sendBlocking.apply(null, [method].concat(data)).then(function() {
             return msg.sendBlocking('publishState')
@@ -188,7 +188,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
         return Boolean(script)
     }
 
-    // The text outlives a reload of the page.
+    // Stores the text, so that it survives a reload of the page.
     var keeping = null
     function keep() {
         $timeout.cancel(keeping)
@@ -196,7 +196,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
             try {
                 window.localStorage.setItem(DRAFT, JSON.stringify({file: $scope.form.file, code: $scope.form.code, kept: kept, known: known}))
             } catch (e) {
-                $scope.problem = 'This browser does not keep unsaved text: ' + e.message
+                $scope.problem = 'This browser can\'t store unsaved text: ' + e.message
             }
         }, KEEP_MILLIS)
     }
@@ -218,7 +218,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
     }
 
     // ---- the editor ------------------------------------------------------------------------------------------------------------------------
-    /** @param code that is in a file or an example: nothing of it is lost with the page */
+    /** @param code that a file or an example contains: no text is lost with the page */
     function show(code) {
         $scope.form.code = kept = code
         if (editor) {
@@ -226,7 +226,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
         }
         keep()
     }
-    /** Marks the line that an error is of, until something is typed. */
+    /** Marks the line of an error until the text changes. */
     function markLine(traceback) {
         var lines = traceback.match(LINE)
         var row = lines ? Number(/\d+/.exec(lines.pop())[0]) - 1 : -1
@@ -278,8 +278,8 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
         return editor.session.getLine(at.row).substring(0, at.column)
     }
 
-    // ---- what can be typed: of services that say it, else of all their methods --------------------------------------------------------------
-    var calls = []              // {type, name, parameters, doc} of services' types
+    // ---- completion: calls listed by services, else all methods -----------------------------------------------------------------------------
+    var calls = []              // calls of services' types: {type, name, parameters, doc}
     function askForCalls() {
         var service = mrl.getServices().filter(function(one) {
             return one.methods && one.methods.indexOf('getScriptCalls') >= 0
@@ -290,7 +290,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
             })
         }
     }
-    /** The type of a variable: of a service, or of one that the text starts under another name. */
+    /** Returns the type of a variable: that of a service, or of one that the text starts under another name. */
     function typeOf(variable) {
         var service = mrl.getServices().filter(function(one) {
             return one.name.replace(/\W/g, '_') === variable
@@ -324,7 +324,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
             }))
         }
     }
-    /** What is put in: the parameters are chosen one after another, to be typed over. */
+    /** Returns the text to insert; its parameters become fields to type over, one after another. */
     function snippet(one) {
         return one.name + '(' + (one.parameters ? one.parameters.split(', ').map(function(name, i) {
             return '${' + (i + 1) + ':' + name + '}'
@@ -359,7 +359,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
         document.head.appendChild(script)
         return done.promise
     }
-    /** A promise of ace, which is loaded when the first of these panels is there. */
+    /** Returns a promise of Ace, which is loaded for the first of these panels. */
     return function() {
         loaded = loaded || load('ace.js').then(function() {
             return load('ext-language_tools.js')

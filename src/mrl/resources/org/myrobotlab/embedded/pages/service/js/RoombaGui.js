@@ -1,19 +1,19 @@
-// Panel of the Roomba service: its port, its mode, buttons that drive it, and what its sensors say.
+// Panel of the Roomba service: port, mode, drive buttons and sensor readings.
 angular.module('mrlapp.service.RoombaGui', []).controller('RoombaGuiCtrl', ['$scope', '$interval', '$timeout', 'mrl', function($scope, $interval, $timeout, mrl) {
     var msg = this.msg
-    var SERIAL = msg.name + '.serial'   // the port of its own
-    var TOPICS = ['publishRX', 'publishState']  // the port's own panel decides about publishBytes
+    var SERIAL = msg.name + '.serial'   // the service's own serial port
+    var TOPICS = ['publishRX', 'publishState']  // the port's own panel subscribes to publishBytes
     var ALL = 0                 // packet with bumpers, cliffs, wheels, distance and battery
     var MODE = 35
-    var LENGTHS = {}            // bytes of an answer
+    var LENGTHS = {}            // bytes of each packet
     var MODES = ['off', 'passive', 'safe', 'full']
     var CHARGING = ['not charging', 'reconditioning', 'charging', 'trickle charging', 'waiting', 'fault']
-    var WAYS = {passive: [128], safe: [128, 130], full: [128, 130, 132]}    // that every model knows
-    var GAP_MILLIS = 40         // that it needs between changes of its mode
+    var WAYS = {passive: [128], safe: [128, 130], full: [128, 130, 132]}    // commands that all models support
+    var GAP_MILLIS = 40         // minimum time between mode changes
     var LOOK_MILLIS = 250
-    var PATIENCE = 4            // looks until an answer that has not come is given up
-    var packet = ALL            // that is asked for
-    var got = null              // bytes of the answer so far; null if nothing is asked for
+    var PATIENCE = 4            // polls until a missing answer is abandoned
+    var packet = ALL            // requested packet
+    var got = null              // bytes of the answer so far; null without a request
     var looks = 0
     LENGTHS[ALL] = 26
     LENGTHS[MODE] = 1
@@ -21,10 +21,10 @@ angular.module('mrlapp.service.RoombaGui', []).controller('RoombaGuiCtrl', ['$sc
     $scope.bauds = [19200, 57600, 115200]
     $scope.form = {port: '', baud: 57600, speed: 200, read: false}
     $scope.ports = []
-    $scope.port = null          // that is open
+    $scope.port = null          // the open port
     $scope.mode = null
     $scope.sensors = null       // rows of name and text
-    var way = 0                 // millimetres and degrees since the panel reads
+    var way = 0                 // millimetres and degrees since the panel started reading
     var angle = 0
 
     function isShown() {
@@ -47,7 +47,7 @@ angular.module('mrlapp.service.RoombaGui', []).controller('RoombaGuiCtrl', ['$sc
             }, i * GAP_MILLIS, false)
         })
     }
-    /** Calls goForward, spinLeft and so on, at the speed of the form. */
+    /** Calls goForward, spinLeft and so on, at the form's speed. */
     $scope.drive = function(method) {
         msg.send('setSpeed', Math.round(Number($scope.form.speed)) || 0)
         msg.send(method)
@@ -70,7 +70,7 @@ angular.module('mrlapp.service.RoombaGui', []).controller('RoombaGuiCtrl', ['$sc
             got = null
         } else if (got === null || looks++ >= PATIENCE) {
             if (got !== null && packet === MODE) {
-                $scope.mode = 'not told: the first Roombas have no packet for it'
+                $scope.mode = 'unknown: the first Roombas have no packet for it'
             }
             ask(packet === ALL && got !== null ? ALL : packet === ALL ? MODE : ALL)
         }
@@ -100,7 +100,7 @@ angular.module('mrlapp.service.RoombaGui', []).controller('RoombaGuiCtrl', ['$sc
             return name && bits >> i & 1
         }).join(', ') || 'none'
     }
-    /** Of packet 0 as the Open Interface lays it out. */
+    /** Decodes packet 0, laid out as in the Open Interface specification. */
     function rows(data) {
         way += signed(data, 12)
         angle += signed(data, 14)

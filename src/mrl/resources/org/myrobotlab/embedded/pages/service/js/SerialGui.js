@@ -1,4 +1,4 @@
-// Panel of the Serial service: ports, and the bytes that come in and go out, in hex.
+// Panel of the Serial service: ports, and received and sent bytes in hex.
 angular.module('mrlapp.service.SerialGui', []).controller('SerialGuiCtrl', ['$scope', function($scope) {
     var msg = this.msg
     var MOST_BYTES = 4096
@@ -36,7 +36,7 @@ angular.module('mrlapp.service.SerialGui', []).controller('SerialGuiCtrl', ['$sc
         }
     }
 
-    // There are many ports, and they may be busy: bytes only come while they can be seen.
+    // There may be many busy ports: the page subscribes to bytes only while they are visible.
     $scope.$watch('shell.shown === name', function(shown) {
         if (shown) {
             mark($scope.received)
@@ -61,7 +61,7 @@ angular.module('mrlapp.service.SerialGui', []).controller('SerialGuiCtrl', ['$sc
         redraw()
     }
 
-    // Bytes may come faster than the screen is drawn.
+    // Bytes may arrive faster than the screen refreshes.
     function redraw() {
         if (!waiting) {
             waiting = true
@@ -107,7 +107,7 @@ angular.module('mrlapp.service.SerialGui', []).controller('SerialGuiCtrl', ['$sc
         }
         var digits = $scope.form.data.replace(/\s|0x/g, '')
         if (!/^([0-9a-fA-F]{2})+$/.test(digits)) {
-            $scope.problem = 'Hex bytes are pairs of digits 0 to F, as 89 00 C8.'
+            $scope.problem = 'Enter hex bytes as pairs of digits 0 to F, for example 89 00 C8.'
             return
         }
         msg.send('write', digits.match(/../g).map(function(pair) {

@@ -1,4 +1,4 @@
-"""Takes the version from gradle.properties, and SEAR itself, as `./gradlew installDist` makes it, into the package."""
+"""Takes the version from gradle.properties, and adds SEAR as built by `./gradlew installDist` to the package."""
 import os
 import re
 import shutil
@@ -11,19 +11,19 @@ from setuptools.command.build_py import build_py
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(HERE)
 BUILT = os.path.join(ROOT, "build", "install", "sear")
-# What only the command line needs, or a Java of another release could not read, stays out
+# Omits parts for the command line only, and the class archive, which other Java releases can't read
 TAKEN = ("plugin", "lib", "examples")
 LEFT = ("*.jsa", "__pycache__")
 
 
 def version():
-    """As the jars have it."""
+    """Returns the version of the jars."""
     with open(os.path.join(ROOT, "gradle.properties")) as properties:
         return re.search(r"^version=(.+)$", properties.read(), re.MULTILINE).group(1).strip()
 
 
 class Build(build_py):
-    """Builds SEAR first, if that was not done."""
+    """Builds SEAR first if needed."""
 
     def run(self):
         super().run()

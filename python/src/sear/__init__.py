@@ -7,8 +7,9 @@
     sear.simSleep(1)
     print(sear.getLidarResult("myLidar").min())
 
-Without connect() the simulator runs in this process. Names and calls are those of Jython scripts (docs/scripting.md, docs/objects.md); readings and
-pictures are numpy arrays; what SEAR refuses raises IllegalArgumentException or IllegalStateException with SEAR's own words.
+Without connect() the simulator runs in this process. Names and calls are those of Jython scripts (docs/scripting.md,
+docs/objects.md). Readings and pictures are numpy arrays. Errors of SEAR are raised as IllegalArgumentException or
+IllegalStateException with SEAR's message.
 """
 import atexit as _atexit
 
@@ -22,7 +23,7 @@ from ._record import Record
 
 POJOS = "org.SEAR.POJOs."
 SERVICES = "org.myrobotlab.service."
-_AGAIN = ", in another way; a program or a notebook's kernel does it once: begin a new one"
+_AGAIN = " with other options: restart the program or the notebook's kernel"
 
 Runtime = java_class(SERVICES + "Runtime")
 python = _PythonService()
@@ -34,53 +35,56 @@ __all__ = ["Runtime", "python", "start", "connect", "close", "sweep", "IllegalAr
 
 
 def start(*options, headless=None, speed=None, seed=None, threads=None):
-    """Starts Java in this process. Happens by itself with the defaults when something is first asked for.
+    """Starts Java in this process. The first use of SEAR does this with the defaults.
 
-    options: of the Java machine, such as "-Xmx2g".
-    headless: True opens no window. Default: a window where there is a display.
-    speed: simulated seconds a second, or "max": as fast as possible, in lock-step with the program, the same every time. Default: 1.
-    seed: where the random numbers of the sensors begin.
-    threads: how many threads sensors and cameras measure on, 1 to 256.
+    options: of the Java machine, for example "-Xmx2g".
+    headless: True opens no window. Default: a window if there is a display.
+    speed: simulated seconds per second, or "max": as fast as possible, in lock-step with the program, the same every
+        time. Default: 1.
+    seed: seed of the sensors' random numbers.
+    threads: number of threads for sensors and cameras, 1 to 256.
 
-    The same again does nothing. Raises RuntimeError if it runs already in another way.
+    A second call with the same arguments does nothing. Raises RuntimeError if SEAR already runs with other options.
     """
     given = {"sear.headless": None if headless is None else str(bool(headless)).lower(), "sear.speed": speed, "sear.seed": seed,
              "sear.threads": threads}
     asked = list(options) + ["-D%s=%s" % (key, value) for key, value in given.items() if value is not None]
     if _objects.connection.backend is not None:
-        if asked == _objects.connection.options:    # a cell of a notebook was run again
+        if asked == _objects.connection.options:    # a notebook cell ran again
             return
-        raise RuntimeError("SEAR has been started or connected to already%s" % _AGAIN)
+        raise RuntimeError("SEAR has already been started or connected%s" % _AGAIN)
     from ._jvm import InProcess
     _objects.connection.backend = InProcess(asked)
     _objects.connection.options = asked
 
 
 def connect(port=25333, token=None):
-    """Uses the SEAR of a running MyRobotLab of this machine, the one that comes with SEAR or a real one, that was asked to startPython3().
+    """Connects to the SEAR of a running MyRobotLab on this machine, SEAR's own or a real one, after its startPython3().
 
-    port: what startPython3 has answered.
-    token: by default that of the file ~/.sear/gateway-PORT, which SEAR has written.
+    port: the result of startPython3.
+    token: by default that of the file ~/.sear/gateway-PORT, which SEAR writes.
 
-    Raises FileNotFoundError or ConnectionError with what to do.
+    Raises FileNotFoundError or ConnectionError with a remedy.
     """
     if _objects.connection.backend is not None:
         if _objects.connection.options == port:
             return
-        raise RuntimeError("SEAR has been started or connected to already%s" % _AGAIN)
+        raise RuntimeError("SEAR has already been started or connected%s" % _AGAIN)
     from ._gateway import OverGateway, token_of
     _objects.connection.backend = OverGateway(port, token or token_of(port))
     _objects.connection.options = port
 
 
 def sweep(function, grid=None, seeds=1, **options):
-    """Calls a function once for each seed and each combination of values, on many processes or computers: see sear.sweeps.sweep."""
+    """Calls a function once for each seed and each combination of values, on many processes or computers: see
+    sear.sweeps.sweep."""
     from .sweeps import sweep as all_of_them
     return all_of_them(function, grid, seeds, **options)
 
 
 def close():
-    """Stops what this program has started: callbacks, and in this process the simulations. Happens by itself at the end of the program."""
+    """Stops what this program has started: callbacks, and simulations in this process. Runs automatically at the end of
+    the program."""
     backend = _objects.connection.backend
     if backend is None:
         return
@@ -88,7 +92,7 @@ def close():
         python.end()
         backend.close()
     except (ConnectionError, RuntimeError):
-        pass    # Java has ended first
+        pass    # Java ended first
 
 
 _objects.connection.start = start

@@ -1,6 +1,6 @@
-"""Runs a script as `sear SCRIPT.py` does: python3 -m sear SCRIPT.py [ARGUMENT ...].
+"""Runs a script like `sear SCRIPT.py`: python3 -m sear SCRIPT.py [ARGUMENT ...].
 
-The script finds Runtime, python and sleep without an import, and Java's packages, as in MyRobotLab.
+The script can use Runtime, python and sleep without an import, and import Java's packages, as in MyRobotLab.
 """
 import importlib.util
 import os
@@ -17,7 +17,7 @@ def _missing(remote):
 
 
 def main(arguments):
-    """Answers the exit status."""
+    """Returns the exit status."""
     if not arguments:
         print("usage: python3 -m sear SCRIPT.py [ARGUMENT ...]", file=sys.stderr)
         return 2

@@ -1,4 +1,4 @@
-"""Functions of the program that MyRobotLab calls: a thread of Python's asks the service Python3 for them, one after the other."""
+"""Callbacks: a Python thread polls the service Python3 for calls from MyRobotLab and runs them one by one."""
 import sys
 import threading
 
@@ -7,13 +7,13 @@ from ._objects import java_class
 
 RUNTIME = "org.myrobotlab.service.Runtime"
 TYPE = "Python3"
-PATIENCE = 500  # ms that one question waits in Java
+PATIENCE = 500  # ms that one poll waits in Java
 
 
 class PythonService:
-    """The service that stands for this program; it starts when something is first asked of it.
+    """The service of this program, started when first used.
 
-    `python.getName()` is what addListener takes. Functions are found by name in the script.
+    addListener takes `python.getName()`. Callbacks are functions of the script, found by name.
     """
 
     def __init__(self):
@@ -60,14 +60,14 @@ class PythonService:
         try:
             function(*arguments)
         except Exception as error:
-            self._tell("%s has called back %s, which failed:\n%s" % (publisher, name, _errors.told(error)))
+            self._tell("%s called back %s, which failed:\n%s" % (publisher, name, _errors.told(error)))
 
     def _tell(self, text):
         self.failed = True
         print("[ERROR] " + text.rstrip(), file=sys.stderr)
 
     def end(self):
-        """Takes no more calls; the one that runs comes to its end."""
+        """Accepts no more calls; a running one completes."""
         self._ended = True
         service, self._service = self._service, None
         if service is not None:

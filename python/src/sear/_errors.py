@@ -1,4 +1,4 @@
-"""What SEAR raises: the words are Java's, the types also those of Python, so that `except ValueError` works."""
+"""SEAR's exceptions: messages from Java, types that are also Python's, so that `except ValueError` works."""
 import os
 import traceback
 
@@ -6,15 +6,15 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 class JavaError(Exception):
-    """Something went wrong in SEAR or MyRobotLab. Its text is the message, without the name of Java's exception."""
+    """An error in SEAR or MyRobotLab. Its text is the message, without the name of the Java exception."""
 
 
 class IllegalArgumentException(JavaError, ValueError):
-    """A value is not legal; the message names thing, value and legal range."""
+    """A value is not legal; the message names the object, the value and the legal range."""
 
 
 class IllegalStateException(JavaError, RuntimeError):
-    """It can't be done now; the message says what to do first."""
+    """The call is not possible now; the message says what to do first."""
 
 
 class IOException(JavaError, OSError):
@@ -22,11 +22,11 @@ class IOException(JavaError, OSError):
 
 
 class UnsupportedOperationException(JavaError, NotImplementedError):
-    """This thing can't do that."""
+    """The object does not support this call."""
 
 
 class NullPointerException(JavaError, TypeError):
-    """None was given where a thing is needed."""
+    """An argument is None where an object is required."""
 
 
 _TYPES = {kind.__name__: kind for kind in (IllegalArgumentException, IllegalStateException, IOException, UnsupportedOperationException,
@@ -36,9 +36,9 @@ for _kind in (JavaError, *_TYPES.values()):
 
 
 def of(names, message):
-    """The exception for one of Java.
+    """Returns the Python exception for a Java one.
 
-    names: its class and those above it, the nearest first, without packages.
+    names: its class and superclasses, the nearest first, without packages.
     message: its text; None if it has none.
     """
     kind = next((_TYPES[name] for name in names if name in _TYPES), JavaError)
@@ -46,25 +46,25 @@ def of(names, message):
 
 
 def misfit(name, arguments, legal):
-    """What is said of a call that there is not."""
+    """Returns the message for a call that no Java method accepts."""
     given = ", ".join(type(one).__name__ for one in arguments)
     return "%s can't be called with (%s)%s" % (name, given, "; legal: " + ", or ".join(legal) if legal else "")
 
 
 def too_large(name, arguments, bits):
-    """The exception for a whole number that no call of Java's takes."""
+    """Returns the exception for an integer that no Java method accepts."""
     return OverflowError("%s is called with (%s), legal: whole numbers from %d to %d"
                          % (name, ", ".join(map(repr, arguments)), -2 ** bits, 2 ** bits - 1))
 
 
 def refuse_large(name, arguments):
-    """Raises it if a whole number is too large even for a long one."""
+    """Raises that exception if an integer does not fit into a Java long."""
     if any(type(one) is int and not -2 ** 63 <= one < 2 ** 63 for one in arguments):
         raise too_large(name, arguments, 63)
 
 
 def told(error):
-    """An error with its traceback as Python prints it, without the lines of this package."""
+    """Returns an error with its traceback as Python prints it, without this package's own lines."""
     whole = traceback.TracebackException.from_exception(error)
     part = whole
     while part is not None:

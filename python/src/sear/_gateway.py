@@ -1,4 +1,4 @@
-"""Java in another process of this machine, by Py4J: a running SEAR that has been asked to startPython3()."""
+"""Java in another process of this machine, through Py4J: a running SEAR after startPython3()."""
 import os
 
 import numpy
@@ -15,21 +15,21 @@ PORT = 25333
 MEMBERS = "org.myrobotlab.service.sear.python3.Members"
 WAITS = "org.myrobotlab.service.sear.python3.BlockingCalls"
 CALLS = "org.myrobotlab.service.sear.python3.GatewayCalls"
-# What bytes begin with that are an array; three letters follow that are numpy's word for the type
+# Prefix of bytes that encode an array; three letters with numpy's name of the type follow
 NUMBERS = b"\0numpy"
 
 
 def token_of(port):
-    """The token that SEAR has written for that port.
+    """Returns the token that SEAR wrote for that port.
 
-    Raises FileNotFoundError that says how to have it written.
+    Raises FileNotFoundError with a remedy.
     """
     path = os.path.join(os.path.expanduser("~"), ".sear", "gateway-%d" % port)
     try:
         with open(path) as file:
             return file.read().strip()
     except FileNotFoundError:
-        raise FileNotFoundError("no SEAR of yours serves Python 3 at port %d (there is no %s): call sear.startPython3(%s) in MyRobotLab first"
+        raise FileNotFoundError("no SEAR of this user accepts Python 3 at port %d (no file %s): call sear.startPython3(%s) in MyRobotLab first"
                                 % (port, path, "" if port == PORT else port)) from None
 
 
@@ -39,7 +39,7 @@ def _array(packed):
 
 
 class OverGateway:
-    """The backend whose Java lives in another process. Any thread."""
+    """The backend for Java in another process. Any thread."""
 
     def __init__(self, port, token):
         self._port = port
@@ -51,7 +51,7 @@ class OverGateway:
             self._calls = self._class(CALLS)
             self._members.numberType("")
         except Py4JNetworkError as error:
-            raise ConnectionError("no SEAR serves Python 3 at port %d: call sear.startPython3(%s) in MyRobotLab first (%s)"
+            raise ConnectionError("no SEAR accepts Python 3 at port %d: call sear.startPython3(%s) in MyRobotLab first (%s)"
                                   % (port, "" if port == PORT else port, error)) from None
 
     def _class(self, name):
@@ -61,23 +61,23 @@ class OverGateway:
         return found
 
     def java_class(self, name):
-        """The java.lang.Class."""
+        """Returns the java.lang.Class."""
         return self._server.jvm.java.lang.Class.forName(name)
 
     def java_list(self, values):
-        """Py4J makes a java.util.List of it."""
+        """Returns a list, which Py4J converts to a java.util.List."""
         return list(values)
 
     def java_map(self, values):
-        """Py4J makes a java.util.Map of it."""
+        """Returns a dictionary, which Py4J converts to a java.util.Map."""
         return dict(values)
 
     def new(self, name, arguments):
-        """An object of that class."""
+        """Creates an object of that class."""
         return self._run(self._calls.create, (name,), arguments, name, None)
 
     def call(self, method, arguments, class_name, name):
-        """Calls a method and converts what it answers."""
+        """Calls a method and converts its result."""
         call, of = method
         return self.to_python(self._run(call, (of, name), arguments, class_name, name))
 
@@ -98,13 +98,13 @@ class OverGateway:
         raise TypeError(_errors.misfit(name or class_name.rpartition(".")[2], arguments, list(legal)))
 
     def _hang_up(self):
-        """What answers still come are for a call that is over."""
+        """Closes this thread's connection: answers that still arrive belong to the interrupted call."""
         line = self._server._gateway_client.get_thread_connection()
         if line is not None:
             line.close()
 
     def wait(self, java, name, argument):
-        """A call that waits, which an interrupt ends: in Java, so that its answer still comes. Main thread."""
+        """Makes a waiting call that an interrupt ends in Java, so that its answer still arrives. Main thread."""
         threads = self._server.jvm.java.lang.Thread
         with interruptible(threads.currentThread().interrupt, threads.interrupted):
             self._run(self._class(WAITS).call, (java, name), [argument], self._members.className(java), name)
@@ -114,14 +114,15 @@ class OverGateway:
         return _errors.of(list(self._members.lineage(cause)), cause.getMessage())
 
     def member(self, java, name):
-        """A method, or the value of a field or property: ("method", callable), ("value", its value) or (None, None)."""
+        """Returns a method, or the value of a field or property: ("method", callable), ("value", its value) or (None,
+        None)."""
         kind = self._members.kind(java, name)
         if kind == "method":
             return "method", (self._calls.call, java)
         return ("value", self._members.value(java, name)) if kind == "value" else (None, None)
 
     def static(self, class_name, name):
-        """The same of a class."""
+        """Returns the same for a class."""
         if name not in self.names(class_name):
             return None, None
         if self._members.methods(self.java_class(class_name), name):
@@ -136,25 +137,26 @@ class OverGateway:
             raise self._translated(error) from None
 
     def names(self, class_name):
-        """Of its members."""
+        """Returns the names of its members."""
         if class_name not in self._names:
             self._names[class_name] = list(self._members.names(self.java_class(class_name)))
         return self._names[class_name]
 
     def text(self, java):
-        """What toString says."""
+        """Returns the result of toString."""
         return java.toString()
 
     def same(self, one, other):
-        """Whether they are equal."""
+        """Whether two objects are equal."""
         return one.equals(other)
 
     def hash(self, java):
-        """Its hash code."""
+        """Returns the object's hash code."""
         return java.hashCode()
 
     def to_python(self, value):
-        """Numbers, texts, lists and maps are Python's own; arrays of numbers are numpy's; all else is a proxy."""
+        """Converts numbers, texts, lists and maps to Python's, arrays of numbers to numpy's; all else becomes a
+        proxy."""
         if isinstance(value, JavaArray):
             kind = self._members.numberType(value)
             if kind is None:
@@ -171,5 +173,5 @@ class OverGateway:
         return value
 
     def close(self):
-        """Ends the connections."""
+        """Closes the connections."""
         self._server.close()

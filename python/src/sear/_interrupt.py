@@ -1,4 +1,5 @@
-"""The interrupt of a terminal or a notebook while the main thread waits in Java, where Python's own does not come through."""
+"""Interrupts from a terminal or notebook while the main thread waits in Java, where Python's own interrupt has no
+effect."""
 import contextlib
 import signal
 import socket
@@ -7,7 +8,7 @@ import threading
 
 
 class _Watch:
-    """From when it is made until it is closed, an interrupt calls a function at once, on a thread of its own, and nothing else. Main thread."""
+    """Calls a function immediately on an interrupt, on its own thread, from creation until close(). Main thread."""
 
     def __init__(self, interrupt):
         self._interrupt = interrupt
@@ -17,7 +18,7 @@ class _Watch:
         self._read, self._write = socket.socketpair()
         self._write.setblocking(False)
         self._file = signal.set_wakeup_fd(self._write.fileno(), warn_on_full_buffer=False)
-        # Python's own handler would raise in the midst of JPype's work, which JPype does not survive
+        # Python's own handler would raise inside JPype's code, which JPype does not tolerate
         self.handler = signal.signal(signal.SIGINT, self._note)
         threading.Thread(target=self._watch, name="sear interrupt", daemon=True).start()
 
@@ -36,7 +37,7 @@ class _Watch:
                     self._interrupt()
 
     def close(self):
-        """Everything is as it was."""
+        """Restores the previous state."""
         with self._lock:
             self._over = True
         signal.set_wakeup_fd(self._file)
@@ -46,12 +47,12 @@ class _Watch:
 
 @contextlib.contextmanager
 def interruptible(interrupt, clear):
-    """What is done meanwhile is ended by an interrupt, which then does what it does otherwise. Main thread.
+    """Lets an interrupt end the block; the interrupt's usual handler runs afterwards. Main thread.
 
-    interrupt: ends what Java waits for; called on another thread.
-    clear: forgets it, if Java waits no more.
+    interrupt: ends the wait in Java; called on another thread.
+    clear: clears the interrupt if Java is not waiting.
     """
-    if not callable(signal.getsignal(signal.SIGINT)):    # nobody wants to be interrupted
+    if not callable(signal.getsignal(signal.SIGINT)):    # interrupts are disabled
         yield
         return
     watch = _Watch(interrupt)

@@ -1,4 +1,4 @@
-"""Java in this process, by JPype."""
+"""Java in this process, through JPype."""
 import os
 
 import numpy
@@ -7,7 +7,7 @@ from . import _errors, _home
 from ._interrupt import interruptible
 from ._objects import wrap
 
-# As bin/sear starts it, with as much of the log
+# Options of bin/sear, with the same log level
 OPTIONS = ("-Xlog:cds=off", "-XX:+IgnoreUnrecognizedVMOptions", "--sun-misc-unsafe-memory-access=allow", "--enable-native-access=ALL-UNNAMED",
            "-XX:+UseSerialGC", "-Xms64m", "-XX:+UnlockDiagnosticVMOptions", "-XX:ArchiveRelocationMode=0", "-XX:Tier4InvocationThreshold=50000",
            "-XX:Tier4CompileThreshold=150000", "-XX:Tier4BackEdgeThreshold=400000", "-XX:Tier3DelayOn=0", "-Dsear.inPython=true",
@@ -22,7 +22,7 @@ _NUMBERS = frozenset(("float[]", "double[]", "int[]", "long[]", "short[]", "bool
 
 
 class InProcess:
-    """The backend whose Java lives in this process. Any thread."""
+    """The backend for Java in this process. Any thread."""
 
     def __init__(self, options=()):
         import jpype
@@ -43,29 +43,29 @@ class InProcess:
         self._java_map = jpype.JClass("java.util.Map")
 
     def java_class(self, name):
-        """The java.lang.Class."""
+        """Returns the java.lang.Class."""
         return self._jpype.JClass(name).class_
 
     def java_list(self, values):
-        """A java.util.List of them."""
+        """Returns the values as a java.util.List."""
         made = self._list(len(values))
         for one in values:
             made.add(one)
         return made
 
     def java_map(self, values):
-        """A java.util.Map in the same order."""
+        """Returns the values as a java.util.Map in the same order."""
         made = self._map()
         for key, one in values.items():
             made.put(key, one)
         return made
 
     def new(self, name, arguments):
-        """An object of that class."""
+        """Creates an object of that class."""
         return self._run(self._jpype.JClass(name), arguments, name, None)
 
     def call(self, method, arguments, class_name, name):
-        """Calls a method and converts what it answers."""
+        """Calls a method and converts its result."""
         answer = self._run(method, arguments, class_name, name)
         return answer if type(answer) in _PLAIN else self.to_python(answer)
 
@@ -84,7 +84,7 @@ class InProcess:
             raise TypeError(_errors.misfit(name or class_name.rpartition(".")[2], arguments, [str(one) for one in legal])) from None
 
     def wait(self, java, name, argument):
-        """A call that waits, which an interrupt ends. Main thread."""
+        """Makes a waiting call that an interrupt ends. Main thread."""
         threads = self._jpype.JClass("java.lang.Thread")
         _errors.refuse_large(name, [argument])
         with interruptible(threads.currentThread().interrupt, threads.interrupted):
@@ -95,34 +95,35 @@ class InProcess:
         return _errors.of([kind.__name__.rpartition(".")[2] for kind in type(error).__mro__], None if message is None else str(message))
 
     def raw_class(self, name):
-        """JPype's own class, for those who call Java often."""
+        """Returns JPype's own class, for frequent calls to Java."""
         return self._jpype.JClass(name)
 
     def run(self, method, *arguments):
-        """Calls a method of such a class; what it answers is JPype's, what it raises is as ever."""
+        """Calls a method of such a class; returns JPype's result and translates Java's exceptions."""
         try:
             return method(*arguments)
         except self._jpype.JException as error:
             raise self._translated(error) from None
 
     def translated(self, error):
-        """What is raised for an exception of Java's; others stay."""
+        """Translates a Java exception; returns other exceptions unchanged."""
         return self._translated(error) if isinstance(error, self._jpype.JException) else error
 
     def shared(self, size):
-        """Memory that Python and Java both see: a bytearray, and the java.nio.ByteBuffer over it."""
+        """Returns memory shared by Python and Java: a bytearray, and the java.nio.ByteBuffer over it."""
         memory = bytearray(size)
         return memory, self._jpype.nio.convertToDirectBuffer(memory)
 
     def member(self, java, name):
-        """A method, or the value of a field or property: ("method", callable), ("value", its value) or (None, None)."""
+        """Returns a method, or the value of a field or property: ("method", callable), ("value", its value) or (None,
+        None)."""
         kind = str(self._members.kind(java, name))
         if kind == "method":
             return "method", getattr(java, name)
         return ("value", self._members.value(java, name)) if kind == "value" else (None, None)
 
     def static(self, class_name, name):
-        """The same of a class."""
+        """Returns the same for a class."""
         found = getattr(self._jpype.JClass(class_name), name, None)
         if found is None:
             return None, None
@@ -136,23 +137,24 @@ class InProcess:
             raise self._translated(error) from None
 
     def names(self, class_name):
-        """Of its members."""
+        """Returns the names of its members."""
         return [str(one) for one in self._members.names(self.java_class(class_name))]
 
     def text(self, java):
-        """What toString says."""
+        """Returns the result of toString."""
         return str(java.toString())
 
     def same(self, one, other):
-        """Whether they are equal."""
+        """Whether two objects are equal."""
         return bool(one.equals(other))
 
     def hash(self, java):
-        """Its hash code."""
+        """Returns the object's hash code."""
         return int(java.hashCode())
 
     def to_python(self, value):
-        """Numbers, texts, lists and maps are Python's own; arrays of numbers are numpy's; all else is a proxy."""
+        """Converts numbers, texts, lists and maps to Python's, arrays of numbers to numpy's; all else becomes a
+        proxy."""
         if type(value) in _PLAIN:
             return value
         if isinstance(value, self._jpype.JArray):
@@ -175,7 +177,7 @@ class InProcess:
         return numpy.array(value) if name in _NUMBERS else [self.to_python(one) for one in value]
 
     def close(self):
-        """Stops simulations, so that their records and ports are whole; the Java machine ends with the process."""
+        """Stops simulations, so that their records and ports are complete. The Java machine ends with the process."""
         for service in self._jpype.JClass("org.myrobotlab.service.Runtime").getServices():
             if str(self._members.className(service)) == SEAR and service.isSimulating():
                 service.stopSimulation()

@@ -1,4 +1,4 @@
-"""Java's packages as modules, so that a script of MyRobotLab finds what it imports: `from org.SEAR.POJOs import Box`."""
+"""Java's packages as Python modules, for scripts of MyRobotLab with imports like `from org.SEAR.POJOs import Box`."""
 import importlib.machinery
 import sys
 import types
@@ -12,7 +12,7 @@ POJOS = "org.SEAR.POJOs"
 
 
 class _Package(types.ModuleType):
-    """A package of Java; its classes are looked up when they are asked for."""
+    """A Java package, which looks up its classes on first use."""
 
     def __getattr__(self, name):
         if name.startswith("__"):
@@ -27,11 +27,11 @@ class _Package(types.ModuleType):
 
 
 class _Finder:
-    """Makes the modules."""
+    """Creates the modules."""
 
     @staticmethod
     def find_spec(name, path=None, target=None):
-        """Of a package of Java; None of all else, and of what is a class."""
+        """Returns the spec of a Java package; None for anything else, including classes."""
         parts = name.split(".")
         if parts[0] not in ROOTS or (parts[-1][:1].isupper() and parts[-1] not in ("SEAR", "POJOs")):
             return None
@@ -39,7 +39,7 @@ class _Finder:
 
     @staticmethod
     def create_module(spec):
-        """One package."""
+        """Creates the module of one package."""
         module = _Package(spec.name)
         if spec.name == POJOS:
             module.__all__ = list(OBJECTS)
@@ -47,10 +47,10 @@ class _Finder:
 
     @staticmethod
     def exec_module(module):
-        """There is nothing to do: classes come when they are asked for."""
+        """Does nothing: classes are looked up on first use."""
 
 
 def install():
-    """From now on Java's packages can be imported; packages of that name that Python finds come first."""
+    """Makes Java's packages importable. Python's own packages of the same name take precedence."""
     if _Finder not in sys.meta_path:
         sys.meta_path.append(_Finder)

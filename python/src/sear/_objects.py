@@ -1,25 +1,25 @@
-"""Java's objects as Python sees them. Whoever knows how Java is reached (_jvm, _gateway) is the backend."""
+"""Java's objects in Python. The backends _jvm and _gateway implement the access to Java."""
 import builtins
 import collections.abc
 import difflib
 import threading
 
 _PLAIN = frozenset((float, int, str, bool, type(None), bytes))
-# What stands for a list, as list() makes one of it
+# Types that list() converts and Java receives as a list
 _LISTS = list, tuple, range, collections.abc.KeysView, collections.abc.ValuesView
 _classes = {}
 SEAR = "org.myrobotlab.service.SEAR"
-# Calls that wait, which the interrupt of a terminal or notebook ends: by how much is asked of them at least
+# Waiting calls that an interrupt of a terminal or notebook ends, with the smallest argument for which it does
 _WAITS = {(SEAR, "simSleep"): 1, (SEAR, "step"): 60}
-# Calls whose answers are pictures, or have one
+# Calls whose results are pictures, or have one
 _SHOWN = frozenset(((SEAR, "getPlan"), (SEAR, "getImage"), (SEAR, "getLidarResult"), (SEAR, "getReading")))
 
 
 class _Connection:
-    """The backend: none until something is asked for, then one until the end."""
+    """The backend: None until the first use, then one until the end."""
     backend = None
     start = None
-    # With which it was started: a list of options, or the port of a gateway
+    # Options of its start: a list, or the port of a gateway
     options = None
 
 
@@ -27,14 +27,15 @@ connection = _Connection()
 
 
 def backend():
-    """Starts Java in this process, unless it is there or another one was connected to."""
+    """Starts Java in this process, unless a backend exists."""
     if connection.backend is None:
         connection.start()
     return connection.backend
 
 
 def to_java(value):
-    """What Java takes for a value: what is behind a proxy, and so in lists, tuples, ranges and dictionaries; of numpy's arrays their numbers."""
+    """Converts a value for Java: proxies to their objects, lists, tuples, ranges and dictionaries element by element,
+    numpy's arrays to numbers."""
     if type(value) in _PLAIN:
         return value
     if isinstance(value, JavaObject):
@@ -51,13 +52,14 @@ def to_java(value):
 
 
 def _refuse_names(name, named):
-    """Java has no names of arguments when a program runs, those in the documentation and the stubs are for people."""
+    """Raises TypeError: Java has no argument names at run time. Names in the documentation and stubs are for readers
+    only."""
     raise TypeError("%s takes its arguments in their order, without names: %s" % (name, ", ".join("%s and not %s=%s" % (repr(value), key, repr(value))
                                                                                            for key, value in named.items())))
 
 
 class _Call:
-    """A method of an object or class, ready to be called."""
+    """A callable method of an object or class."""
 
     __slots__ = ("method", "class_name", "name")
 
@@ -76,7 +78,7 @@ class _Call:
 
 
 class _Wait(_Call):
-    """A method that waits for simulated time to pass."""
+    """A method that waits for simulated time."""
 
     __slots__ = ("owner",)
 
@@ -88,7 +90,7 @@ class _Wait(_Call):
 
 
 class _Shown(_Call):
-    """A method whose answer shows itself in a notebook."""
+    """A method whose result a notebook displays."""
 
     __slots__ = ("owner",)
 
@@ -112,7 +114,7 @@ def _unknown(owner, name, names):
 
 
 class _Statics(type):
-    """Of a class: its static methods and constants."""
+    """Static methods and constants of a class."""
 
     def __getattr__(cls, name):
         if name.startswith("_") or cls.java_name is None:
@@ -128,7 +130,8 @@ class _Statics(type):
 
 
 class JavaObject(metaclass=_Statics):
-    """An object of SEAR or MyRobotLab: its methods, fields and properties are those of docs/scripting.md and docs/objects.md."""
+    """An object of SEAR or MyRobotLab. docs/scripting.md and docs/objects.md list its methods, fields and
+    properties."""
 
     java_name = None
 
@@ -138,7 +141,7 @@ class JavaObject(metaclass=_Statics):
         self.__dict__["java"] = backend().new(self.java_name, [to_java(one) for one in arguments])
 
     def __getattr__(self, name):
-        if name.startswith("_"):    # as notebooks ask for, to show it
+        if name.startswith("_"):    # names that notebooks look up for display
             raise AttributeError(name)
         kind, value = backend().member(self.__dict__["java"], name)
         if kind == "method":
@@ -161,7 +164,7 @@ class JavaObject(metaclass=_Statics):
     def __repr__(self):
         try:
             return "<%s %s>" % (type(self).__name__, self)
-        except Exception as error:    # Java has ended; to be shown must not fail
+        except Exception as error:    # Java has ended; display must not fail
             return "<%s: %s>" % (type(self).__name__, error)
 
     def _repr_mimebundle_(self, include=None, exclude=None):
@@ -176,7 +179,7 @@ class JavaObject(metaclass=_Statics):
 
 
 def java_class(java_name, text=None):
-    """The Python class for a class of Java, always the same one."""
+    """Returns the Python class of a Java class, always the same one."""
     if java_name not in _classes:
         short = java_name.rpartition(".")[2].rpartition("$")[2]
         _classes[java_name] = _Statics(short, (JavaObject,), {"java_name": java_name, "__doc__": text, "__module__": "sear"})
@@ -184,7 +187,7 @@ def java_class(java_name, text=None):
 
 
 def wrap(java, java_name):
-    """A proxy for an object that Java has made."""
+    """Returns a proxy for an object made by Java."""
     proxy = builtins.object.__new__(java_class(java_name))
     proxy.__dict__["java"] = java
     return proxy

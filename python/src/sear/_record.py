@@ -5,14 +5,14 @@ import tempfile
 from ._objects import java_class
 
 RUNTIME = "org.myrobotlab.service.Runtime"
-# How names of values end that are no sensors'
+# Suffixes of values that are not sensor readings
 MOTION = (".x", ".y", ".z", ".heading", ".speed", ".turnRate", " wanted", " received", " sent")
 
 
 class Record:
     """A record of a run (docs/records.md): record.names, record["rover.x"] as an array over record.times, and plots.
 
-    path: as recordRun() has taken it.
+    path: the path given to recordRun().
     """
 
     def __init__(self, path):
@@ -25,24 +25,25 @@ class Record:
         return self._sear.getRecordValues(self.path, [name])
 
     def __getitem__(self, name):
-        import numpy    # here, so that what lacks it can say so
+        import numpy    # imported here, so that its absence is reported
         return numpy.array([numpy.nan if one is None else one for one in self._values(name)["values"][0]])
 
     @property
     def times(self):
-        """Simulated seconds since the record began, of each value: 30 a second, or so much fewer that there are at most 4000."""
+        """Returns the time of each value, simulated seconds since the record began: 30 values per second, or fewer, so
+        that there are at most 4000."""
         import numpy
         return numpy.array(self._values(self.names[0])["times"])
 
     def _chosen(self):
-        """The first robot's speed and the first sensor, one of a single number if there is one."""
+        """Returns the first robot's speed and the first sensor, preferably one with a single number."""
         speeds = [name for name in self.names if name.endswith(".speed")][:1]
         sensors = [name for name in self.names if not name.endswith(MOTION)]
         plain = [name for name in sensors if "." not in name]
         return speeds + (plain or sensors)[:1] or self.names[:1]
 
     def plot(self, *names):
-        """A picture of these values over time, those of one unit in one box; of a speed and a sensor if none are named."""
+        """Returns a plot of these values over time, with one box per unit. Default: a speed and a sensor."""
         from ._show import Svg
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "plot.svg")
@@ -51,7 +52,7 @@ class Record:
                 return Svg(file.read())
 
     def save(self, picture, *names):
-        """The same as a file, whose name ends in .png or .svg."""
+        """Saves the plot as a file, whose name ends in .png or .svg."""
         self._sear.saveRecordPlot(self.path, list(names) or self._chosen(), os.path.abspath(os.fspath(picture)))
 
     def __repr__(self):

@@ -1,4 +1,4 @@
-"""What a notebook shows of things and readings. To show something never fails and never waits long: what is in the way stands there as text."""
+"""Notebook display of objects and readings. Display never fails and never waits long: a problem appears as text."""
 import html
 import math
 import threading
@@ -18,7 +18,7 @@ _angles = {}
 
 
 class Svg(str):
-    """A picture: the text of an SVG file, which a notebook shows."""
+    """A picture: the text of an SVG file, displayed by notebooks."""
 
     def save(self, path):
         """Writes the file."""
@@ -33,7 +33,7 @@ class Svg(str):
 
 
 class Png(bytes):
-    """A picture: the bytes of a PNG file, which a notebook shows."""
+    """A picture: the bytes of a PNG file, displayed by notebooks."""
 
     def save(self, path):
         """Writes the file."""
@@ -48,7 +48,8 @@ class Png(bytes):
 
 
 class Scan(numpy.ndarray):
-    """The ranges of a LIDAR, metres, from right to left: an array, which a notebook shows from above. What is computed of it is a plain array."""
+    """The ranges of a LIDAR in metres, from right to left: an array that notebooks display from above. Results computed
+    from it are plain arrays."""
 
     name = ""
     angles = None
@@ -70,9 +71,9 @@ class Scan(numpy.ndarray):
         return repr(numpy.asarray(self))
 
     def plot(self):
-        """Seen from above, ahead is up."""
+        """Returns a plot from above; ahead is up."""
         if self.angles is None or len(self.angles) != len(self):
-            raise ValueError("the angles of the beams are not known: only a whole reading can be drawn")
+            raise ValueError("the beam angles are unknown: only a complete reading can be drawn")
         return polar(self.name, numpy.asarray(self), self.angles)
 
     def _repr_mimebundle_(self, include=None, exclude=None):
@@ -80,12 +81,12 @@ class Scan(numpy.ndarray):
 
 
 def _scan(owner, name, ranges):
-    """Angles are asked for once for each scanner, and again if it has another number of beams."""
+    """Adds angles to ranges. Requests the angles once per scanner and number of beams."""
     key = owner, name, len(ranges)
     if key not in _angles:
         try:
             _angles[key] = owner.getLidarAngles(name)
-        except (ValueError, RuntimeError):    # no LIDAR
+        except (ValueError, RuntimeError):    # not a LIDAR
             _angles[key] = None
     if _angles[key] is None:
         return ranges
@@ -95,7 +96,7 @@ def _scan(owner, name, ranges):
 
 
 def answer(owner, call, arguments, value):
-    """What a call of SEAR has answered, so that it shows itself."""
+    """Converts a result of a SEAR call to a type with a display."""
     if isinstance(value, bytes):
         return Png(value)
     if isinstance(value, str):
@@ -106,13 +107,13 @@ def answer(owner, call, arguments, value):
 
 
 def _nice(farthest):
-    """The distance of rings: at most four."""
+    """Returns the distance of rings: at most four."""
     step = 10.0 ** math.floor(math.log10(farthest))
     return next(part * step for part in (0.25, 0.5, 1, 2, 2.5) if farthest / (part * step) <= 4)
 
 
 def polar(name, ranges, angles):
-    """A scan from above: ahead is up; degrees, + to the left."""
+    """Returns a plot of a scan from above: ahead is up; degrees, + to the left."""
     finite = ranges[numpy.isfinite(ranges)]
     farthest = max(float(finite.max()) if len(finite) else 1.0, 0.01)
     radians = numpy.radians(numpy.asarray(angles, float))
@@ -140,7 +141,7 @@ def _said(name, ranges, angles):
     finite = numpy.isfinite(ranges)
     text = "%s%d beams" % (name + ": " if name else "", len(ranges))
     if not finite.any():
-        return text + ", nothing met"
+        return text + ", no hits"
     nearest = int(numpy.argmin(numpy.where(finite, ranges, numpy.inf)))
     angle = float(angles[nearest])
     side = "straight ahead" if round(angle) == 0 else "%.0f degrees to the %s" % (abs(angle), "left" if angle > 0 else "right")
@@ -148,7 +149,7 @@ def _said(name, ranges, angles):
 
 
 def _within(seconds, work):
-    """What a function answers, on a thread of its own. Raises TimeoutError if it takes longer."""
+    """Returns the result of a function run on its own thread. Raises TimeoutError if it takes longer."""
     found = []
 
     def run():
@@ -168,7 +169,7 @@ def _within(seconds, work):
 
 
 def safely(thing, draw, kind=SVG):
-    """The text of a thing and its picture; instead of a picture that can't be had, why."""
+    """Returns an object's text and picture; the reason instead of a missing picture."""
     try:
         return {"text/plain": repr(thing), kind: str(_within(PATIENCE, draw))}
     except Exception as error:
@@ -176,7 +177,8 @@ def safely(thing, draw, kind=SVG):
 
 
 def bundle(thing):
-    """What a notebook shows of an object of Java: of SEAR the plan, of a scanner's service its last scan, of an object its parameters."""
+    """Returns the notebook display of a Java object: SEAR's plan, a scanner service's last scan, or an object's
+    parameters."""
     if thing.java_name == SEAR:
         return safely(thing, lambda: thing.getPlan())
     if thing.java_name == LIDAR:
@@ -189,7 +191,7 @@ def bundle(thing):
 def _last_scan(lidar):
     scan = lidar.getLastScan()
     if scan is None:
-        raise RuntimeError("it has no scan yet: connect() and singleScan() first")
+        raise RuntimeError("no scan yet: call connect() and singleScan() first")
     metres = numpy.array([numpy.nan if one is None else one for one in scan.metres], float)
     return polar(lidar.getName(), metres, numpy.asarray(scan.angles, float) - 90)
 
@@ -197,7 +199,7 @@ def _last_scan(lidar):
 def _table(thing):
     rows = java_class(DESCRIBED).rows(thing)
     if not rows:
-        raise RuntimeError("nothing is known of it")
+        raise RuntimeError("no description available")
     lines = "".join("<tr><th style='text-align:left'>%s</th><td style='text-align:left'>%s</td><td style='text-align:left'>%s</td></tr>"
                     % tuple(html.escape(str(cell)) for cell in row) for row in rows)
     return "<table><caption style='text-align:left'>%s</caption>%s</table>" % (html.escape(str(thing)), lines)

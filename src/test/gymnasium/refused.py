@@ -18,13 +18,13 @@ def refused(kind, message, call, *given, **more):
         raise AssertionError("not refused: " + message)
 
 
-refused(FileNotFoundError, "project nowhere.sear is not there; legal: a .sear file, or a folder SEARproject", SearEnv, "nowhere.sear")
+refused(FileNotFoundError, "project nowhere.sear does not exist; legal: a .sear file, or a folder SEARproject", SearEnv, "nowhere.sear")
 refused(ValueError, "robot is \"rover\", legal: office Roomba", SearEnv, OFFICE, robot="rover")
 refused(ValueError, "no sensor is called \"sonar\", legal: leftFrontPing, myLidar, rightFrontPing", SearEnv, OFFICE, sensors=["sonar"])
 refused(ValueError, "sensor eye can't be observed, it takes pictures; legal: leftLine, middleLine, rightLine", SearEnv, "examples/line.sear",
         sensors=["eye"])
 refused(ValueError, "actions is an empty list, legal: one or more (left, right)", SearEnv, OFFICE, actions=[])
-refused(ValueError, "action 1 is (1,), legal: the speeds of the left and the right wheels, m/s, as (0.2, 0.2)", SearEnv, OFFICE,
+refused(ValueError, "action 1 is (1,), legal: the speeds of the left and the right wheels, m/s, for example (0.2, 0.2)", SearEnv, OFFICE,
         actions=[(0, 0), (1,)])
 refused(ValueError, "action 0 is (0, 11), legal: -10 to 10 m/s", SearEnv, OFFICE, actions=[(0, 11)])
 refused(ValueError, "actions is -1, legal: a list of (left, right), or the highest speed of the wheels, above 0 to 10 m/s", SearEnv, OFFICE,
@@ -32,7 +32,7 @@ refused(ValueError, "actions is -1, legal: a list of (left, right), or the highe
 refused(ValueError, "steps_per_action is 0, legal: a whole number from 1 to 216000", SearEnv, OFFICE, steps_per_action=0)
 refused(ValueError, "max_seconds is 0, legal: above 0, or None", SearEnv, OFFICE, max_seconds=0)
 refused(ValueError, "render_mode is 'human', legal: \"rgb_array\" or None", SearEnv, OFFICE, render_mode="human")
-refused(ValueError, "start is an empty list, legal: None, a list of (x, z, heading), or a function that answers one", SearEnv, OFFICE, start=[])
+refused(ValueError, "start is an empty list, legal: None, a list of (x, z, heading), or a function that returns one", SearEnv, OFFICE, start=[])
 refused(ValueError, "start 0 is 0, legal: x and z in metres and heading in degrees", SearEnv, OFFICE, start=(0, 1, 90))
 refused(ValueError, "steps_per_action is 1099511627776, legal: a whole number from 1 to 216000", SearEnv, OFFICE, steps_per_action=2 ** 40)
 refused(ValueError, "max_seconds is 'a', legal: above 0, or None", SearEnv, OFFICE, max_seconds="a")
@@ -49,7 +49,7 @@ except sear.IllegalArgumentException as error:
     assert str(error).startswith("nothing is named \"moon\"; there are "), error
 
 env = SearEnv(OFFICE, actions=[(0.2, 0.2)], sensors=["leftFrontPing"])
-refused(RuntimeError, "reset() has to come before step()", env.step, 0)
+refused(RuntimeError, "call reset() before step()", env.step, 0)
 env.reset(seed=1)
 refused(ValueError, "action is 1, legal: a whole number from 0 to 0", env.step, 1)
 refused(ValueError, "options has speed, legal: start, noise", env.reset, options={"speed": 1})
@@ -61,16 +61,16 @@ assert env.step(numpy.int64(0))[4] == env.step(numpy.array(0))[4] == {}
 for answer in (None, float("nan"), "much"):
     odd = SearEnv(OFFICE, reward=lambda robot: answer, steps_per_action=numpy.int64(1))
     odd.reset(seed=1)
-    refused(ValueError, "the reward function has answered %r, legal: a number" % (answer,), odd.step, (0, 0))
+    refused(ValueError, "the reward function returned %r, legal: a number" % (answer,), odd.step, (0, 0))
 free = SearEnv(OFFICE, actions=0.5, render_mode="rgb_array")
 free.reset(seed=1)
 refused(ValueError, "action is [0.6 0. ], legal: two speeds from -0.5 to 0.5 m/s", free.step, numpy.array([0.6, 0]))
 for pair in (None, 0.1, [0.1], [0.1, 0.1, 0.1], "ab", [float("nan"), 0]):
     refused(ValueError, "action is %s, legal: two speeds from -0.5 to 0.5 m/s" % (pair,), free.step, pair)
-refused(RuntimeError, "SEAR has been started or connected to already, in another way; a program or a notebook's kernel does it once: begin a new one",
+refused(RuntimeError, "SEAR has already been started or connected with other options: restart the program or the notebook's kernel",
         sear.connect)
 free.close()
-refused(RuntimeError, "reset() has to come before step()", free.step, numpy.array([0.1, 0]))
+refused(RuntimeError, "call reset() before step()", free.step, numpy.array([0.1, 0]))
 refused(RuntimeError, "the environment is closed: make another one", free.reset)
 refused(RuntimeError, "the environment is closed: make another one", free.render)
 free.close()

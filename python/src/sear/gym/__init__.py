@@ -1,10 +1,11 @@
-"""Worlds of SEAR in which programs learn, as environments of Gymnasium.
+"""SEAR's worlds as Gymnasium environments for machine learning.
 
     import gymnasium
     import sear.gym
     env = gymnasium.make("SEAR/WallFollow-v0")
 
-or of a project of one's own: sear.gym.SearEnv("my.sear", actions=[(0.2, 0.2), (-0.1, 0.1)], reward=lambda robot: robot.moved). See docs/learning.md.
+or with your own project: sear.gym.SearEnv("my.sear", actions=[(0.2, 0.2), (-0.1, 0.1)],
+reward=lambda robot: robot.moved). See docs/learning.md.
 """
 try:
     import gymnasium as _gymnasium

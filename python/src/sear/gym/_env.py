@@ -1,4 +1,4 @@
-"""A project as an environment of Gymnasium."""
+"""A project as a Gymnasium environment."""
 from numbers import Real
 
 import gymnasium
@@ -16,22 +16,22 @@ MOST_STEPS = 216000
 
 
 class SearEnv(gymnasium.Env):
-    """One robot of a project that learns.
+    """One learning robot of a project.
 
     project: a .sear file or a folder SEARproject.
-    robot: its name; not needed if there is one only.
-    sensors: the names of those that are observed; all but cameras unless said.
-    things: names of things whose places are observed, too.
-    actions: a list of (left, right), the speeds of the wheels, m/s, of which the learner chooses one; or a number: it chooses both speeds, up to
-        that.
-    reward: a function of the RobotState after an action; how far it has moved forward, less 1 for a bump, unless said.
-    done: a function that says whether the episode has come to its end; unless said, when the robot bumps, lies on its side or has fallen off the
-        floor.
-    start: None for the project's own place; a list of (x, z, heading), of which each episode takes one by chance; or a function of a numpy
-        random generator that answers one.
-    steps_per_action: of 1/60 s.
-    max_seconds: of simulated time, after which an episode is cut off; None for no limit.
-    seed: for an episode that is started without one, so that two runs of a program are the same; None: by chance.
+    robot: its name; optional if there is only one.
+    sensors: names of the observed sensors. Default: all except cameras.
+    things: names of objects whose poses are observed, too.
+    actions: a list of wheel speeds (left, right), m/s, from which the learner chooses; or a number: the learner chooses
+        both speeds, up to that number.
+    reward: a function of the RobotState after an action. Default: distance moved forward, less 1 for a bump.
+    done: a function that returns whether the episode has ended. Default: the robot has bumped, lies on its side or has
+        fallen off the floor.
+    start: None for the project's own pose; a list of (x, z, heading), from which each episode draws one; or a function
+        of a numpy random generator that returns one.
+    steps_per_action: number of steps of 1/60 s.
+    max_seconds: simulated time after which an episode is truncated; None for no limit.
+    seed: for episodes started without one, so that two runs of a program are the same; None: random.
     render_mode: "rgb_array" for pictures from above, or None.
     """
 
@@ -76,7 +76,8 @@ class SearEnv(gymnasium.Env):
         return self._start[int(self.np_random.integers(len(self._start)))]
 
     def reset(self, *, seed=None, options=None):
-        """Starts an episode. options: {"start": (x, z, heading)} chooses the place, {"noise": n} the seed of the sensors' errors."""
+        """Starts an episode. options: {"start": (x, z, heading)} sets the pose, {"noise": n} the seed of the sensors'
+        errors."""
         if seed is None and self._seed is not None:
             seed, self._seed = self._seed, None
         super().reset(seed=seed)
@@ -92,9 +93,9 @@ class SearEnv(gymnasium.Env):
         return self._episode.numbers.copy(), {}
 
     def step(self, action):
-        """Does an action. Raises ValueError for one that is not legal."""
+        """Performs an action. Raises ValueError for an illegal one."""
         if not self._ready:
-            raise RuntimeError("reset() has to come before step()")
+            raise RuntimeError("call reset() before step()")
         if self._choices is None:
             left, right = _legal.speeds(action, float(self.action_space.high[0]))
         else:
@@ -108,27 +109,27 @@ class SearEnv(gymnasium.Env):
         return self._episode.numbers.copy(), reward, ended, late, {}
 
     def render(self):
-        """A picture from above, if render_mode says so: an array of height, width, colour."""
+        """Returns a picture from above as an array of height, width and colour; None without a render_mode."""
         if self.render_mode is None:
-            gymnasium.logger.warn("render() draws nothing: say render_mode=\"rgb_array\" when the environment is made")
+            gymnasium.logger.warn("render() draws nothing: create the environment with render_mode=\"rgb_array\"")
             return None
         return self._episode.draw(*self._size)
 
     def close(self):
-        """Lets go of the world."""
+        """Releases the world."""
         self._episode.close()
         self._ready = False
 
     def parts(self, observation):
-        """An observation by the names of sensors and things: views of the array."""
+        """Splits an observation by the names of sensors and objects: views of the array."""
         return {name: observation[part] for name, part in self._episode.slices.items()}
 
 
 def forward(robot):
-    """A reward: how far it has moved forward, metres, less 1 for a bump."""
+    """Returns a reward: distance moved forward in metres, less 1 for a bump."""
     return robot.moved - robot.bumped
 
 
 def crashed(robot):
-    """Whether it has bumped into something, lies on its side, or has fallen off the floor."""
+    """Whether the robot has bumped into an object, lies on its side, or has fallen off the floor."""
     return robot.bumped or robot.tilt > 60 or robot.y < -0.5

@@ -1,4 +1,4 @@
-"""The Java half: org.SEAR.learning.Episode, in this process."""
+"""The Java part: org.SEAR.learning.Episode, in this process."""
 import os
 import shutil
 import tempfile
@@ -11,12 +11,12 @@ import sear
 from .. import _home, _objects
 
 EPISODE = "org.SEAR.learning.Episode"
-FORKED = ("this process was forked from one in which Java runs, and Java does not survive that: start it anew, as by "
+FORKED = ("Java can't run in a process forked from one with Java: use the start method \"spawn\", for example "
           "gymnasium.make_vec(..., vectorization_mode=\"async\", vector_kwargs={\"context\": \"spawn\"})")
 
 
 class _Process:
-    """Of this process: the projects that were opened, the folders in which bundles were unpacked, and whether Java was left behind by a fork."""
+    """State of this process: opened projects, folders of unpacked bundles, and whether a fork has lost Java."""
     projects = {}
     folders = []
     forked = False
@@ -37,13 +37,13 @@ def _clean():
         shutil.rmtree(folder, ignore_errors=True)
 
 
-util.Finalize(None, _clean, exitpriority=0)    # also runs at the end of a process that multiprocessing has started
+util.Finalize(None, _clean, exitpriority=0)    # also runs at the end of a process started by multiprocessing
 
 
 def backend():
-    """Java in this process; it is started without a window if it does not run.
+    """Returns Java in this process; starts it without a window if necessary.
 
-    Raises RuntimeError if it can't be.
+    Raises RuntimeError if that is impossible.
     """
     if _Process.forked:
         raise RuntimeError(FORKED)
@@ -55,17 +55,17 @@ def backend():
 
 
 def _found(path):
-    """Examples are found in each working folder."""
+    """Returns the real path of a project. Examples are found from any working folder."""
     given = os.fspath(path)
     if not os.path.exists(given) and given.replace(os.sep, "/").startswith("examples/"):
         given = os.path.join(_home.find(), *given.replace(os.sep, "/").split("/"))
     if not os.path.exists(given):
-        raise FileNotFoundError("project %s is not there; legal: a .sear file, or a folder SEARproject" % path)
+        raise FileNotFoundError("project %s does not exist; legal: a .sear file, or a folder SEARproject" % path)
     return os.path.realpath(given)
 
 
 def project(path):
-    """The project of a bundle or folder; all worlds of it in this process share what does not change."""
+    """Returns the project of a bundle or folder. All its worlds in this process share the constant parts."""
     java = backend()
     place = _found(path)
     with _Process.lock:
@@ -84,7 +84,7 @@ def project(path):
 
 
 class Episode:
-    """A world that is started again and again: its numbers stand in numpy arrays, which change with each step."""
+    """A restartable world whose numbers are in numpy arrays, which each step updates."""
 
     def __init__(self, path, robot, sensors, things, fastest, seed):
         self._java = backend()
@@ -112,23 +112,23 @@ class Episode:
         return self._episode
 
     def reset(self, seed, start):
-        """Starts anew; start is None for the project's own place, else x, z and heading."""
+        """Restarts the world; start is None for the project's own pose, else x, z and heading."""
         self._java.run(self._open().reset, seed, *(start or ()))
 
     def step(self, left, right, steps):
-        """An action for so many steps."""
+        """Performs an action for a number of steps."""
         try:
             self._step(left, right, steps)
         except Exception as error:
             raise self._java.translated(error) from None
 
     def draw(self, width, height):
-        """From above, as an array of height, width and colour."""
+        """Returns a picture from above, as an array of height, width and colour."""
         pixels = self._java.run(self._open().draw, width, height)
         return numpy.frombuffer(bytes(pixels), numpy.uint8).reshape(height, width, 3).copy()
 
     def close(self):
-        """Lets go of the world."""
+        """Releases the world."""
         if self._episode is not None:
             self._episode.close()
             self._episode = self._step = None

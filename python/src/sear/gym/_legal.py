@@ -1,10 +1,10 @@
-"""Checks what the maker of an environment says: ValueError has the thing, its value and what is legal."""
+"""Checks of an environment's arguments: the ValueError names the argument, its value and what is legal."""
 from math import isfinite
 from operator import index
 
 
 def whole(what, value, least, most):
-    """A whole number, numpy's too."""
+    """Returns an integer; accepts numpy's, too."""
     try:
         number = None if isinstance(value, bool) else index(value)
     except TypeError:
@@ -15,7 +15,7 @@ def whole(what, value, least, most):
 
 
 def seconds(what, value):
-    """None, or a number above 0."""
+    """Returns None, or a number above 0."""
     try:
         if value is None or value > 0:
             return value
@@ -25,7 +25,7 @@ def seconds(what, value):
 
 
 def names(what, value):
-    """A list of different names."""
+    """Returns a list of different names."""
     if isinstance(value, str) or not hasattr(value, "__iter__"):
         raise ValueError("%s is %r, legal: a list of names" % (what, value))
     listed = list(value)
@@ -35,14 +35,14 @@ def names(what, value):
 
 
 def function(what, value, otherwise):
-    """A function, or what there is unless it is said."""
+    """Returns a function, or the default."""
     if value is not None and not callable(value):
         raise ValueError("%s is %r, legal: a function of the robot" % (what, value))
     return value or otherwise
 
 
 def place(what, value):
-    """None, or x, z and heading as numbers."""
+    """Returns None, or x, z and heading as numbers."""
     try:
         x, z, heading = (None,) * 3 if value is None else (float(one) for one in value)
     except (TypeError, ValueError):
@@ -51,28 +51,28 @@ def place(what, value):
 
 
 def places(value):
-    """What an environment takes as its start: None, a function, or a list of places."""
+    """Returns an environment's start: None, a function, or a list of poses."""
     if value is None or callable(value):
         return value
     if not hasattr(value, "__len__") or not len(value):
-        raise ValueError("start is %s, legal: None, a list of (x, z, heading), or a function that answers one"
+        raise ValueError("start is %s, legal: None, a list of (x, z, heading), or a function that returns one"
                          % ("an empty list" if hasattr(value, "__len__") else repr(value)))
     return [place("start %d" % number, one) for number, one in enumerate(value)]
 
 
 def wheels(what, pair, most):
-    """The speeds of both sides."""
+    """Returns the speeds of both sides."""
     try:
         left, right = (float(one) for one in pair)
     except (TypeError, ValueError):
-        raise ValueError("%s is %r, legal: the speeds of the left and the right wheels, m/s, as (0.2, 0.2)" % (what, pair)) from None
+        raise ValueError("%s is %r, legal: the speeds of the left and the right wheels, m/s, for example (0.2, 0.2)" % (what, pair)) from None
     if not (abs(left) <= most and abs(right) <= most):
         raise ValueError("%s is %r, legal: -%g to %g m/s" % (what, pair, most, most))
     return left, right
 
 
 def speeds(action, most):
-    """An action of two speeds."""
+    """Returns an action of two speeds."""
     try:
         left, right = (float(one) for one in action)
         if abs(left) <= most and abs(right) <= most:
@@ -83,20 +83,20 @@ def speeds(action, most):
 
 
 def size(value):
-    """Of a picture."""
+    """Returns the size of a picture."""
     try:
         width, height = (index(one) for one in value)
     except (TypeError, ValueError):
-        raise ValueError("size is %r, legal: width and height in pixels, as (480, 360)" % (value,)) from None
+        raise ValueError("size is %r, legal: width and height in pixels, for example (480, 360)" % (value,)) from None
     return width, height
 
 
 def reward(value):
-    """What a reward function has answered, as a number."""
+    """Returns the result of a reward function as a number."""
     try:
         number = float(value)
     except (TypeError, ValueError):
         number = float("nan")
     if not isfinite(number):
-        raise ValueError("the reward function has answered %r, legal: a number" % (value,))
+        raise ValueError("the reward function returned %r, legal: a number" % (value,))
     return number

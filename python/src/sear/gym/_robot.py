@@ -1,4 +1,4 @@
-"""What a reward function gets."""
+"""The argument of reward functions."""
 
 (TIME, X, Y, Z, HEADING, TILT, SPEED, TURN_RATE, PATH, TURNED, LEFT, RIGHT, TOUCHED) = range(13)
 
@@ -16,10 +16,11 @@ def _truth(at, text):
 
 
 class RobotState:
-    """The robot as it is after an action: robot["frontEye"] is a reading, a number, or a numpy array of a LIDAR's beams from right to left; of a
-    thing it is a numpy array: metres ahead, metres to the left, and cosine and sine of the angle to its forward axis.
+    """The robot after an action. robot["frontEye"] is a reading: a number, or a numpy array of a LIDAR's beams from right
+    to left. For an object it is a numpy array: metres ahead, metres to the left, and cosine and sine of the angle to its
+    forward axis.
 
-    What is read from arrays changes with the next action; copy what is to be kept.
+    The arrays change with the next action; copy values to keep them.
     """
 
     time = _number(TIME, "Seconds since the start of the episode.")
@@ -28,13 +29,13 @@ class RobotState:
     z = _number(Z, "Metres to the east.")
     heading = _number(HEADING, "Degrees clockwise from north, (-180, 180]: 90 is east.")
     tilt = _number(TILT, "Degrees from upright.")
-    speed = _number(SPEED, "Metres a second, + forward.")
-    turn_rate = _number(TURN_RATE, "Degrees a second, + to the left.")
-    path = _number(PATH, "Metres driven since the start, less those driven backwards.")
+    speed = _number(SPEED, "Metres per second, + forward.")
+    turn_rate = _number(TURN_RATE, "Degrees per second, + to the left.")
+    path = _number(PATH, "Metres driven forward since the start, less those driven backward.")
     turned = _number(TURNED, "Degrees turned since the start, + to the left.")
-    bumped_left = _truth(LEFT, "Whether the left half of the bumper has met something during the action.")
-    bumped_right = _truth(RIGHT, "Whether the right half of the bumper has met something during the action.")
-    touched = _truth(TOUCHED, "Whether any part but the wheels has touched something during the action.")
+    bumped_left = _truth(LEFT, "Whether the left half of the bumper has touched an object during the action.")
+    bumped_right = _truth(RIGHT, "Whether the right half of the bumper has touched an object during the action.")
+    touched = _truth(TOUCHED, "Whether any part except the wheels has touched an object during the action.")
 
     def __init__(self, episode):
         self._state = episode.state
@@ -59,7 +60,7 @@ class RobotState:
 
     @property
     def bumped(self):
-        """Whether the bumper has met something during the action."""
+        """Whether the bumper has touched an object during the action."""
         return self._state[LEFT] + self._state[RIGHT] > 0
 
     def _begin(self):

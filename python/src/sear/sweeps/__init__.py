@@ -1,4 +1,4 @@
-"""Many runs of a function or a script, on many processes or computers by Dask Distributed: docs/sweeps.md."""
+"""Many runs of a function or a script, on many processes or computers, with Dask Distributed: docs/sweeps.md."""
 import hashlib
 import importlib.util
 import inspect
@@ -19,20 +19,20 @@ def sweep(function, grid=None, seeds=1, *, workers=None, scheduler=None, schedul
           again=None, quiet=False):
     """Calls a function once for each seed and each combination of values: function(seed=7, speed=0.1).
 
-    function: answers a dictionary of results (numbers, texts, True, False), one of them, or None.
-    grid: names of parameters and their values, such as {"speed": [0.1, 0.2]}.
-    seeds: how many, from 1 on, or a list of them.
-    workers: processes on this computer; as many as it has processors unless said.
-    scheduler, scheduler_file: the address of a Dask scheduler that runs, or the file with it.
-    limit: seconds after which a run is ended.
-    memory: MB above which a run's process is ended; None: no limit.
-    out: a folder for rows.csv and rows.parquet; a sweep that was broken off there goes on. None: nothing is written.
-    fresh: whether to forget the rows that are there, and begin anew.
-    again: the number of a row of the sweep in the folder: only that one is run again, and answered.
-    quiet: whether to say nothing of the progress.
+    function: returns a dictionary of results (numbers, texts, True, False), a single result, or None.
+    grid: names of parameters and their values, for example {"speed": [0.1, 0.2]}.
+    seeds: a number of seeds, counted from 1, or a list of them.
+    workers: number of processes on this computer. Default: its number of processors.
+    scheduler, scheduler_file: the address of a running Dask scheduler, or the file with it.
+    limit: seconds after which a run is aborted.
+    memory: MB above which a run's process is aborted; None: no limit.
+    out: a folder for rows.csv and rows.parquet, in which an interrupted sweep continues. None: writes nothing.
+    fresh: whether to delete existing rows and start over.
+    again: number of a row of the sweep in the folder: reruns and returns only that row.
+    quiet: whether to print no progress.
 
-    Answers the rows as dictionaries, in the order of their numbers. Raises ValueError for what is not legal, RuntimeError if no run can be made, or
-    if a row is not the same again.
+    Returns the rows as dictionaries, in the order of their numbers. Raises ValueError for illegal arguments, RuntimeError
+    if runs are impossible, or if a repeated row differs.
     """
     if not callable(function):
         raise ValueError("function is %r, legal: a function of seed and parameters" % (function,))
@@ -51,7 +51,7 @@ def sweep(function, grid=None, seeds=1, *, workers=None, scheduler=None, schedul
 
 def sweep_script(script, grid, seeds, *, python3=False, workers=None, scheduler=None, scheduler_file=None, limit=LIMIT, memory=None, out=None,
                  fresh=False, again=None):
-    """The same of a script, which asks for its parameters by sear.getParameter and tells its results by sear.setResult."""
+    """Sweeps a script, which reads its parameters with sear.getParameter and reports results with sear.setResult."""
     try:
         with open(script, "rb") as file:
             source = file.read()
@@ -76,7 +76,7 @@ def _name(function):
 
 
 def _digest(function):
-    """Of the file that the function stands in, else of its source, else of its code."""
+    """Returns the digest of the function's file, else of its source, else of its code."""
     try:
         with open(inspect.getsourcefile(function), "rb") as file:
             return hashlib.sha256(file.read()).hexdigest()
@@ -89,7 +89,7 @@ def _digest(function):
 
 
 class _Sweep:
-    """One of them."""
+    """One sweep."""
 
     def __init__(self, plan, payload, path, grid, seeds, limit, memory, out, quiet):
         self._rows = _plan.Rows(seeds, grid)
@@ -105,13 +105,13 @@ class _Sweep:
         self._width = 0
 
     def _common(self):
-        """What all runs are given."""
+        """Returns the data common to all runs."""
         return {"kind": self._plan["kind"], "digest": self._plan["digest"], "version": self._plan["version"], "payload": self._payload,
                 "path": self._path, "folder": os.getcwd(), "limit": self._limit, "memory": self._memory,
                 "imports": os.path.abspath(sys.path[0] or "."), "modules": [one for one in ("sear.gym",) if one in sys.modules]}
 
     def _part(self, row):
-        """What a run has for itself."""
+        """Returns the data of one run."""
         seed, parameters = self._rows[row]
         return {"row": row, "seed": seed, "parameters": parameters}
 
@@ -120,7 +120,7 @@ class _Sweep:
                 "digest": self._plan["digest"]}
 
     def run(self, workers, scheduler, scheduler_file, fresh, again):
-        """Makes all runs that are missing. Answers the rows."""
+        """Performs all missing runs. Returns the rows."""
         if scheduler is not None and scheduler_file is not None:
             raise ValueError("scheduler is %s and scheduler_file %s, legal: one of them" % (scheduler, scheduler_file))
         if scheduler_file is not None and not os.path.isfile(scheduler_file):
@@ -140,7 +140,7 @@ class _Sweep:
             if missing:
                 self._deal(missing, done, number, scheduler, scheduler_file)
             elif not self._quiet:
-                self._tell("all %d rows are there already" % len(done))
+                self._tell("all %d rows exist already" % len(done))
         finally:
             rows = [done[row] for row in sorted(done)]
             if self._folder is not None:
@@ -165,25 +165,26 @@ class _Sweep:
         with _deal.connected(number, scheduler, scheduler_file, self._tell) as client:
             begun.append(time.monotonic())
             if before:
-                self._tell("%d of %d rows are there already" % (before, len(self._rows)))
+                self._tell("%d of %d rows exist already" % (before, len(self._rows)))
             _deal.deal(client, self._common(), (self._part(row) for row in missing), took)
 
     def _unasked(self, answers):
-        """Once, of the first run that has come to its end: a name that is spelled otherwise than in the script makes no difference there."""
+        """Warns once, after the first successful run, of parameters that the script did not read, for example misspelt
+        ones."""
         first = next(((part, answer) for part, answer in answers if answer["status"] == "ok"), None)
         if not self._first or first is None:
             return
         self._first = False
         part, answer = first
         for name in answer.get("unasked", ()):
-            self._tell("row %d has not asked for parameter %s: is it called so in the script, in sear.getParameter?" % (part["row"], name))
+            self._tell("row %d has not used parameter %s: does the script pass this name to sear.getParameter?" % (part["row"], name))
 
     def _tell(self, text):
         if not self._quiet:
             print("sear sweep: " + text, file=sys.stderr, flush=True)
 
     def _progress(self, done, before, begun):
-        """Now and then, and at the end."""
+        """Prints the progress from time to time, and at the end."""
         terminal = sys.stderr.isatty()
         now = time.monotonic()
         ended = len(done) == len(self._rows)
@@ -192,20 +193,20 @@ class _Sweep:
         self._told = now
         rate = (len(done) - before) / max(now - begun[0], 1e-9)
         bad = sum(one["status"] != "ok" for one in done.values())
-        text = "sear sweep: %d of %d rows, %d not ok, %.1f a second%s" % (
+        text = "sear sweep: %d of %d rows, %d not ok, %.1f per second%s" % (
             len(done), len(self._rows), bad, rate, "" if ended else ", %.0f s left" % ((len(self._rows) - len(done)) / rate))
         self._width = max(self._width, len(text))
         print(("\r" if terminal else "") + text.ljust(self._width if terminal else 0), end="" if terminal and not ended else "\n", file=sys.stderr,
               flush=True)
 
     def _again(self, row):
-        """Runs one row again, here and without Dask."""
+        """Reruns one row in a local child process, without Dask."""
         there = None if self._folder is None else self._folder.plan()
         if there is None:
             raise ValueError("row %s can't be run again: %s; legal: a folder with the rows of this sweep"
-                             % (row, "no folder is named" if self._folder is None else "%s has no sweep" % self._folder.path))
+                             % (row, "no folder is given" if self._folder is None else "%s has no sweep" % self._folder.path))
         if (there["kind"], there["digest"]) != (self._plan["kind"], self._plan["digest"]):
-            raise ValueError("row %s can't be run again: %s is another one than that of the sweep (SHA-256 %s now, %s then)"
+            raise ValueError("row %s can't be run again: %s differs from that of the sweep (SHA-256 %s now, %s then)"
                              % (row, self._plan["name"], self._plan["digest"][:8], there["digest"][:8]))
         self._rows = _plan.Rows(there["seeds"], there["grid"])
         number = _plan.whole("row", row, 0, len(self._rows) - 1)
@@ -219,12 +220,12 @@ class _Sweep:
         print(answer.pop("output"), end="", file=sys.stderr)
         new = self._row(self._part(number), answer)
         if old["version"] != new["version"]:
-            self._tell("the row was made by SEAR %s, this is %s" % (old["version"], new["version"]))
+            self._tell("the row is from SEAR %s, this is %s" % (old["version"], new["version"]))
             new["version"] = old["version"]
         names = columns([old, new])
         if lines([old]) != lines([new]):
             other = ["%s was %s and is %s" % (name, _plan.shown(flat(old, names)[name]), _plan.shown(flat(new, names)[name])) for name in names
                      if repr(flat(old, names)[name]) != repr(flat(new, names)[name])]
-            raise RuntimeError("row %d is not the same again: %s" % (number, "; ".join(other) or "its results come in another order"))
-        self._tell("row %d is the same again, to the byte" % number)
+            raise RuntimeError("row %d differs: %s" % (number, "; ".join(other) or "its results are in another order"))
+        self._tell("row %d is identical to the byte" % number)
         return flat(new, names)

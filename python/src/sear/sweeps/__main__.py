@@ -1,4 +1,4 @@
-"""The command: python3 -m sear.sweeps SCRIPT.py, which `sear sweep` starts."""
+"""The command: python3 -m sear.sweeps SCRIPT.py, started by `sear sweep`."""
 import argparse
 import os
 import signal
@@ -12,7 +12,7 @@ class _Parser(argparse.ArgumentParser):
 
 def _parser():
     parser = _Parser(prog="sear sweep", allow_abbrev=False, description="Runs a script once for each seed and each combination of parameters: "
-                     "sear sweep --help has the options.")
+                     "sear sweep --help lists the options.")
     parser.add_argument("script")
     for name in ("--seeds", "--workers", "--scheduler", "--scheduler-file", "--limit", "--memory", "--out", "--again"):
         parser.add_argument(name)
@@ -23,14 +23,14 @@ def _parser():
 
 
 def _interrupt(number, frame):
-    """Once: what is done is written then, and that takes its time."""
+    """Interrupts once: writing the finished rows takes time, during which further signals are ignored."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     raise KeyboardInterrupt
 
 
 def main(arguments):
-    """Answers the exit status."""
+    """Returns the exit status."""
     from . import LIMIT, _plan, sweep_script
     folder = None
     try:
@@ -57,7 +57,7 @@ def main(arguments):
         print("sear sweep: %s" % error, file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("\nsear sweep: broken off; the rows that were there are in %s, and the same command goes on" % folder, file=sys.stderr)
+        print("\nsear sweep: interrupted; the finished rows are in %s, and the same command continues" % folder, file=sys.stderr)
         return 130
     if given.again is None:
         print("%d rows in %s: %s" % (len(rows), folder, _counts(rows)))

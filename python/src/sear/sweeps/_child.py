@@ -1,6 +1,7 @@
-"""A process that makes one run after the other: what it is asked comes by its standard input, what it answers goes to its standard output.
+"""A process that performs runs one by one. Requests arrive on its standard input, answers go to its standard output.
 
-Java starts once. What scripts print goes to the error output, which the one that asks has turned into a file. It ends when nobody can ask any more.
+Java starts once. Output of scripts goes to standard error, which the parent redirects to a file. The process ends when
+its standard input is closed.
 """
 import importlib
 import json
@@ -24,7 +25,7 @@ PROJECT = "SEARproject"
 
 
 def _streams():
-    """Where questions come from and answers go to; scripts get neither."""
+    """Returns the streams of requests and answers; hides both from scripts."""
     questions = os.fdopen(os.dup(0), "rb")
     answers = os.fdopen(os.dup(1), "wb")
     nothing = os.open(os.devnull, os.O_RDONLY)
@@ -34,7 +35,7 @@ def _streams():
 
 
 def _listen(questions, asked):
-    """On a thread of its own, so that the end of the one that asks ends an endless script, too."""
+    """Reads requests on its own thread, so that the end of the parent also ends an endless script."""
     try:
         while True:
             head = questions.read(LENGTH.size)
@@ -52,7 +53,7 @@ def _answer(answers, what):
 
 
 def shortened(traceback, script):
-    """The message of a row: the last line of the script that took part, and what went wrong."""
+    """Returns the message of a row: the line of the script and the error."""
     lines = traceback.rstrip().split("\n")
     frames = [found for found in map(FRAME.match, lines) if found]
     if not frames:
@@ -84,7 +85,7 @@ class _Runs:
             self._scripts.prepare()
 
     def run(self, task):
-        """Makes one run. Answers status, message, results, and whether the process is as it was before."""
+        """Performs one run. Returns status, message, results, and whether the process is clean afterwards."""
         folder = tempfile.mkdtemp(prefix="sear-sweep")
         project = os.path.join(folder, PROJECT)
         if os.path.isdir(PROJECT):
@@ -115,7 +116,7 @@ class _Runs:
             shutil.rmtree(folder, ignore_errors=True)
 
     def _carried_out(self, task, folder):
-        """What a function answers, and what went wrong."""
+        """Returns the result of a function or script, and its error."""
         if task["kind"] == "function":
             return self._python(lambda: self._call(task), None)
         script = task["path"]
@@ -153,11 +154,11 @@ class _Runs:
                 _forget(modules, os.path.dirname(script))
             _settle(threads)
         if not message and self._sear.python.failed:
-            message = "a function that was called back has failed"
+            message = "a callback failed"
         return answer, message
 
     def _call(self, task):
-        """Of a function, which is read once and not for each run."""
+        """Calls a function, which is unpickled once, not for each run."""
         if self._function[0] != task["digest"]:
             import cloudpickle
             for name in task["modules"]:
@@ -170,7 +171,7 @@ class _Runs:
         return {"result": answer.item() if hasattr(answer, "item") else answer}
 
     def _execute(self, script, source):
-        """As `python3 -m sear` does."""
+        """Runs a script like `python3 -m sear`."""
         self._modules.install()
         module = types.ModuleType("__main__")
         module.__dict__.update(__file__=os.path.abspath(script), Runtime=self._sear.Runtime, python=self._sear.python, sleep=time.sleep)
@@ -189,11 +190,11 @@ def _same(path, content):
 
 
 def _wrong(results, parameters):
-    """What is wrong with results; None if nothing is."""
+    """Returns what is wrong with the results; None if nothing is."""
     from . import _plan
     for name, value in results.items():
         if not _plan.legal_name(name) or name in parameters:
-            return "result is called %s, legal: %s, and no parameter's name" % (_plan.shown(name), _plan.LEGAL_NAME)
+            return "result name is %s, legal: %s, and no parameter's name" % (_plan.shown(name), _plan.LEGAL_NAME)
         if not isinstance(value, (int, float, str)):
             return "result %s is %s, legal: a number, a text, True or False" % (name, _plan.shown(value))
         if isinstance(value, int) and not -2 ** 63 <= value < 2 ** 63:
@@ -202,7 +203,7 @@ def _wrong(results, parameters):
 
 
 def _forget(known, folder):
-    """Modules beside the script, which the next run has to find as they are at first."""
+    """Unloads modules beside the script, so that the next run imports them again."""
     for name in set(sys.modules) - known:
         file = getattr(sys.modules[name], "__file__", None)
         if file and os.path.dirname(os.path.abspath(file)).startswith(os.path.abspath(folder)):
@@ -210,14 +211,14 @@ def _forget(known, folder):
 
 
 def _settle(threads):
-    """The thread that called functions back is about to end."""
+    """Waits for the end of the callback thread."""
     for one in threading.enumerate():
         if threading.active_count() > threads and one.name == "sear callbacks":
             one.join(1)
 
 
 def main():
-    """Answers hello, then each question."""
+    """Sends hello, then answers each request."""
     questions, answers = _streams()
     asked = queue.Queue()
     threading.Thread(target=_listen, args=(questions, asked), name="questions", daemon=True).start()

@@ -1,18 +1,19 @@
-"""Workers of Dask on this computer, in a process of its own: python3 -m sear.sweeps._cluster NUMBER. It ends when its standard input does.
+"""Dask workers on this computer, in their own process: python3 -m sear.sweeps._cluster NUMBER. It ends when its
+standard input is closed.
 
-In the process of the program that sweeps they would read that program once more, and what it does outside of functions would be done again.
+Workers in the sweeping program's process would import that program again and repeat its statements outside functions.
 """
 import json
 import os
 import subprocess
 import sys
 
-SETTINGS = {"DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False",       # it would look a hundred times a second what a worker that waits does
-            "DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES": "20"}       # how many workers may be killed under one run
+SETTINGS = {"DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False",       # it would sample a waiting worker a hundred times per second
+            "DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES": "20"}       # number of workers that may be killed during one run
 
 
 class Local:
-    """Such a process."""
+    """The process of the workers."""
 
     def __init__(self, workers):
         self._process = subprocess.Popen([sys.executable, "-m", "sear.sweeps._cluster", str(workers)], stdin=subprocess.PIPE,
@@ -20,13 +21,13 @@ class Local:
         told = self._process.stdout.readline()
         if not told:
             self.close()
-            raise RuntimeError("Dask's workers do not start; what they say stands above")
+            raise RuntimeError("Dask's workers do not start; see their messages above")
         said = json.loads(told)
         self.address = said["address"]
         self.dashboard = said["dashboard"]
 
     def close(self):
-        """Ends all of it."""
+        """Ends the process."""
         self._process.stdin.close()
         try:
             self._process.wait(20)
@@ -36,7 +37,7 @@ class Local:
 
 
 def main(workers):
-    """Tells the addresses and waits for the end."""
+    """Prints the addresses and waits for the end."""
     import logging
     from distributed import LocalCluster
     with LocalCluster(n_workers=workers, threads_per_worker=1, memory_limit=0, host="127.0.0.1", dashboard_address="127.0.0.1:0",

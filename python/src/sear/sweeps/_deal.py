@@ -1,4 +1,4 @@
-"""Deals runs out to workers of Dask and takes their answers."""
+"""Distributes runs to Dask workers and collects their answers."""
 import contextlib
 import itertools
 import logging
@@ -7,17 +7,17 @@ import uuid
 from . import _worker
 from ._cluster import Local
 
-AHEAD = 10             # tasks that Dask has at once, and for each of its workers' threads:
+AHEAD = 10             # tasks submitted to Dask in advance, and per thread of its workers:
 AHEAD_OF_THREAD = 4
-TASK_SECONDS = 0.5     # so long a task of several runs is to take
-MOST = 100             # runs in one
-WEIGHT = 0.1           # of the last run in the mean
-TIMES = 5              # a run under which workers end again and again is given up
+TASK_SECONDS = 0.5     # target duration of a task of several runs
+MOST = 100             # maximum runs per task
+WEIGHT = 0.1           # weight of the last run in the mean
+TIMES = 5              # number of attempts at a run during which workers die
 
 
 @contextlib.contextmanager
 def connected(workers, scheduler, scheduler_file, tell):
-    """A client of Dask: of workers on this computer, or of a scheduler that runs."""
+    """Returns a Dask client: for workers on this computer, or for a running scheduler."""
     from distributed import Client
     local = None
     try:
@@ -27,7 +27,7 @@ def connected(workers, scheduler, scheduler_file, tell):
         try:
             client = Client(scheduler, timeout=30) if scheduler_file is None else Client(scheduler_file=scheduler_file, timeout=30)
         except (OSError, ValueError, TimeoutError) as error:
-            raise ValueError("no Dask scheduler answers at %s (%s), legal: the address of one that runs, such as tcp://host:8786"
+            raise ValueError("no Dask scheduler answers at %s (%s), legal: the address of a running one, for example tcp://host:8786"
                              % (scheduler or scheduler_file, error or type(error).__name__)) from None
         logging.getLogger("distributed").setLevel(logging.CRITICAL)
         try:
@@ -51,22 +51,23 @@ def _has(module):
 
 
 class _Size:
-    """How many runs go into one task of Dask: of short ones several, since each task costs some milliseconds; it grows with what runs have taken."""
+    """Number of runs per Dask task. A task costs some milliseconds, so short runs are grouped. The number follows the
+    measured durations."""
 
     def __init__(self):
         self._seconds = TASK_SECONDS
 
     def took(self, seconds):
-        """A run has taken so long."""
+        """Records the duration of a run."""
         self._seconds += (seconds - self._seconds) * WEIGHT
 
     def now(self):
-        """The number."""
+        """Returns the number."""
         return max(1, min(MOST, int(TASK_SECONDS / max(self._seconds, 1e-6))))
 
 
 class _Dealer:
-    """Has all runs done on the workers of a client."""
+    """Runs everything on the workers of a client."""
 
     def __init__(self, client, common, parts, took):
         from distributed import as_completed
@@ -94,7 +95,7 @@ class _Dealer:
             self._give(parts, 0)
 
     def _failed(self, future):
-        """Of a task that has come to nothing: the answers of runs that are given up; the others are given out again."""
+        """Handles a failed task: returns answers for abandoned runs and resubmits the others."""
         from distributed.scheduler import KilledWorker
         error = future.exception() if future.status == "error" else None
         if error is not None and not isinstance(error, KilledWorker):
@@ -102,18 +103,19 @@ class _Dealer:
         return self._again(future)
 
     def _again(self, future):
-        """The same, where workers have ended under the task or with what it had answered."""
+        """Handles a task whose workers died during it or with its result."""
         if self._client.status != "running":
-            raise RuntimeError("Dask's scheduler has gone")
+            raise RuntimeError("the connection to Dask's scheduler is lost")
         parts, tries = self._out.pop(future.key)
         if len(parts) == 1 and tries + 1 >= TIMES:
-            return [(parts[0], {"status": "died", "message": "workers of Dask ended under the run again and again", "results": {}})]
+            return [(parts[0], {"status": "died", "message": "Dask workers died repeatedly during the run", "results": {}})]
         for one in parts:
             self._give([one], tries + 1)
         return []
 
     def _made(self, batch):
-        """The finished tasks of a batch with what they have answered; none if a worker has ended meanwhile and taken some with it."""
+        """Returns the finished tasks of a batch with their results; none if a worker has died meanwhile with some of
+        them."""
         from distributed import CancelledError
         from distributed.scheduler import KilledWorker
         good = [future for future in batch if future.status == "finished" and future.key in self._out]
@@ -123,7 +125,7 @@ class _Dealer:
             return []
 
     def run(self):
-        """Until the last is there."""
+        """Runs until the last answer."""
         self._more()
         for batch in self._coming.batches():
             answers = []
@@ -132,7 +134,7 @@ class _Dealer:
                     self._size.took(answer.pop("seconds"))
                     answers.append((part, answer))
             for future in batch:
-                if future.key in self._out:     # not among the finished ones
+                if future.key in self._out:     # not finished
                     answers += self._failed(future)
             if answers:
                 self._took(answers)
@@ -140,14 +142,14 @@ class _Dealer:
 
 
 def deal(client, common, parts, took):
-    """Has all runs done; took gets lists of (part, answer) as they come.
+    """Performs all runs; took receives lists of (part, answer) as they arrive.
 
-    common: what is the same in all tasks. parts: dictionaries of what is not.
+    common: data common to all tasks. parts: dictionaries with the data of each run.
 
-    Raises RuntimeError if a worker can make no run, or the scheduler has gone.
+    Raises RuntimeError if a worker can't run anything, or the scheduler is lost.
     """
     from distributed import CancelledError
     try:
         _Dealer(client, common, parts, took).run()
     except (CancelledError, OSError) as error:
-        raise RuntimeError("Dask's scheduler has gone (%s)" % (error or type(error).__name__)) from None
+        raise RuntimeError("the connection to Dask's scheduler is lost (%s)" % (error or type(error).__name__)) from None

@@ -1,4 +1,5 @@
-"""The folder of a sweep: what it is (sweep.json), each row as soon as it is there (journal.jsonl), and the tables (rows.csv, rows.parquet)."""
+"""The folder of a sweep: its plan (sweep.json), each finished row (journal.jsonl), and the tables (rows.csv,
+rows.parquet)."""
 import csv
 import io
 import json
@@ -12,7 +13,7 @@ LAST = ("status", "message", "version", "digest")
 
 
 def columns(rows):
-    """All of them: row, seed, parameters, results in the order in which they first come, and how it went."""
+    """Returns all columns: row, seed, parameters, results in order of appearance, status."""
     results = {}
     for one in rows:
         results.update(dict.fromkeys(one["results"]))
@@ -21,18 +22,18 @@ def columns(rows):
 
 
 def flat(row, names):
-    """A row as a dictionary with all columns; what it has not is None."""
+    """Returns a row as a dictionary with all columns; missing values are None."""
     values = {"row": row["row"], "seed": row["seed"], **row["parameters"], **row["results"], **{name: row[name] for name in LAST}}
     return {name: values.get(name) for name in names}
 
 
 def text(value):
-    """As in the table of text; numbers are so long that they are the same when they are read again."""
+    """Formats a value for the CSV table; numbers have enough digits to be read back exactly."""
     return "" if value is None else str(value).lower() if isinstance(value, bool) else repr(value) if isinstance(value, float) else str(value)
 
 
 def lines(rows):
-    """The table of text, with its head."""
+    """Returns the CSV table with its header."""
     names = columns(rows)
     made = io.StringIO()
     writer = csv.writer(made, lineterminator="\n")
@@ -43,7 +44,7 @@ def lines(rows):
 
 
 def parquet(rows, path):
-    """The table in columns: whole numbers, numbers, truth or texts; a column of several kinds is one of texts."""
+    """Writes the columnar table: integers, numbers, booleans or texts; a column of mixed kinds is text."""
     import pyarrow
     from pyarrow import parquet as format
     names = columns(rows)
@@ -65,7 +66,7 @@ def parquet(rows, path):
 
 
 class Folder:
-    """One of them. One thread."""
+    """The folder of one sweep. One thread."""
 
     def __init__(self, path):
         self.path = path
@@ -75,7 +76,7 @@ class Folder:
         return os.path.join(self.path, name)
 
     def plan(self):
-        """What is written of the sweep; None if there is none."""
+        """Returns the stored plan of the sweep; None if there is none."""
         try:
             with open(self._at(PLAN), encoding="utf-8") as file:
                 return json.load(file)
@@ -83,15 +84,15 @@ class Folder:
             return None
 
     def forget(self):
-        """Deletes what a sweep has written, and nothing else."""
+        """Deletes the files of a sweep, and no others."""
         for name in (PLAN, JOURNAL, CSV, PARQUET):
             if os.path.exists(self._at(name)):
                 os.remove(self._at(name))
 
     def begin(self, plan):
-        """Opens it; answers the rows that it has, by their numbers.
+        """Opens the folder; returns its rows by number.
 
-        Raises ValueError if they are those of another sweep, OSError if it can't be written.
+        Raises ValueError if they belong to another sweep, OSError if the folder is not writable.
         """
         os.makedirs(self.path, exist_ok=True)
         there = self.plan()
@@ -102,7 +103,7 @@ class Folder:
             os.replace(self._at(PLAN) + ".part", self._at(PLAN))
         elif json.loads(json.dumps(plan)) != there:
             other = [name for name in plan if json.loads(json.dumps(plan[name])) != there.get(name)]
-            raise ValueError("%s has the rows of another sweep, with another %s: name another folder, or begin anew there (--fresh)"
+            raise ValueError("%s has the rows of another sweep, with another %s: choose another folder, or start over there (--fresh)"
                              % (self.path, " and ".join(other)))
         self._journal = open(self._at(JOURNAL), "a+b")
         self._lock()
@@ -117,10 +118,10 @@ class Folder:
         try:
             fcntl.flock(self._journal, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
-            raise ValueError("another sweep is at work in %s: name another folder" % self.path) from None
+            raise ValueError("another sweep is using %s: choose another folder" % self.path) from None
 
     def _read(self):
-        """All whole lines; half a one, at which it was broken off, is cut off."""
+        """Reads all complete lines; truncates an incomplete last one."""
         self._journal.seek(0)
         rows = []
         end = 0
@@ -133,17 +134,17 @@ class Folder:
         return rows
 
     def rows(self):
-        """All rows that are there, by their numbers, without opening it to write."""
+        """Returns all rows by number, without opening the journal for writing."""
         with open(self._at(JOURNAL), "rb") as file:
             return {one["row"]: one for one in (json.loads(line) for line in file if line.endswith(b"\n"))}
 
     def add(self, rows):
-        """Writes rows into the journal."""
+        """Appends rows to the journal."""
         self._journal.write(b"".join(json.dumps(one).encode("ascii") + b"\n" for one in rows))
         self._journal.flush()
 
     def tables(self, rows):
-        """Writes both tables, each as a whole or not at all."""
+        """Writes both tables atomically."""
         with open(self._at(CSV) + ".part", "w", encoding="utf-8", newline="") as file:
             file.write(lines(rows))
         parquet(rows, self._at(PARQUET) + ".part")
@@ -151,6 +152,6 @@ class Folder:
             os.replace(self._at(name) + ".part", self._at(name))
 
     def close(self):
-        """Lets go of it."""
+        """Closes the journal."""
         if self._journal is not None:
             self._journal.close()

@@ -1,4 +1,4 @@
-"""What a sweep consists of: seeds, values of parameters, and in which order the rows come."""
+"""The plan of a sweep: seeds, values of parameters, and the order of rows."""
 import hashlib
 import itertools
 import math
@@ -12,13 +12,13 @@ TAKEN = ("row", "seed", "status", "message", "version", "digest")
 LEGAL_NAME = "letters, digits and _, not a digit first, and none of " + ", ".join(TAKEN)
 SEED_LIMIT = 2 ** 63
 MOST_ROWS = 10_000_000
-DIGITS = "%.12g"    # so that 0.1:0.5:5 has 0.3 and not 0.30000000000000004
+DIGITS = "%.12g"    # so that 0.1:0.5:5 contains 0.3 and not 0.30000000000000004
 
 
 def whole(thing, value, low, high):
-    """A whole number, also as text.
+    """Returns an integer, also from text.
 
-    Raises ValueError, with thing, value and what is legal.
+    Raises ValueError with the thing, its value and what is legal.
     """
     try:
         number = int(value)
@@ -30,9 +30,9 @@ def whole(thing, value, low, high):
 
 
 def positive(thing, value):
-    """A number above 0, also as text.
+    """Returns a number above 0, also from text.
 
-    Raises ValueError, with thing, value and what is legal.
+    Raises ValueError with the thing, its value and what is legal.
     """
     try:
         number = float(value)
@@ -44,13 +44,13 @@ def positive(thing, value):
 
 
 def shown(value):
-    """A value in a message."""
+    """Formats a value for a message."""
     return '"%s"' % value if isinstance(value, str) else repr(value)
 
 
 def seeds_of(thing, given):
-    """The seeds as a list: a number is how many from 1 on, "A:B" from A to B, and a list has them."""
-    legal = "legal: how many, from 1 to %d, or A:B, from A to B%s" % (MOST_ROWS, "" if isinstance(given, str) else ", or a list of whole numbers")
+    """Returns the seeds as a list: from a count (1, 2, ...), from "A:B" (A to B), or from a list."""
+    legal = "legal: a count from 1 to %d, or A:B for A to B%s" % (MOST_ROWS, "" if isinstance(given, str) else ", or a list of whole numbers")
     if isinstance(given, str) and ":" in given:
         first, _, last = given.partition(":")
         try:
@@ -72,12 +72,12 @@ def seeds_of(thing, given):
 
 
 def plain(value):
-    """One of numpy's numbers as one of Python's."""
+    """Converts numpy's numbers to Python's."""
     return value.item() if hasattr(value, "item") else value
 
 
 def read(text):
-    """A value on the command line: a whole number, a number, true, false or a text."""
+    """Parses a value of the command line: an integer, a number, true, false or a text."""
     for kind in (int, float):
         try:
             return kind(text)
@@ -87,9 +87,9 @@ def read(text):
 
 
 def values_of(text):
-    """What --set says: name and values."""
+    """Parses --set: name and values."""
     name, equals, said = text.partition("=")
-    legal = "legal: NAME=A:B:N, N values from A to B, or NAME=A,B,C; a name has " + LEGAL_NAME
+    legal = "legal: NAME=A:B:N, N values from A to B, or NAME=A,B,C; names: " + LEGAL_NAME
     if not equals or not said or not legal_name(name):
         raise ValueError("--set is %s, %s" % (shown(text), legal))
     if said.count(":") == 2:
@@ -100,7 +100,7 @@ def values_of(text):
                 raise ValueError
         except ValueError:
             raise ValueError("--set is %s, %s" % (shown(text), legal)) from None
-        number = whole("--set %s: how many values" % name, count, 2, MOST_ROWS)
+        number = whole("--set %s: number of values" % name, count, 2, MOST_ROWS)
         made = [float(DIGITS % (low + (high - low) * at / (number - 1))) for at in range(number)]
         isWhole = isinstance(read(first), int) and isinstance(read(last), int) and all(one.is_integer() for one in made)
         return name, [int(one) for one in made] if isWhole else made
@@ -108,19 +108,19 @@ def values_of(text):
 
 
 def legal_name(name):
-    """Whether a parameter or a result may be called so."""
+    """Whether a parameter or a result may have that name."""
     return isinstance(name, str) and bool(NAME.match(name)) and name not in TAKEN
 
 
 def checked_grid(grid):
-    """A list of names and values, of numbers, texts, True and False of Python's own.
+    """Returns a list of names and values, which are Python's own numbers, texts, True and False.
 
-    Raises ValueError, with thing, value and what is legal.
+    Raises ValueError with the parameter, its value and what is legal.
     """
     made = []
     for name, values in (grid or {}).items():
         if not legal_name(name):
-            raise ValueError("parameter is called %s, legal: %s" % (shown(name), LEGAL_NAME))
+            raise ValueError("parameter name is %s, legal: %s" % (shown(name), LEGAL_NAME))
         if isinstance(values, (str, bytes)) or not hasattr(values, "__iter__"):
             raise ValueError("parameter %s is %s, legal: a list of numbers, texts, True or False" % (name, shown(values)))
         listed = [plain(one) for one in values]
@@ -149,13 +149,13 @@ class Rows:
         return len(self._combinations) * len(self.seeds)
 
     def __getitem__(self, row):
-        """Seed and parameters."""
+        """Returns seed and parameters of a row."""
         combination, seed = divmod(row, len(self.seeds))
         return self.seeds[seed], dict(zip(self.names, self._combinations[combination]))
 
 
 def version():
-    """Of SEAR, with the first digits of its jar's SHA-256: two builds of one version can differ."""
+    """Returns SEAR's version with the first digits of its jar's SHA-256, since two builds of one version can differ."""
     home = _home.find()
     with open(_home.jar(home), "rb") as jar:
         return "%s+%s" % (_home.version(home), hashlib.sha256(jar.read()).hexdigest()[:8])

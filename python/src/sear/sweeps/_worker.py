@@ -1,4 +1,5 @@
-"""In a worker of Dask: gives runs to processes of their own, which stay for the next runs, and ends those that take too long or too much."""
+"""Code of a Dask worker: passes runs to child processes, which are reused, and kills those that exceed their time or
+memory."""
 import json
 import os
 import pickle
@@ -15,11 +16,11 @@ from ._child import LENGTH
 START_SECONDS = 180
 LOOK_SECONDS = 0.2
 LOG_BYTES = 64 * 1024 * 1024
-RUNS = 2000    # of one process
+RUNS = 2000    # maximum runs of one process
 
 
 class Child:
-    """One such process. One thread at a time."""
+    """A child process. One thread at a time."""
 
     def __init__(self, folder, kind):
         self._log = tempfile.TemporaryFile(mode="a+b")
@@ -46,7 +47,7 @@ class Child:
             self._answers.put(json.loads(stream.read(LENGTH.unpack(head)[0])))
 
     def run(self, task):
-        """The row's status, message and results."""
+        """Returns the row's status, message and results."""
         self.runs += 1
         os.ftruncate(self._log.fileno(), 0)
         question = pickle.dumps(task)
@@ -54,7 +55,7 @@ class Child:
             self._process.stdin.write(LENGTH.pack(len(question)) + question)
             self._process.stdin.flush()
         except OSError:
-            pass    # it has died, which is found below
+            pass    # detected below
         return self._wait(task["limit"], task["memory"])
 
     def _wait(self, limit, memory):
@@ -67,7 +68,7 @@ class Child:
                 answer = self._answers.get(timeout=min(LOOK_SECONDS, left))
             except queue.Empty:
                 if memory is not None and self._bytes() > memory * 2 ** 20:
-                    return _lost("memory", "the run's process took more than %g MB" % memory)
+                    return _lost("memory", "the run's process used more than %g MB" % memory)
                 if os.fstat(self._log.fileno()).st_size > LOG_BYTES:
                     os.ftruncate(self._log.fileno(), 0)
                 continue
@@ -85,15 +86,15 @@ class Child:
         status = self._process.wait()
         if status < 0:
             return "the run's process was ended by %s" % signal.Signals(-status).name
-        return "the run has ended its process, with status %d" % status
+        return "the run ended its process with status %d" % status
 
     def output(self):
-        """What it has printed."""
+        """Returns what the run has printed."""
         self._log.seek(0)
         return self._log.read(LOG_BYTES).decode("utf-8", "replace")
 
     def end(self):
-        """Kills it, and what it has started."""
+        """Kills the process and its children."""
         try:
             if hasattr(os, "killpg"):
                 os.killpg(self._process.pid, signal.SIGKILL)
@@ -111,16 +112,16 @@ def _lost(status, message):
 
 
 class _Children:
-    """Of this worker: those that are free, and those that run."""
+    """Free and busy children of this worker."""
     lock = threading.Lock()
     free = {}
     busy = set()
 
 
 def run(task):
-    """Makes one run: a dictionary of status, message and results, and with task["output"] of what was printed.
+    """Performs one run: returns a dictionary of status, message and results, with task["output"] also the printed text.
 
-    Raises RuntimeError if no run can be made here.
+    Raises RuntimeError if no run is possible here.
     """
     key = task["folder"], task["kind"]
     with _Children.lock:
@@ -132,7 +133,7 @@ def run(task):
         _Children.busy.add(child)
     try:
         if child.version != task["version"]:
-            raise RuntimeError("a worker has SEAR %s, but the sweep was begun with %s: install the same there" % (child.version, task["version"]))
+            raise RuntimeError("a worker has SEAR %s, but the sweep started with %s: install that version there" % (child.version, task["version"]))
         answer = child.run(task)
         if task.get("output"):
             answer["output"] = child.output()
@@ -151,7 +152,7 @@ def run(task):
 
 
 def run_all(common, parts):
-    """Makes several runs, each with what it has for itself; the answers have the seconds that each took, too."""
+    """Performs several runs, each with its own data; the answers include the seconds of each."""
     answers = []
     for part in parts:
         begun = time.monotonic()
@@ -161,7 +162,7 @@ def run_all(common, parts):
 
 
 def close():
-    """Ends all processes of this worker."""
+    """Ends all child processes of this worker."""
     with _Children.lock:
         children = list(_Children.busy) + [one for some in _Children.free.values() for one in some]
         _Children.free.clear()

@@ -94,17 +94,17 @@ public class SweepTest {
         Files.writeString(journal, String.join("\n", lines.subList(0, 3)) + "\n" + lines.get(3).substring(0, 20));
         Files.delete(table);
         sear(0, words);
-        assertTrue(said, said.contains("3 of 4 rows are there already"));
+        assertTrue(said, said.contains("3 of 4 rows exist already"));
         assertTrue("the same bytes when it has gone on", java.util.Arrays.equals(bytes, Files.readAllBytes(table))
             && java.util.Arrays.equals(columns, Files.readAllBytes(folder.resolve("ahead-sweep/rows.parquet"))));
 
         String[] again = DocBlock.commands("docs/sweeps.md", "sear sweep ahead.py --again").get(0).replace("--again 17", "--again 3")
             .substring("sear ".length()).split(" ");
         sear(0, again);
-        assertTrue(said, said.contains("row 3 is the same again, to the byte"));
+        assertTrue(said, said.contains("row 3 is identical to the byte"));
         Files.writeString(journal, Files.readString(journal).replace("\"ahead\": ", "\"ahead\": 1"));
         sear(1, again);
-        assertTrue(said, said.contains("row 3 is not the same again: ahead was 1"));
+        assertTrue(said, said.contains("row 3 differs: ahead was 1"));
         Files.writeString(script, "# another\n" + blocks.get(0));
         sear(2, words);
         assertTrue(said, said.contains("ahead-sweep has the rows of another sweep, with another digest"));
@@ -122,7 +122,7 @@ public class SweepTest {
         String out = sear(0, "sweep", "wrong.py", "--set", "kind=good,endless,dies,greedy,fails", "--set", "knd=1", "--workers", "2",
             "--limit", "20", "--memory", "1200", "--out", "out");
         assertEquals("5 rows in out: 1 ok, 1 died, 1 failed, 1 memory, 1 time\n", out);
-        assertTrue(said, said.contains("row 0 has not asked for parameter knd: is it called so in the script, in sear.getParameter?\n"));
+        assertTrue(said, said.contains("row 0 has not used parameter knd: does the script pass this name to sear.getParameter?\n"));
         assertTrue(said, said.contains("\ndied: row 2: the run's process was ended by SIGKILL\n"));
         List<String> rows = Files.readAllLines(folder.resolve("out/rows.csv")).stream().map(row -> row.replaceFirst(",[^,]*,[^,]*$", ""))
             .collect(Collectors.toList());
@@ -130,7 +130,7 @@ public class SweepTest {
         assertEquals("0,1,good,1,42,true,ok,", rows.get(1));
         assertEquals("1,1,endless,1,,,time,the run took longer than 20 s", rows.get(2));
         assertEquals("2,1,dies,1,,,died,the run's process was ended by SIGKILL", rows.get(3));
-        assertEquals("3,1,greedy,1,,,memory,the run's process took more than 1200 MB", rows.get(4));
+        assertEquals("3,1,greedy,1,,,memory,the run's process used more than 1200 MB", rows.get(4));
         assertTrue(rows.get(5), rows.get(5).startsWith("4,1,fails,1,,,failed,") && rows.get(5).contains("line 12: ")
             && rows.get(5).contains("nowhere.sear"));
     }

@@ -41,7 +41,7 @@ refused(ValueError, "actions is None, legal: a list of (left, right), or the hig
 refused(ValueError, "sensors is 'myLidar', legal: a list of names", SearEnv, OFFICE, sensors="myLidar")
 refused(ValueError, "sensors is ['myLidar', 'myLidar'], legal: each name once", SearEnv, OFFICE, sensors=["myLidar", "myLidar"])
 refused(ValueError, "reward is 3, legal: a function of the robot", SearEnv, OFFICE, reward=3)
-refused(ValueError, "size is 5, legal: width and height in pixels, as (480, 360)", SearEnv, OFFICE, size=5)
+refused(ValueError, "size is 5, legal: width and height in pixels, for example (480, 360)", SearEnv, OFFICE, size=5)
 try:
     SearEnv(OFFICE, things=["moon"])
     raise AssertionError("there is no moon")

@@ -12,7 +12,7 @@ try:
     sear.start()
     raise AssertionError("another start was not refused")
 except RuntimeError as error:
-    assert "begin a new one" in str(error), error
+    assert "restart the program" in str(error), error
 
 from sear import Box, Camera, Distance, Floor, LIDAR, Record, Robots, Runtime    # noqa: E402
 

@@ -77,7 +77,7 @@ public class GymnasiumTest {
         String text = script("worlds.py");
         assertTrue(text, text.contains("four worlds here, two elsewhere"));
         assertTrue(text, text.contains("forked ones end"));
-        assertTrue(text, text.contains("Java does not survive that: start it anew, as by gymnasium.make_vec(..., vectorization_mode=\"async\", "
+        assertTrue(text, text.contains("use the start method \"spawn\", for example gymnasium.make_vec(..., vectorization_mode=\"async\", "
             + "vector_kwargs={\"context\": \"spawn\"})"));
     }
 

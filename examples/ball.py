@@ -1,8 +1,8 @@
-# A red ball among things of other colours, and a rover that sees: a colour camera, a depth camera, a thermal camera.
+# A red ball among objects of other colours, and a rover with a colour camera, a depth camera and a thermal camera.
 from org.SEAR.POJOs import Box, Camera, Cylinder, Floor, Robots, Sphere
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
 Floor("floor", 10, 10)
 for number, (length, width, x, z) in enumerate(((10, 0.1, 0, 5), (10, 0.1, 0, -5), (0.1, 10, 5, 0), (0.1, 10, -5, 0))):
@@ -24,7 +24,7 @@ ball.setRollingFriction(0.02)
 ball.move(0.3, 0.12, 1.5)
 
 rover = Robots.create("hunter")
-eye = Camera("eye", 0, 0.25, 0.1, 10, 0, 0)    # 320 x 240 pixels, 60 degrees, 10 pictures a second; it looks 10 degrees down
+eye = Camera("eye", 0, 0.25, 0.1, 10, 0, 0)    # 320 x 240 pixels, 60 degrees, 10 pictures per second; pitched 10 degrees down
 rover.addComponent(eye)
 kinect = Camera("kinect", 0, 0.3, 0.1)
 kinect.setModel("Kinect")

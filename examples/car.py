@@ -1,13 +1,13 @@
-# A meadow with five gates of traffic cones, and a car: an engine on the rear axle, front wheels that a servo steers, a GPS receiver and a compass.
+# A meadow with five gates of traffic cones, and a car: rear engine, front wheels steered by a servo, GPS receiver, compass.
 from math import cos, radians, sin
 from org.SEAR.POJOs import Box, Compass, Cone, Dynamics, Floor, GPS, Motor, SEARrobot, Servo, Wheel
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
 Floor("meadow", 40, 40, "textures/grass.png")
 
-# Metres north and east of the start, and degrees from north to east in which one drives through.
+# Metres north and east of the start, and the direction of passage, degrees from north to east.
 GATES = ((6, 0, 0), (10, 5, 80), (4, 9, 190), (-3, 5, 250), (-1, -4, 330))
 for number, (x, z, course) in enumerate(GATES):
     for side, way in (("left", -1), ("right", 1)):
@@ -29,7 +29,7 @@ car.addComponent(steering)
 for name, x in (("frontLeft", 0.12), ("frontRight", -0.12)):
     wheel = Wheel(name, 0.05, 0.03, 2, x, 0, 0.15)
     car.addWheel(wheel)
-    wheel.setSteering(steering)       # by Ackermann's geometry: the inner wheel turns farther
+    wheel.setSteering(steering)       # Ackermann geometry: the inner wheel turns further
 
 left = Wheel("rearLeft", 0.05, 0.03, 1, 0.12, 0, -0.15)
 right = Wheel("rearRight", 0.05, 0.03, 1, -0.12, 0, -0.15)

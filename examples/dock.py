@@ -1,8 +1,8 @@
-# A docking station with a marker of ArUco above it, a shelf with another marker, and a robot with a camera that looks elsewhere.
+# A docking station with an ArUco marker, a shelf with another marker, and a robot whose camera faces elsewhere.
 from org.SEAR.POJOs import Box, Camera, Cylinder, Floor, Marker, Robots
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
 Floor("floor", 7, 7)
 for number, (length, width, x, z) in enumerate(((7, 0.1, 0, 3.5), (7, 0.1, 0, -3.5), (0.1, 7, 3.5, 0), (0.1, 7, -3.5, 0))):
@@ -13,7 +13,7 @@ for number, (length, width, x, z) in enumerate(((7, 0.1, 0, 3.5), (7, 0.1, 0, -3
 dock = Box("dock", 0.2, 0.4, 0.4, 0)
 dock.setColor("#303840")
 dock.move(3.1, 0.2, -0.4)                                       # its front is at x = 3
-Marker("dock marker", "DICT_4X4_50", 7, 0.2, 2.997, 0.24, -0.4, 0, 90, 0)     # 20 cm wide, 24 cm above the floor: as high as the camera
+Marker("dock marker", "DICT_4X4_50", 7, 0.2, 2.997, 0.24, -0.4, 0, 90, 0)     # 20 cm wide, 24 cm above the floor: at the camera's height
 
 shelf = Box("shelf", 0.8, 0.2, 0.8, 0)
 shelf.setColor("#a07848")

@@ -1,8 +1,8 @@
-# A track of black tape on a white floor, and a small robot whose three line sensors look down on it; a camera looks ahead.
+# A track of black tape on a white floor, and a small robot with three line sensors and a camera.
 from org.SEAR.POJOs import Box, Camera, Dynamics, Floor, LineSensor, Motor, SEARrobot, Wheel
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
 Floor("track", 2, 2, "textures/line-track.png")    # its tape is 20 mm wide, 0.7 + 0.15 cos 3a metres from the middle
 
@@ -20,4 +20,4 @@ for name, z in (("front ball", 0.05), ("rear ball", -0.05)):
     robot.addWheel(Wheel(name, 0.01, 0.01, 0, 0, -0.015, z))
 for name, x in (("leftLine", 0.015), ("middleLine", 0), ("rightLine", -0.015)):
     robot.addComponent(LineSensor(name, x, -0.01, 0.06))
-robot.addComponent(Camera("eye", 0, 0.06, 0.04, 40, 0, 0))    # 85 mm above the floor, 40 mm ahead of the axle; it looks 40 degrees down
+robot.addComponent(Camera("eye", 0, 0.06, 0.04, 40, 0, 0))    # 85 mm above the floor, 40 mm ahead of the axle; pitched 40 degrees down

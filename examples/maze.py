@@ -1,10 +1,11 @@
-# A maze of 6 by 6 cells, each 0.8 m wide, with one way from the start to the cone, and a Roomba with three infrared sensors.
+# A maze of 6 by 6 cells, each 0.8 m wide, with one path from the start to the cone, and a Roomba with three infrared
+# sensors.
 from org.SEAR.POJOs import Box, Cone, Distance, Floor, Odometer, Robots
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
-# A wall is a letter of the upper line of a cell (-) or on its left side (|); north is up.
+# Walls: "-" on a cell's upper edge, "|" on its left edge. North is up.
 PLAN = ["+-+-+-+-+-+-+",
         "|   |       |",
         "+ + + +-+-+ +",
@@ -24,11 +25,11 @@ THICK = 0.06
 Floor("floor", 6 * CELL + 1, 6 * CELL + 1)
 
 def place(row, column):
-    """The middle of a cell or wall: x is north, z is east, the maze's middle is the origin."""
+    """Returns the middle of a cell or wall: x is north, z is east, the origin is the maze's middle."""
     return (6 - row) * CELL / 2, (column - 6) * CELL / 2
 
 def walls():
-    """Walls in a row are one box, so that they have no seams."""
+    """Builds adjacent walls as one box, without seams."""
     number = 0
     for row in range(0, 13, 2):
         column = 1
@@ -63,7 +64,7 @@ goal = Cone("goal", 0.1, 0.3, 0.5)
 goal.move(x, 0.15, z)
 
 x, z = place(11, 1)
-robot = Robots.create("maze Roomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot = Robots.create("maze Roomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real robot
 robot.move(x, 0, z)
 for name, wx, wz, turn in (("frontEye", 0, 0.16, 0), ("leftEye", 0.16, 0, 90), ("rightEye", -0.16, 0, -90)):
     robot.addComponent(Distance(name, "GP2Y0A21", wx, 0.03, wz, 0, turn, 0))

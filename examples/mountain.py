@@ -1,12 +1,12 @@
-# Two kilometres of the mountains above Jacksboro, Tennessee, in their real heights, and a rover below the summit.
+# Two kilometres of the mountains above Jacksboro, Tennessee, with real elevation, and a rover below the summit.
 from org.SEAR.POJOs import Box, Compass, Cylinder, Dynamics, GPS, Model, SEARrobot, Terrain, Wheel
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
 SUMMIT = (36.485, -84.23083)
-ground = Terrain("jacksboro", "terrain/jacksboro.tif")     # comes with SEAR: SRTM, US Geological Survey, public domain
-ground.setArea(36.485, -84.2308, 2000, 2000)               # middle, metres north-south and east-west
+ground = Terrain("jacksboro", "terrain/jacksboro.tif")     # included in SEAR: SRTM, US Geological Survey, public domain
+ground.setArea(36.485, -84.2308, 2000, 2000)               # centre, metres north-south and east-west
 
 pole = Cylinder("summit", 0.05, 3, 0)
 pole.setColor("red")
@@ -29,8 +29,8 @@ rover.addComponent(body)
 for name, x, z in (("front left", 0.35, 0.35), ("front right", -0.35, 0.35), ("back left", 0.35, -0.35), ("back right", -0.35, -0.35)):
     rover.addWheel(Wheel(name + " wheel", 0.18, 0.1, 1, x, 0, z))
 
-gps = GPS("gps", "/dev/my_GPS_01", "/dev/SEAR_GPS_01")     # knows from the terrain where on Earth it is
+gps = GPS("gps", "/dev/my_GPS_01", "/dev/SEAR_GPS_01")     # gets its place on Earth from the terrain
 gps.move(0, 0.25, 0)
 rover.addComponent(gps)
-rover.addComponent(Compass("compass", True))               # magnetic, as a real one
-rover.place(36.48325, -84.2309, 45)                        # below the summit, looking north-east
+rover.addComponent(Compass("compass", True))               # magnetic, like a real compass
+rover.place(36.48325, -84.2309, 45)                        # below the summit, facing north-east

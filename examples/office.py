@@ -2,9 +2,9 @@
 from org.SEAR.POJOs import Box, Cone, Cylinder, Distance, Floor, LIDAR, Model, Robots
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
-Floor("floor", 8, 6, False)  # beams of the PING))) would see it in front of the robot
+Floor("floor", 8, 6, False)  # hidden from the PING))) sensors, whose beams would hit it in front of the robot
 
 def wall(name, length, width, x, z):
     part = Box(name, length, width, 1.2, 0)
@@ -67,7 +67,7 @@ plant = Model("plant", "models/Tree/Tree.mesh.xml")
 plant.scale(0.3)
 plant.move(3.6, 0, 2.6)
 
-robot = Robots.create("office Roomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot = Robots.create("office Roomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real robot
 robot.move(-2, 0, -1)
 robot.rotate(0, 90, 0)
 

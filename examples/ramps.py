@@ -3,7 +3,7 @@ from org.SEAR.POJOs import Accelerometer, Box, Compass, Floor, Gyroscope, Odomet
 from math import cos, radians, sin
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
 Floor("lawn", 16, 10, "textures/grass.png")
 
@@ -11,7 +11,8 @@ WIDTH = 1.2
 THICK = 0.1
 
 def ramp(name, length, x, y, z, degrees, image):
-    """Starts at (x, y, z), goes north by length along its slope, rises by so many degrees."""
+    """Builds a ramp from (x, y, z) to the north. Arguments: length along the slope, inclination in degrees. Returns its
+    end."""
     part = Box(name, length, WIDTH, THICK, 0, image)
     rise = radians(degrees)
     part.move(x + length / 2 * cos(rise) + THICK / 2 * sin(rise), y + length / 2 * sin(rise) - THICK / 2 * cos(rise), z)
@@ -34,7 +35,7 @@ for step in range(3):
     part = Box("step %d" % (step + 1), 1.5 - 0.5 * step, WIDTH, 0.015, 0, "textures/brick.png")
     part.move(3.5 + 0.25 * step, 0.0075 + 0.015 * step, -2.5)
 
-robot = Robots.create("climber", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot = Robots.create("climber", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real robot
 robot.move(-5, 0, 0)
 robot.rotate(0, 90, 0)
 accelerometer = Accelerometer("accel", 20)

@@ -1,13 +1,13 @@
-# A room with crates, and the simplest robot of all: two infrared distance sensors, two motors with their drivers, an Arduino.
+# A room with crates, and a minimal robot: two infrared distance sensors, two motors with drivers, an Arduino.
 from org.SEAR.POJOs import Arduino, Box, Cylinder, Distance, Dynamics, Floor, Motor, SEARrobot, Wheel
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
 Floor("floor", 5, 4)
 
 def plank(name, length, width, x, z):
-    """Nothing in this room is fixed: who touches a thing moves it."""
+    """Adds a loose wall: the robot can push every object in this room."""
     Box(name, length, width, 0.2, 10 * max(length, width), "textures/brick.png").move(x, 0.1, z)
 
 plank("north wall", 0.1, 3, 2, 0)

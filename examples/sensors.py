@@ -1,11 +1,11 @@
-# A yard with obstacles of every kind, twenty boxes among them, and a Roomba with every sensor.
+# A yard with obstacles of every kind, including twenty boxes, and a Roomba with every sensor.
 from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Bumper, ColorSensor, Compass, Cone, Cylinder, Distance, Floor, GPS, Gyroscope, IMU, LIDAR, \
     LineSensor, Model, Noise, Odometer, Robots
 
 sear = Runtime.start("sear", "SEAR")
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
-Floor("yard", 20, 20, False, "textures/grass.png")  # wide beams would see it in front of the robot
+Floor("yard", 20, 20, False, "textures/grass.png")  # hidden from beams: wide beams would hit it in front of the robot
 
 def fixed(name, length, width, height, x, y, z, image):
     box = Box(name, length, width, height, 0, "textures/" + image)
@@ -45,7 +45,7 @@ old = Model("old tree", "models/Tree/Tree.mesh.xml")
 old.scale(1.4)
 old.move(-5, 0, -5)
 
-robot = Robots.create("myRoomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot = Robots.create("myRoomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real robot
 robot.rotate(0, 90, 0)
 
 lidar = LIDAR("myLidar", 8.191, 180, 0.5, 0, 0.15, 0.1)

@@ -1,22 +1,23 @@
-# The experiment of the dissertation, section 5.6.2.1: a Roomba with a PING))) that looks to the left drives along a row of obstacles; odometer and range
-# are logged to beam_experiment.csv and plotted to beam_experiment.svg. Run it with "sear scripts/beam_experiment.py --headless --speed max".
+# Experiment of the dissertation, section 5.6.2.1: a Roomba with a left-facing PING))) drives along a row of obstacles.
+# beam_experiment.csv logs odometer and range, beam_experiment.svg plots them. Run it with
+# "sear scripts/beam_experiment.py --headless --speed max".
 import os
 from org.SEAR.POJOs import Box, Cylinder, Distance, Dynamics, Floor, SEARrobot, Wheel
 
 SPEED = 0.2          # m/s
 LENGTH = 5.0         # metres to drive
 INTERVAL = 0.05      # seconds between two readings
-SIDE = 0.16          # metres that the sensor sits to the left of the robot's centre
+SIDE = 0.16          # distance of the sensor to the left of the robot's centre, metres
 
-# name, kind, metres along the way, metres to the left of the way, size (a box: along, across; a cylinder: radius)
+# name, kind, metres along the path, metres to the left of the path, size (a box: along, across; a cylinder: radius)
 ROW = (("crate", "box", 1.0, 0.9, (0.4, 0.4)), ("pole", "cylinder", 1.9, 0.7, 0.04445), ("bin", "cylinder", 2.6, 1.1, 0.2),
        ("shelf", "box", 3.5, 1.4, (0.6, 0.3)), ("post", "cylinder", 4.3, 0.6, 0.04445))
 
 sear = Runtime.start("SEAR", "SEAR")
 if os.path.exists("SEARproject") and not os.path.exists("SEARproject/robot/experimentRoomba.xml"):
-    print "Your project is kept in " + sear.newProject()
+    print "Your project is stored in " + sear.newProject()
 
-Floor("floor", 20, 20, False)    # beams do not see it: an ultrasonic beam glances off a smooth floor
+Floor("floor", 20, 20, False)    # hidden from beams: an ultrasonic beam glances off a smooth floor
 for (name, kind, along, across, size) in ROW:
     if kind == "box":
         thing = Box(name, size[1], 0.6, size[0], 0)
@@ -57,7 +58,7 @@ for (way, distance) in log:
     table.write("%.3f,%.4f\n" % (way, distance))
 table.close()
 
-# ---- the plot: a metre is 120 points; the way goes to the right, the range upwards -------------------------------------------------------------
+# ---- the plot: 120 points per metre; the path goes right, the range upwards ------------------------------------------------------------------
 SCALE = 120.0
 TOP = 3.2
 
@@ -86,7 +87,7 @@ for (name, kind, along, across, size) in ROW:
     svg.write('<text x="%.1f" y="%.1f" text-anchor="middle">%s</text>\n' % (x(along), y(range_of + 0.33), name))
 svg.write('<path d="M%s" fill="none" stroke="#cc0000" stroke-width="1.5"/>\n' % "L".join(["%.1f %.1f" % (x(a), y(b)) for (a, b) in log]))
 svg.write('<text x="%.0f" y="%.0f" text-anchor="middle">odometer, m</text>\n' % (x(LENGTH / 2), y(0) + 32))
-svg.write('<text x="%.0f" y="14" text-anchor="middle">range of the PING))), m (red), and what stands beside the way</text>\n' % x(LENGTH / 2))
+svg.write('<text x="%.0f" y="14" text-anchor="middle">range of the PING))), m (red), and the obstacles beside the path</text>\n' % x(LENGTH / 2))
 svg.write('</svg>\n')
 svg.close()
-print "%d readings over %.2f m are in beam_experiment.csv, the graph is beam_experiment.svg" % (len(log), odometer)
+print "%d readings over %.2f m in beam_experiment.csv, plotted in beam_experiment.svg" % (len(log), odometer)

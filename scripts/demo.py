@@ -1,14 +1,14 @@
-# The demo: builds a small world and a Roomba with a LIDAR, sonar, GPS and compass out of objects, drives it over the Roomba protocol, scans over the
-# SICK LMS200 protocol, and prints what it reads. Run it with "./gradlew run" or "sear scripts/demo.py".
+# The demo: builds a small world and a Roomba with LIDAR, sonar, GPS and compass, drives it over the Roomba protocol, scans
+# over the SICK LMS200 protocol, and prints the readings. Run it with "./gradlew run" or "sear scripts/demo.py".
 from java.lang import System
 from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Floor, GPS, LIDAR, Robots
 
 sear = Runtime.start("SEAR", "SEAR")
 kept = sear.newProject()
 if kept is not None:
-    print "Your project is kept in " + kept
+    print "Your project is stored in " + kept
 
-# ---- the world: a room of 6 m by 6 m with a few things in it --------------------------------------------------------------------------------
+# ---- the world: a room of 6 m by 6 m with a few objects ---------------------------------------------------------------------------------------
 Floor("floor", 20, 20, False)
 for (name, x, z, length, width) in (("northWall", 3, 0, 0.1, 6), ("southWall", -3, 0, 0.1, 6), ("eastWall", 0, 3, 6, 0.1), ("westWall", 0, -3, 6, 0.1)):
     wall = Box(name, length, width, 1, 0)
@@ -23,7 +23,7 @@ cone = Cone("cone", 0.2, 0.5, 1)
 cone.move(1, 0.25, -1.5)
 
 # ---- the robot ------------------------------------------------------------------------------------------------------------------------------
-robot = Robots.create("demoRoomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot = Robots.create("demoRoomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real robot
 scanner = LIDAR("demoLidar")
 scanner.setRange(8.191)
 scanner.setSpread(180)
@@ -41,9 +41,10 @@ receiver = GPS("demoGps", 33.61, 182.5, -80.865)
 receiver.setPorts("/dev/my_GPS_01", "/dev/SEAR_GPS_01")
 robot.addComponent(receiver)
 
-# ---- the services that would talk to the real hardware just the same ------------------------------------------------------------------------
+# ---- the services, which work with real hardware, too ---------------------------------------------------------------------------------------
 def connectRoomba(roomba, port):
-    """MyRobotLab's Roomba service lets go of its port at once and talks through the service named "serial": this connects that."""
+    """MyRobotLab's Roomba service closes its port immediately and talks through the service named "serial": this
+    connects that service."""
     roomba.connect(port)
     line = Runtime.getService("serial")
     if line is not None and not line.isConnected():
@@ -95,12 +96,13 @@ for (what, command, seconds) in (("Forward", roomba.goForward, 3), ("Turning lef
     sear.simSleep(0.5)
     report(what + " for " + str(seconds) + " s")
 
-# With --keep the simulation goes on until Ctrl+C. Else it goes on while a browser shows it, and at a terminal until Enter, so that one can be opened.
-RELOAD_SECONDS = 5      # a page that comes back within these was loaded again
+# With --keep the simulation continues until Ctrl+C. Otherwise it continues while a browser shows it, and at a terminal
+# until Enter, so that the user can open a browser.
+RELOAD_SECONDS = 5      # a page that returns within this time was reloaded
 try:
     from org.myrobotlab.embedded.web import OpenPages
 except ImportError:
-    OpenPages = None    # a real MyRobotLab goes on by itself
+    OpenPages = None    # a real MyRobotLab continues by itself
 keep = System.getProperty("sear.keep") == "true"
 terminal = System.getenv("SEAR_TERMINAL") is not None
 page = Runtime.getService("webgui")
@@ -114,5 +116,5 @@ if not keep:
     if OpenPages is not None:
         OpenPages.stay(terminal, RELOAD_SECONDS)
     sear.stopSimulation()
-print "Next: docs/first-robot.md leads in fifteen minutes to a robot of your own; sear without a script opens a page with examples."
+print "Next: with docs/first-robot.md you build your own robot in fifteen minutes; sear without a script opens a page with examples."
 print "Done."

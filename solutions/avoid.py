@@ -1,4 +1,4 @@
-# Solution: avoid walls. Away from what is near, and on with a turn once it has begun.
+# Solution: avoid walls. Turn away from near obstacles, and keep the direction of a started turn.
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()

@@ -1,4 +1,4 @@
-# Solution: waypoints by GPS. Turn to where the waypoint is, and look again all the time.
+# Solution: waypoints with GPS. Turn towards the waypoint, and correct continuously.
 from math import atan2, cos, degrees, hypot, radians
 
 sear = Runtime.start("sear", "SEAR")

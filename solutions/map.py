@@ -1,4 +1,5 @@
-# Solution: a map by LIDAR. Scans from several places; the cells along each beam are free, the one at its end is not.
+# Solution: a map with LIDAR. Scan from several places: the cells along a beam are free, the cell at its end is
+# occupied.
 from math import atan2, cos, degrees, hypot, radians, sin
 
 sear = Runtime.start("sear", "SEAR")
@@ -10,7 +11,7 @@ sear.simSleep(1)
 CELL = 0.1
 SIZE = 42
 STOPS = ((0.9, -0.9), (0.2, -0.4), (-0.4, 0.4), (-1.3, 1.2), (0.3, 0.3))     # metres north and east
-evidence = [[0] * SIZE for row in range(SIZE)]      # above 0: something is there, below: free
+evidence = [[0] * SIZE for row in range(SIZE)]      # above 0: occupied, below: free
 
 def mark(x, z, amount):
     row, column = int((2.1 - x) / CELL), int((z + 2.1) / CELL)

@@ -1,4 +1,5 @@
-# Solution: odometry and its error. The left wheel's radius was found by driving straight on: at equal speeds it drifts to the left.
+# Solution: odometry and its error. The left wheel's radius was found by driving straight: at equal speeds the robot
+# drifts left.
 from math import cos, pi, radians, sin
 
 sear = Runtime.start("sear", "SEAR")

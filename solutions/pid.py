@@ -1,4 +1,4 @@
-# Solution: a controller of your own, PID: the error, its sum over time, and its change.
+# Solution: your own PID controller: the error, its sum over time, and its change.
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
@@ -12,7 +12,7 @@ total = 0.0
 before = sear.getDistanceResult("eye") - WANTED
 while sear.getTime() < 20:
     error = sear.getDistanceResult("eye") - WANTED
-    if abs(error) < 0.3:                                # far away the sum would only grow
+    if abs(error) < 0.3:                                # far away the sum would only wind up
         total += error * STEP
     power = KP * error + KI * total + KD * (error - before) / STEP
     before = error

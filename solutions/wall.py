@@ -1,4 +1,5 @@
-# Solution: follow a wall. Distance and its change steer; a corner ahead is turned away from, the end of the wall is rounded.
+# Solution: follow a wall. Distance and its change steer. At a corner ahead turn away, at the end of the wall turn
+# around it.
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
@@ -9,7 +10,7 @@ SPEED = 0.2
 HALF_TRACK = 0.129
 
 def steer(speed, turn):
-    """Metres a second, and radians a second to the left."""
+    """Drives: metres per second, and radians per second to the left."""
     sear.setWheelSpeeds(speed - turn * HALF_TRACK, speed + turn * HALF_TRACK)
 
 before = sear.getDistanceResult("rightEye")

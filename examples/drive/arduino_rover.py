@@ -1,9 +1,9 @@
-# Drives 10 m through a room without touching anything: a program for StandardFirmata, at the other end of the Arduino's cable, avoids the crates.
+# Drives 10 m through a room without touching a crate. The program talks StandardFirmata at the other end of the Arduino's cable.
 from math import hypot
 
 PATH = 10           # metres
-NEAR = 0.95         # volts: a GP2Y0A21 tells 0.28 m by them
-POWER = {"left": 9, "right": 10}        # pins of the motor drivers
+NEAR = 0.95         # volts: reading of a GP2Y0A21 at 0.28 m
+POWER = {"left": 9, "right": 10}        # PWM pins of the motor drivers
 DIRECTION = {"left": 7, "right": 8}
 LEFT_EYE, RIGHT_EYE = 0, 1              # analog channels
 OUTPUT, PWM = 1, 3                      # modes of pins
@@ -11,12 +11,12 @@ OUTPUT, PWM = 1, 3                      # modes of pins
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
-sear.loadProject("examples/rover.sear")    # the present project is kept as a backup
+sear.loadProject("examples/rover.sear")    # backs up the present project
 sear.startSimulation()
 
 serial = Runtime.start("roverSerial", "Serial")
 serial.connect("/dev/SEAR_UNO_01", 57600)       # resets the board
-sear.simSleep(4)                                # boot loader, and blinks of its LED
+sear.simSleep(4)                                # boot loader, and blinking of its LED
 told = {LEFT_EYE: 0, RIGHT_EYE: 0}              # volts by channel
 message = []
 
@@ -25,7 +25,7 @@ def write(*values):
         serial.write(value)
 
 def listen():
-    """Takes in what the board has told: a report of an analog channel is E0 with the channel, seven bits, seven more."""
+    """Reads the board's messages. Report of an analog channel: E0 plus channel, lower seven bits, upper seven bits."""
     global message
     while serial.available():
         value = serial.read() & 0xFF
@@ -34,7 +34,7 @@ def listen():
             told[message[0] & 15] = (message[1] + 128 * message[2]) * 5.0 / 1024
 
 def drive(left, right):
-    """Shares of the full power, negative backward."""
+    """Drives the wheels. Arguments: fractions of the full power, negative backward."""
     for side, power in (("left", left), ("right", right)):
         duty = int(255 * abs(power))
         write(0xF5, DIRECTION[side], 1 if power >= 0 else 0)
@@ -58,7 +58,7 @@ while path < PATH:
     else:
         if turning == 0:
             turns += 1
-            turning = -1 if told[LEFT_EYE] > told[RIGHT_EYE] else 1     # away from what is nearer, and not to and fro in a corner
+            turning = -1 if told[LEFT_EYE] > told[RIGHT_EYE] else 1     # away from the nearer side; keeping the direction avoids oscillating in a corner
         drive(-0.4 * turning, 0.4 * turning)
     sear.simSleep(0.05)
     pose = sear.getPose("rover")

@@ -1,15 +1,15 @@
-# Drives a car through five gates by a GPS receiver on a serial port and a compass: the motor holds a speed, a servo steers the front wheels.
+# Drives a car through five gates with a GPS receiver on a serial port and a compass: the motor holds a speed, a servo steers.
 from math import atan2, cos, degrees, hypot, radians
 
 WAYPOINTS = ((33.6100541, -80.8650000), (33.6100902, -80.8649461), (33.6100361, -80.8649030), (33.6099730, -80.8649461), (33.6099910, -80.8650431))
-METRES = 111320     # of a degree of latitude, about
-NEAR = 0.6          # metres; the receiver's last digit is worth 0.2 m
+METRES = 111320     # per degree of latitude, about
+NEAR = 0.6          # metres; the receiver's last digit is 0.2 m
 SPEED = 24          # rad/s of the wheels: 1.2 m/s
 
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
-sear.loadProject("examples/car.sear")    # the present project is kept as a backup
+sear.loadProject("examples/car.sear")    # backs up the present project
 sear.startSimulation()
 
 gps = Runtime.start("carGps", "GPS")
@@ -18,7 +18,7 @@ sear.simSleep(3)
 gps.sendCommand("PMTK220,200")              # a fix every 200 ms
 
 def wrapped(angle):
-    """Brings degrees into -180 to 180."""
+    """Wraps an angle to -180 to 180 degrees."""
     return (angle + 180) % 360 - 180
 
 for number, (latitude, longitude) in enumerate(WAYPOINTS):

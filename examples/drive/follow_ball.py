@@ -1,15 +1,15 @@
-# Follows a red ball that is kicked about: the camera says where it is and how large, the rover turns to it and keeps its distance.
+# Follows a kicked red ball: the camera gives its direction and size, the rover turns to it and keeps its distance.
 from math import pi, radians, tan
 
-DISTANCE = 0.7                                  # metres that the rover keeps
-BALL = 0.24                                     # metres across
-FOCAL = 160 / tan(radians(30))                  # pixels: half of the picture is 30 degrees wide
-KICKS = ((2, 0.5, 0.4), (6, -0.8, 0.5), (10, -0.2, -0.9), (14, 0.9, 0.1))     # when, and how fast north and east
+DISTANCE = 0.7                                  # distance that the rover keeps, metres
+BALL = 0.24                                     # diameter, metres
+FOCAL = 160 / tan(radians(30))                  # pixels: half the picture is 30 degrees wide
+KICKS = ((2, 0.5, 0.4), (6, -0.8, 0.5), (10, -0.2, -0.9), (14, 0.9, 0.1))     # time, and speed north and east
 
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
-sear.loadProject("examples/ball.sear")    # the present project is kept as a backup
+sear.loadProject("examples/ball.sear")    # backs up the present project
 sear.startSimulation()
 sear.simSleep(1)
 
@@ -29,9 +29,9 @@ while sear.getTime() < 25:
         x, y, width, height, area = blobs[0]
         far = BALL * FOCAL / max(width, height)
         speed = max(-0.4, min(0.8, 1.2 * (far - DISTANCE)))
-        turn = 1.6 * (159.5 - x) / FOCAL        # radians a second, to the left
+        turn = 1.6 * (159.5 - x) / FOCAL        # radians per second, to the left
     else:
-        speed = 0                               # it was seen last on the side to which the rover turns
+        speed = 0                               # out of sight: keep turning to the side where it was last
         turn = 1 if turn > 0 else -1
     sear.setWheelSpeeds(speed - 0.15 * turn, speed + 0.15 * turn)
     sear.simSleep(0.1)

@@ -1,25 +1,25 @@
-# Drives from waypoint to waypoint through the yard, by a GPS receiver on a serial port and a compass.
+# Drives from waypoint to waypoint through the yard, with a GPS receiver on a serial port and a compass.
 from math import atan2, cos, degrees, hypot, radians
 
 WAYPOINTS = ((33.6100108, -80.8649838), (33.6100361, -80.8649806), (33.6099892, -80.8649914), (33.6100000, -80.8650000))
-METRES = 111320     # of a degree of latitude, about
-NEAR = 0.35         # metres; the receiver's last digit is worth 0.2 m
+METRES = 111320     # per degree of latitude, about
+NEAR = 0.35         # metres; the receiver's last digit is 0.2 m
 SPEED = 0.3         # m/s
 
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
-sear.loadProject("examples/sensors.sear")    # the present project is kept as a backup
+sear.loadProject("examples/sensors.sear")    # backs up the present project
 sear.startSimulation()
 
 gps = Runtime.start("waypointGps", "GPS")
 gps.connect("/dev/SEAR_GPS_01")
 sear.simSleep(3)
 gps.sendCommand("PMTK220,200")              # a fix every 200 ms
-declination = -sear.getCompassResult("compass")    # the robot begins looking to true north; the compass is magnetic
+declination = -sear.getCompassResult("compass")    # the robot starts facing true north; the compass is magnetic
 
 def wrapped(angle):
-    """Brings degrees into -180 to 180."""
+    """Wraps an angle to -180 to 180 degrees."""
     return (angle + 180) % 360 - 180
 
 for number, (latitude, longitude) in enumerate(WAYPOINTS):

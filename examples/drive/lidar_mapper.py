@@ -1,4 +1,4 @@
-# Drives through the office and draws what its LIDAR sees: an occupancy grid, free cells white, occupied ones black, unseen ones grey, saved as map.png.
+# Drives through the office and draws an occupancy grid from LIDAR scans: free cells white, occupied black, unseen grey; saved as map.png.
 from java.awt.image import BufferedImage
 from java.io import File
 from javax.imageio import ImageIO
@@ -7,20 +7,20 @@ from math import atan2, cos, degrees, hypot, radians, sin
 CELL = 0.05                         # metres
 NORTH, EAST = 4.5, 3.5              # metres from the middle to the edge of the map
 ROWS, COLUMNS = int(2 * NORTH / CELL), int(2 * EAST / CELL)
-STOPS = ((-2, -1), (1.8, -1), (1.8, 0.4), (-2.4, -0.6))     # metres north and east: where it drives and looks round
-RANGE = 8.191                       # metres; what the LIDAR says where it sees nothing
+STOPS = ((-2, -1), (1.8, -1), (1.8, 0.4), (-2.4, -0.6))     # metres north and east: places where it turns and scans
+RANGE = 8.191                       # metres; reading of a beam without a hit
 
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
-sear.loadProject("examples/office.sear")    # the present project is kept as a backup
+sear.loadProject("examples/office.sear")    # backs up the present project
 sear.startSimulation()
 sear.simSleep(1)
 
-evidence = [[0] * COLUMNS for row in range(ROWS)]   # above 0: something is there, below: free
+evidence = [[0] * COLUMNS for row in range(ROWS)]   # above 0: occupied, below: free
 
 def wrapped(angle):
-    """Brings degrees into -180 to 180."""
+    """Wraps an angle to -180 to 180 degrees."""
     return (angle + 180) % 360 - 180
 
 def mark(x, z, amount):
@@ -29,7 +29,7 @@ def mark(x, z, amount):
         evidence[row][column] = max(-20, min(20, evidence[row][column] + amount))
 
 def look():
-    """Enters one scan: the cells along each beam are free, the one at its end is not."""
+    """Enters one scan: the cells along a beam are free, the cell at its end is occupied."""
     x, y, z, rx, ry, rz = sear.getPose("myLidar")
     scan = sear.getLidarResult("myLidar")
     for i in range(0, len(scan), 2):

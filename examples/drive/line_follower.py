@@ -1,28 +1,28 @@
-# Follows a line of black tape once round: three line sensors tell how far it is to the left or right, and the motors turn towards it.
+# Follows a loop of black tape once: three line sensors measure the lateral offset, and the motors steer towards the line.
 from math import atan2, degrees
 
 SPEED = 8           # rad/s of the wheels: 0.2 m/s
-TURN = 300          # rad/s of the wheels for each metre that the line is off
+TURN = 300          # rad/s of the wheels per metre of offset
 SENSORS = (("leftLine", 0.015), ("middleLine", 0), ("rightLine", -0.015))     # metres to the left
 
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
-sear.loadProject("examples/line.sear")    # the present project is kept as a backup
+sear.loadProject("examples/line.sear")    # backs up the present project
 sear.startSimulation()
 sear.simSleep(1)
 
 def wrapped(angle):
-    """Brings degrees into -180 to 180."""
+    """Wraps an angle to -180 to 180 degrees."""
     return (angle + 180) % 360 - 180
 
 def direction():
-    """Degrees around the middle of the track."""
+    """Returns the robot's direction from the track's middle, degrees."""
     pose = sear.getPose("follower")
     return degrees(atan2(pose[2], pose[0]))
 
-off = 0.0           # metres that the line is to the left
-lost = 0            # times that no sensor saw it
+off = 0.0           # offset of the line to the left, metres
+lost = 0            # number of times without the line
 turned = 0.0        # degrees around the middle
 before = direction()
 while abs(turned) < 360:
@@ -31,7 +31,7 @@ while abs(turned) < 360:
     if light > 40:
         off = sum(value * x for value, x in dark) / light
     else:
-        lost += 1   # it was seen last on the side that off tells
+        lost += 1   # keep the last offset, which has the line's side
     sear.setMotorSpeed("leftMotor", SPEED - TURN * off)
     sear.setMotorSpeed("rightMotor", SPEED + TURN * off)
     sear.simSleep(0.03)

@@ -1,19 +1,19 @@
-# Finds the way through the maze by the right-hand rule: three infrared eyes look for walls, and at each crossing it turns as far right as it can.
+# Solves the maze by the right-hand rule: three infrared sensors detect walls, and the robot turns as far right as possible at each crossing.
 from math import atan2, degrees, hypot
 
 CELL = 0.8          # metres
-OPEN = 0.4          # an eye that sees farther than this looks through an opening; a wall of the cell is at 0.21 m
+OPEN = 0.4          # metres: a longer reading means an opening; a wall of the cell reads 0.21 m
 SPEED = 0.25        # m/s
 
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
-sear.loadProject("examples/maze.sear")    # the present project is kept as a backup
+sear.loadProject("examples/maze.sear")    # backs up the present project
 sear.startSimulation()
 sear.simSleep(1)
 
 def wrapped(angle):
-    """Brings degrees into -180 to 180."""
+    """Wraps an angle to -180 to 180 degrees."""
     return (angle + 180) % 360 - 180
 
 def goalDistance():
@@ -22,7 +22,7 @@ def goalDistance():
     return hypot(goal[0] - robot[0], goal[2] - robot[2])
 
 def turnTo(ry):
-    """Turns in place until the robot's ry is this, to half a degree."""
+    """Turns in place to a rotation ry, to half a degree."""
     error = wrapped(ry - sear.getPose("maze Roomba")[4])
     while abs(error) > 0.5:
         sear.spin(max(-120, min(120, 5 * error)))
@@ -38,7 +38,7 @@ def driveTo(x, z):
         way = hypot(north, east)
         if way < 0.02:
             break
-        steer = 0.004 * wrapped(degrees(atan2(north, east)) - pose[4])    # m/s between middle and wheel for each degree to the left
+        steer = 0.004 * wrapped(degrees(atan2(north, east)) - pose[4])    # m/s between middle and wheel per degree to the left
         speed = min(SPEED, 2 * way)
         if way < 0.1:
             steer = 0

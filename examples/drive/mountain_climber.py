@@ -1,16 +1,16 @@
-# Climbs to the summit above Jacksboro, Tennessee, by a GPS receiver on a serial port and a compass.
+# Climbs to the summit above Jacksboro, Tennessee, with a GPS receiver on a serial port and a compass.
 from math import atan2, cos, degrees, hypot, radians
 
 SUMMIT = (36.485, -84.23083)
-METRES = 111320     # of a degree of latitude, about
-DECLINATION = -5.6  # degrees, what maps of the place say: magnetic north is west of true north
+METRES = 111320     # per degree of latitude, about
+DECLINATION = -5.6  # degrees, from maps of the area: magnetic north is west of true north
 NEAR = 1.5          # metres
 SPEED = 1.2         # m/s
 
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
-sear.loadProject("examples/mountain.sear")    # the present project is kept as a backup
+sear.loadProject("examples/mountain.sear")    # backs up the present project
 sear.startSimulation()
 
 gps = Runtime.start("mountainGps", "GPS")
@@ -18,7 +18,7 @@ gps.connect("/dev/SEAR_GPS_01")
 sear.simSleep(3)
 
 def wrapped(angle):
-    """Brings degrees into -180 to 180."""
+    """Wraps an angle to -180 to 180 degrees."""
     return (angle + 180) % 360 - 180
 
 told = 0

@@ -1,16 +1,16 @@
-# Sweeps a PING))) on a servo from left to right and draws a radar picture of what it sees: # an echo, . circles of one, two and three metres.
+# Sweeps a PING))) on a servo from left to right and draws a radar picture: # an echo, . circles at one, two and three metres.
 from math import cos, floor, radians, sin
 
 STEP = 3            # degrees
-RANGE = 3.0         # metres; what the PING))) says where it sees nothing
+RANGE = 3.0         # metres; reading of the PING))) without an echo
 ARM = 0.03          # metres from the turret's axis to the sensor
-ACROSS, ALONG = 0.1, 0.2    # metres of a letter: it is twice as high as wide
+ACROSS, ALONG = 0.1, 0.2    # metres per character, which is twice as high as wide
 COLUMNS, ROWS = 61, 16
 
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
-sear.loadProject("examples/turret.sear")    # the present project is kept as a backup
+sear.loadProject("examples/turret.sear")    # backs up the present project
 sear.startSimulation()
 sear.simSleep(1)
 
@@ -41,7 +41,7 @@ sear.setServo("turret", 0)
 for line in picture:
     print("".join(line))
 
-# A wide beam sees a thing before it looks at it, and after that: the thing is in the middle of the directions from which it seems as near.
+# A wide beam detects an object before and after it points at it: the object is in the middle of the directions with the shortest range.
 nearest = min(echoes)[0]
 seen = [angle for distance, angle in echoes if distance < nearest + 0.02]
 print("%d echoes. Nearest: %.2f m from the turret, %.0f degrees to the left." % (len(echoes), nearest, (max(seen) + min(seen)) / 2.0))

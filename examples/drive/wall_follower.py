@@ -1,15 +1,15 @@
-# Follows the wall on its right once round a room: an eye to the right holds the distance, one ahead sees corners.
+# Follows the wall on its right once around a room: the right sensor measures the distance, the front one detects corners.
 from math import hypot
 from org.SEAR.POJOs import Box, Distance, Floor, Robots
 
-WANTED = 0.3        # metres from the right eye to the wall
+WANTED = 0.3        # distance of the right sensor to the wall, metres
 SPEED = 0.2         # m/s
-HALF_TRACK = 0.129  # metres from the robot's middle to a wheel
+HALF_TRACK = 0.129  # distance of a wheel from the robot's middle, metres
 
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
     sear.stopSimulation()
-sear.newProject()    # the present project, if there is one, is kept as a backup
+sear.newProject()    # backs up the present project, if there is one
 
 # ---- a room of 4 m by 5 m with a cupboard in a corner ---------------------------------------------------------------------------------------
 Floor("floor", 6, 7, False)
@@ -18,30 +18,30 @@ for name, length, width, x, z in (("north wall", 0.1, 5.2, 2.05, 0), ("south wal
     wall = Box(name, length, width, 0.4, 0, "textures/brick.png")
     wall.move(x, 0.2, z)
 
-robot = Robots.create("follower", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot = Robots.create("follower", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real robot
 robot.move(-1.5, 0, -1)
 robot.addComponent(Distance("frontEye", "GP2Y0A21", 0, 0.03, 0.16, 0, 0, 0))
 robot.addComponent(Distance("rightEye", "GP2Y0A21", -0.16, 0.03, 0, 0, -90, 0))
 
-# ---- once round -----------------------------------------------------------------------------------------------------------------------------
+# ---- once around ----------------------------------------------------------------------------------------------------------------------------
 sear.startSimulation()
 sear.simSleep(1)
 
 def steer(speed, turn):
-    """@param turn radians a second, + to the left"""
+    """@param turn radians per second, + to the left"""
     sear.setWheelSpeeds(speed - turn * HALF_TRACK, speed + turn * HALF_TRACK)
 
 start = sear.getPose("follower")
 before = sear.getDistanceResult("rightEye")
 nearest = before
-away = False        # whether it has left the place where it began
+away = False        # whether the robot has left its start
 while True:
     right = sear.getDistanceResult("rightEye")
     nearest = min(nearest, right)
     if sear.getDistanceResult("frontEye") < 0.35:
         steer(0, 0.8)                                   # a corner: turn left in place
     elif right > 0.75:
-        steer(SPEED, -SPEED / 0.45)                     # the wall has ended: round its corner
+        steer(SPEED, -SPEED / 0.45)                     # the wall has ended: turn around its corner
     else:
         turn = -6 * (right - WANTED) - 11 * (right - before) / 0.05
         steer(SPEED, max(-0.8, min(0.8, turn)))

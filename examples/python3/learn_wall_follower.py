@@ -1,4 +1,5 @@
-"""A Roomba learns to follow walls by PPO, on the processor. Needs SEAR's package for Python 3 with Gymnasium, and Stable-Baselines3 and matplotlib:
+"""A Roomba learns wall following with PPO, on the CPU. Needs SEAR's Python 3 package with Gymnasium, Stable-Baselines3 and
+matplotlib:
 
     pip install ./python[gym] stable-baselines3 matplotlib
     python3 examples/python3/learn_wall_follower.py --seeds 1 2 3 --curve curve.svg
@@ -20,25 +21,25 @@ try:
     from stable_baselines3.common.vec_env import DummyVecEnv, VecNormalize
     import sear.gym
 except ImportError as error:
-    sys.exit("%s is missing. Install what this program needs: pip install ./python[gym] stable-baselines3 matplotlib" % (error.name or "Gymnasium"))
+    sys.exit("%s is missing. Install the requirements: pip install ./python[gym] stable-baselines3 matplotlib" % (error.name or "Gymnasium"))
 
 ENVIRONMENT = "SEAR/WallFollow-v0"
-WORLDS = 4            # side by side in this process, so that the network is asked for four at once
+WORLDS = 4            # in parallel in this process: the network evaluates four observations at a time
 NEAR = numpy.float32(2)
-EVERY = 10_000        # steps between two looks at how well it drives
-EPISODES = 10         # of such a look; their seeds are 1000, 1001 ...
+EVERY = 10_000        # steps between two evaluations
+EPISODES = 10         # per evaluation; their seeds are 1000, 1001 ...
 FIRST_SEED = 1000
 
 
 def make():
-    """The environment; what is farther away than 2 m does not matter, and networks like numbers from -1 to 1."""
+    """Returns the environment with observations limited to 2 m and scaled to -1 to 1, the range that suits networks."""
     env = gymnasium.make(ENVIRONMENT)
     space = gymnasium.spaces.Box(-1, 1, env.observation_space.shape)
     return Monitor(gymnasium.wrappers.TransformObservation(env, lambda beams: numpy.minimum(beams, NEAR) - 1, space))
 
 
 def drive(choose, env):
-    """The mean return of some episodes, whose seeds are always the same, and how many ended by a crash."""
+    """Returns the mean return of some episodes with fixed seeds, and the number of crashes."""
     returns = []
     crashes = 0
     for number in range(EPISODES):
@@ -54,7 +55,7 @@ def drive(choose, env):
 
 
 class Looks(BaseCallback):
-    """Tells now and then how well it drives; these looks don't count as time of learning."""
+    """Evaluates the policy regularly, outside the measured learning time."""
 
     def __init__(self, seed, rows):
         super().__init__()
@@ -72,7 +73,7 @@ class Looks(BaseCallback):
         return True
 
     def look(self):
-        """One of them."""
+        """Performs one evaluation."""
         begun = time.perf_counter()
         mean, crashes = drive(lambda observation: int(self.model.predict(observation, deterministic=True)[0]), self.env)
         seconds = begun - self.begun - self.spent
@@ -82,8 +83,8 @@ class Looks(BaseCallback):
 
 
 def learn(seed, steps, rows):
-    """PPO with the defaults of Stable-Baselines3 but for what stands here."""
-    worlds = VecNormalize(DummyVecEnv([make] * WORLDS), norm_obs=False)    # rewards of size 1
+    """Runs PPO with the defaults of Stable-Baselines3, except for the values given here."""
+    worlds = VecNormalize(DummyVecEnv([make] * WORLDS), norm_obs=False)    # scales rewards to size 1
     model = PPO("MlpPolicy", worlds, n_steps=512, batch_size=256, ent_coef=0.005, learning_rate=lambda left: 5e-4 * left, gamma=0.98, seed=seed,
                 device="cpu")
     looks = Looks(seed, rows)
@@ -94,7 +95,7 @@ def learn(seed, steps, rows):
 
 
 def draw(rows, chance, file):
-    """Return over steps, a line for each seed."""
+    """Draws the return over steps, with a line for each seed."""
     matplotlib.use("Agg")
     matplotlib.rcParams["svg.hashsalt"] = "sear"    # the same numbers give the same file
     from matplotlib import pyplot
@@ -112,13 +113,13 @@ def draw(rows, chance, file):
 
 
 def main():
-    """Learns once for each seed."""
-    options = argparse.ArgumentParser(description="A Roomba learns to follow walls by PPO.")
+    """Learns once per seed."""
+    options = argparse.ArgumentParser(description="A Roomba learns wall following with PPO.")
     options.add_argument("--seeds", type=int, nargs="+", default=[1])
-    options.add_argument("--steps", type=int, default=200_000, help="of the environment, for each seed")
-    options.add_argument("--curve", help="a file .svg or .png for the curve")
-    options.add_argument("--table", help="a file .csv for its numbers")
-    options.add_argument("--save", help="a file .zip for the last policy")
+    options.add_argument("--steps", type=int, default=200_000, help="of the environment, per seed")
+    options.add_argument("--curve", help="a .svg or .png file for the curve")
+    options.add_argument("--table", help="a .csv file for its numbers")
+    options.add_argument("--save", help="a .zip file for the final policy")
     given = options.parse_args()
     torch.set_num_threads(1)
     env = make()

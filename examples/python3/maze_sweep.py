@@ -1,5 +1,5 @@
-"""How near should a robot follow the wall on its right to find its way through the maze? Each distance is tried with many seeds, on all processors.
-Needs SEAR's package for Python 3 with Gymnasium, Dask Distributed and pyarrow:
+"""At which distance from the wall on its right does a robot best find its way through the maze? Tries each distance with
+many seeds, on all processors. Needs SEAR's Python 3 package with Gymnasium, Dask Distributed and pyarrow:
 
     pip install "./python[gym,sweep]"
     python3 examples/python3/maze_sweep.py --seeds 100 --out maze-sweep
@@ -10,13 +10,14 @@ import numpy
 import sear
 
 STRAIGHT, WIDE_LEFT, WIDE_RIGHT, LEFT, RIGHT = range(5)    # the actions of SEAR/Maze-v0
-MISTAKES = 0.05     # of its actions are chosen by chance, so that each seed has another way
+MISTAKES = 0.05     # fraction of random actions, so that each seed gives another path
 
 
 def drive(seed, gap):
-    """One run: whether it has found the cone within five minutes, after how many seconds, and how often it bumped."""
+    """Performs one run. Returns whether the cone was found within five minutes, the seconds, and the number of
+    bumps."""
     import gymnasium
-    import sear.gym    # in the function, since other processes and computers call it
+    import sear.gym    # imported here, because other processes and computers call the function
 
     random = numpy.random.default_rng(seed)
     env = gymnasium.make("SEAR/Maze-v0", max_seconds=300)
@@ -44,9 +45,9 @@ def drive(seed, gap):
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seeds", type=int, default=20, help="how many, default 20")
-    parser.add_argument("--workers", type=int, help="processes, default as many as there are processors")
-    parser.add_argument("--scheduler", help="address of a Dask scheduler that runs")
+    parser.add_argument("--seeds", type=int, default=20, help="number of seeds, default 20")
+    parser.add_argument("--workers", type=int, help="number of processes, default: number of processors")
+    parser.add_argument("--scheduler", help="address of a running Dask scheduler")
     parser.add_argument("--out", help="a folder for rows.csv and rows.parquet")
     given = parser.parse_args()
     rows = sear.sweep(drive, {"gap": [0.15, 0.2, 0.25, 0.3]}, seeds=given.seeds, workers=given.workers, scheduler=given.scheduler, out=given.out)

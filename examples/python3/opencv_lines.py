@@ -1,8 +1,8 @@
-"""Follows a line of dark tape by a camera, with OpenCV: what is dark is cut out, its pixels are looked up on the floor, and the robot steers to where
-the line is a little ahead.
+"""Follows a line of dark tape with a camera, using OpenCV. It segments dark pixels, projects them onto the floor, and steers
+towards the line a little ahead.
 
     sear                                # in one terminal
-    python3 opencv_lines.py             # in another, in this folder; --show shows what it sees
+    python3 opencv_lines.py             # in another, in this folder; --show shows the picture
 """
 import argparse
 from math import cos, radians, sin, tan
@@ -11,19 +11,21 @@ from simulated import SERVER, SimulatedRobot
 import cv2
 import numpy
 
-# the camera: degrees from left to right and down, metres above the floor and ahead of the axle
+# the camera: horizontal field of view and pitch in degrees, height above the floor and distance ahead of the axle in
+# metres
 FIELD_OF_VIEW, DOWN, HEIGHT, AHEAD = 60, 40, 0.085, 0.04
 TRACK = 0.12                # metres between the wheels
-SPEED = 0.15                # metres a second
-LOOK_AHEAD = 0.13           # metres from the axle to where it steers
-BAND = 0.02                 # metres before and behind that
-DARK = 0.5                  # of what is bright in the picture
-SMALLEST = 150              # pixels of what may be a line
-PATIENCE = 2                # seconds for which it looks for a lost line
+SPEED = 0.15                # metres per second
+LOOK_AHEAD = 0.13           # distance from the axle to the steering point, metres
+BAND = 0.02                 # half depth of the band around that distance, metres
+DARK = 0.5                  # threshold relative to the bright parts of the picture
+SMALLEST = 150              # minimum area of a line, pixels
+PATIENCE = 2                # search time for a lost line, seconds
 
 
 def floor_of(shape):
-    """Where on the floor each pixel is: metres ahead of the axle and to the left, row by row; infinite from the horizon on."""
+    """Returns the floor position of each pixel: metres ahead of the axle and to the left, row by row; infinite above
+    the horizon."""
     height, width = shape[:2]
     focal = width / 2 / tan(radians(FIELD_OF_VIEW / 2))
     rows, columns = numpy.mgrid[:height, :width]
@@ -35,7 +37,7 @@ def floor_of(shape):
 
 
 def line_of(picture):
-    """The contour of the largest dark thing in a picture; None if there is none."""
+    """Returns the contour of the largest dark area in a picture; None if there is none."""
     grey = cv2.GaussianBlur(cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY), (5, 5), 0)
     _, dark = cv2.threshold(grey, DARK * numpy.percentile(grey, 90), 255, cv2.THRESH_BINARY_INV)
     contours, _ = cv2.findContours(dark, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
@@ -44,7 +46,7 @@ def line_of(picture):
 
 
 def aim(contour, floor, shape):
-    """Where the line is a little ahead: metres ahead and to the left; None if it is not there."""
+    """Returns the line's position a little ahead: metres ahead and to the left; None without a line there."""
     mask = numpy.zeros(shape[:2], numpy.uint8)
     cv2.drawContours(mask, [contour], -1, 255, cv2.FILLED)
     ahead, left = floor
@@ -53,19 +55,19 @@ def aim(contour, floor, shape):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="follows a line by a camera")
+    parser = argparse.ArgumentParser(description="follows a line with a camera")
     parser.add_argument("--server", default=SERVER, help="address of SEAR's pages")
-    parser.add_argument("--running", action="store_true", help="in the simulation that runs, not in examples/line.sear")
-    parser.add_argument("--metres", type=float, default=5.4, help="how far it follows the line")
-    parser.add_argument("--fast", action="store_true", help="as fast as the computer can")
-    parser.add_argument("--show", action="store_true", help="shows what it sees")
-    parser.add_argument("--save", metavar="FILE", help="saves the last picture, with what was found in it")
+    parser.add_argument("--running", action="store_true", help="use the running simulation instead of examples/line.sear")
+    parser.add_argument("--metres", type=float, default=5.4, help="distance to follow the line")
+    parser.add_argument("--fast", action="store_true", help="run as fast as possible")
+    parser.add_argument("--show", action="store_true", help="show the picture")
+    parser.add_argument("--save", metavar="FILE", help="save the last picture with the detected line")
     asked = parser.parse_args()
 
     project = None if asked.running else "examples/line.sear"
     with SimulatedRobot(project, "eye", TRACK, server=asked.server, fast=asked.fast) as robot:
         floor = floor_of(robot.look().shape)
-        side = 1                # where the line was seen last: 1 to the left, -1 to the right
+        side = 1                # side where the line was last seen: 1 left, -1 right
         way = lost = pictures = unseen = 0
         while way < asked.metres:
             picture = robot.look()

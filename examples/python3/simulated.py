@@ -1,6 +1,6 @@
-"""A simulated robot with a camera, for programs with OpenCV in Python 3. It is what they need of a robot, so a real one is driven by the same
-programs: give them a class of your own in the place of SimulatedRobot, with a period, look(), drive(speed, turn) and stop(), whose Eye has the address
-of the real camera."""
+"""A simulated robot with a camera, for OpenCV programs in Python 3. The programs can drive a real robot, too: replace
+SimulatedRobot by your own class with period, look(), drive(speed, turn) and stop(), and give its Eye the address of the
+real camera."""
 import json
 import sys
 import threading
@@ -18,7 +18,7 @@ SERVER = "http://localhost:8888"
 
 
 class Eye:
-    """A network camera. A thread takes each picture as soon as it comes, so that none waits in a buffer and grows old."""
+    """A network camera. A thread reads each picture immediately, so that no picture waits in a buffer."""
 
     def __init__(self, url):
         self.url = url
@@ -42,17 +42,18 @@ class Eye:
             self.changed.notify()
 
     def close(self):
-        """Ends the thread, which waits for a picture."""
+        """Ends the thread."""
         self.closed = True
         self.thread.join(5)
 
     def forget(self):
-        """What was seen until now is not answered any more."""
+        """Drops the current picture."""
         with self.changed:
             self.picture = None
 
     def newest(self, patience=60):
-        """The newest picture, which has not been answered before: blue, green, red, row by row. Waits for it, at most so many seconds."""
+        """Returns the newest picture not returned before: blue, green, red, row by row. Waits for it up to patience
+        seconds."""
         with self.changed:
             self.changed.wait_for(lambda: self.picture is not None or self.failure, patience)
             picture, self.picture = self.picture, None
@@ -62,12 +63,12 @@ class Eye:
 
 
 class SimulatedRobot:
-    """Time passes only while it looks: however long the program thinks, and however busy the computer is, the robot does not drive on blindly."""
+    """Simulated time passes only in look(): a slow program or a busy computer never lets the robot drive on blindly."""
 
     def __init__(self, project, camera, track, rate=10, server=SERVER, fast=False):
         """
-        project: a bundle, or None for the simulation that runs; camera: its name; track: metres between the left and the right wheels;
-        rate: pictures a second; fast: as fast as the computer can, instead of as fast as a real robot
+        project: a bundle, or None for the running simulation; camera: its name; track: distance of the left and right wheels,
+        metres; rate: pictures per second; fast: as fast as possible instead of in real time
         """
         self.period = 1 / rate
         self.track = track
@@ -87,9 +88,9 @@ class SimulatedRobot:
         except urllib.error.URLError as error:
             sys.exit("There is no SEAR at %s (%s). Start it with its tabs: sear" % (server, error.reason))
         if not port:
-            sys.exit("SEAR's tab says why there is no camera " + camera)
+            sys.exit("See SEAR's tab for the reason why there is no camera " + camera)
         self.eye = Eye("http://localhost:%d/stream.mjpg" % port)
-        self.eye.newest()                       # OpenCV looks at some pictures before it answers the first one
+        self.eye.newest()                       # OpenCV reads some pictures before it returns the first one
         self.lock_step = self.sear.isLockStep()
         self.sear.setLockStep(True)
 
@@ -97,13 +98,13 @@ class SimulatedRobot:
         return self
 
     def __exit__(self, *_):
-        """The robot stands, and time passes again as it did before."""
+        """Stops the robot and restores the previous time mode."""
         self.stop()
         self.sear.setLockStep(self.lock_step)
         self.eye.close()
 
     def look(self):
-        """Lets the time of a picture pass, and answers the newest one, not one from before that came meanwhile."""
+        """Lets the time of one picture pass and returns the newest picture, taken after that."""
         self.eye.forget()
         self.sear.simSleep(self.period)
         if not self.fast:
@@ -112,11 +113,11 @@ class SimulatedRobot:
         return self.eye.newest()
 
     def drive(self, speed, turn):
-        """Until the next order: metres a second ahead, and radians a second to the left."""
+        """Drives until the next command: metres per second ahead, and radians per second to the left."""
         aside = turn * self.track / 2
         self.sear.setWheelSpeeds(float(speed - aside), float(speed + aside))
 
     def stop(self):
-        """Stands still when it returns."""
+        """Stops the robot; returns when it is at rest."""
         self.drive(0, 0)
         self.sear.simSleep(1.0)

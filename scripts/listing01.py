@@ -1,10 +1,10 @@
 # Listing 1 of the dissertation: creates the objects of an environment, each in an XML file below SEARproject/environment.
-# Lines are as printed; each that isn't says so behind "# SEAR:". The tree comes with SEAR.
+# Lines are as printed; each deviation has a comment "# SEAR:". The tree is included in SEAR.
 from org.SEAR.POJOs import Cylinder
 from org.SEAR.POJOs import Box
 from org.SEAR.POJOs import Cone
 from org.SEAR.POJOs import Model    # SEAR: printed "model"; the class is Model
-from org.SEAR.POJOs import Floor    # SEAR: added; the print forgot it
+from org.SEAR.POJOs import Floor    # SEAR: added; missing in the print
 
 floor = Floor("floor", 50, 50)    #create floor
 

@@ -1,7 +1,7 @@
 # Listing 2 of the dissertation: creates a simple Roomba-like robot, its parts in XML files below SEARproject/robot.
-# Lines are as printed; each that isn't says so behind "# SEAR:". The picture of the body comes with
-# SEAR. The start pose, 180 degrees about z, would lay the robot on its back: SEAR takes it for the heading, so that the robot looks at the tree of
-# Listing 1, and says so when the simulation starts.
+# Lines are as printed; each deviation has a comment "# SEAR:". The picture of the body is included in SEAR.
+# The start rotation of 180 degrees about z would put the robot on its back. SEAR takes it as the heading, so that the
+# robot faces the tree of Listing 1, and warns about it when the simulation starts.
 from org.SEAR.POJOs import Cylinder
 from org.SEAR.POJOs import Box
 from org.SEAR.POJOs import Cone

@@ -1,5 +1,5 @@
 # Listing 3 of the dissertation: drives the robot of Listings 1 and 2 forward for a second, then backward.
-# Lines are as printed; each that isn't says so behind "# SEAR:".
+# Lines are as printed; each deviation has a comment "# SEAR:".
 from time import sleep
 from org.myrobotlab.service import Roomba
 
@@ -9,17 +9,17 @@ sear.startSimulation();           #start SEAR simulation
 roomba = Runtime.create("robot_Dynamics1", "Roomba")
 roomba.connect( "/dev/SEAR_Robot_01" )
 roomba.startService()
-line = Runtime.getService("serial")    # SEAR: added; MyRobotLab Nixie's Roomba lets go of its port and talks through the service named "serial"
-if line is not None and not line.isConnected():    # SEAR: added, see above; the MyRobotLab that comes with SEAR needs none of it
+line = Runtime.getService("serial")    # SEAR: added; MyRobotLab Nixie's Roomba closes its port and talks through the service named "serial"
+if line is not None and not line.isConnected():    # SEAR: added, see above; SEAR's embedded MyRobotLab does not need it
     line.connect("/dev/SEAR_Robot_01", 57600, 8, 1, 0)    # SEAR: added, see above
 roomba.startup()
 roomba.control()
 roomba.goForward()
 roomba.sleep( 1000 )
-print "after a second forward: %.2f m" % sear.getOdomResult()    # SEAR: added, to see that it drives
+print "after a second forward: %.2f m" % sear.getOdomResult()    # SEAR: added, to show that it drives
 roomba.goBackward()
-roomba.sleep(1000)    # SEAR: added; as printed it would drive backward for ever
+roomba.sleep(1000)    # SEAR: added; as printed the robot would never stop
 roomba.stop()    # SEAR: added, see above
-sleep(1)    # SEAR: added; it takes a moment to stand
-print "after a second backward: %.2f m" % sear.getOdomResult()    # SEAR: added, to see that it drives
-sear.stopSimulation()    # SEAR: added; the next script starts a simulation of its own
+sleep(1)    # SEAR: added; the robot needs a moment to stop
+print "after a second backward: %.2f m" % sear.getOdomResult()    # SEAR: added, to show that it drives
+sear.stopSimulation()    # SEAR: added; the next script starts its own simulation

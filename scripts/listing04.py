@@ -1,6 +1,6 @@
-# Listing 4 of the dissertation: a virtual LIDAR. The listing is a snippet that "should be added to the script that creates the virtual robot", so
-# Listing 2 comes first.
-# Lines are as printed; each that isn't says so behind "# SEAR:".
+# Listing 4 of the dissertation: a virtual LIDAR. The listing is a snippet that "should be added to the script that creates
+# the virtual robot", so Listing 2 comes first.
+# Lines are as printed; each deviation has a comment "# SEAR:".
 from org.SEAR.POJOs import Cylinder
 from org.SEAR.POJOs import Box
 from org.SEAR.POJOs import Cone

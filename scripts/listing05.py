@@ -1,13 +1,13 @@
-# Listing 5 of the dissertation: starts a LIDAR service on the robot of Listing 4 and scans. The tree of Listing 1 stands 3 m ahead.
-# Lines are as printed; each that isn't says so behind "# SEAR:". The callback
-# keeps its name input, which Listing 6 shares: both listen to the same service, so each may run after the other in one session. Call yours otherwise
+# Listing 5 of the dissertation: starts a LIDAR service on the robot of Listing 4 and scans. The tree of Listing 1 is 3 m
+# ahead. Lines are as printed; each deviation has a comment "# SEAR:". The callback keeps its name input, as in Listing 6:
+# both listen to the same service, so each may follow the other in one session. Give your callback another name
 # (docs/embedded-and-real.md).
 from time import sleep
 sear = Runtime.createAndStart("SEAR", "SEAR")
 sear.startSimulation(); #start SEAR simulation
 sleep (2); # Give some time for things to fall into their natural place.
 
-def input(data):    # SEAR: added; the text names this callback and leaves it to Listing 6
+def input(data):    # SEAR: added; the text mentions this callback, only Listing 6 has it
     print "received " + str(len(data)) + " readings, the nearest at " + str(min(data))    # SEAR: added
 
 #These lines are initialization of the LIDAR
@@ -26,4 +26,4 @@ print "Ready to receive LIDAR data... "
 for scan in range(3):    # SEAR: printed "while 1: # infinite loop", which never ends
     lidar.singleScan() #get a single scan
     sleep(2) #wait two seconds and repeat
-sear.stopSimulation()    # SEAR: added; the next script starts a simulation of its own
+sear.stopSimulation()    # SEAR: added; the next script starts its own simulation

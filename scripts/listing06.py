@@ -1,15 +1,15 @@
-# Listing 6 of the dissertation: reads the raw LIDAR data and prints them as Cartesian coordinates, the LIDAR being at (0, 0): x to the right,
-# y ahead. Lines are as printed; each that isn't says so behind "# SEAR:". The indentation is put right,
-# too: the print has the conversion outside its loop. The callback keeps its name input, which Listing 5 shares: both listen to the same service, so
-# each may run after the other in one session. Call yours otherwise (docs/embedded-and-real.md).
+# Listing 6 of the dissertation: reads the raw LIDAR data and prints them as Cartesian coordinates: x to the right, y ahead,
+# the LIDAR at (0, 0). Lines are as printed; each deviation has a comment "# SEAR:". The indentation is corrected, too: the
+# print has the conversion outside its loop. The callback keeps its name input, as in Listing 5: both listen to the same
+# service, so each may follow the other in one session. Give your callback another name (docs/embedded-and-real.md).
 from time import sleep
 import java.lang.String    # SEAR: printed "Java"; the package is java
 import math
 # This script only uses the LIDAR sensor on the simulated robot, the user is expected to drive the robot using the i,j,k,l,and ; keys
 
-def input(data):    # SEAR: printed "input()"; MyRobotLab hands the value over as argument
+def input(data):    # SEAR: printed "input()"; MyRobotLab passes the value as argument
     startingAngle = 0
-    code = data    # SEAR: printed "msg_myLidar_publishLidarData.data[0]", a variable that MyRobotLab no longer sets
+    code = data    # SEAR: printed "msg_myLidar_publishLidarData.data[0]", a variable that MyRobotLab does not set
     length = len(code)
     print "received " + str(length) + "readings:"
     if length==101 or length==201 or length==401:
@@ -57,4 +57,4 @@ print "Ready to receive LIDAR data... "
 for scan in range(2):    # SEAR: printed "while 1: # infinite loop", which never ends
     lidar.singleScan() #get a single scan
     sleep(2)         #wait two seconds and repeat
-sear.stopSimulation()    # SEAR: added; the next script starts a simulation of its own
+sear.stopSimulation()    # SEAR: added; the next script starts its own simulation

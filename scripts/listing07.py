@@ -1,6 +1,6 @@
-# Listing 7 of the dissertation: a GPS sensor. The listing is a snippet that "should be added to Code Listing 2", which comes first, with the LIDAR of
-# Listing 4.
-# Lines are as printed; each that isn't says so behind "# SEAR:".
+# Listing 7 of the dissertation: a GPS sensor. The listing is a snippet that "should be added to Code Listing 2", which comes
+# first, with the LIDAR of Listing 4.
+# Lines are as printed; each deviation has a comment "# SEAR:".
 from org.SEAR.POJOs import Cylinder
 from org.SEAR.POJOs import Box
 from org.SEAR.POJOs import Cone

@@ -1,11 +1,11 @@
-# Listing 9 of the dissertation: the user's side of a custom controller, userCode.py; it runs Listing 10, the controller's. For robots of your own
-# take the templates userCode.py and controller.py of SEAR's jar (sear.copyTemplate): they do the same in today's way.
-# Lines are as printed; each that isn't says so behind "# SEAR:". The indentation is put right, too, and the
-# environment of Listing 1, which the print has in the middle of a function's code, stands behind it.
+# Listing 9 of the dissertation: the user's side of a custom controller, userCode.py; it runs Listing 10, the controller's.
+# For your own robots use the templates userCode.py and controller.py of SEAR's jar (sear.copyTemplate), which work with
+# today's API. Lines are as printed; each deviation has a comment "# SEAR:". The indentation is corrected, too, and the
+# environment of Listing 1, which the print has in the middle of a function, is behind that function.
 from time import sleep
 import sys
 import os    # SEAR: added, to find Listing 10
-folder = os.path.dirname(globals().get("__file__", ""))    # SEAR: added; where this script lies, else MyRobotLab's folder as in the print
+folder = os.path.dirname(globals().get("__file__", ""))    # SEAR: added; this script's folder, else MyRobotLab's folder as in the print
 
 print "\n \n executing serial send"
 python.execFile(os.path.join(folder, "listing10.py"))    # SEAR: printed "controllerTest.py" #execute the simulated controller's code
@@ -25,10 +25,10 @@ from org.SEAR.POJOs import Cylinder
 from org.SEAR.POJOs import Box
 from org.SEAR.POJOs import Cone
 from org.SEAR.POJOs import Model    # SEAR: printed "model"; the class is Model
-from org.SEAR.POJOs import Floor    # SEAR: added; the print forgot it
+from org.SEAR.POJOs import Floor    # SEAR: added; missing in the print
 
 floor = Floor("floor", 50, 50)    #create floor
-floor.setVisibleToSensors(False)    # SEAR: added; the PING))) sensors would see nothing but the floor
+floor.setVisibleToSensors(False)    # SEAR: added; the PING))) sensors would detect only the floor
 
 #create some obstacles
 box = Box("Box1_name", 0.25, 0.25, 0.25, 0)
@@ -48,7 +48,7 @@ tree.move(0, 0, -3)
 
 print "Done creating Environment"
 
-from org.SEAR.POJOs import Accelerometer, Compass, Distance, Gyroscope    # SEAR: added; the sensors that Listing 10 asks for
+from org.SEAR.POJOs import Accelerometer, Compass, Distance, Gyroscope    # SEAR: added; the sensors that Listing 10 reads
 python.execFile(os.path.join(folder, "listing02.py"))    # SEAR: added; the robot for them
 for (name, x) in (("testPing1", 0.05), ("MyNewestSONAR", -0.05)):    # SEAR: added, see above
     ping = Distance(name, "PING)))")    # SEAR: added, see above
@@ -57,14 +57,14 @@ for (name, x) in (("testPing1", 0.05), ("MyNewestSONAR", -0.05)):    # SEAR: add
 for sensor in (Accelerometer("accel"), Gyroscope("gyro1"), Compass("comp1")):    # SEAR: added, see above
     robot.addComponent(sensor)    # SEAR: added, see above
 
-def receiveMessage(data):    # SEAR: printed "receiveMessage()"; MyRobotLab hands the value over as argument
+def receiveMessage(data):    # SEAR: printed "receiveMessage()"; MyRobotLab passes the value as argument
 
     global msgBuffer
-    global messageLength    # SEAR: printed with a note of the editor behind it
+    global messageLength    # SEAR: printed with an editor's note behind it
     global currentLength
     global msgResults
 
-    data = data & 0xff    # SEAR: printed "msg_serial_publishByte.data[0] & 0xff", a variable that MyRobotLab no longer sets
+    data = data & 0xff    # SEAR: printed "msg_serial_publishByte.data[0] & 0xff", a variable that MyRobotLab does not set
     if (currentLength < messageLength): # if not the full message, then store this in our buffer
         msgBuffer.insert(currentLength, data) # fill the message buffer full of bytes.
         currentLength +=1 #increment index value
@@ -117,7 +117,7 @@ serial = Runtime.createAndStart("serial","Serial")
 serial.disconnect()    # SEAR: added; MyRobotLab Nixie's Roomba may have left a port open there
 serial.connect("/dev/user_CONTROLLER_01", 9600, 8, 1, 0)
 
-serial.addListener("publishRX", python.name, "receiveMessage")    # SEAR: printed "publishByte", which MyRobotLab no longer has
+serial.addListener("publishRX", python.name, "receiveMessage")    # SEAR: printed "publishByte", which MyRobotLab does not have
 print "listening to: "+serial.name
 
 
@@ -162,4 +162,4 @@ waitForReply()
 # degree (in steps of 0.5 degrees).
 #Now we must divide by 10 because the HMC6352 outputs are from 0- 3599 [https://www.sparkfun.com/datasheets/Components/HMC6352.pdf ]
 print "Back in Main, Compass heading (out of 360 degrees) = " + str(float(msgResults[0])/10)
-sear.stopSimulation()    # SEAR: added; the next script starts a simulation of its own
+sear.stopSimulation()    # SEAR: added; the next script starts its own simulation

@@ -1,6 +1,6 @@
-# Listing 10 of the dissertation: the controller's side of a custom controller, controller.py. Listing 9 runs it and asks it for its sensors. For
-# robots of your own take the templates userCode.py and controller.py of SEAR's jar (sear.copyTemplate): they do the same in today's way.
-# Lines are as printed; each that isn't says so behind "# SEAR:". The indentation is put right, too.
+# Listing 10 of the dissertation: the controller's side of a custom controller, controller.py. Listing 9 runs it and reads
+# its sensors. For your own robots use the templates userCode.py and controller.py of SEAR's jar (sear.copyTemplate), which
+# work with today's API. Lines are as printed; each deviation has a comment "# SEAR:". The indentation is corrected, too.
 from org.myrobotlab.serial import SerialDeviceFactory;
 from org.myrobotlab.serial import VirtualSerialPort;
 from org.myrobotlab.service import Serial;

@@ -1,10 +1,11 @@
-# What the tests of MyRobotLab's own services begin with: a rover with an Arduino and a GPS receiver before a wall. Time runs by the clock.
+# Common start of the tests of MyRobotLab's own services: a rover with an Arduino and a GPS receiver in front of a wall,
+# in real time.
 import time
 from org.SEAR.POJOs import Arduino, Box, Bumper, Distance, Floor, GPS, Led, Robots
 from org.SEAR.POJOs import Motor as SimulatedMotor, Servo as SimulatedServo
 
 def until(what, condition, seconds=60):
-    """Waits for what has to come true by itself, on a busy machine too."""
+    """Waits until a condition is true, also on a busy machine."""
     end = time.time() + seconds
     while not condition():
         if time.time() > end:
@@ -20,9 +21,10 @@ def pressBumper():
     for side in ("left", "right"): sear.setMotorPower(side + "Engine", 0.5)
 
 def build():
-    """A rover of the Create's body whose wheels are driven by an Uno, as MyRobotLab's Arduino service programs it."""
+    """Builds a rover with the Create's body, whose wheels an Uno drives with the program of MyRobotLab's Arduino
+    service."""
     Floor("ground", 20, 20)
-    Box("wall", 4, 0.2, 0.4, 0).move(0, 0.2, 0.9)    # its face is 0.8 m ahead of the middle
+    Box("wall", 4, 0.2, 0.4, 0).move(0, 0.2, 0.9)    # its face is 0.8 m ahead of the robot's middle
     rover = Robots.create2("rover")
     uno = Arduino("uno", "uno")
     uno.setFirmware("MrlComm")
@@ -62,7 +64,7 @@ sear.setSpeed(1)
 sear.startSimulation()
 
 def board(name="board"):
-    """The Arduino service, connected, when it knows what board it has."""
+    """Returns the connected Arduino service, once it knows its board."""
     service = Runtime.start(name, "Arduino")
     service.connect("/dev/SEAR_UNO_01")
     until("the board says what it is", lambda: service.getBoardInfo() is not None and service.getBoardInfo().getVersion() == 68)

@@ -1,8 +1,8 @@
-"""Has FFmpeg read a network camera.
+"""Reads a network camera with FFmpeg.
 
 usage: ffmpeg_stream.py URL PICTURES
 
-Prints FFmpeg's version, the size of what comes, and for each picture the mean of red, green and blue, whole."""
+Prints FFmpeg's version, the size of the pictures, and the mean red, green and blue of each, rounded."""
 import sys
 
 import imageio_ffmpeg

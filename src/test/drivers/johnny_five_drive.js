@@ -1,18 +1,18 @@
-// Drives a robot and reads its sensors through an Arduino with StandardFirmata, with johnny-five, which is made for real ones.
+// Drives a robot and reads its sensors through an Arduino with StandardFirmata, with johnny-five, a library for real ones.
 //
 // usage: NODE_PATH=... node johnny_five_drive.js TCP_PORT SECONDS
 //
-// Pins 9 and 10 are the motors' power, 7 and 8 their direction, A0 is a Sharp sensor, 4 a PING))). Prints the board's program and pins, the Sharp
-// sensor's value and the centimetres of the echo, after a second of driving "drove"; then it turns the robot in place, tells each second how many
-// values of A0 came and the least and greatest of them, and after SECONDS of this "done".
+// Pins 9 and 10 are the motors' power, 7 and 8 their direction, A0 is a Sharp sensor, 4 a PING))). Prints the board's
+// program and pins, the Sharp sensor's value, the echo in centimetres, and "drove" after a second of driving. Then turns in
+// place and prints the number, minimum and maximum of A0's values each second, and "done" after SECONDS.
 const net = require('net')
 const {Firmata} = require('firmata-io')
 const five = require('johnny-five')
 
 const [port, seconds] = process.argv.slice(2).map(Number)
 const socket = net.connect(port, '127.0.0.1')
-socket.on('connect', () => socket.emit('open')) // as a serial port of node says it
-const patience = 60000 // milliseconds: johnny-five gives up after 10 s, which a busy computer may need
+socket.on('connect', () => socket.emit('open')) // like a serial port of node
+const patience = 60000 // milliseconds: johnny-five's 10 s are too short for a busy computer
 const io = new Firmata(socket, {reportVersionTimeout: patience})
 const board = new five.Board({io, repl: false, debug: false, timeout: patience})
 
@@ -29,7 +29,7 @@ board.on('ready', () => {
   })
 })
 
-// A sensor tells every 50 ms what it has, which is nothing before the board has answered.
+// A sensor reports every 50 ms, without a value until the board has answered.
 function onceItHas(sensor, read, then) {
   sensor.on('data', function told() {
     if (read()) {

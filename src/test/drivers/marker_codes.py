@@ -1,8 +1,9 @@
-"""Writes the codes of markers as OpenCV has them, in the form that SEAR reads.
+"""Writes OpenCV's codes of markers in the form that SEAR reads.
 
 usage: marker_codes.py FOLDER
 
-A file for each family that is not a part of another: a line a marker, hexadecimal, a bit a cell, row by row from the top left, 1 is white."""
+One file for each family that is not part of another: one line per marker, hexadecimal, one bit per cell, row by row from the
+top left, 1 is white."""
 import os
 import sys
 

@@ -1,8 +1,8 @@
-"""Calibrates a camera by its pictures of a chessboard, as programs with OpenCV do.
+"""Calibrates a camera from pictures of a chessboard, like programs with OpenCV.
 
 usage: opencv_calibrate.py CORNERS_IN_A_ROW CORNERS_IN_A_COLUMN PICTURE...
 
-Prints in how many pictures the chessboard was found, and on the next line fx, fy, cx, cy, k1, k2 and the root of the mean square of what is left, pixels."""
+Prints the number of pictures with a chessboard, and on the next line fx, fy, cx, cy, k1, k2 and the RMS residual, pixels."""
 import sys
 
 import cv2

@@ -1,8 +1,8 @@
-"""Reads a depth camera's picture over the network with OpenCV, and waits for nothing.
+"""Reads a depth camera's picture over the network with OpenCV.
 
 usage: opencv_depth.py URL
 
-Prints the type and the size of what comes, and the depth in the middle, millimetres."""
+Prints the type and the size of the picture, and the depth in the middle, millimetres."""
 import sys
 import urllib.request
 

@@ -1,9 +1,9 @@
-"""Finds markers in a picture and says where they are, as programs with OpenCV do.
+"""Finds markers in a picture and computes their poses, like programs with OpenCV.
 
 usage: opencv_markers.py PICTURE FOCAL_LENGTH CX CY SIZE DICTIONARY...
 
-Prints a line for each marker found: its dictionary, its number, the nine numbers of its rotation matrix row by row, and its place in metres: from its
-own frame, x to the right, y up, z out of its front, to the camera's, x to the right, y down, z ahead."""
+Prints one line per marker: dictionary, number, the nine numbers of its rotation matrix row by row, and its position in
+metres. The pose maps the marker's frame (x right, y up, z out of its front) to the camera's (x right, y down, z ahead)."""
 import sys
 
 import cv2

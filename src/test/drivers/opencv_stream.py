@@ -1,8 +1,8 @@
-"""Looks through a network camera as programs with OpenCV do.
+"""Reads a network camera like programs with OpenCV.
 
 usage: opencv_stream.py URL PICTURES
 
-Prints OpenCV's version, the size of what comes, and for each picture the mean of blue, green and red, whole."""
+Prints OpenCV's version, the size of the pictures, and the mean blue, green and red of each, rounded."""
 import sys
 
 import cv2

@@ -1,8 +1,8 @@
-"""Drives the robot behind a serial port with pycreate2, an independent driver for the real Create 2.
+"""Drives the robot on a serial port with pycreate2, an independent driver for the real Create 2.
 
 usage: pycreate2_drive.py PORT SECONDS
 
-Prints one line a reading; exit status 1 at the first answer that the driver cannot read or that contradicts what was commanded."""
+Prints one line per reading. Exit status 1 at the first answer that the driver can't read or that contradicts a command."""
 import sys
 import time
 

@@ -1,9 +1,9 @@
-"""Drives a robot and reads its sensor through an Arduino with StandardFirmata, with pyFirmata2, which is made for real ones.
+"""Drives a robot and reads its sensor through an Arduino with StandardFirmata, with pyFirmata2, a library for real ones.
 
 usage: pyfirmata2_drive.py PORT
 
-Pin 9 and 10 are the motors' power, 7 and 8 their direction, A0 a Sharp sensor, 4 is open. Prints the firmware, the sensor's volts at the start, whether
-pin 4 is high with its pull-up, and the volts after driving."""
+Pins 9 and 10 are the motors' power, 7 and 8 their direction, A0 is a Sharp sensor, 4 is open. Prints the firmware, the
+sensor's volts at the start, whether pin 4 is high with its pull-up, and the volts after driving."""
 import sys
 import time
 
@@ -14,7 +14,7 @@ PATIENCE = 10
 
 
 def first(pin):
-    """The first value that is told, or None."""
+    """Returns the first value received, or None."""
     end = time.time() + PATIENCE
     pin.register_callback(lambda value: None)
     pin.enable_reporting()

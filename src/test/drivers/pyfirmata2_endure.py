@@ -1,9 +1,10 @@
-"""Turns a robot in place and reads its sensor through an Arduino with StandardFirmata, with pyFirmata2, which is made for real ones.
+"""Turns a robot in place and reads its sensor through an Arduino with StandardFirmata, with pyFirmata2, a library for real
+ones.
 
 usage: pyfirmata2_endure.py PORT SECONDS
 
-Pin 9 and 10 are the motors' power, 7 and 8 their direction, A0 a Sharp sensor. Tells each second how many values of A0 came and the least and greatest
-of them, in steps of the converter; after SECONDS of this "done"."""
+Pins 9 and 10 are the motors' power, 7 and 8 their direction, A0 is a Sharp sensor. Each second it prints the number, minimum
+and maximum of A0's values, in steps of the converter; after SECONDS "done"."""
 import sys
 import time
 

@@ -1,4 +1,4 @@
-"""Reads an RPLIDAR with the driver pyrplidar: its type and health, then some turns, one a line of "angle:distance"."""
+"""Reads an RPLIDAR with the driver pyrplidar: type and health, then turns, each as a line of "angle:distance"."""
 import sys
 
 from pyrplidar import PyRPlidar

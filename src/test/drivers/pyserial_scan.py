@@ -1,8 +1,9 @@
-"""Drives the simulated robot and scans with the simulated LIDAR through pyserial, as a user's own script would do with the real ones.
+"""Drives the simulated robot and scans with the simulated LIDAR through pyserial, like a user's script for real devices.
 
 usage: pyserial_scan.py ROBOT_PORT ROBOT_BAUD LIDAR_PORT   (paths, or rfc2217://localhost:NUMBER)
 
-Prints the scan's raw values on one line and the distance driven on the next; exit status 1 with a reason when an answer is wrong or missing."""
+Prints the scan's raw values on one line and the distance driven on the next. Exit status 1 with a reason if an answer is
+wrong or missing."""
 import struct
 import sys
 import time
@@ -13,7 +14,7 @@ VALUES_180_BY_1 = 181
 
 
 def crc(telegram):
-    """CRC of SICK's LMS2xx: one shift a byte."""
+    """Returns the CRC of SICK's LMS2xx: one shift per byte."""
     value, before = 0, 0
     for byte in bytearray(telegram):
         top, value = value & 0x8000, (value << 1) & 0xFFFF

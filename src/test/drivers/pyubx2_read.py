@@ -1,15 +1,15 @@
-"""Sets up and reads a u-blox receiver behind a serial port with pyubx2, an independent codec for the real ones.
+"""Configures and reads a u-blox receiver on a serial port with pyubx2, an independent codec for real ones.
 
 usage: pyubx2_read.py PORT SOLUTIONS
 
-Prints the firmware, the number of satellites and then "latitude longitude altitude height" of each solution; exit status 1 at the first answer that is
-not the one of a NEO-M8N."""
+Prints the firmware, the number of satellites and then "latitude longitude altitude height" of each solution. Exit status 1
+at the first answer that a NEO-M8N would not give."""
 import sys
 
 import serial
 from pyubx2 import ERR_RAISE, POLL, SET, UBXMessage, UBXReader
 
-PATIENCE = 200  # messages that may come before an answer
+PATIENCE = 200  # messages that may precede an answer
 
 
 def wait(reader, identity, **fields):

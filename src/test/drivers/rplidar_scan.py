@@ -1,4 +1,4 @@
-"""Reads an RPLIDAR with the driver rplidar-roboticia: its type and health, then some turns, one a line of "angle:distance"."""
+"""Reads an RPLIDAR with the driver rplidar-roboticia: type and health, then turns, each as a line of "angle:distance"."""
 import sys
 
 import rplidar

@@ -1,4 +1,4 @@
-"""Reads an RPLIDAR with the driver rplidarc1: samples of some turns, in one line of "angle:distance"."""
+"""Reads an RPLIDAR with the driver rplidarc1: samples of some turns, as one line of "angle:distance"."""
 import asyncio
 import sys
 

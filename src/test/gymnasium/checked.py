@@ -1,4 +1,4 @@
-"""Gymnasium's own check of each registered environment, and what its observations are."""
+"""Gymnasium's own check of each registered environment and its observations."""
 import warnings
 
 import gymnasium
@@ -6,7 +6,7 @@ import numpy
 import sear.gym
 from gymnasium.utils.env_checker import check_env
 
-# Of things no bounds are known
+# Poses of objects have no bounds
 warnings.filterwarnings("error")
 warnings.filterwarnings("ignore", message=".*A Box observation space m[a-z]+ value is (-)?infinity.*")
 

@@ -1,4 +1,4 @@
-"""Policies that were written by hand solve what is to be learned, and much better than chance."""
+"""Handwritten policies solve the tasks, and much better than random actions."""
 from math import atan2, cos, hypot
 
 import gymnasium
@@ -9,20 +9,20 @@ EPISODES = 4
 
 
 def wall(beams):
-    """Half a metre from the nearest thing on the right, which is to be straight to the right."""
+    """Keeps half a metre from the nearest object on the right, and that object straight to the right."""
     straight, left, right, turn = 0, 1, 2, 3
     nearest = beams[:70].min()
     at = int(beams[:70].argmin())    # degrees from the right
     if beams[68:113].min() < 0.55 or nearest < 0.3:
         return turn
-    if nearest > 0.75:    # the wall has ended, unless it goes on behind a door
+    if nearest > 0.75:    # the wall has ended, unless it continues behind a door
         return straight if at > 30 and nearest < 1.4 else right
     error = 2 * (nearest - 0.5) - 0.8 * numpy.radians(at)
     return right if error > 0.08 else left if error < -0.08 else straight
 
 
 def line(light, seen=[3]):
-    """Towards where the tape is, or was seen last."""
+    """Steers towards the tape, or to where it was last seen."""
     dark = 100 - light
     if dark.sum() < 40:
         return seen[0]
@@ -34,7 +34,7 @@ def line(light, seen=[3]):
 
 
 def dock(seen):
-    """To a point before the place in front of the dock, the nearer to it the nearer the robot is."""
+    """Drives to a point ahead of the docking place; the point approaches that place with the robot."""
     ahead, left, cosine, sine = (float(one) for one in seen)
     ahead, left = ahead - 0.21 * cosine, left - 0.21 * sine
     far = hypot(ahead, left)
@@ -45,7 +45,7 @@ def dock(seen):
 
 
 def returns(name, choose):
-    """Of some episodes; None: by chance."""
+    """Returns the returns of some episodes; None: random actions."""
     env = gymnasium.make("SEAR/%s-v0" % name)
     env.action_space.seed(1)
     got = []

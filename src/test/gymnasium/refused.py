@@ -1,4 +1,4 @@
-"""What is not legal is told with thing, value and what is."""
+"""Errors name the argument, its value and what is legal."""
 import gymnasium
 import numpy
 import sear

@@ -1,4 +1,4 @@
-"""Rewards and ends of an environment of one's own, and what they get."""
+"""Rewards and ends of a custom environment, and their arguments."""
 from math import hypot
 
 import gymnasium
@@ -9,7 +9,7 @@ seen = []
 
 
 def reward(robot):
-    """Keeps what it has got."""
+    """Stores its arguments."""
     robot.memory["times"] = robot.memory.get("times", 0) + 1
     seen.append((robot.time, robot.x, robot.z, robot.moved, robot.memory["times"], robot.action))
     return 2 * robot.moved
@@ -40,7 +40,7 @@ while not late:
 assert len(seen) == 20 and seen[0][4] == 1, "4 s; what was remembered is forgotten"
 assert env.robot.turned < -90 and -180 < env.robot.heading <= 180 and abs((env.robot.heading + env.robot.turned + 180) % 360 - 180) < 0.01 and seen[-1][5] == 1, "to the right"
 
-# by default: how far it has moved, less 1 for a bump, which ends it
+# default: distance moved, less 1 for a bump, which ends the episode
 env = SearEnv("examples/office.sear", sensors=["myLidar"], actions=[(0.5, 0.5)], start=[(3.2, 0.6, 90)])
 env.reset(seed=2)
 assert abs(env.robot.x - 3.2) < 1e-6 and abs(env.robot.heading - 90) < 1e-3

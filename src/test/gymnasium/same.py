@@ -1,4 +1,4 @@
-"""The same seed gives the same episode to the bit, in this process and in others; another seed another noise."""
+"""The same seed gives the same episode to the bit, in this process and in others; another seed gives other noise."""
 import hashlib
 import sys
 
@@ -12,7 +12,7 @@ from sear import LIDAR, Floor, Box, Noise, Robots, Runtime    # noqa: E402
 
 
 def project():
-    """A room, and a robot whose LIDAR has errors."""
+    """Builds a room, and a robot whose LIDAR has noise."""
     service = Runtime.start("sear", "SEAR")
     service.newProject()
     Floor("floor", 20, 20)
@@ -25,7 +25,7 @@ def project():
 
 
 def episode(env, seed=None):
-    """All that it answers."""
+    """Returns a digest of everything that an episode returns."""
     told = hashlib.sha256()
     observation, _ = env.reset(seed=seed)
     for number in range(60):

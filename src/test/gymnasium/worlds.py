@@ -1,4 +1,4 @@
-"""Several worlds in this process, and in processes of their own."""
+"""Several worlds in this process, and in other processes."""
 import multiprocessing
 import sys
 
@@ -8,7 +8,7 @@ import sear.gym
 
 
 def drive(worlds):
-    """What all of them have seen."""
+    """Returns the observations of all worlds."""
     seen = [worlds.reset(seed=3)[0]]
     for action in (0, 0, 1, 3, 0, 2):
         observations, rewards, ended, late, _ = worlds.step(numpy.full(worlds.num_envs, action))
@@ -32,7 +32,7 @@ def main():
         try:
             gymnasium.make_vec("SEAR/WallFollow-v0", num_envs=2, vectorization_mode="async", vector_kwargs={"context": "fork"}).reset()
         except (ConnectionError, EOFError):
-            print("forked ones end")    # and say why, see the test
+            print("forked ones end")    # and report why, see the test
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""An interrupt of the kernel ends a long wait, by the clock and in lock-step, and the kernel goes on; so does one that is started anew."""
+"""An interrupt of the kernel ends a long wait, in real time and in lock-step. The kernel continues, also after a restart."""
 from jupyter_client.manager import start_new_kernel
 
 SECONDS = 600
@@ -26,7 +26,7 @@ robots.%s
 
 
 def run(client, code, told=None):
-    """The reply to a cell; calls told when the cell prints something."""
+    """Returns the reply to a cell; calls told when the cell prints "waits"."""
     number = client.execute(code)
     while told:
         message = client.get_iopub_msg(timeout=SECONDS)
@@ -54,7 +54,7 @@ try:
             assert reply["status"] == "error" and reply["ename"] == "KeyboardInterrupt", reply
             ok(client, "teller.join()\nrobots.resume()\nbefore = robots.getTime()\nrobots.simSleep(2)\n"
                        "passed = robots.getTime() - before\nassert 1.999 < passed < 900000, passed")
-            print("%s at speed %s was broken off" % (wait, speed.strip("'")))
+            print("%s at speed %s was interrupted" % (wait, speed.strip("'")))
         ok(client, "robots.stopSimulation()\nrobots.startSimulation()\nrobots.simSleep(0.5)\nrobots.stopSimulation()")
         manager.restart_kernel()
         client.wait_for_ready(timeout=SECONDS)

@@ -1,4 +1,4 @@
-"""What notebooks ask things for, without a notebook: pictures, and text where there is none."""
+"""The display methods that notebooks call: pictures, and text without a picture."""
 import pathlib
 import pickle
 
@@ -7,7 +7,7 @@ import numpy
 import sear
 
 sear.start(headless=True, speed="max")
-sear.start(headless=True, speed="max")    # a cell that is run again
+sear.start(headless=True, speed="max")    # like a cell that is run again
 try:
     sear.start()
     raise AssertionError("another start was not refused")
@@ -21,7 +21,7 @@ robots = Runtime.start("robots", "SEAR")
 
 
 def shown(thing):
-    """What Jupyter asks for."""
+    """Returns what Jupyter displays."""
     return thing._repr_mimebundle_()
 
 

@@ -1,13 +1,13 @@
 """Runs a notebook in a fresh kernel, and writes it with its outputs: run_notebook.py NOTEBOOK FOLDER RESULT [TIMES].
 
-The cells are run in FOLDER, one after the other, all of them so many times; the result has what came out the last time.
+Runs all cells in order in FOLDER, TIMES times. The result contains the outputs of the last run.
 """
 import sys
 
 import nbformat
 from nbclient import NotebookClient
 
-SECONDS = 600    # for a cell
+SECONDS = 600    # per cell
 path, folder, result = sys.argv[1:4]
 times = int(sys.argv[4]) if len(sys.argv) > 4 else 1
 notebook = nbformat.read(path, 4)

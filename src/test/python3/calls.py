@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the package for Python 3 promises, whichever way Java is reached. Prints what must be the same both ways."""
+"""Calls of the Python 3 package, with Java in the process or in another one. Prints results that must be the same both ways."""
 import numpy
 
 import sear as package
@@ -8,7 +8,7 @@ from org.SEAR.POJOs import Box, Distance, Floor, LIDAR, Robots
 
 
 def refused(kinds, words, call, *arguments, **named):
-    """Has a call refused, with these words."""
+    """Checks that a call raises an error with these words."""
     try:
         call(*arguments, **named)
     except kinds[0] as error:
@@ -69,7 +69,7 @@ heard = []
 
 
 def onDistance(reading):
-    """Is called back, and lets time pass itself."""
+    """A callback that itself lets time pass."""
     heard.append((reading.name, round(reading.time, 4), reading.value))
     if len(heard) == 3:
         robots.simSleep(0.25)

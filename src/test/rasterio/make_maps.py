@@ -1,8 +1,8 @@
-"""Writes elevation maps in many encodings and projections with GDAL, and beside each what GDAL reads of it.
+"""Writes elevation maps in many encodings and projections with GDAL, and GDAL's reading of each.
 
 make_maps.py LIBRARIES FOLDER SEED
-NAME.ENDING the map; NAME.posts its heights as big-endian float32, row by row, NaN without data; NAME.places lines of latitude, longitude, height,
-bilinear between pixels' centres.
+NAME.ENDING is the map. NAME.posts has its elevation as big-endian float32, row by row, NaN without data. NAME.places has
+lines of latitude, longitude and elevation, bilinear between pixel centres.
 """
 import sys
 

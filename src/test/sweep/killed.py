@@ -1,4 +1,4 @@
-"""killed.py ROWS [SECONDS]: sweeps twice on two workers of Dask, and kills one of the first two by -9 when half the rows are there."""
+"""killed.py ROWS [SECONDS]: sweeps twice on two Dask workers, and kills one of the first two with SIGKILL at half the rows."""
 import os
 import signal
 import sys
@@ -14,7 +14,7 @@ killed = []
 
 
 def kill():
-    """The worker that some process of runs belongs to."""
+    """Kills the worker of one of the child processes."""
     while True:
         try:
             with open("first/journal.jsonl", "rb") as journal:

@@ -1,8 +1,8 @@
-"""A run of the maze by chance, which is a handful of milliseconds of work, for what measures and kills."""
+"""A run of the maze with random actions, which takes a few milliseconds, for measurements and kill tests."""
 
 
 def chance(seed, seconds):
-    """The return of so many simulated seconds."""
+    """Returns the return of a number of simulated seconds."""
     import gymnasium
     import sear.gym
 

@@ -1,14 +1,14 @@
-"""What is not legal is told with thing, value and what is legal; nothing is started for that."""
+"""Errors name the argument, its value and what is legal; no process starts before the checks."""
 import sear
 from sear.sweeps.__main__ import main
 
 
 def function(seed, speed):
-    """Takes what sweeps give."""
+    """Accepts the arguments of a sweep."""
 
 
 def refused(words, call):
-    """It raises ValueError with these words."""
+    """Checks that a call raises ValueError with these words."""
     try:
         call()
     except ValueError as error:

@@ -1,6 +1,6 @@
-"""throughput.py ROWS TURNS [SIMULATED]: the same runs by a sweep on two workers, and by two processes by hand, in turns.
+"""throughput.py ROWS TURNS [SIMULATED]: the same runs by a sweep on two workers, and by two processes without Dask, in turns.
 
-The time of starting is left out on both sides: what counts begins when Java runs and the first runs are made.
+Excludes the start on both sides: the measurement begins when Java runs and the first runs are done.
 """
 import statistics
 import subprocess
@@ -10,11 +10,11 @@ import time
 import psutil
 
 SIMULATED = 30
-WARM = 200         # runs before those that count: both processes are at work, and Java has compiled most
+WARM = 200         # runs before the measurement: both processes are busy, and Java has compiled most code
 
 
 def spent(process):
-    """Seconds of processor time of it and all that it has started."""
+    """Returns the processor time of a process and its children, seconds."""
     total = 0
     for one in [process] + process.children(recursive=True):
         try:
@@ -26,7 +26,7 @@ def spent(process):
 
 
 def by_hand(seeds, seconds):
-    """In a process of its own: waits for a line between starting and running."""
+    """Runs in its own process: waits for a line between start and runs."""
     import sear
     from maze import chance
     sear.start(headless=True, speed="max", threads=1)
@@ -41,7 +41,7 @@ def by_hand(seeds, seconds):
 
 
 def two_by_hand(rows, seconds):
-    """Runs a second of two such processes, and seconds of processor time for each."""
+    """Returns the runs per second of two such processes, and the processor time per run, seconds."""
     half = rows // 2
     both = [subprocess.Popen([sys.executable, __file__, "by-hand", str(first), str(half), str(seconds)], stdin=subprocess.PIPE,
                              stdout=subprocess.PIPE, text=True) for first in (1, half + 1)]
@@ -62,7 +62,7 @@ def two_by_hand(rows, seconds):
 
 
 def swept(rows, seconds):
-    """The same of a sweep, counted from where its workers have made as many runs as those by hand make before."""
+    """Returns the same for a sweep, measured after as many warm-up runs as in the other processes."""
     import sear
     from maze import chance
     from sear.sweeps import _Sweep
@@ -82,17 +82,17 @@ def swept(rows, seconds):
 
 
 def main(rows, turns, seconds):
-    """Prints both, and their share."""
+    """Prints both, and their ratio."""
     import sear.gym
     dealt, alone = [], []
     for turn in range(turns):
         for kind, run in ((dealt, swept), (alone, two_by_hand))[::1 if turn % 2 else -1]:
             kind.append(run(rows, seconds))
-        print("turn %d: by a sweep %.1f runs a second, %.1f ms of processor time each, by hand %.1f, %.1f ms"
+        print("turn %d: by a sweep %.1f runs per second, %.1f ms of processor time each, by hand %.1f, %.1f ms"
               % (turn + 1, dealt[-1][0], 1000 * dealt[-1][1], alone[-1][0], 1000 * alone[-1][1]), flush=True)
     medians = [statistics.median(one[at] for one in kind) for at in (0, 1) for kind in (dealt, alone)]
-    print("median: %.1f runs a second by a sweep, %.1f by hand, %.3f of it" % (medians[0], medians[1], medians[0] / medians[1]))
-    print("median: %.1f ms of processor time by a sweep, %.1f by hand, %.3f of it" % (1000 * medians[2], 1000 * medians[3], medians[2] / medians[3]))
+    print("median: %.1f runs per second by a sweep, %.1f by hand, ratio %.3f" % (medians[0], medians[1], medians[0] / medians[1]))
+    print("median: %.1f ms of processor time by a sweep, %.1f by hand, ratio %.3f" % (1000 * medians[2], 1000 * medians[3], medians[2] / medians[3]))
 
 
 if __name__ == "__main__":

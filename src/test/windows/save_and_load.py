@@ -1,5 +1,5 @@
 # -*- coding: utf-8 -*-
-# Loads a shipped project, saves it under another name, loads that, drives and prints every digit of what comes out.
+# Loads an included project, saves and loads it under another name, drives, and prints results with all digits.
 sear = Runtime.start("sear", "SEAR")
 sear.loadProject("../sear/examples/office.sear")
 sear.saveProject("Büro zwei.sear")

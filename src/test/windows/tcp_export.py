@@ -1,5 +1,5 @@
 # -*- coding: utf-8 -*-
-# Exports the robot and the LIDAR as TCP ports and ends when a program outside has driven the robot.
+# Exports the robot and the LIDAR as TCP ports and ends after an external program has driven the robot.
 import sys
 sear = Runtime.start("sear", "SEAR")
 sear.loadProject("Büro zwei.sear")

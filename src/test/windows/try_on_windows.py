@@ -1,9 +1,10 @@
-"""Runs the built distribution by bin/sear.bat on Wine with a Windows Java, and by bin/sear here, and compares what both print and write.
+"""Runs the built distribution with bin/sear.bat on Wine with a Windows Java, and with bin/sear here; compares output and
+files.
 
 usage: try_on_windows.py DISTRIBUTION WINDOWS_JAVA_HOME
 
-Tries the demo without a terminal, check, save, load and TCP export, in folders with blanks and umlauts. Prints a line for each trial, and
-what differs; exit status 1 if anything does. No process of Wine's is left behind."""
+Tries the demo without a terminal, check, save, load and TCP export, in folders with blanks and umlauts. Prints a line per
+trial, and the differences; exit status 1 if there are any. Leaves no Wine process behind."""
 import difflib
 import hashlib
 import os
@@ -18,11 +19,11 @@ import tempfile
 import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-DISTRIBUTION = "sear"  # no blank here: cmd /c would take a quote at its beginning away; the folder above has blanks
+DISTRIBUTION = "sear"  # no blank here: cmd /c would remove a quote at its beginning; the parent folder has blanks
 SCRIPTS = "Skripte für Tests"
 LOCK_STEP = ["--headless", "--speed", "max", "--port", "none"]
 REAL_TIME = ["--headless", "--port", "none"]
-PATIENCE = 1500  # seconds for one run; an idle machine needs 30, one that tests at the same time leaves it what is over
+PATIENCE = 1500  # seconds per run: an idle machine needs 30, a machine that runs tests at the same time much longer
 UTF_8 = {"LC_ALL": "C.UTF-8"}
 
 
@@ -32,7 +33,7 @@ class Linux:
 
     def __init__(self, root):
         self.folder = os.path.join(root, "Linux Größe 1")
-        self.environment = dict(os.environ, SEAR_TERMINAL="1", **UTF_8)  # sear.bat always says that there is a terminal
+        self.environment = dict(os.environ, SEAR_TERMINAL="1", **UTF_8)  # sear.bat always reports a terminal
 
     def command(self, arguments):
         return ["sh", "../%s/bin/sear" % DISTRIBUTION] + arguments
@@ -42,7 +43,7 @@ class Linux:
 
 
 class Windows:
-    """The launcher for Windows, on Wine in a configuration of its own."""
+    """The launcher for Windows, on Wine in its own configuration."""
     name, encoding = "Windows", "cp1252"
 
     def __init__(self, root, java):
@@ -57,7 +58,7 @@ class Windows:
         return ["wine", "cmd", "/c", "..\\%s\\bin\\sear.bat" % DISTRIBUTION] + arguments
 
     def close(self):
-        """Ends the Wine of this configuration, and nobody else's, and waits until it is gone."""
+        """Ends the Wine of this configuration only, and waits until it has ended."""
         for option in ("-k", "-w"):
             subprocess.run(["wineserver", option], env=self.environment, timeout=60, check=False)
 
@@ -71,7 +72,8 @@ def start(system, arguments):
 
 
 def text(system, stream):
-    """What was printed, without Java 11's word on what jMonkeyEngine does. Python's print writes UTF-8 everywhere, Java what the system has."""
+    """Returns the printed text, without Java 11's warning about jMonkeyEngine. Python's print writes UTF-8 everywhere,
+    Java the system's encoding."""
     stream.seek(0)
     data = re.sub(rb"(?m)^WARNING: .*(llegal|maintainers).*\n", b"", stream.read().replace(b"\r\n", b"\n"))
     try:
@@ -95,7 +97,7 @@ def run(system, arguments):
 
 
 def telegram(*data):
-    """A telegram of the LMS200 with its CRC, one shift a byte."""
+    """Returns a telegram of the LMS200 with its CRC, one shift per byte."""
     frame, value, before = struct.pack("<BBH", 2, 0, len(data)) + bytes(data), 0, 0
     for byte in frame:
         value = (((value << 1) & 0xFFFF) ^ (0x8005 if value & 0x8000 else 0)) ^ ((before << 8) | byte)
@@ -115,7 +117,7 @@ def ask(connection, question, count):
 
 
 def ports(system, started):
-    """The TCP ports that the script prints, once it does."""
+    """Returns the TCP ports that the script prints."""
     process, out, _ = started
     end = time.monotonic() + PATIENCE
     while time.monotonic() < end and process.poll() is None:
@@ -127,7 +129,8 @@ def ports(system, started):
 
 
 def tcp(system):
-    """What the LIDAR answers to a request for a scan and the robot to one for its distance; then drives the robot."""
+    """Requests a scan from the LIDAR and the distance from the robot, then drives the robot. Returns the answers and
+    the output."""
     started = start(system, [SCRIPTS + "/tcp_export.py"] + REAL_TIME)
     try:
         robot, lidar = ports(system, started)
@@ -144,7 +147,7 @@ def tcp(system):
 
 
 def files(folder):
-    """Name and check sum of all that the runs left."""
+    """Returns name and check sum of all files that the runs left."""
     found = {}
     for at, _, names in os.walk(folder):
         for name in names:
@@ -154,7 +157,7 @@ def files(folder):
 
 
 def trials(system):
-    """What each trial prints, and in the end what lies in the folder."""
+    """Yields what each trial prints, and finally the files in the folder."""
     shutil.copytree(HERE, os.path.join(system.folder, SCRIPTS), ignore=shutil.ignore_patterns("try_*", "__pycache__"))
     yield "demo", run(system, ["../%s/scripts/demo.py" % DISTRIBUTION] + LOCK_STEP)
     yield "check", run(system, ["check", "."])

@@ -1,4 +1,4 @@
-# Gps: the receiver's sentences, read by MyRobotLab's own service, which takes two digits of a longitude for its degrees: 08051.9 for 8 degrees 51.9.
+# Gps: MyRobotLab's own service reads the receiver's sentences. It takes two digits of a longitude as degrees: 08051.9 is 8 degrees 51.9.
 fixes = []
 def onRoverFix(data):
     fixes.append((data.latitude, data.longitude))

@@ -1,4 +1,4 @@
-# Joystick: a pad from a file, for the computer has none, whose stick drives the rover through two Motor services and whose button lights the lamp.
+# Joystick: a virtual pad, as the computer has none. Its stick drives the rover through two Motor services, its button switches the lamp.
 import json, os, tempfile
 arduino = board()
 stick = Runtime.start("stick", "Joystick")

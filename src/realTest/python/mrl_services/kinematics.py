@@ -1,4 +1,4 @@
-# InverseKinematics3D: the joint angles that it finds for a place of an arm's hand move a servo.
+# InverseKinematics3D: the joint angles found for a hand position move a servo.
 from org.myrobotlab.kinematics import DHLink, DHRobotArm
 arduino = board()
 neck = Runtime.start("neckServo", "Servo")

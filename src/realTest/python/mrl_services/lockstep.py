@@ -1,11 +1,12 @@
-# Arduino, Servo and pins in lock-step, twice: the board boots and acknowledges while simulated time, which its service's caller makes pass, stands still.
+# Arduino, Servo and pins in lock-step, twice. The board boots and answers although simulated time stands still until
+# the caller advances it.
 def run():
-    """All that the board tells and does, with its times."""
+    """Returns all messages and actions of the board, with their times."""
     log = []
     def heard(pins):
         for pin in pins:
             log.append((sear.getTime(), pin.pin, pin.value))
-            if pin.pin == "D2": arduino.digitalWrite(11, pin.value)    # a callback that commands
+            if pin.pin == "D2": arduino.digitalWrite(11, pin.value)    # a callback that sends a command
     globals()["onLockStepPins"] = heard
     if sear.isSimulating(): sear.stopSimulation()
     sear.setLockStep(True)

@@ -1,4 +1,5 @@
-# The order of messages, as MessagesTest holds it for the embedded MyRobotLab: what waits its turn, and what overtakes.
+# The order of messages, as MessagesTest checks it for the embedded MyRobotLab: queued messages, and messages that
+# overtake them.
 first, second = Runtime.start("firstPort", "Serial"), Runtime.start("secondPort", "Serial")
 heard = []
 def onFirstBytes(value): heard.append(("first", value))

@@ -1,4 +1,5 @@
-# A network camera, read as MyRobotLab's OpenCV service reads one: the head of a picture is all up to its first two bytes, its length stands in it.
+# A network camera, read like MyRobotLab's OpenCV service: a picture's head ends before its first two bytes and contains
+# its length.
 from java.io import DataInputStream
 from java.net import URL
 from javax.imageio import ImageIO
@@ -26,7 +27,7 @@ for picture in range(5):
     if (image.getWidth(), image.getHeight()) != (320, 240):
         raise AssertionError("%d x %d" % (image.getWidth(), image.getHeight()))
 stream.close()
-middle = image.getRGB(160, 120 - 18) & 255      # somewhere on the marker's plate
+middle = image.getRGB(160, 120 - 18) & 255      # on the marker's plate
 pixel = sear.getPixels("view")[(120 - 18) * 320 + 160] & 255
 check("the pixel of the stream", middle, pixel, 40)
 if sear.getExports()["view"] != ["network camera " + address + "/stream.mjpg"]:

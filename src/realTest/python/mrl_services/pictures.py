@@ -1,4 +1,5 @@
-# Plots: a PNG and an SVG of lists and of a record, drawn in the Java that MyRobotLab runs in; warnings have the script's line there, too.
+# Plots: a PNG and an SVG of lists and of a record, drawn by MyRobotLab's Java. Warnings contain the script's line
+# there, too.
 import os
 sear.recordRun("pictures.searlog")
 times, metres = [], []

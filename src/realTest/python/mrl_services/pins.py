@@ -1,4 +1,4 @@
-# Arduino: digital and PWM outputs, pins that are read.
+# Arduino: digital and PWM outputs, and inputs.
 arduino = board()
 arduino.pinMode(11, 1)
 arduino.digitalWrite(11, 1)

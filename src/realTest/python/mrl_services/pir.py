@@ -1,4 +1,5 @@
-# Pir: a pin that something pulls to ground and lets go. The bumper's switch stands for the sensor's output. It senses as soon as it is attached.
+# Pir: a pin pulled to ground and released. The bumper's switch replaces the sensor's output. It is active from the
+# start.
 arduino = board()
 arduino.pinMode(2, 2)
 senses = []

@@ -1,4 +1,4 @@
-# Roomba: drives by its protocol, through the service "serial" as docs/embedded-and-real.md says.
+# Roomba: drives by its protocol, through the service "serial" as in docs/embedded-and-real.md.
 sear.stopSimulation()
 sear.loadProject(ROOT + "/examples/office.sear")
 sear.startSimulation()

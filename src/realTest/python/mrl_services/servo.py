@@ -1,4 +1,4 @@
-# Servo: to an angle at once, and slowly; told when it is there.
+# Servo: moves to an angle at full speed and slowly, and reports its arrival.
 arduino = board()
 neck = Runtime.start("neckServo", "Servo")
 neck.setPin(3)

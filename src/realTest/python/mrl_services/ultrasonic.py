@@ -1,4 +1,4 @@
-# UltrasonicSensor: whole centimetres to the wall, told when they change.
+# UltrasonicSensor: whole centimetres to the wall, reported on change.
 arduino = board()
 ranges = []
 def onRoverRange(centimetres):

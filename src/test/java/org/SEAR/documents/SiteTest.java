@@ -120,7 +120,7 @@ public class SiteTest {
         }
         Files.writeString(root.resolve("docs/it.md"), "# It\n\n[![gone](gone.png)](../README.md), [here](#it), `[code](no.md)`\n");
         Path pages = root.resolve("pages");
-        assertEquals("docs/it.md links to gone.png, which is not there\n", make(1, root, pages, root.resolve("site"), "--pages-only"));
+        assertEquals("docs/it.md links to gone.png, which does not exist\n", make(1, root, pages, root.resolve("site"), "--pages-only"));
         Files.writeString(root.resolve("docs/it.md"), "# It\n\n[here](#it), [there](../README.md#nowhere)\n");
         if (FULL) {
             String told = make(1, root, pages, root.resolve("site"));

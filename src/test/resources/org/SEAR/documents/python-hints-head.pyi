@@ -1,9 +1,9 @@
-"""What editors and type checkers know of the package. WRITTEN"""
+"""Type hints of the package for editors and type checkers. WRITTEN"""
 from typing import Any, Dict, List, Literal, Optional, Sequence, overload
 
 import numpy as np
 
-# All that `from sear import *` brings; the objects follow at the end.
+# Everything that `from sear import *` imports; the objects follow at the end.
 __all__ = ["Runtime", "python", "start", "connect", "close", "sweep", "IllegalArgumentException", "IllegalStateException", "IOException",
            "JavaError", "NullPointerException", "UnsupportedOperationException", "JavaObject", "Record"]
 
@@ -21,7 +21,7 @@ def start(*options: str, headless: Optional[bool] = ..., speed: Any = ..., seed:
 
 
 def connect(port: int = ..., token: Optional[str] = ...) -> None:
-    """Uses the SEAR of a running MyRobotLab of this machine that was asked to startPython3()."""
+    """Connects to the SEAR of a running MyRobotLab on this machine, after its startPython3()."""
 
 
 def sweep(function: Any, grid: Any = ..., seeds: Any = ..., **options: Any) -> List[Dict[str, Any]]:
@@ -44,9 +44,9 @@ class Record:
     def __init__(self, path: Any) -> None: ...
     def __getitem__(self, name: str) -> np.ndarray: ...
     def plot(self, *names: str) -> Any:
-        """A picture of these values over time, those of one unit in one box; of a speed and a sensor if none are named."""
+        """Returns a plot of these values over time, with one box per unit. Default: a speed and a sensor."""
     def save(self, picture: Any, *names: str) -> None:
-        """The same as a file, whose name ends in .png or .svg."""
+        """Saves the plot as a file, whose name ends in .png or .svg."""
 
 
 class _Python:

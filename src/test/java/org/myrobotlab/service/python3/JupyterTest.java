@@ -102,7 +102,7 @@ public class JupyterTest {
     public void anInterruptBreaksOffAWait() throws Exception {
         String said = run(List.of(JUPYTER), SCRIPTS.resolve("interrupted.py").toString());
         for (String wait : List.of("simSleep(1000000) at speed max", "step(10000000) at speed max", "simSleep(1000000) at speed 5")) {
-            assertTrue(said, said.contains(wait + " was broken off\n"));
+            assertTrue(said, said.contains(wait + " was interrupted\n"));
         }
     }
 

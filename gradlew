@@ -1,10 +1,10 @@
 #!/bin/sh
-# Builds with the Gradle on the PATH. On Debian or Ubuntu, as root or with password-free sudo, it installs first what is missing: Gradle and a JDK,
-# and for the tests a virtual display, a browser and the third-party drivers that SEAR is tried with. Elsewhere it says what to install.
-# Ends a test run with the line "N passed, N failed, N skipped".
+# Builds with the Gradle on the PATH. On Debian or Ubuntu, as root or with password-free sudo, it first installs missing
+# programs: Gradle and a JDK, and for tests a virtual display, a browser and third-party drivers. On other systems it prints
+# what to install. Ends a test run with the line "N passed, N failed, N skipped".
 cd "$(dirname "$0")" || exit 1
 
-# Pages are tried in Chromium without windows, which Debian has; Ubuntu has only the whole one.
+# Pages are tested in Debian's headless Chromium; Ubuntu has only the full one.
 browser=chromium-headless-shell
 grep -qs '^ID=ubuntu' /etc/os-release && browser=chromium
 
@@ -31,12 +31,12 @@ case "$missing" in *" wine"*) missing="$missing wine64" ;; esac
 can_install() { command -v apt-get >/dev/null 2>&1 && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }; }
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo -n "$@"; fi; }
 
-# Waits up to ten minutes while another program, as a fresh Ubuntu's own update, uses apt. apt itself waits for one of its locks only.
+# Waits up to ten minutes while another program uses apt, such as the update of a fresh Ubuntu. apt itself waits for only one of its locks.
 apt() {
     patience=120
     until as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 "$@" >"$log" 2>&1; do
         grep -qi "could not get lock" "$log" && [ $patience -gt 0 ] || return 1
-        [ $patience = 120 ] && echo "gradlew: another program is installing or updating packages: waiting for it, ten minutes at most"
+        [ $patience = 120 ] && echo "gradlew: another program is installing or updating packages; waiting for up to ten minutes"
         patience=$((patience - 1))
         sleep 5
     done
@@ -60,7 +60,7 @@ tests=
 case " $* " in *" test "*|*" unitTest "*|*" realMrlTest "*|*" check "*|*" build "*) tests=yes; rm -f build/test-summary.txt ;; esac
 # Without a locale, as in a bare container, Java can't write a file with an umlaut in its name.
 case ${LC_ALL:-${LC_CTYPE:-${LANG:-}}} in "" | C | POSIX) LC_ALL=C.UTF-8; export LC_ALL ;; esac
-# The optimizing compiler's work does not pay for a build: without it javac, Gradle and what else runs in this JVM take half of the processors' time.
+# The optimizing compiler does not pay off in a build: without it javac, Gradle and other code in this JVM need half the processor time.
 GRADLE_OPTS="-XX:TieredStopAtLevel=1 -XX:+UseSerialGC ${GRADLE_OPTS:-}"; export GRADLE_OPTS
 [ -t 0 ] && SEAR_TERMINAL=1 && export SEAR_TERMINAL
 gradle "$@"

@@ -1,4 +1,4 @@
-// What MyRobotLab loads are scripts for AngularJS 1.5, what they load are modules; without semicolons. Browsers give what is in globals.
+// Files that MyRobotLab loads are scripts for AngularJS 1.5, files that they load are modules. No semicolons. Browsers provide the globals.
 import js from '@eslint/js'
 
 const browser = ['angular', 'clearInterval', 'clearTimeout', 'console', 'document', 'location', 'navigator', 'setInterval', 'setTimeout', 'window',

@@ -1,4 +1,4 @@
-# Has Java read the classes that scripts begin with, for class-archive.gradle to write them down. Arguments: a project, the port of the tabs.
+# Loads the classes that scripts use, for class-archive.gradle to archive. Arguments: a project, the port of the tabs.
 import json, math, os, random, re, sys, threading, time
 from java.net import URL
 from org.SEAR.POJOs import *
@@ -7,7 +7,7 @@ project, port = sys.argv[1:]
 
 
 class Counter(object):
-    """Each kind of statement and expression has classes of its own in Jython."""
+    """Jython has separate classes for each kind of statement and expression."""
     count = 0
 
     def add(self, *values, **named):
@@ -92,5 +92,5 @@ for path in ("", "api/service/sear/getTime", "api/service"):
     try:
         URL("http://localhost:%s/%s" % (port, path)).openStream().close()
     except IOError:
-        pass    # some answers are errors, whose classes count, too
+        pass    # some answers are errors, whose classes are needed, too
 sear.stopSimulation()

@@ -11,14 +11,14 @@ echo sear: needs Java 11 or newer on the PATH (or JAVA_HOME set): install it, fo
 exit /b 1
 :start
 set SEAR_TERMINAL=1
-rem Java 24 and newer warn of what the server of the tabs, Jython, LWJGL and JNA do unless they are told; older ones do not know how to be told.
+rem Java 24 and newer warn about operations of the server of the tabs, Jython, LWJGL and JNA without these options; older ones do not know them.
 set "QUIET=-Xlog:cds=off -XX:+IgnoreUnrecognizedVMOptions --sun-misc-unsafe-memory-access=allow --enable-native-access=ALL-UNNAMED"
-rem A simulation lives in some 20 MB: the collector that big machines get by default would take 300 before it tidies up.
-rem Classes from an archive lie where it says: elsewhere, as is the default from Java 17 on, each address among them is written anew at each start.
+rem A simulation needs some 20 MB: the default collector of big machines would use 300 MB before it collects garbage.
+rem Archived classes are mapped at their recorded addresses: relocation, the default since Java 17, would rewrite all addresses.
 set "MEMORY=-XX:+UseSerialGC -Xms64m -XX:+UnlockDiagnosticVMOptions -XX:ArchiveRelocationMode=0"
-rem The JVM's best compiler takes what has run ten times as often as it would by itself: at the start it took more time than all else.
+rem The optimizing compiler of the JVM starts after ten times as many runs as by default: at the start it would use most of the time.
 set "COMPILER=-XX:Tier4InvocationThreshold=50000 -XX:Tier4CompileThreshold=150000 -XX:Tier4BackEdgeThreshold=400000 -XX:Tier3DelayOn=0"
-rem The build writes down what the JVM knows of these classes; another Java passes over that without a word.
+rem Class archive of the build; another Java ignores it silently.
 set "ARCHIVE="
 if exist "%HOME_DIR%\lib\sear.jsa" set ARCHIVE="-XX:SharedArchiveFile=%HOME_DIR%\lib\sear.jsa"
 "%JAVA_CMD%" %QUIET% %MEMORY% %COMPILER% %ARCHIVE% %JAVA_OPTS% -Dsear.home="%HOME_DIR%" -cp "%HOME_DIR%\plugin\*;%HOME_DIR%\lib\*" org.SEAR.cli.SearCommand %*

@@ -27,7 +27,7 @@ void main() {
     }
 #endif
 #ifdef SUN_SHADOW
-    // sides that look away from the sun are dark anyway
+    // sides that face away from the sun are dark anyway
     seen.rgb = min(seen.rgb, 1.0) * (sunPlace.w > 0.0 ? sunlit(sunPlace.xyz) : 1.0);
 #endif
     gl_FragColor = seen;

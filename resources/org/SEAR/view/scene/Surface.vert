@@ -11,7 +11,7 @@ uniform vec3 m_SkyLight;
 attribute vec3 inPosition;
 attribute vec3 inNormal;
 
-// Light by the corner: under a sun that is infinitely far away a flat side looks the same as by the pixel.
+// Light per vertex: under an infinitely distant sun a flat side looks the same as with light per pixel.
 varying vec4 color;
 
 #ifdef PICTURE
@@ -26,9 +26,9 @@ attribute vec4 inColor;
 #ifdef SUN_SHADOW
 uniform mat4 g_WorldMatrix;
 uniform mat4 m_SunView;
-// Where it is as the sun sees it, and how far it is turned to the sun.
+// Position in the sun's view, and the cosine of the angle to the sun.
 varying vec4 sunPlace;
-// Metres off the surface where it is looked whether the sun reaches it, more than a pixel of the fine square: else a side's edge lies in its own shadow.
+// Offset from the surface at which the shadow is sampled, metres: more than a pixel of the fine square, else edges shadow themselves.
 const float OFF = 0.012;
 #endif
 

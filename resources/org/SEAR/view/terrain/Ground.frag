@@ -8,7 +8,7 @@ varying float haze;
 #ifdef GRAIN
 uniform sampler2D m_Grain;
 varying vec2 grain;
-// Metres at which the grain is gone.
+// Distance at which the grain has faded, metres.
 const float FAR = 150.0;
 #endif
 

@@ -1,5 +1,6 @@
-# Measures a script's view, in the embedded MyRobotLab and in real time: start, a scan by method call, a scan through the LIDAR service, memory.
-# scripts/benchmark runs it with "sear" in a folder with a SEARproject that has a LIDAR; the environment names the file that takes the JSON.
+# Measures a script's view in the embedded MyRobotLab, in real time: start, scan by method call, scan through the LIDAR
+# service, memory. scripts/benchmark runs it with "sear" in a folder with a SEARproject that has a LIDAR. An environment
+# variable names the output file for the JSON.
 import json
 import os
 import random
@@ -16,7 +17,7 @@ def nanos():
     return System.nanoTime()
 
 def cpu():
-    """CPU seconds of the whole JVM."""
+    """Returns the CPU seconds of the whole JVM."""
     return ManagementFactory.getPlatformMBeanServer().getAttribute(ObjectName("java.lang:type=OperatingSystem"), "ProcessCpuTime") / 1e9
 
 def summary(seconds):

@@ -1,4 +1,5 @@
-"""The whole benchmark in one run: SEAR and other engines in the same worlds, in turns. scripts/benchmark runs it; --help lists the options."""
+"""The whole benchmark in one run: SEAR and other engines in the same worlds, in turns. scripts/benchmark runs it; --help
+lists the options."""
 import argparse
 import json
 import os
@@ -23,11 +24,11 @@ PACKAGE = "org.SEAR.benchmark."
 PEERS = {"mujoco": (("mujoco", "mujocoVersion"), ("mujoco-core", "mujocoCoreVersion"), ("PyOpenGL", "pyOpenGlVersion"), ("numpy", "numpyVersion")),
          "pybullet": (("pybullet", "pybulletVersion"), ("numpy", "numpyVersion")),
          "embree": (("embreex", "embreexVersion"), ("numpy", "numpyVersion"))}
-# Which casts rays and knows no bodies
+# Casts rays and has no bodies
 ONLY_BEAMS = ("embree",)
-# Load a core above which the machine is too busy to measure
+# Load per core above which the machine is too busy to measure
 BUSY = 0.25
-# Seconds that one world may take in another engine
+# Maximum seconds of one world in another engine
 LONGEST_WORLD = 300
 
 FULL = {
@@ -65,14 +66,14 @@ QUICK = {
 
 
 def launcher_options(installed):
-    """What the launcher tells the JVM about memory and its compiler, and the archive of classes that it has; installed: where sear is, or None."""
+    """Returns the launcher's JVM options for memory, compiler and class archive. installed: sear's folder, or None."""
     with open(os.path.join(ROOT, "src", "dist", "bin", "sear")) as launcher:
         told = " ".join(re.findall('^(?:memory|compiler)="(.*)"$', launcher.read(), re.MULTILINE)).split()
     return told + (["-Xlog:cds=off", "-XX:SharedArchiveFile=" + os.path.join(installed, "lib", "sear.jsa")] if installed else [])
 
 
 class Run:
-    """One run: what it is about, where its files go, what it has found."""
+    """One run: options, files, results."""
 
     def __init__(self, options):
         self.options = options
@@ -91,7 +92,7 @@ class Run:
         return os.path.join(self.folder, name)
 
     def call_java(self, name, *args, options=(), before=""):
-        """before: what the class path begins with"""
+        """before: start of the class path"""
         command = [self.java, *options, "-Djmh.ignoreLock=true", "-cp", before + self.options.classpath, PACKAGE + name] + [str(arg) for arg in args]
         with open(self.path("java.log"), "a") as log:
             if subprocess.call(command, stdout=log, stderr=log, cwd=self.folder) != 0:
@@ -102,16 +103,17 @@ class Run:
         self.call_java("Measures", target, *args, options=options, before=before)
         return read(target)
 
-    # ---- what is measured ------------------------------------------------------------------------------------------------
+    # ---- measurements ----------------------------------------------------------------------------------------------------
 
     def worlds(self):
         self.say("writing the worlds")
         self.call_java("WorldFiles", self.folder, *(self.plan["beams"] + self.plan["drives"] + self.plan["drops"]))
 
     def in_turns(self):
-        """Rates of all engines by (engine, world), and why an engine or a world is missing.
+        """Returns the rates of all engines by (engine, world), and why an engine or a world is missing.
 
-        In each world they go in turns, one repetition of each and then again, so that a busy machine hits all alike. The median of these counts.
+        In each world the engines go in turns, one repetition each per round, so that a busy machine affects all alike. The
+        median counts.
         """
         plan = self.plan
         engines, missing = self.installed()
@@ -151,7 +153,7 @@ class Run:
         return results
 
     def jmh(self, benchmark, world):
-        """One repetition of SEAR, and of jbullet where it is asked: (engine, rate, share of a core)."""
+        """Performs one repetition of SEAR, and of jbullet if requested: (engine, rate, share of a core)."""
         target = self.path("jmh.json")
         self.call_java("Report", target, PACKAGE + benchmark, "-p", "world=" + world, *self.plan["jmh"])
         found = []
@@ -186,10 +188,10 @@ class Run:
         return self.path("project-" + world)
 
     def script(self):
-        """What a script sees in the embedded MyRobotLab; None without a built distribution."""
+        """Measures a script in the embedded MyRobotLab; returns None without a built distribution."""
         if self.options.no_script:
             return None
-        self.say("start, latency and memory as a script sees them")
+        self.say("start, latency and memory of a script")
         target = self.path("latency.json")
         environment = dict(os.environ, SEAR_BENCHMARK_OUT=target, SEAR_BENCHMARK_SCANS=str(self.plan["scans"]))
         launched = time.time()
@@ -206,7 +208,7 @@ class Run:
     # ---- other engines ---------------------------------------------------------------------------------------------------
 
     def install(self, engine):
-        """None when the engine is there, else why not."""
+        """Installs an engine. Returns None if it is available, else why not."""
         if self.options.no_peers:
             return "left out by --no-peers"
         with open(os.path.join(ROOT, "gradle.properties")) as file:
@@ -230,7 +232,7 @@ class Run:
         return None
 
     def installed(self):
-        """The other engines that are there, and why one is not."""
+        """Returns the available engines, and why others are missing."""
         engines = []
         missing = {}
         for engine in sorted(PEERS):
@@ -245,7 +247,7 @@ class Run:
         return self.path("peer-%s.json" % engine)
 
     def start(self, world, engines, missing):
-        """A program for each engine that has made the world and waits for its turn."""
+        """Starts a program for each engine that can make the world; the programs wait for their turn."""
         programs = {}
         for engine in engines:
             command = [os.path.join(ROOT, "build", "peers-" + engine, "bin", "python"), os.path.join(HERE, "peer.py"), engine,
@@ -257,12 +259,12 @@ class Run:
         return programs
 
     def bullet(self):
-        """The class path of native Bullet; None if there is none."""
+        """Returns the class path of native Bullet; None without it."""
         written = os.path.join(ROOT, "build", "benchmark", "bullet.txt")
         return read_text(written) if os.path.exists(written) else None
 
     def bodies(self):
-        """Scenes that end at rest, and what is missing of them."""
+        """Measures scenes that end at rest; also returns what is missing."""
         engines = ["sear"] if self.options.no_peers else list(bodies.ENGINES)
         scenes = self.plan["bodies"]
         if self.options.bodies:
@@ -278,7 +280,8 @@ class Run:
         return read(cores.measure(self, self.options.quick))
 
     def compare(self, peers):
-        """In how many beams each engine differs from SEAR, and what physics came to; takes the long lists out of the peers' results."""
+        """Counts the beams in which each engine differs from SEAR, and collects physics results; removes the long lists
+        from the peers' results."""
         agreement = []
         outcomes = []
         for world in self.plan["beams"]:
@@ -299,7 +302,7 @@ class Run:
     def everything(self):
         load = os.getloadavg()[0]
         if load > BUSY * os.cpu_count() and not self.options.quick:
-            self.say("this machine is busy (load average %.1f, %d cores): the numbers will mean little" % (load, os.cpu_count()))
+            self.say("this machine is busy (load average %.1f, %d cores): the numbers are unreliable" % (load, os.cpu_count()))
         self.worlds()
         found = {"date": time.strftime("%Y-%m-%d"), "quick": self.options.quick, "machine": machine.describe(self.java), "loadBefore": load}
         found["rates"], found["missing"] = self.in_turns()
@@ -318,7 +321,7 @@ class Run:
 
 
     def again(self, found):
-        """The parts that are asked for anew, all others as they were."""
+        """Repeats the requested parts and keeps all others."""
         parts = self.options.again.split(",")
         for part in parts:
             if part not in ("runs", "script", "cores"):
@@ -329,7 +332,7 @@ class Run:
 
 
 def differences(truth, ranges):
-    """Beams of which one engine meets something and the other not, or farther than 1 mm (and 1 cm) from there."""
+    """Counts beams that hit only in one engine, or at distances that differ by more than 1 mm (and 1 cm)."""
     count = {"beams": min(len(truth), len(ranges)), "over1mm": 0, "over1cm": 0, "worst": 0.0}
     for a, b in zip(truth, ranges):
         apart = float("inf") if (a < 0) != (b < 0) else abs(a - b)
@@ -350,23 +353,23 @@ def read(path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Measures SEAR beside other engines, and writes the tables and curves of docs/performance.md.")
-    parser.add_argument("--quick", action="store_true", help="tiny worlds and times: shows that everything runs; writes nothing into docs")
-    parser.add_argument("--no-peers", action="store_true", help="without the engines from PyPI")
-    parser.add_argument("--no-script", action="store_true", help="without the run in the embedded MyRobotLab")
+    parser = argparse.ArgumentParser(description="Measures SEAR and other engines, and writes the tables and curves of docs/performance.md.")
+    parser.add_argument("--quick", action="store_true", help="tiny worlds and times: only checks that everything runs; writes nothing into docs")
+    parser.add_argument("--no-peers", action="store_true", help="omit the engines from PyPI")
+    parser.add_argument("--no-script", action="store_true", help="omit the run in the embedded MyRobotLab")
     parser.add_argument("--bodies", metavar="ENGINES", nargs="?", const=",".join(bodies.ENGINES),
                         help="measure only bodies that end at rest, in these engines (default: sear,bullet,mujoco), and"
                         " print the table; writes nothing into docs")
-    parser.add_argument("--scenes", metavar="SCENES", help="of bodies, such as pile-100,stack-10 (default: all; with --quick two)")
+    parser.add_argument("--scenes", metavar="SCENES", help="scenes of bodies, for example pile-100,stack-10 (default: all; with --quick two)")
     parser.add_argument("--cameras", action="store_true", help="measure only pictures of cameras, and print the table; writes nothing into docs")
-    parser.add_argument("--cores", action="store_true", help="measure only what several cores and many robots make of it, and print the tables;"
+    parser.add_argument("--cores", action="store_true", help="measure only several cores and many robots, and print the tables;"
                         " writes nothing into docs")
-    parser.add_argument("--again", metavar="PARTS", help="measure only these parts anew, of runs, script and cores, and put them into"
-                        " docs/performance.json: for what another program has disturbed")
-    parser.add_argument("--page-only", metavar="JSON", help="measure nothing: make the page from an earlier run's JSON")
-    parser.add_argument("--docs", help="the folder for performance.md, performance.json and images (default: docs; with --quick: that of --work)")
-    parser.add_argument("--work", default=os.path.join(ROOT, "build", "benchmark"), help="the folder for worlds and logs (default: build/benchmark)")
-    parser.add_argument("--classpath", help="of the benchmark's Java half (default: as build/benchmark/classpath.txt says)")
+    parser.add_argument("--again", metavar="PARTS", help="repeat only these parts (runs, script, cores), and store them in"
+                        " docs/performance.json, for example after a disturbance by another program")
+    parser.add_argument("--page-only", metavar="JSON", help="measure nothing: write the page from an earlier run's JSON")
+    parser.add_argument("--docs", help="folder for performance.md, performance.json and images (default: docs; with --quick: that of --work)")
+    parser.add_argument("--work", default=os.path.join(ROOT, "build", "benchmark"), help="folder for worlds and logs (default: build/benchmark)")
+    parser.add_argument("--classpath", help="class path of the benchmark's Java part (default: that in build/benchmark/classpath.txt)")
     options = parser.parse_args()
     docs = options.docs or (options.work if options.quick else os.path.join(ROOT, "docs"))
     if options.page_only:

@@ -1,4 +1,5 @@
-"""Scenes of bodies that end at rest, in several engines: processor time, and whether it counts: deepest overlap below 1 mm, nothing moves."""
+"""Scenes of bodies that end at rest, in several engines: processor time, and its validity: deepest overlap below 1 mm, no
+movement."""
 import json
 import math
 import os
@@ -8,9 +9,9 @@ import sys
 SCENES = ["single-10", "single-100", "single-1000", "pile-10", "pile-100", "pile-1000", "dominoes-30", "stack-10"]
 QUICK_SCENES = ["single-10", "pile-10"]
 ENGINES = {"sear": "SEAR", "bullet": "Bullet", "mujoco": "MuJoCo"}
-# Deeper than this, metres, a speed doesn't count
+# Overlap in metres above which a speed is invalid
 DEEPEST = 1e-3
-# What goes less in half a second, metres and radians, rests
+# Limits of movement in half a second for a body at rest, metres and radians
 MOVED = 1e-4
 TURNED = 2e-3
 NOTHING = 1e-9
@@ -50,7 +51,8 @@ class Cuboid:
         return all(abs(a - b) < r + s for a, b, r, s in zip(self.at, other.at, self.reaches, other.reaches))
 
     def depth(self, other):
-        """How deep it is in another, by the fifteen axes that can part two boxes; metres, at most 0 if they are apart."""
+        """Returns the penetration depth by the fifteen separating axes of two boxes, metres; at most 0 if they are
+        apart."""
         least = min(self.along(axis, other) for axis in self.axes + other.axes)
         for a in self.axes:
             for b in other.axes:
@@ -62,7 +64,7 @@ class Cuboid:
 
 
 def deepest(world, poses):
-    """Of all overlaps between boxes and with the floor, metres."""
+    """Returns the deepest overlap between boxes and with the floor, metres."""
     cuboids = sorted((Cuboid(box[:3], pose) for box, pose in zip(world["boxes"], poses)), key=lambda one: one.at[0] - one.reaches[0])
     most = 0.0
     for i, one in enumerate(cuboids):
@@ -76,7 +78,7 @@ def deepest(world, poses):
 
 
 def moving(before, after):
-    """How many have moved or turned between two looks, and how many poses are no numbers."""
+    """Counts bodies that have moved or turned between two snapshots, or whose pose is not finite."""
     count = 0
     for a, b in zip(before, after):
         turn = min(1.0, abs(sum(p * q for p, q in zip(a[3:], b[3:]))))
@@ -86,7 +88,7 @@ def moving(before, after):
 
 
 def fallen(world, after):
-    """Boxes whose upright axis leans by more than 25 degrees; that is what dominoes are for."""
+    """Counts boxes whose vertical axis leans by more than 25 degrees, for dominoes."""
     return sum(1 for box, pose in zip(world["boxes"], after) if abs(Cuboid(box[:3], pose).axes[1][1]) < 0.9)
 
 
@@ -105,7 +107,7 @@ def judge(world, found):
 # ---- running ---------------------------------------------------------------------------------------------------------------
 
 class Bodies:
-    """All scenes in all engines that are wanted."""
+    """All scenes in all requested engines."""
 
     def __init__(self, run, engines, scenes, longest):
         self.run = run
@@ -114,7 +116,7 @@ class Bodies:
         self.longest = longest
 
     def measure(self):
-        """A list of results, and why an engine or a scene is missing."""
+        """Returns a list of results, and why an engine or a scene is missing."""
         results = []
         missing = {}
         for engine in self.engines:
@@ -169,10 +171,10 @@ def read(path):
         return json.load(file)
 
 
-# ---- telling ---------------------------------------------------------------------------------------------------------------
+# ---- output ----------------------------------------------------------------------------------------------------------------
 
 def table(results):
-    """The lines of a table in Markdown: a speed that does not count stands in brackets."""
+    """Returns the lines of a Markdown table; invalid speeds are in brackets."""
     lines = ["| scene | engine | CPU s per simulated s | times real time | deepest overlap, mm | still moving | |", "|---|---|---|---|---|---|---|"]
     for one in results:
         speed = "%.0f" % (1 / one["perSecond"]) if one["perSecond"] < 0.1 else "%.2g" % (1 / one["perSecond"])

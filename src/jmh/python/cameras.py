@@ -1,4 +1,5 @@
-"""Pictures of cameras: the same worlds from the same places in SEAR and in the software renderers of MuJoCo and pybullet, in turns in one run."""
+"""Camera pictures: the same worlds from the same places in SEAR and in the software renderers of MuJoCo and pybullet, in
+turns in one run."""
 import array
 import os
 import statistics
@@ -9,9 +10,9 @@ WORLDS = ["room-20", "sensors"]
 OWN_WORLDS = ["mountain"]
 ENGINES = {"sear": "SEAR", "mujoco": "MuJoCo", "mujoco-fast": "MuJoCo, reduced", "pybullet": "pybullet"}
 KINDS = {"colors": "colours", "depths": "depths"}
-# Pictures a second of one core
+# Pictures per second and core
 GOALS = {"colors": 30, "depths": 60}
-# Depths that differ by less than this share are the same; nearer than what the other engines see at most
+# Relative tolerance of equal depths, and the maximum depth of the other engines
 SAME = 0.01
 COMPARED = 90
 ROUNDS = 5
@@ -30,7 +31,7 @@ def depths(path):
 
 
 class Cameras:
-    """All worlds in all engines that install."""
+    """All worlds in all available engines."""
 
     def __init__(self, run, quick):
         self.run = run
@@ -39,7 +40,7 @@ class Cameras:
         self.worlds = WORLDS[:1] if quick else WORLDS + OWN_WORLDS
 
     def measure(self):
-        """A list of results, and why an engine or a world is missing."""
+        """Returns a list of results, and why an engine or a world is missing."""
         results = []
         missing = {}
         engines = ["sear"]
@@ -63,7 +64,7 @@ class Cameras:
             return Program(command, {}, self.run.folder, log)
         here = os.path.dirname(os.path.abspath(__file__))
         python = os.path.join(self.run.root, "build", "peers-" + engine.partition("-")[0], "bin", "python")
-        # Mesa's llvmpipe draws in the thread that asks
+        # Mesa's llvmpipe renders in the calling thread
         environment = {"MUJOCO_GL": "egl", "LIBGL_ALWAYS_SOFTWARE": "1", "LP_NUM_THREADS": "0"}
         return Program([python, os.path.join(here, "picture_peer.py"), engine, file], environment, self.run.folder, log)
 
@@ -98,7 +99,7 @@ class Cameras:
         return results
 
     def same(self, own, other):
-        """The share of pixels of one picture of which both have the same depth."""
+        """Returns the fraction of a picture's pixels with the same depth in both engines."""
         files = [self.run.path("pictures-%d.depths" % i) for i in range(2)]
         own.ask("save 0 " + files[0])
         other.ask("save 0 " + files[1])
@@ -107,7 +108,7 @@ class Cameras:
 
 
 def table(results):
-    """The lines of a table in Markdown."""
+    """Returns the lines of a Markdown table."""
     lines = ["| world | what | engine | pictures per CPU second | goal | SEAR is faster | same depths |", "|---|---|---|---|---|---|---|"]
     for one in results:
         sear = one["engine"] == "SEAR"

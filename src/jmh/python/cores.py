@@ -51,5 +51,5 @@ def fleet_rows(found):
 
 
 def table(found):
-    """The lines of both tables in Markdown."""
+    """Returns the lines of both tables in Markdown."""
     return ABOUT + lidar_rows(found) + [""] + ABOUT_FLEETS + fleet_rows(found)

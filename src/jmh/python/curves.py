@@ -14,7 +14,7 @@ LEAST_GAP = 14
 
 
 def scale(low, high, start, end):
-    """A function from values to points on a logarithmic axis."""
+    """Returns a function from values to points on a logarithmic axis."""
     span = math.log(high / low)
     return lambda value: start + (end - start) * math.log(value / low) / span
 
@@ -35,7 +35,7 @@ def number(value):
 
 
 def draw(title, x_title, y_title, series):
-    """SVG text. series: [(name, [(x, y), ...])], all values above 0."""
+    """Returns the SVG text. series: [(name, [(x, y), ...])], all values above 0."""
     xs = [x for _, points in series for x, _ in points]
     ys = [y for _, points in series for _, y in points]
     x_low, x_high = min(xs), max(max(xs), min(xs) * 2)

@@ -1,4 +1,5 @@
-"""The beam worlds of the benchmark in Embree, which knows triangles only: a box is twelve of them. Default settings; one thread."""
+"""The beam worlds of the benchmark in Embree, which knows only triangles: a box is twelve of them. Default settings;
+one thread."""
 from importlib.metadata import version
 
 import numpy
@@ -9,13 +10,13 @@ NAME = "Embree"
 VERSION = version("embreex")
 NONE = -1
 CORNERS = numpy.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
-# Corners of the triangles of a box, two on each side
+# Corners of the triangles of a box, two per side
 SIDES = numpy.array([(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1),
                      (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)])
 
 
 def corners(box):
-    """Metres: the eight corners of a box."""
+    """Returns the eight corners of a box, metres."""
     x, y, z, w = box[6:10]
     turn = numpy.array(((1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
                         (2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)),
@@ -24,7 +25,7 @@ def corners(box):
 
 
 class Beams:
-    """Scans of a beam world, by the run method of embreex."""
+    """Scans of a beam world, with embreex's run method."""
 
     def __init__(self, world):
         if world["indices"]:
@@ -40,13 +41,13 @@ class Beams:
         self.directions = numpy.array(world["directions"], dtype=numpy.float32).reshape(len(self.starts), count, 3)
         self.range = world["range"]
         self.limits = numpy.full(count, self.range, dtype=numpy.float32)
-        # Only now the hierarchy is built
+        # Builds the hierarchy, which happens in the first scan
         self.scan(0)
 
     def scan(self, i):
-        # It writes into the limits, and answers them
+        # It writes into the limits and returns them
         return self.scene.run(self.starts[i], self.directions[i], dists=self.limits.copy(), query="DISTANCE")
 
     def ranges(self, i):
-        """Metres, NONE where nothing is within the range."""
+        """Returns metres, NONE without a hit within the range."""
         return [d if d < self.range else NONE for d in self.scan(i).tolist()]

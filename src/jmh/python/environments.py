@@ -1,10 +1,11 @@
-"""Environment steps a second, from Python, with a LIDAR of 181 beams: sear.gym beside Gymnasium's MuJoCo and pybullet, in one process, in turns.
+"""Environment steps per second, from Python, with a LIDAR of 181 beams: sear.gym, and Gymnasium's MuJoCo and pybullet, in one
+process, in turns.
 
     pip install ./python[gym] mujoco pybullet imageio
     python3 src/jmh/python/environments.py
 
-A room of 8 m by 8 m with 20 fixed boxes, and a robot on two driven wheels that drives in a circle. A step is an action, 1/60 s of physics and an
-observation of 181 ranges as an array of float32. Each engine has one thread.
+A room of 8 m by 8 m with 20 fixed boxes, and a robot with two driven wheels that drives in a circle. A step is an action,
+1/60 s of physics and an observation of 181 ranges as an array of float32. Each engine has one thread.
 """
 import os
 import random
@@ -29,16 +30,16 @@ import pybullet_engine    # noqa: E402
 BEAMS = 181
 RANGE = 8.0
 STEP = 1 / 60
-HEIGHT = 0.2          # of the scanner above the robot's frame
+HEIGHT = 0.2          # metres of the scanner above the robot's frame
 ROUNDS = 12
 STEPS = 2000
 WHEELS = (0.2, 0.3)   # m/s, left and right
-RADIUS = 0.0381       # of a wheel
+RADIUS = 0.0381       # of a wheel, metres
 WARM = 20000
 
 
 def boxes():
-    """Half lengths, place and rotation, as the engines of the benchmark take them; walls first."""
+    """Returns half lengths, position and rotation, in the form of the benchmark's engines; walls first."""
     chance = random.Random(1)
     all_of_them = [(4, 0.5, 0.05, 0, 0.5, 4.05), (4, 0.5, 0.05, 0, 0.5, -4.05), (0.05, 0.5, 4, 4.05, 0.5, 0), (0.05, 0.5, 4, -4.05, 0.5, 0)]
     while len(all_of_them) < 24:
@@ -49,7 +50,7 @@ def boxes():
 
 
 class Sear:
-    """SEAR/... of a project that is made here."""
+    """An environment of SEAR with a project made here."""
     name = "SEAR"
 
     def __init__(self):
@@ -84,7 +85,7 @@ class Rangefinders(MujocoEnv):
 
 
 class MujocoRays(Rangefinders):
-    """The same, but for the beams, which are cast by one call, mj_multiRay."""
+    """The same, with beams cast by one call, mj_multiRay."""
 
     def __init__(self, file):
         super().__init__(file)
@@ -103,7 +104,7 @@ class MujocoRays(Rangefinders):
 
 
 def mujoco_xml(rangefinders):
-    """The room, and the robot of the benchmark."""
+    """Returns the room, and the robot of the benchmark."""
     sites = sensors = ""
     for number in range(BEAMS if rangefinders else 0):
         angle = numpy.radians(number - (BEAMS - 1) / 2)
@@ -119,7 +120,7 @@ def mujoco_xml(rangefinders):
 
 
 class Mujoco:
-    """Gymnasium's environment."""
+    """An environment of Gymnasium."""
 
     def __init__(self, kind, name, folder):
         file = os.path.join(folder, kind.__name__ + ".xml")
@@ -161,7 +162,7 @@ class Pybullet(gymnasium.Env):
 
 
 def measure(engine, steps):
-    """Microseconds of processor time a step, of this thread."""
+    """Returns the processor time per step of this thread, microseconds."""
     step, action = engine.env.step, engine.action
     begun = time.thread_time()
     for _ in range(steps):
@@ -180,7 +181,7 @@ def main():
         for _ in range(120):
             seen = engine.env.step(engine.action)[0]
         hit = seen[(seen >= 0) & (seen < RANGE)]
-        print("%s %s: %d of %d beams meet something, %.2f m on average" % (engine.name, engine.version, hit.size, BEAMS, hit.mean()))
+        print("%s %s: %d of %d beams hit, %.2f m on average" % (engine.name, engine.version, hit.size, BEAMS, hit.mean()))
     times = {engine.name: [] for engine in engines}
     for turn in range(ROUNDS):
         for engine in engines[turn % 4:] + engines[:turn % 4]:
@@ -189,7 +190,7 @@ def main():
     mine = statistics.median(times["SEAR"])
     for name, each in times.items():
         middle = statistics.median(each)
-        print("%-25s %7.1f us a step (%.1f to %.1f), %6.0f steps a second, %.1f times SEAR's" % (name, middle, min(each), max(each), 1e6 / middle,
+        print("%-25s %7.1f us per step (%.1f to %.1f), %6.0f steps per second, %.1f times SEAR's" % (name, middle, min(each), max(each), 1e6 / middle,
                                                                                                   middle / mine))
 
 

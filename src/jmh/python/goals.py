@@ -47,6 +47,6 @@ def name(key):
 
 
 def reason(key):
-    """Why the goal is missed."""
+    """Returns why a goal is missed."""
     fitting = [start for start in REASONS if key.startswith(start)]
     return REASONS[max(fitting, key=len)] if fitting else UNKNOWN

@@ -1,4 +1,4 @@
-"""Names the machine of a measurement: processor, cores, memory, system, versions. No host name."""
+"""Describes the machine of a measurement: processor, cores, memory, system, versions. No host name."""
 import os
 import platform
 import re
@@ -8,7 +8,7 @@ GIB = 1024.0 ** 3
 
 
 def field(path, pattern):
-    """The first group of the pattern in a file; "unknown" without it."""
+    """Returns the first group of a pattern in a file; "unknown" without a match."""
     try:
         with open(path) as file:
             found = re.search(pattern, file.read(), re.MULTILINE)
@@ -18,7 +18,7 @@ def field(path, pattern):
 
 
 def output(*command):
-    """The first line that a command writes; "unknown" when it fails."""
+    """Returns the first line of a command's output; "unknown" after a failure."""
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
     except OSError:
@@ -28,7 +28,7 @@ def output(*command):
 
 
 def describe(java):
-    """What the tables stand for."""
+    """Returns the description for the page."""
     cache = field("/sys/devices/system/cpu/cpu0/cache/index3/size", r"(\d+)K")
     return {
         "cpu": field("/proc/cpuinfo", r"^model name\s*:\s*(.*)$"),

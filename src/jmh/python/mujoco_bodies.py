@@ -1,4 +1,5 @@
-"""A scene of bodies in MuJoCo, at 1/60 s with its defaults but for the friction: mujoco_bodies.py SCENE.json OUT.json."""
+"""A scene of bodies in MuJoCo, at 1/60 s with default settings except for the friction: mujoco_bodies.py SCENE.json
+OUT.json."""
 import json
 import sys
 import time
@@ -9,7 +10,7 @@ from mujoco_engine import HEAD, STEP, box_xml
 
 
 def poses(data):
-    """Position and quaternion {x, y, z, w} of each body."""
+    """Returns position and quaternion {x, y, z, w} of each body."""
     rows = data.qpos.reshape(-1, 7).tolist()
     return [row[:3] + row[4:] + row[3:4] for row in rows]
 

@@ -1,4 +1,5 @@
-"""The worlds of the benchmark in MuJoCo: default settings but for the step of 1/60 s, and the implicitfast integrator that so long a step needs."""
+"""The worlds of the benchmark in MuJoCo: default settings except for the step of 1/60 s, and the implicitfast
+integrator, which such a long step needs."""
 import mujoco
 import numpy
 
@@ -17,7 +18,7 @@ def box_xml(box, attributes=""):
 
 
 class Beams:
-    """Scans of a beam world, by mj_multiRay."""
+    """Scans of a beam world, with mj_multiRay."""
 
     def __init__(self, world):
         self.range = world["range"]
@@ -46,7 +47,7 @@ class Beams:
         return self.distances
 
     def ranges(self, i):
-        """Metres, NONE where nothing is within the range."""
+        """Returns metres, NONE without a hit within the range."""
         return [d if 0 <= d <= self.range else NONE for d in self.scan(i).tolist()]
 
 
@@ -74,7 +75,7 @@ class Drop:
         return self.data.qpos[1::7].tolist()
 
 
-# Turns the axis of a MuJoCo cylinder, z, to y and to x
+# Rotations of a MuJoCo cylinder's axis from z to y and to x
 UPRIGHT = "0.70710678 0.70710678 0 0"
 AXLE = "0.70710678 0 0.70710678 0"
 
@@ -122,5 +123,5 @@ class Drive:
                                    361, self.world["range"])
 
     def position(self):
-        """Metres: x and z of the robot."""
+        """Returns x and z of the robot, metres."""
         return self.data.xpos[self.robot][0], self.data.xpos[self.robot][2]

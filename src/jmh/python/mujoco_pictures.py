@@ -1,4 +1,5 @@
-"""What a camera sees in MuJoCo, by mujoco.Renderer. "fast" is without what smooths edges and with a shadow map of 1024 pixels in place of 4096."""
+"""Camera pictures in MuJoCo, with mujoco.Renderer. "fast" omits antialiasing and uses a shadow map of 1024 pixels
+instead of 4096."""
 import mujoco
 
 from mujoco_engine import UPRIGHT, box_xml
@@ -18,13 +19,13 @@ def pose_xml(pose):
 
 
 def looking(pose):
-    """A camera of MuJoCo looks along its -z and has x to its right: half a turn about y."""
+    """Returns the pose of a MuJoCo camera, which looks along its -z and has x to its right: half a turn about y."""
     x, y, z, qx, qy, qz, qw = pose
     return pose_xml((x, y, z, -qz, qw, qx, -qy))
 
 
 class Scene:
-    """The world, and a camera for each of the poses."""
+    """The world, and a camera for each pose."""
 
     def __init__(self, world, fast):
         assets = []
@@ -70,5 +71,5 @@ class Scene:
         return self.render(turn)
 
     def depths(self, turn):
-        """Metres along the axis."""
+        """Returns the depths along the axis, metres."""
         return self.depth_buffer(turn)

@@ -1,4 +1,4 @@
-"""Makes the measured part of docs/performance.md, and its curves, from the JSON of a run."""
+"""Writes the measured part of docs/performance.md, and its curves, from the JSON of a run."""
 import os
 import re
 import textwrap
@@ -11,7 +11,7 @@ import goals
 
 BEGIN = "<!-- measured: scripts/benchmark writes from here -->"
 END = "<!-- measured: to here -->"
-# Below this share of a core, rates are by CPU time
+# Share of a core below which rates are in CPU time
 QUIET = 0.9
 PEERS = ("Embree", "MuJoCo", "pybullet", "jbullet")
 STEPS_A_SECOND = 60.0
@@ -45,7 +45,7 @@ def table(head, rows):
 
 
 def wrapped(text):
-    """Lines of a paragraph or list item of Markdown."""
+    """Returns the lines of a paragraph or list item of Markdown."""
     return textwrap.wrap(text, COLUMNS, subsequent_indent="  " if text.startswith("- ") else "", break_long_words=False, break_on_hyphens=False)
 
 
@@ -56,7 +56,7 @@ class Results:
         self.found = found
         self.rates = {(rate["engine"], rate["world"]): rate for rate in found["rates"]}
         self.judged = []
-        # Columns of the tables of beams
+        # Columns of the beam tables
         self.peers = [peer for peer in PEERS if any(engine == peer for engine, _ in self.rates)]
 
     def is_busy(self, engine, world):
@@ -64,14 +64,14 @@ class Results:
         return rate is not None and rate["cpuShare"] < QUIET
 
     def rate(self, engine, world):
-        """Units per second; per second of CPU time if the process had too little of a core; None if not measured."""
+        """Returns units per second, in CPU time if the process had too little of a core; None if not measured."""
         rate = self.rates.get((engine, world))
         if rate is None:
             return None
         return rate["perSecond"] / (rate["cpuShare"] if rate["cpuShare"] < QUIET else 1)
 
     def shown(self, engine, world, unit):
-        """A rate as text, in units; a star marks CPU time."""
+        """Formats a rate, in units; a star marks CPU time."""
         rate = self.rate(engine, world)
         return NOTHING if rate is None else digits(rate / unit) + ("*" if self.is_busy(engine, world) else "")
 
@@ -204,7 +204,7 @@ def moving(results):
 
 
 def resting(results):
-    """Bodies that end at rest; empty if the run has not measured them."""
+    """Returns the section of bodies that end at rest; empty if not measured."""
     found = results.found.get("bodies")
     if not found:
         return []
@@ -215,7 +215,7 @@ def resting(results):
 
 
 def seen(results):
-    """Pictures of cameras; empty if the run has not measured them."""
+    """Returns the section of camera pictures; empty if not measured."""
     found = results.found.get("cameras")
     if not found:
         return []
@@ -223,7 +223,7 @@ def seen(results):
 
 
 def fleets(results):
-    """Several cores and many robots; empty if the run has not measured them."""
+    """Returns the section of several cores and many robots; empty if not measured."""
     found = results.found.get("cores")
     if not found:
         return []
@@ -284,7 +284,7 @@ def start(results):
 
 
 def reference(results):
-    """Speed of the goals' machine relative to this one, for each engine measured on both."""
+    """Returns the speed of the goals' machine relative to this one, for each engine measured on both."""
     return sorted(1e6 * made / results.rate(engine, world) for (engine, world), made in goals.REFERENCE.items() if results.rate(engine, world))
 
 
@@ -306,7 +306,7 @@ def missed(results):
 
 
 def summary(results):
-    """How many times faster SEAR is, in the worlds that have goals."""
+    """Returns how many times faster SEAR is, in the worlds with goals."""
     rows = []
     for label, engine, worlds in (("LIDAR fan", "SEAR fan", ("room-20", "room-100", "room-1000", "hills-110000")),
                                   ("a robot with a LIDAR", "SEAR", ("lidar-room-20", "lidar-room-1000")),
@@ -321,7 +321,7 @@ def summary(results):
 # ---- pictures ------------------------------------------------------------------------------------------------------------
 
 def pictures(results):
-    """{file name: (alternative text, SVG)}."""
+    """Returns {file name: (alternative text, SVG)}."""
     def series(engines, worlds, value, x=size_of):
         made = []
         for engine in engines:
@@ -353,7 +353,7 @@ def lidar_count(world):
 
 
 def growth(results):
-    """What a thousand times more costs, in words."""
+    """Returns the cost of a thousandfold size as text."""
     lines = []
     for label, prefix in (("boxes", "hall"), ("triangles", "hills")):
         worlds = results.worlds(prefix)

@@ -1,6 +1,7 @@
-"""Runs one world of the benchmark in another engine whenever it is told to: peer.py ENGINE WORLD.json OUT.json. ENGINE is mujoco, pybullet or embree.
+"""Runs one world of the benchmark in another engine on request: peer.py ENGINE WORLD.json OUT.json. ENGINE is mujoco,
+pybullet or embree.
 
-OUT.json takes what is found out once. Then each line with a number of seconds is answered by "RATE SHARE", as timing.rate has them.
+OUT.json receives one-time results. Then it answers each line with a number of seconds by "RATE SHARE" of timing.rate.
 """
 import importlib
 import json
@@ -9,7 +10,7 @@ import sys
 
 import timing
 
-# Beams that are compared are the scans of these many poses where a scan takes long
+# Number of poses whose beams are compared if a scan takes long
 FEW_POSES = 10
 LONG_SCAN = 0.05
 

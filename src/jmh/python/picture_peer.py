@@ -1,6 +1,8 @@
-"""Takes pictures of one world in another engine whenever it is told to: picture_peer.py ENGINE WORLD.json. ENGINE is mujoco, mujoco-fast or pybullet.
+"""Takes pictures of one world in another engine on request: picture_peer.py ENGINE WORLD.json. ENGINE is mujoco, mujoco-fast
+or pybullet.
 
-Reads lines: "colors SECONDS" or "depths SECONDS", answered by "PICTURES CPU_SECONDS SECONDS" (of the whole process), and "save TURN FILE".
+Reads the lines "colors SECONDS" or "depths SECONDS", answered by "PICTURES CPU_SECONDS SECONDS" (of the whole process), and
+"save TURN FILE".
 """
 import importlib
 import json

@@ -1,14 +1,15 @@
-"""A program that measures when it is told to, so that several can go in turns: it reads lines, and answers each by one."""
+"""A program that measures on request, so that several can go in turns: it reads lines, and answers each with one
+line."""
 import os
 import subprocess
 import threading
 
 
 class Program:
-    """One that has been started and has said that it is ready; who asks gets a ValueError if it ends."""
+    """A started program that has reported ready; a request raises ValueError if the program ends."""
 
     def __init__(self, command, environment, folder, log, longest=None):
-        """longest: seconds that one answer may take."""
+        """longest: maximum seconds of an answer."""
         self.longest = longest
         self.late = False
         self.log = open(log, "a")

@@ -1,4 +1,4 @@
-"""The worlds of the benchmark in pybullet: default settings but for the step of 1/60 s; one thread."""
+"""The worlds of the benchmark in pybullet: default settings except for the step of 1/60 s; one thread."""
 import os
 import tempfile
 
@@ -14,7 +14,7 @@ except ImportError:
     pass
 STEP = 1 / 60
 NONE = -1
-# Turns the axis of a Bullet cylinder, z, to y and to x
+# Rotations of a Bullet cylinder's axis from z to y and to x
 UPRIGHT = (0.70710678, 0, 0, 0.70710678)
 AXLE = (0, 0.70710678, 0, 0.70710678)
 
@@ -48,7 +48,7 @@ def add_hills(vertices, indices):
 
 
 class Beams:
-    """Scans of a beam world, by rayTestBatch."""
+    """Scans of a beam world, with rayTestBatch."""
 
     def __init__(self, world):
         start()
@@ -66,7 +66,7 @@ class Beams:
         return pybullet.rayTestBatch(self.starts[i], self.ends[i], numThreads=1)
 
     def ranges(self, i):
-        """Metres, NONE where nothing is within the range."""
+        """Returns metres, NONE without a hit within the range."""
         return [hit[2] * self.range if hit[0] >= 0 else NONE for hit in self.scan(i)]
 
 
@@ -134,6 +134,6 @@ class Drive:
                 pybullet.rayTestBatch([origin.tolist()] * 361, (origin + fan @ turn.T).tolist(), numThreads=1)
 
     def position(self):
-        """Metres: x and z of the robot."""
+        """Returns x and z of the robot, metres."""
         position = pybullet.getBasePositionAndOrientation(self.robot)[0]
         return position[0], position[2]

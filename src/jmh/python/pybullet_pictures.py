@@ -1,4 +1,4 @@
-"""What a camera sees in pybullet, by getCameraImage with its TinyRenderer, which is single-threaded."""
+"""Camera pictures in pybullet, with getCameraImage and its single-threaded TinyRenderer."""
 import os
 import tempfile
 
@@ -23,7 +23,7 @@ def write_obj(path, thing):
 
 
 class Scene:
-    """The world, and matrices for each of the poses."""
+    """The world, and matrices for each pose."""
 
     def __init__(self, world, fast):
         pybullet.connect(pybullet.DIRECT)
@@ -65,5 +65,5 @@ class Scene:
         return self.image(turn, 0)[3]
 
     def depths(self, turn):
-        """Metres along the axis."""
+        """Returns the depths along the axis, metres."""
         return FAR * NEAR / (FAR - (FAR - NEAR) * numpy.array(self.depth_buffer(turn), dtype=float))

@@ -1,4 +1,4 @@
-"""Times what other engines do, the same way for each: wall time, and the share of a core that the process had meanwhile."""
+"""Measures the other engines, each in the same way: wall time, and the process's share of a core."""
 import resource
 import time
 
@@ -6,9 +6,9 @@ KIB = 1024
 
 
 def rate(run, units, seconds, prepare=None):
-    """How often a second run() does one of its units, for so many seconds; prepare() runs before each and is not counted.
+    """Measures how often per second run() does one of its units, for some seconds; prepare() runs before each, uncounted.
 
-    Answers (rate, share): the share of a core that the process had; the rate divided by it is the rate per second of CPU time.
+    Returns (rate, share): share of a core of the process; rate / share is the rate per second of CPU time.
     """
     done = 0
     cpu = 0.0
@@ -27,7 +27,7 @@ def rate(run, units, seconds, prepare=None):
 
 
 def once(run):
-    """What run() answers, and {"wall", "cpu"}: its seconds."""
+    """Returns the result of run(), and {"wall", "cpu"}: its seconds."""
     cpu_from = time.process_time()
     wall_from = time.perf_counter()
     answer = run()
@@ -35,11 +35,11 @@ def once(run):
 
 
 def peak_resident():
-    """The most memory the process ever had, bytes."""
+    """Returns the peak memory of the process, bytes."""
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * KIB
 
 
 def resident():
-    """The memory the process has now, bytes."""
+    """Returns the present memory of the process, bytes."""
     with open("/proc/self/statm") as statm:
         return int(statm.read().split()[1]) * resource.getpagesize()

@@ -1,5 +1,5 @@
 // Motion that a shared run adds to its record: wheel and servo rotations and sensor readings, in the form of the Java
-// class Motion.
+// class RecordMotion.
 import * as geometry from '../shared/geometry.js'
 
 var NOTHING = 65535         // a beam without a hit

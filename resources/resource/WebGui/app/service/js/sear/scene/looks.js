@@ -1,4 +1,4 @@
-// Models and pictures of shapes for the SEAR panel's 3D view, each requested when first needed. The Java class Looks
+// Models and pictures of shapes for the SEAR panel's 3D view, each requested when first needed. The Java class LookTable
 // documents the data format.
 var KEYS_AT_ONCE = 60
 var PATIENCE_MILLIS = 10000 // timeout: requests it again

@@ -1,4 +1,4 @@
-// Scans in the form of the Java class Ranges: 16 bits per beam.
+// Scans in the form of the Java class ScanRanges: 16 bits per beam.
 var NOTHING = 65535         // a beam without a hit
 var TENTHS = 10000          // tenths of a millimetre per metre
 

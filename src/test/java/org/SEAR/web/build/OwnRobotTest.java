@@ -73,7 +73,7 @@ public class OwnRobotTest {
         browser.seeText(".sear-note", "the project is empty: choose an object in the palette, then click where to place it");
         arm("Wheel");
         browser.click(".sear-middle");
-        browser.seeText(".sear-last", "a Wheel is a part of a robot: make one first, such as the Chassis, below Robots");
+        browser.seeText(".sear-last", "a Wheel is a robot part: place a robot first, for example Chassis from the group Robots");
         arm("chassis");
         clickMap(0, 0);
         waitForSelected("chassis1");

@@ -289,7 +289,7 @@ public class ProjectsInTheTabTest {
         tab.waitForRobot("maze Roomba");
         Files.writeString(project("environment/goal.xml"), "<!-- changed: untouched examples are not kept -->", StandardOpenOption.APPEND);
         browser.click(".sear-new");
-        browser.seeText(".sear-main .alert-info", "kept");
+        browser.seeText(".sear-main .alert-info", "stored in");
         browser.until("no project", () -> Files.notExists(project("robot")));
         browser.until("nothing to start", () -> !browser.see(".sear-start").isEnabled());
         browser.seeText(".sear-welcome", "Where do you want to begin?");

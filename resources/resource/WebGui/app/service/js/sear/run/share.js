@@ -164,7 +164,7 @@ export function makeShare(panel, messages, replay, ground) {
             var text = page(parts[0], {title: escaped(title), three: safe(parts[1]), modules: safe(parts[2]), run: json(run)})
             var size = (text.length / 1e6).toFixed(1) + ' MB'
             if (text.length > MOST) {
-                throw new Error('the file is too large: ' + size + ', at most ' + MOST / 1e6
+                throw new Error('the file is too large: ' + size + ', legal: at most ' + MOST / 1e6
                     + ' MB; share a shorter record, or a world with fewer and simpler models')
             }
             saveText(title + '.html', text)

@@ -2,11 +2,11 @@ package org.myrobotlab.service.config;
 
 import org.myrobotlab.framework.Plan;
 
-/** What a GPS service remembers. */
+/** Saved configuration of a GPS service. */
 public class GPSConfig extends ServiceConfig {
-    /** The port last connected to; null before the first time. */
+    /** Port of the last connection; null before the first. */
     public String port;
-    /** Bits a second: 4800 to 115200, of a NEO-M8N to 921600; default 38400. */
+    /** Baud rate: 4800 to 115200, NEO-M8N up to 921600; default 38400. */
     public int baud = 38400;
     /** FV-M8 (default), MT3301, MT3329, NEO-M8N or NMEA. */
     public String model = "FV-M8";

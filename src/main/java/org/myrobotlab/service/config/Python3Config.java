@@ -1,5 +1,5 @@
 package org.myrobotlab.service.config;
 
-/** A Python 3 service remembers nothing. */
+/** Saved configuration of a Python 3 service: empty. */
 public class Python3Config extends ServiceConfig {
 }

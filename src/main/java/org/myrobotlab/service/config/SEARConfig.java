@@ -1,7 +1,9 @@
 package org.myrobotlab.service.config;
 
-/** What a SEAR service remembers. The project's folder is {@code SEARproject} in MyRobotLab's working folder. */
+/**
+ * Saved configuration of a SEAR service. The project's folder is {@code SEARproject} in MyRobotLab's working folder.
+ */
 public class SEARConfig extends ServiceConfig {
-    /** Whether closing the simulator window stops the simulation; otherwise it goes on without a window. */
+    /** Whether closing the simulator window stops the simulation; otherwise it continues without a window. */
     public boolean closingWindowStops;
 }

@@ -1,2 +1,5 @@
-/** What MyRobotLab keeps in a service's yml file. Uses no other package of SEAR. Plain fields without a lock, as MyRobotLab wants them. */
+/**
+ * The services' configurations, which MyRobotLab stores in yml files. Uses no other package of SEAR. MyRobotLab
+ * requires plain fields without a lock.
+ */
 package org.myrobotlab.service.config;

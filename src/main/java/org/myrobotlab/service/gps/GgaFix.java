@@ -3,8 +3,9 @@ package org.myrobotlab.service.gps;
 import org.SEAR.protocol.nmea.Nmea;
 
 /**
- * One GGA sentence: {@code $GPGGA,hhmmss.sss,ddmm.mmmm,N,dddmm.mmmm,E,quality,satellites,hdop,altitude,M,separation,M,age,station*cs}.
- * JSON-friendly and immutable but for its arrays.
+ * One GGA sentence: {@code
+ * $GPGGA,hhmmss.sss,ddmm.mmmm,N,dddmm.mmmm,E,quality,satellites,hdop,altitude,M,separation,M,age,station*cs}.
+ * JSON-friendly, immutable except for its array.
  */
 public final class GgaFix {
     private static final int UTC = 1;
@@ -17,19 +18,19 @@ public final class GgaFix {
     private static final int ALTITUDE = 9;
     private static final int FEWEST_TOKENS = 15;
 
-    /** The sentence's fields, latitude (2) and longitude (4) with a minus in the south and west. */
+    /** Fields of the sentence; latitude (2) and longitude (4) start with a minus in the south and west. */
     public final String[] tokens;
-    /** Decimal degrees, + north; 0 without fix. */
+    /** Decimal degrees, north positive; 0 without a fix. */
     public final double latitude;
-    /** Decimal degrees, + east; 0 without fix. */
+    /** Decimal degrees, east positive; 0 without a fix. */
     public final double longitude;
-    /** Metres above mean sea level; 0 without fix. */
+    /** Metres above mean sea level; 0 without a fix. */
     public final double altitude;
     /** 0 none, 1 GPS, 2 differential, 6 dead reckoning, 7 manual, 8 simulator. */
     public final int quality;
-    /** Satellites used. */
+    /** Number of satellites used. */
     public final int satellites;
-    /** hhmmss.sss of the fix. */
+    /** Time of the fix, hhmmss.sss. */
     public final String utc;
 
     /** @throws IllegalArgumentException if it isn't a GGA sentence */
@@ -59,7 +60,6 @@ public final class GgaFix {
         return negative ? -degrees : degrees;
     }
 
-    /** Whether the receiver knows where it is. */
     public boolean hasFix() {
         return quality > 0;
     }

@@ -6,7 +6,7 @@ import java.util.Locale;
 import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.protocol.ubx.NavPvt;
 
-/** A u-blox receiver's NAV-PVT as the GGA sentence that it would send with it, so that scripts read both alike. */
+/** Converts a u-blox NAV-PVT message to the GGA sentence of the same fix, so that scripts read both alike. */
 public final class PvtFix {
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("HHmmss.SS", Locale.ROOT);
     private static final double DEGREES = 1e7;
@@ -17,17 +17,17 @@ public final class PvtFix {
     private static final int DIFFERENTIAL = 2;
     private static final long DAY = 86400000000000L;
     private static final long SECOND = 1000000000L;
-    /** Half of what the last digit of the time is worth. */
+    /** Half the last digit of the time, nanoseconds. */
     private static final long HALF = 5000000;
 
     private PvtFix() {
     }
 
     /**
-     * The fix; its HDOP is left empty, as the message has none.
+     * Returns the fix. HDOP stays empty because NAV-PVT doesn't contain it.
      *
-     * @param payload of NAV-PVT
-     * @throws IllegalArgumentException if it is of another length, or its time is none
+     * @param payload payload of NAV-PVT
+     * @throws IllegalArgumentException if the payload is too short or its time is invalid
      */
     public static GgaFix of(byte[] payload) {
         if (payload.length < NavPvt.LEAST) {
@@ -47,7 +47,7 @@ public final class PvtFix {
         return Nmea.degrees(degrees, width, MINUTE_DECIMALS) + "," + (degrees < 0 ? negative : positive);
     }
 
-    /** Nanoseconds may be below zero: a little before the second that is named. */
+    /** Returns hhmmss.ss. The field of nanoseconds may be negative. */
     private static String time(byte[] payload) {
         if ((NavPvt.VALID.get(payload) & TIME_OF_DAY_KNOWN) == 0) {
             return "";

@@ -9,16 +9,16 @@ import org.SEAR.protocol.nmea.Pmtk;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 
-/** The receivers that the service knows how to talk to. Immutable, any thread. */
+/** Receiver models that the GPS service supports. Immutable, any thread. */
 public enum ReceiverModel {
     FV_M8("FV-M8", 5, Language.PMTK),
     MT3301("MT3301", 5, Language.PMTK),
     MT3329("MT3329", 10, Language.PMTK),
     NEO_M8N("NEO-M8N", 10, Language.UBX),
-    /** Any other, which is never sent anything. */
+    /** Any other receiver; gets no commands. */
     NMEA("NMEA", 0, Language.NONE);
 
-    /** Slowest rate that all take, Hz. */
+    /** Slowest rate that all models accept, Hz. */
     private static final double SLOWEST = 0.1;
     private static final double MILLIS = 1000;
     private static final int PORT_SIZE = 20;
@@ -27,7 +27,7 @@ public enum ReceiverModel {
     private static final int OUT_PROTOCOLS = 3;
     private static final String UBLOX = "UBLOX";
 
-    /** What commands they take. */
+    /** Command languages of the receivers. */
     private enum Language { PMTK, UBX, NONE }
 
     private final String label;
@@ -41,9 +41,9 @@ public enum ReceiverModel {
     }
 
     /**
-     * The model of that name, in any spelling; u-blox is the NEO-M8N.
+     * Returns a model by name. Ignores case and punctuation; "u-blox" means NEO-M8N.
      *
-     * @throws IllegalArgumentException that names those there are
+     * @throws IllegalArgumentException with the legal names
      */
     public static ReceiverModel of(String name) {
         String plain = name == null ? "" : plain(name);
@@ -59,7 +59,6 @@ public enum ReceiverModel {
         return name.replaceAll("[^A-Za-z0-9]", "").toUpperCase(Locale.ROOT);
     }
 
-    /** Names of all. */
     public static List<String> names() {
         List<String> names = new ArrayList<>();
         for (ReceiverModel model : values()) {
@@ -68,25 +67,23 @@ public enum ReceiverModel {
         return names;
     }
 
-    /** Its name as people write it. */
     public String getLabel() {
         return label;
     }
 
-    /** Whether it takes commands. */
     public boolean takesCommands() {
         return language != Language.NONE;
     }
 
-    /** Bits a second with which it is delivered. */
+    /** Returns the factory baud rate. */
     public int deliveredBaud() {
         return language == Language.UBX ? 9600 : 38400;
     }
 
     /**
-     * A speed of its line.
+     * Returns the baud rate if it is legal.
      *
-     * @throws IllegalArgumentException that names those it has
+     * @throws IllegalArgumentException with the legal rates
      */
     public int checkedBaud(int baud) {
         List<Integer> bauds = language == Language.UBX ? UbxFrame.BAUDS : Pmtk.BAUDS;
@@ -96,7 +93,7 @@ public enum ReceiverModel {
         return baud;
     }
 
-    /** What tells it to talk at another speed; empty if nothing does. */
+    /** Returns the command that changes the baud rate; empty for NMEA. */
     public byte[] baudCommand(int baud) {
         switch (language) {
             case PMTK:
@@ -110,23 +107,23 @@ public enum ReceiverModel {
     }
 
     /**
-     * What tells it how many fixes a second to send.
+     * Returns the command that sets the rate of fixes.
      *
-     * @throws IllegalArgumentException that says how many it can
+     * @throws IllegalArgumentException with the legal range
      */
     public byte[] rateCommand(double hertz) {
         if (language == Language.NONE) {
-            throw new IllegalArgumentException("GPS rate is " + hertz + " Hz, but model NMEA is never sent anything: setModel, legal: " + names());
+            throw new IllegalArgumentException("GPS rate is " + hertz + " Hz, but model NMEA takes no commands: call setModel first, legal: " + names());
         }
         if (!(hertz >= SLOWEST && hertz <= fastest)) {
-            throw new IllegalArgumentException("GPS rate is " + hertz + " Hz, legal of " + label + ": " + SLOWEST + " to " + fastest);
+            throw new IllegalArgumentException("GPS rate is " + hertz + " Hz, legal for " + label + ": " + SLOWEST + " to " + fastest);
         }
         int millis = (int) Math.round(MILLIS / hertz);
         return language == Language.PMTK ? sentence(Pmtk.SET_PERIOD.body(millis)) : new UbxFrame(UbxMessage.CFG_RATE,
             UbxFrame.room(6).putShort((short) millis).putShort((short) 1).putShort((short) 1).array()).toBytes();
     }
 
-    /** What asks for its firmware; empty if nothing does. */
+    /** Returns the query for the firmware version; empty for NMEA. */
     public byte[] firmwareQuestion() {
         switch (language) {
             case PMTK:
@@ -138,7 +135,10 @@ public enum ReceiverModel {
         }
     }
 
-    /** The model that a MediaTek's firmware is of: {@code MTK3301_1.0} an MT3301's, {@code AXN_1.30} an MT3329's; null for others. */
+    /**
+     * Returns the model for the release of MediaTek firmware: {@code MTK3301_1.0} means MT3301, {@code AXN_1.30} means
+     * MT3329. Returns null for others.
+     */
     public static ReceiverModel ofRelease(String release) {
         return release.contains("3301") ? MT3301 : release.startsWith("AXN") ? MT3329 : null;
     }

@@ -6,7 +6,7 @@ import java.util.Locale;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 
-/** UBX messages as people write them. */
+/** Converts UBX messages from and to text. */
 public final class UbxText {
     private static final int HEX = 16;
     private static final int VERSION_SIZE = 30;
@@ -15,10 +15,10 @@ public final class UbxText {
     }
 
     /**
-     * A message.
+     * Returns a message.
      *
      * @param hex class, number and payload, for example {@code "06 01 01 07 01"}
-     * @throws IllegalArgumentException if these are not two bytes or more in hexadecimal, or more than a frame has
+     * @throws IllegalArgumentException unless the text has at least two hexadecimal bytes and at most those of a frame
      */
     public static UbxFrame frame(String hex) {
         String plain = hex == null ? "" : hex.replaceAll("\\s", "");
@@ -34,13 +34,13 @@ public final class UbxText {
         return new UbxFrame(bytes[0] & 0xFF, bytes[1] & 0xFF, Arrays.copyOfRange(bytes, 2, count));
     }
 
-    /** The firmware that MON-VER names. */
+    /** Returns the firmware version in MON-VER. */
     public static String version(UbxFrame frame) {
         byte[] payload = frame.getPayload();
         return new String(payload, 0, Math.min(VERSION_SIZE, payload.length), StandardCharsets.US_ASCII).split("\0", 2)[0];
     }
 
-    /** What an ACK-NAK is the answer to. */
+    /** Returns the name of the message that an ACK-NAK rejects. */
     public static String refused(UbxFrame frame) {
         if (frame.getLength() < 2) {
             return "a message";

@@ -1,4 +1,5 @@
 /**
- * What the GPS service reads out of sentences. Uses {@link org.SEAR.protocol.nmea} and {@link org.SEAR.protocol.ubx}, and what these use. Immutable.
+ * Fixes and receiver models of the GPS service. Uses {@link org.SEAR.protocol.nmea} and {@link org.SEAR.protocol.ubx},
+ * and what these use. Immutable.
  */
 package org.myrobotlab.service.gps;

@@ -5,9 +5,9 @@ import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.link.SerialLink;
 
 /**
- * What is the same for all scanners: their port and its driver, the last scan, and whether they stream. Any thread; never blocks.
+ * The parts common to all scanners: port, driver, last scan and streaming state. Any thread; never blocks.
  *
- * @param <D> talks to the scanner
+ * @param <D> type of the driver
  */
 abstract class AbstractLidarDevice<D extends LidarDriver<?>> implements LidarDevice {
     final LidarListener listener;
@@ -20,7 +20,7 @@ abstract class AbstractLidarDevice<D extends LidarDriver<?>> implements LidarDev
         this.listener = listener;
     }
 
-    /** The one that talks to the scanner at a port. */
+    /** Creates the driver of the scanner at a port. */
     abstract D driverAt(DeviceLine line);
 
     final D driver() {
@@ -62,18 +62,18 @@ abstract class AbstractLidarDevice<D extends LidarDriver<?>> implements LidarDev
         lastScan = scan;
     }
 
-    /** Whether it streams, as far as it has told. */
+    /** Returns whether the scanner streams, according to its last report. */
     final boolean isStreaming() {
         return streaming;
     }
 
-    /** It has begun, or ended, to stream. */
+    /** Called when the scanner has started or stopped streaming. */
     final void streams(boolean on) {
         streaming = on;
         listener.streaming(on);
     }
 
-    /** Sets the unit of a scanner that has but one. */
+    /** Sets the unit of a scanner that only measures in millimetres. */
     final void setOnlyUnit(boolean millimetres, LidarModel model) {
         if (!millimetres) {
             throw new IllegalArgumentException(model.withArticle() + " measures in millimetres, legal: setToMM()");

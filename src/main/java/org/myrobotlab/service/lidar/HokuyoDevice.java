@@ -8,26 +8,26 @@ import org.SEAR.protocol.scip.ScanCommand;
 import org.SEAR.protocol.scip.ScipStatus;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
 
-/** A Hokuyo scanner that speaks SCIP 2.0, as its user sees it. Its fan it tells itself. Any thread; never blocks. */
+/** A Hokuyo scanner that uses SCIP 2.0. The scanner reports its own field of view. Any thread; never blocks. */
 final class HokuyoDevice extends AbstractLidarDevice<ScipDriver> {
-    /** Leaves SCIP 1.1, in which older scanners wake up, and the adjustment of the clock. */
+    /** Leaves SCIP 1.1, the start mode of older scanners, and the time adjustment mode. */
     private static final String TO_NORMAL = "SCIP2.0\nTM2\n";
     private static final int SHORT_REPLY = 32;
     private static final int LONG_REPLY = 400;
     private static final int LONGEST_SCAN = 3400;
-    /** Drivers wait a second. */
+    /** Seconds; common drivers also wait 1 s. */
     private static final double TIMEOUT = 1;
 
     private final LidarModel model;
     private volatile HokuyoFan fan;
-    /** What is asked for. */
+    /** The command for the next measurement. */
     private volatile ScanCommand wanted;
-    /** The spread that was set; 0 for the whole fan. */
+    /** The requested spread, degrees; 0 for the whole field of view. */
     private int spread;
     private double resolution;
     private double reportedSpread;
     private double reportedResolution;
-    /** What was asked for last, while the answer may not be there yet. */
+    /** The requested state, which the scanner may not have confirmed yet. */
     private volatile boolean toStream;
 
     HokuyoDevice(LidarModel model, LidarListener listener) {
@@ -94,7 +94,7 @@ final class HokuyoDevice extends AbstractLidarDevice<ScipDriver> {
     @Override
     public void setBaud(int baud) {
         if (HokuyoModel.of(model).isUsbOnly()) {
-            throw new IllegalArgumentException("a " + model.getName() + " is at USB, which has no baud rate");
+            throw new IllegalArgumentException("a " + model.getName() + " is connected by USB, which has no baud rate");
         }
         String name = "the change to " + baud + " baud";
         ask(name, HokuyoModel.baudCommand(baud), SHORT_REPLY, reply -> {
@@ -168,7 +168,7 @@ final class HokuyoDevice extends AbstractLidarDevice<ScipDriver> {
     private boolean succeeded(Reply reply, String what) {
         boolean done = ScipStatus.OK.equals(reply.getStatus());
         if (!done) {
-            listener.error("the LIDAR did not take " + what + " (status " + reply.getStatus() + ")");
+            listener.error("the LIDAR rejected " + what + " (status " + reply.getStatus() + ")");
         }
         return done;
     }

@@ -5,7 +5,7 @@ import org.SEAR.protocol.scip.HokuyoModel;
 import org.SEAR.protocol.scip.Reply;
 import org.SEAR.protocol.scip.ScanCommand;
 
-/** The steps of a Hokuyo scanner and the part of them that is asked for. Immutable. */
+/** The steps of a Hokuyo scanner and the commands that measure part of them. Immutable. */
 final class HokuyoFan {
     private static final double CIRCLE = 360;
     private static final double STRAIGHT_AHEAD = 90;
@@ -31,31 +31,31 @@ final class HokuyoFan {
         this.front = front;
     }
 
-    /** That of a model as it is delivered. */
+    /** Returns the factory values of a model. */
     static HokuyoFan of(HokuyoModel model) {
         return new HokuyoFan(model.getLeast(), model.getGreatest(), model.getSteps(), model.getFirst(), model.getLast(), model.getFront());
     }
 
     /**
-     * What a scanner tells of itself.
+     * Returns the values that a scanner reports.
      *
      * @param reply to PP
-     * @throws IllegalArgumentException unless it makes sense
+     * @throws IllegalArgumentException if the values contradict each other
      */
     static HokuyoFan of(Reply reply) {
         return new HokuyoFan(reply.number("DMIN"), reply.number("DMAX"), reply.number("ARES"), reply.number("AMIN"), reply.number("AMAX"),
             reply.number("AFRT"));
     }
 
-    /** All steps. */
+    /** Returns the command that measures all steps. */
     ScanCommand whole() {
         return new ScanCommand("MD", first, last, 1, 0, 0, "");
     }
 
     /**
-     * The steps that come nearest to a fan, as many to the right of the front as to the left.
+     * Returns the command whose steps are nearest to the given spread and resolution, centred on the front.
      *
-     * @throws IllegalArgumentException that names the legal ones
+     * @throws IllegalArgumentException with the legal values
      */
     ScanCommand part(int spread, double resolution) {
         double widest = Math.ceil((last - first) * stepAngle);
@@ -81,20 +81,20 @@ final class HokuyoFan {
         return front - (values * cluster - 1) / 2;
     }
 
-    /** Degrees between two values. */
+    /** Returns the degrees between two values. */
     double resolution(ScanCommand command) {
         return command.getCluster() * stepAngle;
     }
 
-    /** Degrees from first to last value. */
+    /** Returns the degrees from first to last value. */
     double spread(ScanCommand command) {
         return (command.getValues() - 1) * resolution(command);
     }
 
     /**
-     * What a scan brings.
+     * Returns the scan in a reply.
      *
-     * @throws IllegalArgumentException if it has another number of values than its command asks for
+     * @throws IllegalArgumentException if the number of values differs from the command's
      */
     RangeScan scan(Reply reply, double time) {
         ScanCommand command = ScanCommand.of(reply.getEcho());

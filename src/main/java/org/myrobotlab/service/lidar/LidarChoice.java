@@ -1,14 +1,14 @@
 package org.myrobotlab.service.lidar;
 
-/** A model as people choose it. JSON-friendly; nobody changes the arrays. */
+/** A scanner model and its options, for selection in a panel. JSON-friendly; callers must not change the arrays. */
 public final class LidarChoice {
-    /** For {@code setModel}. */
+    /** Name for {@code setModel}. */
     public final String name;
-    /** The rates of its line, bits a second, that at power-on first. */
+    /** Legal baud rates; the first is the rate at power-on. */
     public final int[] bauds;
     /** Common spreads and resolutions, degrees, for {@code setScanMode}. */
     public final double[][] modes;
-    /** Whether it can measure in centimetres, too. */
+    /** Whether the model can also measure in centimetres. */
     public final boolean centimetres;
 
     LidarChoice(String name, int[] bauds, double[][] modes, boolean centimetres) {

@@ -2,52 +2,52 @@ package org.myrobotlab.service.lidar;
 
 import org.myrobotlab.service.link.SerialLink;
 
-/** What the LIDAR service needs of a scanner, whichever protocol it speaks. Any thread; never blocks: what is asked is sent in its turn. */
+/** A scanner behind any protocol. Any thread; never blocks: requests are queued. */
 public interface LidarDevice {
-    /** Gives the device its port. Before anything else. */
+    /** Sets the device's port. Must be called first. */
     void attach(SerialLink link);
 
-    /** Bytes from the port. */
+    /** Takes bytes from the port. */
     void receive(byte[] bytes);
 
-    /** Lets time-outs pass. */
+    /** Checks time-outs. */
     void tick();
 
-    /** The port was closed. */
+    /** Forgets requests and state after the port was closed. */
     void clear();
 
-    /** The last scan; null before the first. */
+    /** Returns the last scan; null before the first. */
     RangeScan getLastScan();
 
-    /** Asks the device what it is set to: unit, fan, and whether it streams already. */
+    /** Queries the device's settings: unit, field of view, and whether it already streams. */
     void learn();
 
     /**
-     * Tells the device to talk at another rate and follows it.
+     * Changes the baud rate of the device, then of the port.
      *
-     * @param baud a legal one of the model, see {@link LidarModels#checkedBaud}
+     * @param baud a legal rate of the model, see {@link LidarModels#checkedBaud}
      */
     void setBaud(int baud);
 
     /**
-     * Sets the fan, to the nearest that the device has where it has steps of its own.
+     * Sets the field of view. A device with fixed steps uses the nearest one it has.
      *
      * @param spread degrees from first to last value
      * @param resolution degrees between two values
-     * @throws IllegalArgumentException that names the legal ones
+     * @throws IllegalArgumentException with the legal values
      */
     void setVariant(int spread, double resolution);
 
     /**
      * Sets the unit of the raw values.
      *
-     * @throws IllegalArgumentException if the device can't
+     * @throws IllegalArgumentException if the device lacks the unit
      */
     void setUnit(boolean millimetres);
 
-    /** Asks for one scan. While streaming the next one comes anyway. */
+    /** Requests one scan. Does nothing while streaming. */
     void singleScan();
 
-    /** Starts or stops scan after scan. */
+    /** Starts or stops continuous scans. */
     void setStreaming(boolean on);
 }

@@ -6,56 +6,56 @@ import org.myrobotlab.service.lidar.requests.DriverEvents;
 import org.myrobotlab.service.lidar.requests.Requests;
 
 /**
- * Talks to a scanner: its requests go through {@link Requests}, what it speaks a subclass knows. Any thread; what a subclass overrides is called
- * under its lock.
+ * Sends requests to a scanner through {@link Requests}; subclasses implement the protocols. Any thread; calls
+ * overridden methods under its lock.
  *
- * @param <R> what is asked
+ * @param <R> type of the requests
  */
 abstract class LidarDriver<R extends DeviceRequest> {
     final DriverEvents events;
     final Requests<R> requests;
 
-    /** @param bauds that the scanner may be left at */
+    /** @param bauds the rates that the scanner may be set to */
     LidarDriver(DeviceLine line, DriverEvents events, int[] bauds) {
         this.events = events;
         this.requests = new Requests<>(line, events, bauds, this::forget, this::sending);
     }
 
-    /** Forgets what the scanner has begun to say. */
+    /** Drops an incomplete reply. */
     abstract void forget();
 
-    /** A request is about to be sent. */
+    /** Called before a request is sent. */
     void sending(R request) {
     }
 
-    /** Bytes from the scanner. */
+    /** Takes bytes from the scanner. */
     abstract void receive(byte[] bytes);
 
     /**
      * Queues a request.
      *
-     * @throws IllegalStateException if the scanner is far behind
+     * @throws IllegalStateException if too many requests wait
      */
     final synchronized void ask(R request) {
         requests.add(request);
     }
 
-    /** Lets time-outs pass. */
+    /** Checks time-outs. */
     synchronized void tick() {
         requests.tick();
     }
 
-    /** Forgets all requests: the port was closed. */
+    /** Forgets all requests after the port was closed. */
     synchronized void clear() {
         requests.clear();
     }
 
-    /** Whether nothing is asked or waits. */
+    /** Returns whether no request is active or waiting. */
     final synchronized boolean isIdle() {
         return requests.isIdle();
     }
 
-    /** Follows the scanner to another rate; it needs a moment before it listens there. */
+    /** Sets the port to the scanner's new rate and pauses until the scanner listens again. */
     final synchronized void changeBaud(int baud) {
         requests.changeBaud(baud);
     }

@@ -2,17 +2,17 @@ package org.myrobotlab.service.lidar;
 
 import org.myrobotlab.service.lidar.requests.DriverEvents;
 
-/** Takes what happens at a LIDAR; called on the port's reader thread. */
+/** Receives events of a LIDAR, on the port's reader thread. */
 public interface LidarListener extends DriverEvents {
     void scan(RangeScan scan);
 
     void streaming(boolean on);
 
     /**
-     * The fan as the device told it.
+     * Called with the field of view that the device reports.
      *
-     * @param spread degrees from first to last beam
-     * @param resolution degrees between beams
+     * @param spread degrees from first to last value
+     * @param resolution degrees between values
      */
     void scanMode(double spread, double resolution);
 

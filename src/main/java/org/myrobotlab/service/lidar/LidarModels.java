@@ -9,12 +9,12 @@ import org.SEAR.protocol.lidar.LidarModel;
 import org.SEAR.protocol.lidar.LidarProtocol;
 import org.SEAR.protocol.scip.HokuyoModel;
 
-/** The scanners that the LIDAR service drives: what is legal for each, and which driver it has. Any thread. */
+/** The scanner models of the LIDAR service, with their legal values and drivers. Any thread. */
 public final class LidarModels {
-    /** Indoor and outdoor sisters that talk as those of the table do. */
+    /** Models that use the protocol of another model. */
     private static final Map<String, LidarModel> SISTERS = Map.of("LMS211", LidarModel.LMS221, "LMS220", LidarModel.LMS221);
     private static final Map<String, LidarModel> MODELS = models();
-    /** What a port at USB is opened with where the rate has no meaning. */
+    /** Rate that opens a USB port, where the rate has no effect. */
     private static final int ANY_BAUD = 115200;
     private static final double[][] LMS_MODES = {{180, 1}, {180, 0.5}, {100, 1}, {100, 0.5}, {100, 0.25}};
     private static final double[][] URG_MODES = {{240, 0.35}, {240, 0.7}, {240, 1.05}, {180, 0.35}, {180, 1.05}};
@@ -32,7 +32,7 @@ public final class LidarModels {
         return models;
     }
 
-    /** @throws IllegalArgumentException that names the legal models */
+    /** @throws IllegalArgumentException with the legal models */
     public static String checked(String model) {
         find(model);
         return model;
@@ -46,22 +46,22 @@ public final class LidarModels {
         return found;
     }
 
-    /** Whether the driver of one is that of the other, too. */
+    /** Returns whether both models use the same driver. */
     public static boolean talkAlike(String model, String other) {
         return model.equals(other) || find(model).getProtocol() == LidarProtocol.LMS && find(other).getProtocol() == LidarProtocol.LMS;
     }
 
-    /** Whether a port to the model may have a rate. */
+    /** Returns whether the rate is legal for the model. */
     public static boolean hasBaud(String model, int baud) {
         return Arrays.stream(bauds(find(model))).anyMatch(known -> known == baud);
     }
 
-    /** Bits a second of the model at power-on. */
+    /** Returns the baud rate of the model at power-on. */
     public static int firstBaud(String model) {
         return bauds(find(model))[0];
     }
 
-    /** @throws IllegalArgumentException that names the legal rates */
+    /** @throws IllegalArgumentException with the legal rates */
     public static int checkedBaud(String model, int baud) {
         if (!hasBaud(model, baud)) {
             throw new IllegalArgumentException("LIDAR baud rate is " + baud + ", legal: "
@@ -70,13 +70,13 @@ public final class LidarModels {
         return baud;
     }
 
-    /** The rates of a model's line; of one at USB, which has none, that with which its port is opened. */
+    /** Returns the baud rates of a model; for a USB-only model the rate that opens its port. */
     static int[] bauds(LidarModel model) {
         int[] rates = Arrays.stream(model.rates()).filter(rate -> rate != HokuyoModel.USB).toArray();
         return rates.length > 0 ? rates : new int[] {ANY_BAUD};
     }
 
-    /** A driver for a model. */
+    /** Creates the driver of a model. */
     public static LidarDevice driver(String model, LidarListener listener) {
         LidarModel found = find(model);
         switch (found.getProtocol()) {
@@ -89,7 +89,7 @@ public final class LidarModels {
         }
     }
 
-    /** All models, for people to choose from. */
+    /** Returns all models. */
     public static List<LidarChoice> choices() {
         return MODELS.entrySet().stream().map(each -> new LidarChoice(each.getKey(), bauds(each.getValue()), modes(each.getValue()),
             each.getValue().getProtocol() == LidarProtocol.LMS)).collect(Collectors.toList());

@@ -12,18 +12,18 @@ import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.Variant;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
 
-/** An LMS2xx as its user sees it: scan modes, units, scans. Any thread; never blocks. */
+/** A SICK LMS2xx scanner: scan modes, units, scans. Any thread; never blocks. */
 public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     private static final double HUNDREDTHS = 100;
     private static final int OVERHEAD = 10;
     private static final int LONGEST_SCAN = 813;
-    /** Of command 30h: every value. */
+    /** Argument of command 30h: every value. */
     private static final int ALL_VALUES = 1;
     private static final int CONFIGURATION_AT = 1;
     private static final int SET_CONFIGURATION_AT = 2;
-    /** A change of operating mode takes up to 3 s (telegram listing, chapter 4). */
+    /** Seconds. A change of operating mode takes up to 3 s (telegram listing, chapter 4). */
     private static final double MODE_TIMEOUT = 3;
-    /** Writing the configuration takes up to 7 s; drivers wait longer. */
+    /** Seconds. Writing the configuration takes up to 7 s. */
     private static final double WRITE_TIMEOUT = 15;
     private static final double SHORT_TIMEOUT = 1;
 
@@ -103,13 +103,16 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
                 int nowResolution = reply.wordAt(4);
                 fan(nowSpread, nowResolution);
                 if (reply.at(1) != 1) {
-                    listener.error("the LIDAR refused scan mode " + spread + ", " + newResolution + " and stays at " + nowSpread + ", "
+                    listener.error("the LIDAR rejected scan mode " + spread + ", " + newResolution + " and stays at " + nowSpread + ", "
                         + nowResolution / HUNDREDTHS);
                 }
             }));
     }
 
-    /** Sets the unit: installation mode, read the configuration, write it with the unit changed, back to measuring. */
+    /**
+     * Sets the unit: enters installation mode, reads the configuration, writes it with the new unit, returns to
+     * measuring.
+     */
     @Override
     public void setUnit(boolean millimetres) {
         pauseStreaming(() -> {
@@ -120,7 +123,7 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
                     if (reply.at(1) == 1) {
                         configured(Configuration.of(reply, SET_CONFIGURATION_AT));
                     } else {
-                        listener.error("the LIDAR refused the change of unit");
+                        listener.error("the LIDAR rejected the change of unit");
                     }
                 }));
             mode("measuring on request", LmsCommand.MODE.request().add(OperatingMode.ON_REQUEST));
@@ -129,7 +132,7 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
 
     private LmsPayload withUnit(boolean millimetres) {
         if (configuration == null) {
-            throw new IllegalStateException("the LIDAR did not tell its configuration");
+            throw new IllegalStateException("the LIDAR has not reported its configuration");
         }
         return LmsCommand.SET_CONFIGURATION.request().bytes(configuration.withMillimetres(millimetres).toBytes());
     }
@@ -184,7 +187,7 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
 
     private boolean succeeded(Telegram reply, String what) {
         if (reply.at(1) != 0) {
-            listener.error("the LIDAR did not take " + what + " (result " + reply.at(1) + ")");
+            listener.error("the LIDAR rejected " + what + " (result " + reply.at(1) + ")");
         }
         return reply.at(1) == 0;
     }

@@ -10,9 +10,14 @@ import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.lidar.requests.DriverEvents;
 import org.myrobotlab.service.lidar.requests.Requests;
 
-/** Talks to a SICK LMS2xx: requests that are acknowledged and answered, see {@link Requests}, and scans that come by themselves. Any thread. */
+/**
+ * Driver of a SICK LMS2xx: sends requests, takes acknowledgements and replies, see {@link Requests}, and takes streamed
+ * scans. Any thread.
+ */
 final class LmsDriver extends LidarDriver<LmsRequest> implements TelegramReader.Listener {
-    /** A pause within a telegram, seconds, after which its rest will not come: the device breaks a scan off to answer. */
+    /**
+     * Pause within a telegram, seconds, after which the reader drops it: the device aborts a scan to answer a request.
+     */
     private static final double BROKEN_OFF = 0.3;
 
     private final DeviceLine line;
@@ -20,7 +25,7 @@ final class LmsDriver extends LidarDriver<LmsRequest> implements TelegramReader.
     private final TelegramReader reader = new TelegramReader(address -> (address & Telegram.FROM_DEVICE) != 0, this);
     private double heardAt;
 
-    /** @param scans takes the B0h telegrams that the device sends by itself */
+    /** @param scans takes the B0h telegrams of streaming */
     LmsDriver(DeviceLine line, DriverEvents events, Consumer<Telegram> scans) {
         super(line, events, Arrays.stream(Baud.values()).mapToInt(Baud::getRate).toArray());
         this.line = line;
@@ -80,7 +85,7 @@ final class LmsDriver extends LidarDriver<LmsRequest> implements TelegramReader.
         try {
             taker.accept(telegram);
         } catch (IndexOutOfBoundsException | IllegalArgumentException e) {
-            events.error("the LIDAR sent a telegram " + Integer.toHexString(telegram.getCommand()) + "h that makes no sense, " + telegram.size()
+            events.error("the LIDAR sent an invalid telegram " + Integer.toHexString(telegram.getCommand()) + "h, " + telegram.size()
                 + " bytes: " + e.getMessage());
         }
     }

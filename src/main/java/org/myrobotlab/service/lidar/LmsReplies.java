@@ -5,7 +5,10 @@ import org.SEAR.protocol.lms.MeasuringMode;
 import org.SEAR.protocol.lms.StatusByte;
 import org.SEAR.protocol.lms.Telegram;
 
-/** Reads the answers of an LMS2xx (SICK telegram listing 8007954, chapters 7, 8 and 10). Positions count from the command byte. */
+/**
+ * Reads the replies of an LMS2xx (SICK telegram listing 8007954, chapters 7, 8 and 10). Positions count from the
+ * command byte.
+ */
 final class LmsReplies {
     private static final int MILLIMETRES = 1;
     private static final double QUARTER = 0.25;
@@ -19,9 +22,9 @@ final class LmsReplies {
     }
 
     /**
-     * A B0h telegram: {@code B0 | count word | values | status}.
+     * Returns the scan in a B0h telegram: {@code B0 | count word | values | status}.
      *
-     * @param resolution degrees between values, used where the number of values doesn't tell
+     * @param resolution degrees between values, used if the number of values fits no scan mode
      */
     static RangeScan scan(Telegram telegram, MeasuringMode measuringMode, double resolution, double time) {
         CountWord count = CountWord.of(telegram.wordAt(1));
@@ -49,12 +52,12 @@ final class LmsReplies {
         return 0;
     }
 
-    /** The text of a type or power-on telegram: {@code LMS200;301063;V02.10}. */
+    /** Returns the text of a type or power-on telegram: {@code LMS200;301063;V02.10}. */
     static String text(Telegram telegram) {
         return telegram.text(1, telegram.size() - 1).trim();
     }
 
-    /** What the status byte complains about, in words; empty if nothing. */
+    /** Returns the problem in the status byte as text; empty if there is none. */
     static String complaint(Telegram telegram) {
         int status = telegram.last();
         if (StatusByte.isPolluted(status)) {

@@ -7,11 +7,11 @@ import org.SEAR.protocol.lms.LmsPayload;
 import org.SEAR.protocol.lms.Telegram;
 import org.myrobotlab.service.lidar.requests.DeviceRequest;
 
-/** One thing asked of an LMS2xx: what is sent, what answers it, how long that may take, and what then happens. */
+/** A request to an LMS2xx with its expected reply, time-out and handler. */
 final class LmsRequest extends DeviceRequest {
-    /** What is asked; its reply byte begins the answer. */
+    /** The command; its reply byte starts the reply. */
     final LmsCommand command;
-    /** Takes the answer. */
+    /** Takes the reply. */
     final Consumer<Telegram> then;
 
     /**

@@ -4,37 +4,44 @@ import java.math.BigDecimal;
 import java.util.Locale;
 
 /**
- * One scan of a LIDAR, right to left, with all that is needed to draw it. JSON-friendly; nobody changes the arrays afterwards.
+ * One scan of a LIDAR with all data to draw it, ordered right to left. JSON-friendly; callers must not change the
+ * arrays.
  */
 public final class RangeScan {
-    /** Values of the device, right to left, flag bits removed; {@link #noReturn} and above, or below {@link #least}, means no distance. */
+    /**
+     * Raw values, right to left, without flag bits. Values below {@link #least}, or from {@link #noReturn} up, are
+     * codes for "no distance".
+     */
     public final int[] raw;
-    /** {@code "mm"} or {@code "cm"}: the unit of {@link #raw}. */
+    /** Unit of {@link #raw}: {@code "mm"} or {@code "cm"}. */
     public final String unit;
-    /** Degrees of each value, 0 right, 90 ahead, 180 left; counter-clockwise seen from above; a whole circle begins behind, at -90. */
+    /**
+     * Direction of each value, degrees counter-clockwise seen from above: 0 right, 90 ahead, 180 left. A full circle
+     * starts behind, at -90.
+     */
     public final double[] angles;
-    /** Metres of each value; null where nothing was measured. */
+    /** Distance of each value, metres; null without a distance. */
     public final Double[] metres;
-    /** Raw values below this one are the device's codes for "no distance". */
+    /** Least distance, raw units; values below are codes for "no distance". */
     public final int least;
-    /** Raw values from here up are the device's codes for "no distance". */
+    /** Lowest raw value of the codes for "no distance" beyond the range. */
     public final int noReturn;
     /** Degrees from first to last value. */
     public final double spread;
     /** Degrees between values. */
     public final double resolution;
-    /** Seconds of the port's clock (simulated time at a simulated port) when the scan was complete. */
+    /** Time at the end of the scan, seconds of the port's clock (simulated time at a virtual port). */
     public final double time;
 
     private static final double MM = 1000;
     private static final double CM = 100;
 
     /**
-     * @param raw values as they came, without flag bits
-     * @param unit of raw, {@code "mm"} or {@code "cm"}
-     * @param least raw values below this one are codes
-     * @param noReturn raw values from this one on are codes
-     * @param angles degrees of each value
+     * @param raw values without flag bits
+     * @param unit unit of raw, {@code "mm"} or {@code "cm"}
+     * @param least raw values below are codes
+     * @param noReturn raw values from this one up are codes
+     * @param angles direction of each value, degrees
      * @param resolution degrees between values
      */
     RangeScan(int[] raw, String unit, int least, int noReturn, double[] angles, double resolution, double time) {
@@ -53,7 +60,7 @@ public final class RangeScan {
         }
     }
 
-    /** Degrees of values at even distances. */
+    /** Returns evenly spaced directions, degrees. */
     static double[] angles(int count, double first, double resolution) {
         double[] angles = new double[count];
         for (int i = 0; i < count; i++) {
@@ -62,7 +69,10 @@ public final class RangeScan {
         return angles;
     }
 
-    /** {@code scan of 101 readings over 100 degrees, 97 of them distances, the nearest 2.648 m at 90 degrees}. */
+    /**
+     * Returns for example {@code scan of 101 readings over 100 degrees, 97 of them distances, the nearest 2.648 m at 90
+     * degrees}.
+     */
     @Override
     public String toString() {
         int nearest = -1;

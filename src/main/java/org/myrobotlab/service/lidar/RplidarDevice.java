@@ -9,26 +9,26 @@ import org.SEAR.protocol.rplidar.RplidarCommand;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
 
 /**
- * An RPLIDAR A1 as its user sees it: it turns all the time (its USB adapter does that while DTR is off) and sends whole turns, standard or express
- * ones; of them the wanted spread is told. Any thread; never blocks.
+ * An RPLIDAR A1, which turns continuously (its USB adapter runs the motor while DTR is off). It sends full turns of
+ * standard or express scans; the device reports the requested spread of them. Any thread; never blocks.
  */
 final class RplidarDevice extends AbstractLidarDevice<RplidarDriver> {
     private static final int CIRCLE = 360;
     private static final double STANDARD = 1;
     private static final double EXPRESS = 0.5;
-    /** A finer resolution needs express scans, which have about twice as many values. */
+    /** Finest resolution of standard scans, degrees; finer needs express scans with about twice as many values. */
     private static final double FINEST_STANDARD = 0.75;
     private static final double COARSEST = 2;
     private static final double TIMEOUT = 1;
-    /** The motor may turn as slowly as once a second, and the turn under way is left out. */
+    /** Seconds. The motor may turn as slowly as once per second, and the first, incomplete turn is dropped. */
     private static final double TURN_TIMEOUT = 4;
-    /** After STOP; drivers wait 1 to 100 ms. */
+    /** Pause after STOP, seconds; common drivers wait 1 to 100 ms. */
     private static final double AFTER_STOP = 0.02;
 
     private final LidarModel model;
     private volatile int spread = CIRCLE;
     private volatile double resolution = STANDARD;
-    /** What was asked for last, while the answer may not be there yet. */
+    /** The requested state, which the scanner may not have confirmed yet. */
     private volatile boolean toStream;
 
     RplidarDevice(LidarModel model, LidarListener listener) {

@@ -10,15 +10,18 @@ import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.lidar.requests.DriverEvents;
 import org.myrobotlab.service.lidar.requests.Requests;
 
-/** Talks to an RPLIDAR: requests and their answers, see {@link Requests}, and scans, which come until the next request. Any thread. */
+/**
+ * Driver of an RPLIDAR: requests and replies, see {@link Requests}, and scans, which continue until the next request.
+ * Any thread.
+ */
 final class RplidarDriver extends LidarDriver<RplidarRequest> implements AnswerReader.Listener {
     private final Consumer<List<RplidarTurn.Sample>> turns;
     private final AnswerReader reader = new AnswerReader(this);
     private final RplidarTurn turn = new RplidarTurn();
 
     /**
-     * @param bauds that the device may have
-     * @param turns takes whole turns
+     * @param bauds the rates that the device may have
+     * @param turns takes full turns
      */
     RplidarDriver(DeviceLine line, DriverEvents events, int[] bauds, Consumer<List<RplidarTurn.Sample>> turns) {
         super(line, events, bauds);

@@ -5,20 +5,19 @@ import org.SEAR.protocol.rplidar.RplidarCommand;
 import org.SEAR.protocol.rplidar.RplidarRequestPacket;
 import org.myrobotlab.service.lidar.requests.DeviceRequest;
 
-/** A request to an RPLIDAR, and what then happens. */
+/** A request to an RPLIDAR with its reply handler. */
 final class RplidarRequest extends DeviceRequest {
-    /** STOP has no answer; after it the device needs a moment. */
+    /** Reply length of STOP, which has no reply. */
     private static final int NO_REPLY = 0;
     private static final int EXPRESS_PAYLOAD = 5;
 
-    /** What is asked. */
     final RplidarCommand command;
-    /** Whether the answer is a whole turn, not just the descriptor of a scan. */
+    /** Whether the reply is a full turn instead of the descriptor of a scan. */
     final boolean wholeTurn;
-    /** Takes the packet of the answer; of a scan null. */
+    /** Takes the packet of the reply; null for a scan. */
     final Consumer<byte[]> then;
 
-    /** @param timeout seconds until the answer, or, after what has none, until the next request */
+    /** @param timeout seconds until the reply or, without a reply, until the next request */
     RplidarRequest(String name, RplidarCommand command, boolean wholeTurn, double timeout, Consumer<byte[]> then) {
         super(name, () -> bytes(command), command.getDescriptor() == null ? NO_REPLY : command.getDescriptor().getLength(), timeout);
         this.command = command;

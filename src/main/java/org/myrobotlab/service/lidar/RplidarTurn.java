@@ -6,14 +6,14 @@ import java.util.List;
 import org.SEAR.protocol.rplidar.Capsule;
 import org.SEAR.protocol.rplidar.Node;
 
-/** Puts an RPLIDAR's samples together to turns, and turns to scans, right to left. One thread at a time. */
+/** Assembles an RPLIDAR's samples to turns, and turns to scans, right to left. One thread at a time. */
 final class RplidarTurn {
-    /** Four times what the fastest mode of any RPLIDAR sends in its slowest turn: more is no turn. */
+    /** Most samples per turn: four times those of the fastest mode of any RPLIDAR at its slowest turn. */
     private static final int MAX_SAMPLES = 32768;
     private static final double CIRCLE = 360;
     private static final double STRAIGHT_AHEAD = 90;
     private static final double BEHIND = -90;
-    /** Beyond what 16 bits of quarters of a millimetre hold. */
+    /** Millimetres; greater than 16 bits of quarter millimetres hold. */
     private static final int NO_RETURN = 16384;
     private static final double ROUNDING = 1e-6;
 
@@ -22,7 +22,6 @@ final class RplidarTurn {
     private Capsule last;
     private double lastAngle;
 
-    /** Begins anew. */
     void clear() {
         samples.clear();
         begun = false;
@@ -31,9 +30,9 @@ final class RplidarTurn {
     }
 
     /**
-     * Takes a node.
+     * Adds a node.
      *
-     * @return the turn that ended before it; null if none did
+     * @return the turn that ended before it, or null
      */
     List<Sample> add(Node node) {
         List<Sample> turn = node.isFirst() ? next() : null;
@@ -42,9 +41,9 @@ final class RplidarTurn {
     }
 
     /**
-     * Takes a capsule; where its samples lie is known with the next one.
+     * Adds a capsule. The angles of its samples are known when the next one arrives.
      *
-     * @return the turn that ended; null if none did
+     * @return the turn that ended, or null
      */
     List<Sample> add(Capsule capsule) {
         List<Sample> turn = null;
@@ -77,9 +76,9 @@ final class RplidarTurn {
     }
 
     /**
-     * The scan of a turn.
+     * Returns the scan of a turn.
      *
-     * @param spread degrees about straight ahead that are wanted of it
+     * @param spread degrees, centred on straight ahead
      */
     static RangeScan scan(List<Sample> turn, double spread, double time) {
         double resolution = CIRCLE / turn.size();
@@ -99,7 +98,7 @@ final class RplidarTurn {
         return new RangeScan(raw, "mm", 1, NO_RETURN, angles, resolution, time);
     }
 
-    /** One direction. */
+    /** One measurement. */
     static final class Sample {
         private final double angle;
         private final int millimetres;

@@ -7,13 +7,13 @@ import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.lidar.requests.DriverEvents;
 import org.myrobotlab.service.lidar.requests.Requests;
 
-/** Talks to a Hokuyo scanner: commands that are echoed and answered, see {@link Requests}, and scans that come by themselves. Any thread. */
+/** Driver of a Hokuyo scanner: commands with echo and reply, see {@link Requests}, and streamed scans. Any thread. */
 final class ScipDriver extends LidarDriver<ScipRequest> {
     private final Consumer<Reply> scans;
     private final ReplyReader reader = new ReplyReader(this::onReply, () -> { });
 
     /**
-     * @param bauds that the scanner may be left at
+     * @param bauds the rates that the scanner may be set to
      * @param scans takes the scans of MD and MS
      */
     ScipDriver(DeviceLine line, DriverEvents events, int[] bauds, Consumer<Reply> scans) {
@@ -47,7 +47,7 @@ final class ScipDriver extends LidarDriver<ScipRequest> {
         try {
             taker.accept(reply);
         } catch (IndexOutOfBoundsException | IllegalArgumentException e) {
-            events.error("the LIDAR sent an answer to " + reply.getEcho() + " that makes no sense: " + e.getMessage());
+            events.error("the LIDAR sent an invalid reply to " + reply.getEcho() + ": " + e.getMessage());
         }
     }
 }

@@ -5,15 +5,15 @@ import java.util.function.Consumer;
 import org.SEAR.protocol.scip.Reply;
 import org.myrobotlab.service.lidar.requests.DeviceRequest;
 
-/** A command to a Hokuyo scanner, and what then happens. */
+/** A command to a Hokuyo scanner with its reply handler. */
 final class ScipRequest extends DeviceRequest {
-    /** The echo of the answer. */
+    /** The command, which the reply echoes. */
     final String command;
-    /** Takes the answer. */
+    /** Takes the reply. */
     final Consumer<Reply> then;
 
     /**
-     * @param before commands whose answers don't matter, each with its line feed
+     * @param before commands whose replies don't matter, each with its line feed
      * @param replyLength bytes
      * @param timeout seconds
      */

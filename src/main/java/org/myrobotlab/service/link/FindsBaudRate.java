@@ -1,5 +1,5 @@
 package org.myrobotlab.service.link;
 
-/** A driver that tries other baud rates by itself while its device does not answer: nobody needs to be warned of a wrong one. */
+/** A driver that tries other baud rates while its device does not answer, so SEAR warns of no baud rate mismatch. */
 public interface FindsBaudRate {
 }

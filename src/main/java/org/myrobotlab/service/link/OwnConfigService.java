@@ -4,23 +4,22 @@ import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.ServiceConfig;
 
 /**
- * A service that takes no configuration but its own. MyRobotLab takes any for any service, by a call of {@code apply} or out of a file, and the
- * service breaks when it looks into it. Any thread.
+ * A service that accepts only its own type of configuration. MyRobotLab itself applies any configuration to any
+ * service, and the service then fails when it reads it. Any thread.
  *
- * @param <T> its configuration
+ * @param <T> type of the configuration
  */
 public abstract class OwnConfigService<T extends ServiceConfig> extends Service<T> {
     private static final long serialVersionUID = 1L;
 
-    /** As MyRobotLab makes services. */
     protected OwnConfigService(String name, String id) {
         super(name, id);
     }
 
-    /** What its configuration is. */
+    /** Returns the type of the configuration. */
     protected abstract Class<T> configType();
 
-    /** @throws IllegalArgumentException if it is another service's, or null; the present one stays */
+    /** @throws IllegalArgumentException if the configuration is null or of another type; the present one stays */
     @Override
     public T apply(T newConfig) {
         if (!configType().isInstance(newConfig)) {

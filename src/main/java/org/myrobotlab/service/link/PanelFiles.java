@@ -19,32 +19,33 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Puts the services' panels, icons, example scripts and example projects where MyRobotLab serves them from: below its resource root, on the disk.
- * Files that are missing or that an older version put there are written, those that only the older one had go; files that the user has changed are
- * left alone. Never creates the resource root itself, whose absence makes MyRobotLab unpack its own.
+ * Installs the services' panels, icons, example scripts and example projects below MyRobotLab's resource root. Writes
+ * files that are missing or unchanged since an older version, and deletes files that only an older version had. Leaves
+ * files alone that the user has changed. Never creates the resource root: MyRobotLab unpacks its own resources only if
+ * the root is missing.
  */
 public final class PanelFiles {
     private static final Logger log = LoggerFactory.getLogger(PanelFiles.class);
-    /** In the jar: the files of all panels, a line each, as the build found them. */
+    /** Resource in the jar that lists all panel files, one per line; written by the build. */
     private static final String LIST = "/org/SEAR/panel-files.txt";
-    /** Where the jar has them. */
+    /** Folder of the panel files in the jar. */
     private static final String IN_JAR = "/resource/";
-    /** Below the resource root: the list of what was written. */
+    /** Name of the list of installed files, below the resource root. */
     public static final String RECORD = ".sear-files.properties";
 
     private PanelFiles() {
     }
 
-    /** Installs the files of all panels, which share some. Never throws: what goes wrong is logged. */
+    /** Installs the files of all panels. Never throws: logs failures. */
     public static void install() {
         try {
             install(Paths.get(Service.getResourceRoot()));
         } catch (IOException | RuntimeException e) {
-            log.warn("the panel files could not be written: {}", e.toString());
+            log.warn("SEAR could not write the panel files: {}", e.toString());
         }
     }
 
-    /** Installs the files below a resource root, if that is there. */
+    /** Installs the files below a resource root; does nothing if the root is missing. */
     static synchronized void install(Path root) throws IOException {
         if (!Files.isDirectory(root)) {
             return;
@@ -66,7 +67,7 @@ public final class PanelFiles {
     private static byte[] bytes(String name) throws IOException {
         try (InputStream in = PanelFiles.class.getResourceAsStream(name)) {
             if (in == null) {
-                throw new FileNotFoundException(name + " is not in the jar of SEAR: install it again");
+                throw new FileNotFoundException(name + " is missing from SEAR's jar: install SEAR again");
             }
             return in.readAllBytes();
         }
@@ -81,7 +82,7 @@ public final class PanelFiles {
                 return !hash.equals(record.put(name, hash));
             }
             if (!present.equals(record.getProperty(name))) {
-                log.info("{} was changed by the user and is left alone", file);
+                log.info("SEAR keeps {}: the user has changed it", file);
                 return false;
             }
         }
@@ -97,7 +98,7 @@ public final class PanelFiles {
         return true;
     }
 
-    /** Deletes what only an older version had, unless the user has changed it; true in any case: it is recorded no more. */
+    /** Deletes a file of an older version unless the user has changed it. Returns true: the record has changed. */
     private static boolean drop(Path file, Object hash) throws IOException {
         if (Files.exists(file) && hash(Files.readAllBytes(file)).equals(hash)) {
             Files.delete(file);
@@ -105,7 +106,7 @@ public final class PanelFiles {
         return true;
     }
 
-    /** What was written below a resource root, by file name, as SHA-256; empty where nothing was. */
+    /** Returns the SHA-256 of each installed file by file name; empty if nothing was installed. */
     public static Properties record(Path root) throws IOException {
         Properties record = new Properties();
         if (Files.exists(root.resolve(RECORD))) {
@@ -117,12 +118,12 @@ public final class PanelFiles {
     }
 
     private static void write(Path file, Properties record) throws IOException {
-        StringBuilder text = new StringBuilder("# What SEAR put here, to tell its own files from changed ones.\n");
+        StringBuilder text = new StringBuilder("# Files that SEAR installed and their SHA-256, to recognise files that the user has changed.\n");
         record.stringPropertyNames().stream().sorted().forEach(name -> text.append(name).append('=').append(record.getProperty(name)).append('\n'));
         Files.writeString(file, text);
     }
 
-    /** SHA-256 in hexadecimal digits. */
+    /** Returns the SHA-256 in hexadecimal digits. */
     public static String hash(byte[] bytes) {
         try {
             return String.format("%064x", new BigInteger(1, MessageDigest.getInstance("SHA-256").digest(bytes)));

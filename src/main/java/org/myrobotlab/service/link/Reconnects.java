@@ -7,21 +7,22 @@ import org.myrobotlab.serial.PortUser;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
-/** A service that drives a device and connects to its port again when that comes back, as far as nobody has disconnected it. Any thread. */
+/**
+ * A service that drives a device and reconnects when its port comes back, unless the user has disconnected it. Any
+ * thread.
+ */
 public interface Reconnects extends SerialDataListener {
     /** Connects to the port last used. */
     void reconnectSerial() throws IOException;
 
-    /** Closes the port. */
     void disconnect();
 
-    /** Whether a port is open. */
     boolean isConnected();
 
     /**
-     * Waits until a simulation has the port; {@link PortArrivals#forget} ends it.
+     * Reconnects as soon as a simulation has the port; {@link PortArrivals#forget} cancels this.
      *
-     * @param ofThisProject whether another project ends it, too
+     * @param ofThisProject whether loading another project cancels it, too
      */
     default void reconnectWhenBack(String port, boolean ofThisProject) {
         PortArrivals.await(new PortUser(getName(), port, ofThisProject, this::reconnect, () -> {
@@ -32,7 +33,7 @@ public interface Reconnects extends SerialDataListener {
         }));
     }
 
-    /** Connects, unless the service has been released; a warning says why it can't. */
+    /** Connects unless the service has been released; publishes a failure as a warning. */
     default void reconnect() {
         if (Runtime.getService(getName()) == this) {
             try {
@@ -44,10 +45,10 @@ public interface Reconnects extends SerialDataListener {
     }
 
     /**
-     * A configuration has been restored: connects if the port is there, else waits for it and says so.
+     * Connects after a configuration was restored. If the port is missing, reports that and waits for the port.
      *
      * @param port null for a service that was never connected
-     * @param link knows which ports there are
+     * @param link lists the available ports
      */
     static void restore(Reconnects driver, String port, SerialLink link) {
         if (port == null) {

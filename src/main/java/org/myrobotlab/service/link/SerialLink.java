@@ -16,8 +16,8 @@ import org.myrobotlab.service.Serial;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
 /**
- * A driver's connection through one of MyRobotLab's Serial services, to a real or a virtual port; with a clock for time-outs, which stands still
- * when the simulation behind the port does. Any thread.
+ * A driver's connection to a real or virtual port through one of MyRobotLab's Serial services. Has a clock for
+ * time-outs that stands still while the simulation behind the port does. Any thread.
  */
 public final class SerialLink {
     private static final int DATA_BITS = 8;
@@ -36,10 +36,10 @@ public final class SerialLink {
     private volatile String portName;
 
     /**
-     * @param serial the service to connect with
+     * @param serial the service that opens the port
      * @param driver gets the bytes, on the port's reader thread
-     * @param tick called again and again while connected, in lock-step after each step, for time-outs
-     * @param lost called within a second, again and again, while {@link #isLost}: whoever it is calls {@link #close}
+     * @param tick called repeatedly while connected, in lock-step after each step, to check time-outs
+     * @param lost called repeatedly while {@link #isLost}; must lead to {@link #closeIfLost}
      */
     public SerialLink(Serial serial, SerialDataListener driver, Runnable tick, Runnable lost) {
         this.serial = serial;
@@ -49,13 +49,13 @@ public final class SerialLink {
     }
 
     /**
-     * Opens a port; a connection to another is closed first.
+     * Opens a port; closes the previous connection first.
      *
-     * @throws IOException that says what is wrong and which ports there are
+     * @throws IOException with the reason and the available ports
      */
     public synchronized void connect(String port, int newBaud) throws IOException {
         if (port == null || port.trim().isEmpty()) {
-            throw new IOException("no port given; there are " + known());
+            throw new IOException("no port given; " + known());
         }
         disconnect();
         serial.addByteListener(driver);
@@ -64,10 +64,10 @@ public final class SerialLink {
         } catch (IllegalStateException | IllegalArgumentException e) {
             throw new IOException(driver.getName() + " can't connect: " + e.getMessage(), e);
         } catch (IOException e) {
-            throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": " + e.getMessage() + "; there are " + known(), e);
+            throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": " + e.getMessage() + "; " + known(), e);
         }
         if (!port.equals(serial.getPortName())) {
-            throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": there is no such port, or it is in use; there are "
+            throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": there is no such port, or it is in use; "
                 + known());
         }
         opened = serial.getPort();
@@ -79,13 +79,13 @@ public final class SerialLink {
         timer.scheduleWithFixedDelay(this::tickByWall, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
     }
 
-    /** The clock of the port that is or was open; a simulation that is reset has another one afterwards. */
+    /** Returns the clock of the present or last port. A reset of the simulation replaces it. */
     private PortClock clock() {
         Port port = opened;
         return port instanceof VirtualSerialPort ? ((VirtualSerialPort) port).getClock() : PortClock.WALL;
     }
 
-    /** Whether one end of the cable has bytes that nobody has got yet. */
+    /** Returns whether bytes wait at either end of the cable. */
     private boolean isUnderWay() {
         Port port = opened;
         if (!(port instanceof VirtualSerialPort)) {
@@ -111,24 +111,24 @@ public final class SerialLink {
     }
 
     private String known() {
-        return "the ports " + getPortNames() + notStarted();
+        return "available ports: " + getPortNames() + notStarted();
     }
 
-    /** Where the script has a simulation and has not started it, its ports are not there yet. */
+    /** Returns a hint to start the simulation if a SEAR service exists and no port is simulated; else an empty text. */
     private static String notStarted() {
         return SerialDeviceFactory.getVirtualPorts().isEmpty() ? Runtime.getServices().stream().filter(one -> one.getClass().getSimpleName()
-            .equals("SEAR")).map(one -> "; no port is simulated now: " + one.getName() + ".startSimulation() makes those of the project")
+            .equals("SEAR")).map(one -> "; no port is simulated now: " + one.getName() + ".startSimulation() creates the project's ports")
             .findFirst().orElse("") : "";
     }
 
-    /** Names of the ports that there are, in order. */
+    /** Returns the names of the available ports, sorted. */
     public List<String> getPortNames() {
         TreeSet<String> names = new TreeSet<>(serial.getPortNames());
         names.removeIf(SerialDeviceFactory::isGone);
         return new ArrayList<>(names);
     }
 
-    /** Closes the port, if one is open. */
+    /** Closes the port if one is open. */
     public synchronized void disconnect() {
         close();
         if (serial.isConnected()) {
@@ -137,11 +137,11 @@ public final class SerialLink {
     }
 
     /**
-     * Closes a port that somebody else has closed already, in one step: of several threads that notice it one is told, and none ends what another has
-     * connected meanwhile.
+     * Closes a lost port and forgets it in one step. Of several threads that notice the loss only one gets the name,
+     * and none closes a new connection.
      *
-     * @param forget is done in this step, by the one who is told
-     * @return the port's name; null if it is open, or none is
+     * @param forget runs in this step if the port was lost
+     * @return the port's name; null if no port was lost
      */
     public synchronized String closeIfLost(Runnable forget) {
         String port = isLost() ? portName : null;
@@ -152,7 +152,7 @@ public final class SerialLink {
         return port;
     }
 
-    /** Stops the time-outs; the thread of theirs that calls it goes on to its end. */
+    /** Stops the time-outs. Safe on the timer's own thread: a running call completes. */
     private void close() {
         portName = null;
         clock().removeTicker(tick);
@@ -162,22 +162,20 @@ public final class SerialLink {
         }
     }
 
-    /** Whether the port was closed by somebody else, at the Serial service or, if it is a virtual one, by itself. */
+    /** Returns whether the port was closed at the Serial service or, for a virtual port, at the port itself. */
     public boolean isLost() {
         return portName != null && (!serial.isConnected() || opened instanceof VirtualSerialPort && !opened.isOpen());
     }
 
-    /** Name of the port that is open; null if none is. */
+    /** Returns the name of the open port; null if none is open. */
     public String getPortName() {
         return portName;
     }
 
-    /** The present speed of the port, bits a second. */
     public int getBaud() {
         return baud;
     }
 
-    /** Changes the speed of the open port. */
     public void setBaud(int newBaud) {
         try {
             serial.setParams(newBaud, DATA_BITS, STOP_BITS, NO_PARITY);
@@ -187,17 +185,17 @@ public final class SerialLink {
         }
     }
 
-    /** Sets the line DTR of the open port, if it has one. */
+    /** Sets the DTR line of the open port, if it has one. */
     public void setDtr(boolean on) {
         serial.setDTR(on);
     }
 
-    /** Seconds, by the clock of the simulation behind the port or by the computer's. */
+    /** Returns seconds of the simulation behind the port, or of the computer's clock for a real port. */
     public double now() {
         return clock().now();
     }
 
-    /** Seconds for time-outs, see {@link TimeOutClock}. */
+    /** Returns seconds for time-outs, see {@link TimeOutClock}. */
     public double timeOutNow() {
         return timeOuts.now();
     }

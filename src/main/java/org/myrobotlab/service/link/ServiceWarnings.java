@@ -7,7 +7,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Publishes and logs warnings. MyRobotLab's own {@code Service.warn} makes errors of them: its {@code Status.warn(String)} does. Any thread.
+ * Publishes and logs warnings. MyRobotLab's {@code Service.warn} can't: its {@code Status.warn(String)} creates errors.
+ * Any thread.
  */
 public final class ServiceWarnings {
     private static final Logger log = LoggerFactory.getLogger(ServiceWarnings.class);
@@ -16,9 +17,9 @@ public final class ServiceWarnings {
     }
 
     /**
-     * Publishes a warning status of a service, with the script's line if one is calling, and writes it to the log.
+     * Publishes and logs a warning of a service. Adds the script's line if a script is calling.
      *
-     * @param format as of {@link String#format}
+     * @param format as in {@link String#format}
      */
     public static void publish(Service<?> service, String format, Object... args) {
         Status status = Status.warn("%s", ScriptLine.added(String.format(format, args), ScriptLine.here()));

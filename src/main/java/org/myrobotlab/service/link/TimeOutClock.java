@@ -7,13 +7,14 @@ import java.util.function.Supplier;
 import org.myrobotlab.serial.PortClock;
 
 /**
- * The time by which a driver waits for answers: that of its port's clock, but never faster than the computer's, because the threads that bring the
- * answer need the computer's time. So a simulation at hundreds of times real time gives no false alarm. While bytes are on their way through this
- * program it stands still: on a busy machine the threads that carry them may have no processor for seconds. In lock-step the steps wait for these
- * threads, and this is exactly the port's clock. A reset of the simulation doesn't set it back. Any thread.
+ * The clock for a driver's time-outs: follows the port's clock, but never runs faster than the computer's. The threads
+ * that deliver the answer need real time, so a simulation at hundreds of times real time causes no false time-outs. The
+ * clock stands still while bytes are in transit, because a busy machine may delay their threads for seconds. In
+ * lock-step, where steps wait for these threads, it equals the port's clock. A reset of the simulation doesn't set it
+ * back. Any thread.
  */
 final class TimeOutClock {
-    /** Of real time that went by without simulated time so much counts later: steps and calls come unevenly. Seconds. */
+    /** Most real time without simulated time that may count later, seconds. Allows for uneven steps and calls. */
     private static final double MAX_SAVED = 0.25;
     private static final double NANOS = TimeUnit.SECONDS.toNanos(1);
 
@@ -23,17 +24,17 @@ final class TimeOutClock {
     private double last;
     private long lastNanos;
     private double saved;
-    /** By which the port's clock is ahead of this one. */
+    /** Lead of the port's clock over this clock, seconds. */
     private double ahead;
 
-    /** @param underWay whether bytes have been sent that those for whom they are don't have yet */
+    /** @param underWay whether sent bytes have not reached their receiver yet */
     TimeOutClock(Supplier<PortClock> clock, LongSupplier nanoTime, BooleanSupplier underWay) {
         this.clock = clock;
         this.nanoTime = nanoTime;
         this.underWay = underWay;
     }
 
-    /** Begins with the clock of another port. */
+    /** Restarts with the clock of another port. */
     synchronized void restart() {
         last = clock.get().now();
         lastNanos = nanoTime.getAsLong();
@@ -41,7 +42,7 @@ final class TimeOutClock {
         ahead = 0;
     }
 
-    /** Seconds. */
+    /** Returns the time, seconds. */
     synchronized double now() {
         PortClock port = clock.get();
         double now = port.now();

@@ -2,11 +2,10 @@ package org.myrobotlab.service.meta;
 
 import org.myrobotlab.service.meta.abstracts.MetaData;
 
-/** What MyRobotLab shows about the LIDAR service. */
+/** Description of the LIDAR service in MyRobotLab. */
 public class LIDARMeta extends MetaData {
     private static final long serialVersionUID = 1L;
 
-    /** As MyRobotLab makes it. */
     public LIDARMeta() {
         addDescription("drives a laser scanner, real or simulated: SICK LMS200, Hokuyo URG-04LX and UTM-30LX, Slamtec RPLIDAR A1");
         addCategory("sensors");

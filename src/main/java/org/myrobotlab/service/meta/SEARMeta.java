@@ -2,11 +2,10 @@ package org.myrobotlab.service.meta;
 
 import org.myrobotlab.service.meta.abstracts.MetaData;
 
-/** What MyRobotLab shows about the SEAR service. */
+/** Description of the SEAR service in MyRobotLab. */
 public class SEARMeta extends MetaData {
     private static final long serialVersionUID = 1L;
 
-    /** As MyRobotLab makes it. */
     public SEARMeta() {
         addDescription("simulates robots, their sensors and their serial devices");
         addCategory("simulator");

@@ -1,2 +1,2 @@
-/** What MyRobotLab's service picker shows. Uses no other package of SEAR. Any thread. */
+/** Entries of MyRobotLab's service picker. Uses no other package of SEAR. Any thread. */
 package org.myrobotlab.service.meta;

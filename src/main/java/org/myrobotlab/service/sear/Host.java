@@ -1,31 +1,28 @@
 package org.myrobotlab.service.sear;
 
-/** The service that a simulation belongs to. Any thread. */
+/** The service that owns a simulation. Any thread. */
 public interface Host {
-    /** The service's name, for callbacks. */
     String getName();
 
-    /** The folder where MyRobotLab has its services' resources. */
+    /** Returns the folder of MyRobotLab's service resources. */
     String getResourceRoot();
 
-    /** How far something is that takes long. */
+    /** Reports the progress of a long operation. */
     void progress(String message);
 
-    /** Something the user should know. */
     void warn(String message);
 
-    /** Something that failed. */
     void error(String message);
 
-    /** The user has closed the simulator window. */
+    /** Called when the user has closed the simulator window. */
     void windowClosed();
 
-    /** Whether somebody listens to readings that are published. */
+    /** Returns whether published readings have a subscriber. */
     default boolean isReadingHeard() {
         return false;
     }
 
-    /** Whether somebody listens to pictures that are published. */
+    /** Returns whether published pictures have a subscriber. */
     default boolean isImageHeard() {
         return false;
     }
@@ -33,15 +30,13 @@ public interface Host {
     /**
      * Publishes a camera's picture.
      *
-     * @param camera its name
      * @param png a PNG file
      */
     default void image(String camera, byte[] png) {
     }
 
-    /** Publishes a reading. */
     void reading(SensorReading reading);
 
-    /** Publishes the state of the world, if somebody listens. */
+    /** Publishes the state of the world if it has a subscriber. */
     void state();
 }

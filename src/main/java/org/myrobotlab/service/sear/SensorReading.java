@@ -2,13 +2,12 @@ package org.myrobotlab.service.sear;
 
 import java.util.Arrays;
 
-/** One reading as it is published: JSON-friendly, immutable. */
+/** A published reading. JSON-friendly, immutable. */
 public final class SensorReading {
-    /** Name of the sensor. */
     public final String name;
-    /** Simulated seconds. */
+    /** Simulated time, seconds. */
     public final double time;
-    /** What the sensor's get...Result call answers: a number, a text "x,y,z", or an array. */
+    /** The result of the sensor's get...Result call: a number, a text "x,y,z" or an array. */
     public final Object value;
 
     public SensorReading(String name, double time, Object value) {
@@ -17,7 +16,7 @@ public final class SensorReading {
         this.value = value;
     }
 
-    /** {@code ping at 2.5 s: 0.47}. */
+    /** Returns for example {@code ping at 2.5 s: 0.47}. */
     @Override
     public String toString() {
         return name + " at " + time + " s: " + (value instanceof float[] ? Arrays.toString((float[]) value)

@@ -1,6 +1,6 @@
 /**
- * What the parts of the SEAR service need of it: whom they tell, and a reading as scripts hear of it. The parts are the packages below, one for each
- * matter, and all of them may use this one, {@link org.SEAR.simulator} and below. Uses no other package of SEAR. Callers' threads and the
- * simulation's meet in them; each class says which it is for.
+ * The interface between the SEAR service and its parts, and the form of a published reading. Each package below holds
+ * one part and may use this package and {@link org.SEAR.simulator} with its subpackages. This package uses no other
+ * package of SEAR. Both callers and the simulation thread use these classes; each class names its threads.
  */
 package org.myrobotlab.service.sear;

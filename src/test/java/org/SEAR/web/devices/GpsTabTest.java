@@ -175,7 +175,7 @@ public class GpsTabTest {
     @Test
     public void errorsOfThePortAreShown() {
         connect("/dev/nothing_here", "38400");
-        browser.seeText(".gps-message", "can't be opened: Port not found; there are the ports [");
+        browser.seeText(".gps-message", "can't be opened: Port not found; available ports: [");
         assertEquals("what was typed stays", "/dev/nothing_here", browser.see(".gps-port").getAttribute("value"));
         browser.click(".gps-port");
         browser.until("the list of ports", () -> browser.all(PANEL + " datalist option").stream()

@@ -233,7 +233,7 @@ public class LidarTabTest {
     @Test
     public void errorsOfThePortAndTheDeviceAreShown() {
         connect("/dev/nothing_here", "38400");
-        browser.seeText(".lidar-message", "can't be opened: Port not found; there are the ports [");
+        browser.seeText(".lidar-message", "can't be opened: Port not found; available ports: [");
         assertEquals("what was typed stays", "/dev/nothing_here", browser.see(".lidar-port").getAttribute("value"));
         assertEquals("not connected", browser.text(".lidar-status"));
         assertFalse(browser.see(".lidar-single").isEnabled());

@@ -240,10 +240,10 @@ public class GpsServiceTest {
         gps.connect(PORT);
         gps.setRate(5);
         assertEquals(FarEnd.hex("$PMTK220,200*2C\r\n".getBytes(StandardCharsets.US_ASCII)), String.join(" ", receiver.await(1)));
-        assertEquals("GPS rate is 20.0 Hz, legal of FV-M8: 0.1 to 5.0", refusal(() -> gps.setRate(20)));
+        assertEquals("GPS rate is 20.0 Hz, legal for FV-M8: 0.1 to 5.0", refusal(() -> gps.setRate(20)));
         assertTrue(refusal(() -> gps.sendUbx("06 0")).startsWith("UBX message is \"06 0\", legal: class, number and payload"));
         gps.setModel("NMEA");
-        assertTrue(refusal(() -> gps.setRate(1)).contains("model NMEA is never sent anything"));
+        assertTrue(refusal(() -> gps.setRate(1)).contains("model NMEA takes no commands"));
     }
 
     private static String refusal(Runnable call) {

@@ -154,7 +154,7 @@ public class LidarServiceTest {
         answers.put("02 00 05 00 3B 64 00 19 00 E7 72", "06 02 80 07 00 BB 00 B4 00 32 00 10 23 8D");
         lidar.connect(PORT);
         lidar.setScanMode(100, 0.25);
-        assertTrue(raw.getStatuses().toString(), raw.awaitStatus("refused scan mode 100, 0.25 and stays at 180, 0.5"));
+        assertTrue(raw.getStatuses().toString(), raw.awaitStatus("rejected scan mode 100, 0.25 and stays at 180, 0.5"));
         assertEquals(0.5, lidar.getResolution(), 0);
     }
 
@@ -249,9 +249,9 @@ public class LidarServiceTest {
             lidar.connect("/dev/nothing_here");
             fail("connected to nothing");
         } catch (IOException e) {
-            assertTrue(e.getMessage(), e.getMessage().matches("testLidar can't connect to port \"/dev/nothing_here\": .*; there are the ports .*"
+            assertTrue(e.getMessage(), e.getMessage().matches("testLidar can't connect to port \"/dev/nothing_here\": .*; available ports: .*"
                 + PORT + ".*"));
-            assertFalse(e.getMessage(), e.getMessage().matches(".*there are the ports .*nothing_here.*"));
+            assertFalse(e.getMessage(), e.getMessage().matches(".*available ports: .*nothing_here.*"));
         }
         assertTrue("MyRobotLab's table keeps it", Serial.listPorts().contains("/dev/nothing_here"));
         assertFalse("the old port was closed first", lidar.isConnected());

@@ -68,7 +68,7 @@ public class ScipDriverTest {
         assertEquals("[scan of 0]", answers.toString());
         answers.clear();
         driver.receive(new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(5).values(new int[] {1000}, Encoding.SHORT).toBytes());
-        assertEquals("[the LIDAR sent an answer to MD0384038401000 that makes no sense: 2 characters of values of 3 each]", line.errors.toString());
+        assertEquals("[the LIDAR sent an invalid reply to MD0384038401000: 2 characters of values of 3 each]", line.errors.toString());
     }
 
     @Test

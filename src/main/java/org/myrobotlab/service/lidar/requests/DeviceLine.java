@@ -2,7 +2,7 @@ package org.myrobotlab.service.lidar.requests;
 
 import org.myrobotlab.service.link.SerialLink;
 
-/** The serial port as a driver sees it. */
+/** The serial port of a driver. */
 public interface DeviceLine {
     void write(byte[] bytes);
 
@@ -10,10 +10,10 @@ public interface DeviceLine {
 
     int getBaud();
 
-    /** Seconds for time-outs. */
+    /** Returns seconds for time-outs. */
     double now();
 
-    /** That of a connection. */
+    /** Returns the line of a connection. */
     static DeviceLine of(SerialLink link) {
         return new DeviceLine() {
             @Override

@@ -2,19 +2,19 @@ package org.myrobotlab.service.lidar.requests;
 
 import java.util.function.Supplier;
 
-/** One thing asked of a device: what is sent, and how long the answer may take. */
+/** A request to a device: the bytes to send and the time-out of the reply. */
 public class DeviceRequest {
-    /** In words, for messages. */
+    /** Name for messages. */
     public final String name;
-    /** What is sent, made when it is sent: later requests of a series depend on earlier answers. */
+    /** Supplies the bytes when the request is sent: later requests of a series depend on earlier replies. */
     public final Supplier<byte[]> bytes;
-    /** Bytes of the whole answer, for the time it takes on the line; 0 if there is none. */
+    /** Bytes of the whole reply, to add its time on the line; 0 if there is none. */
     public final int replyLength;
-    /** Seconds that the device may think before it answers; after what has no answer, until the next request. */
+    /** Seconds that the device may take before it replies; without a reply, seconds until the next request. */
     public final double timeout;
 
     /**
-     * @param replyLength bytes; 0 if there is no answer
+     * @param replyLength bytes; 0 if there is no reply
      * @param patience seconds
      */
     protected DeviceRequest(String name, Supplier<byte[]> bytes, int replyLength, double patience) {

@@ -1,8 +1,8 @@
 package org.myrobotlab.service.lidar.requests;
 
-/** What happens on the line to a device. Called on the port's reader thread. */
+/** Receives events of the line to a device, on the port's reader thread. */
 public interface DriverEvents {
-    /** The device was found at another rate than the port was opened with, or told to use one; the port is at that rate now. */
+    /** Called when the port's baud rate has changed, on request or because the device answered at another rate. */
     void baud(int baud);
 
     void error(String message);

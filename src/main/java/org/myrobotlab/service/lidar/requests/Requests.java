@@ -6,19 +6,19 @@ import java.util.function.Consumer;
 import org.SEAR.protocol.Uart;
 
 /**
- * The requests to one device: one at a time, repeated when refused or lost; looks for the device at other baud rates when it hears nothing. Under its
- * driver's lock; never blocks. Time-outs pass when {@link #tick} is called.
+ * Queue of requests to one device. Sends one request at a time and repeats a rejected or lost one. Tries other baud
+ * rates if the device never answered. Call under the driver's lock; never blocks. {@link #tick} checks time-outs.
  *
- * @param <R> what is asked
+ * @param <R> type of the requests
  */
 public final class Requests<R extends DeviceRequest> {
     private static final int TRIES = 3;
     private static final int MAX_WAITING = 100;
-    /** Computers and converters take this long beside the device's own time. Seconds. */
+    /** Delay of computers and converters in addition to the device's own time, seconds. */
     private static final double ON_THE_WAY = 0.5;
-    /** Least pause before a request is repeated that was refused. Seconds. */
+    /** Least pause before a rejected request is repeated, seconds. */
     private static final double AFTER_REFUSAL = 0.03;
-    /** Pause after a change of baud rate before the device listens again. Seconds. */
+    /** Pause after a change of baud rate before the device listens again, seconds. */
     private static final double AFTER_BAUD_CHANGE = 0.25;
 
     private final DeviceLine line;
@@ -36,9 +36,9 @@ public final class Requests<R extends DeviceRequest> {
     private double notBefore;
 
     /**
-     * @param bauds that the device may be left at
-     * @param forget has the reader forget what is unfinished
-     * @param sending is told of each request before it is sent
+     * @param bauds the rates that the device may be set to
+     * @param forget makes the reader drop an incomplete reply
+     * @param sending called with each request before it is sent
      */
     public Requests(DeviceLine line, DriverEvents events, int[] bauds, Runnable forget, Consumer<R> sending) {
         this.line = line;
@@ -51,30 +51,30 @@ public final class Requests<R extends DeviceRequest> {
     /**
      * Queues a request.
      *
-     * @throws IllegalStateException if the device is far behind
+     * @throws IllegalStateException if too many requests wait
      */
     public void add(R request) {
         if (waiting.size() >= MAX_WAITING) {
-            throw new IllegalStateException(MAX_WAITING + " requests wait for the LIDAR's answer already, " + request.name
-                + " was not sent: wait for scans before asking for more");
+            throw new IllegalStateException(MAX_WAITING + " requests already wait for the LIDAR, so " + request.name
+                + " was not sent: wait for scans before you request more");
         }
         waiting.add(request);
         next();
     }
 
-    /** The request whose answer is awaited; null if there is none. */
+    /** Returns the active request; null if there is none. */
     public R current() {
         return current;
     }
 
-    /** The present request is answered; {@link #next} goes on. */
+    /** Ends the active request and returns it; call {@link #next} to continue. */
     public R answered() {
         R answered = current;
         current = null;
         return answered;
     }
 
-    /** Lets time-outs pass. */
+    /** Checks time-outs. */
     public void tick() {
         if (current == null) {
             next();
@@ -87,7 +87,7 @@ public final class Requests<R extends DeviceRequest> {
         }
     }
 
-    /** Forgets all: the port was closed. */
+    /** Forgets all requests after the port was closed. */
     public void clear() {
         waiting.clear();
         current = null;
@@ -96,19 +96,19 @@ public final class Requests<R extends DeviceRequest> {
         forget.run();
     }
 
-    /** Whether nothing is asked or waits. */
+    /** Returns whether no request is active or waiting. */
     public boolean isIdle() {
         return current == null && waiting.isEmpty();
     }
 
-    /** Follows the device to another rate; it needs a moment before it listens there. */
+    /** Sets the port to the device's new rate and pauses until the device listens again. */
     public void changeBaud(int baud) {
         line.setBaud(baud);
         forget.run();
         notBefore = line.now() + AFTER_BAUD_CHANGE;
     }
 
-    /** Sends the next request if none is under way. */
+    /** Sends the next request if none is active. */
     public void next() {
         if (current == null && !waiting.isEmpty() && line.now() >= notBefore) {
             current = waiting.remove();
@@ -147,7 +147,7 @@ public final class Requests<R extends DeviceRequest> {
         }
     }
 
-    /** Nothing was ever heard on this connection: the device may have been left at another rate. */
+    /** Repeats the request at the next baud rate: the device may have been left at another one. */
     private void tryAnotherBaud() {
         baudsTried++;
         line.setBaud(baudAfter(line.getBaud()));
@@ -169,17 +169,17 @@ public final class Requests<R extends DeviceRequest> {
         events.error(message);
     }
 
-    /** The device did not understand the present request: it is repeated, and given up after some tries. */
+    /** Repeats the active request after a rejection; gives it up after some tries. */
     public void refused(String why) {
         if (tries < TRIES) {
             resend = true;
             deadline = line.now() + AFTER_REFUSAL;
         } else {
-            giveUp("the LIDAR refused " + current.name + " " + tries + " times (" + why + "): the line is disturbed");
+            giveUp("the LIDAR refused " + current.name + " " + tries + " times (" + why + "): the line has transmission errors");
         }
     }
 
-    /** Something came that makes sense: the device is there, at this rate. */
+    /** Called when valid data arrived: the device is present, at this rate. */
     public void hear() {
         if (!heard && baudsTried > 0) {
             events.info("the LIDAR answers at " + line.getBaud() + " baud");

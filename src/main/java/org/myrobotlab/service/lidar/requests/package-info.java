@@ -1,5 +1,5 @@
 /**
- * The requests to a device at a serial line, whatever it speaks: queue, time-outs, repetition, search for its baud rate. Uses
- * {@link org.myrobotlab.service.link}, and what that uses. Under the lock of the driver that uses it.
+ * Requests to a device on a serial line, for any protocol: queue, time-outs, repetition, search for the baud rate. Uses
+ * {@link org.myrobotlab.service.link}, and what that uses. Call under the driver's lock.
  */
 package org.myrobotlab.service.lidar.requests;

@@ -113,7 +113,7 @@ public enum ReceiverModel {
      */
     public byte[] rateCommand(double hertz) {
         if (language == Language.NONE) {
-            throw new IllegalArgumentException("GPS rate is " + hertz + " Hz, but model NMEA takes no commands: call setModel first, legal: " + names());
+            throw new IllegalArgumentException("GPS rate is " + hertz + " Hz, but model NMEA takes no commands: setModel first, legal: " + names());
         }
         if (!(hertz >= SLOWEST && hertz <= fastest)) {
             throw new IllegalArgumentException("GPS rate is " + hertz + " Hz, legal for " + label + ": " + SLOWEST + " to " + fastest);

@@ -110,9 +110,9 @@ public class SearDevicesTest {
             assertTrue(sear.getExports().isEmpty());
             assertEquals("the driver is told", -1, driver.getInputStream().read());
         }
-        assertFails("port \"/dev/nose\" is not exported, legal: none is", () -> sear.endExport("/dev/nose"));
+        assertFails("port \"/dev/nose\" is not exported, legal: none", () -> sear.endExport("/dev/nose"));
         sear.startSimulation();
-        assertFails("there is no virtual port \"/dev/nose\"; there are ", () -> sear.exportTcp("/dev/nose", 0));
+        assertFails("there is no virtual port \"/dev/nose\"; virtual ports: ", () -> sear.exportTcp("/dev/nose", 0));
     }
 
     /** What a Roomba answers to 128, 142 35: a lock-step simulation has to be advanced meanwhile. */

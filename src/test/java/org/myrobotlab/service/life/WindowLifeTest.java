@@ -146,7 +146,7 @@ public class WindowLifeTest {
             second.startSimulation();
             throw new AssertionError("two simulations");
         } catch (IllegalStateException e) {
-            assertTrue(e.getMessage(), e.getMessage().contains("service sear runs a simulation: stop that first"));
+            assertTrue(e.getMessage(), e.getMessage().contains("service sear runs a simulation: stop it first"));
         }
         Runtime.releaseService("second");
         assertEquals(1, windows());

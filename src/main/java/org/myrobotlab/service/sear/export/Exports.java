@@ -20,12 +20,12 @@ import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
- * The virtual ports that programs outside MyRobotLab can open. An export belongs to the name of a port, not to a simulation: it may be made before,
- * and stays when the simulation stops, silent, until there is a port of that name again. Those that a project asks for are made when it starts. Any
- * thread.
+ * The virtual ports that programs outside MyRobotLab can open. An export belongs to a port's name, not to a simulation.
+ * It may be created before a simulation, and stays open but idle until a port of that name exists again. The start of a
+ * simulation creates the exports of its project. Any thread.
  */
 public final class Exports {
-    /** Folder, beside the project's, of the links that projects ask for: the only place where a project may have one. */
+    /** Folder beside the project's folder for links of projects; projects create links only there. */
     public static final String FOLDER = "SEARports";
 
     private final Host host;
@@ -33,7 +33,6 @@ public final class Exports {
     private final Map<String, PortBridge> bridges = new LinkedHashMap<>();
     private final Map<String, Export> made = new LinkedHashMap<>();
 
-    /** An export that is there. */
     private static final class Export {
         private final PortBridge bridge;
         private final ExternalEndpoint endpoint;
@@ -46,7 +45,7 @@ public final class Exports {
         }
     }
 
-    /** Makes an endpoint. */
+    /** Creates an endpoint. */
     private interface Opener {
         ExternalEndpoint open() throws IOException;
     }
@@ -57,11 +56,12 @@ public final class Exports {
     }
 
     /**
-     * Makes a pseudo-terminal for a port; asked for again, the same one.
+     * Creates a pseudo-terminal for a port; a repeated call returns the same one.
      *
-     * @param link path of a symbolic link to make to it, or null
+     * @param link path of a symbolic link to create, or null
      * @return path to open: the link's, or the terminal's own, for example {@code /dev/pts/3}
-     * @throws IOException if a simulation runs that has no such port, or it is in use, or this system has no pseudo-terminals
+     * @throws IOException if the running simulation has no such port, the port is in use, or the system lacks
+     *     pseudo-terminals
      */
     public synchronized String terminal(String port, String link) throws IOException {
         return terminal(port, link == null ? null : Paths.get(link), false);
@@ -73,16 +73,16 @@ public final class Exports {
     }
 
     /**
-     * Makes a TCP server on the loopback address for a port: raw bytes. Asked for again, the same one.
+     * Creates a TCP server for a port on the loopback address, for raw bytes; a repeated call returns the same one.
      *
-     * @param number of the TCP port, 0 for any free one
+     * @param number TCP port, 0 for any free one
      * @return the number
      */
     public synchronized int tcp(String port, int number) throws IOException {
         return tcp(port, TcpSession.RAW, number, false);
     }
 
-    /** The same by RFC 2217, by which the program sets the line's baud rate. */
+    /** Creates a TCP server by RFC 2217, through which the program sets the line's baud rate. */
     public synchronized int rfc2217(String port, int number) throws IOException {
         return tcp(port, Rfc2217.KIND, number, false);
     }
@@ -122,14 +122,14 @@ public final class Exports {
         }
     }
 
-    /** Joins a bridge to the port of its name, if there is one. */
+    /** Connects a bridge to the port of its name, if it exists. */
     private void attach(String name, PortBridge bridge) throws IOException {
         Port port = SerialDeviceFactory.get(name);
         SimulationSession session = control.sessionOrNull();
         if (port instanceof VirtualSerialPort) {
             bridge.attach((VirtualSerialPort) port, session == null ? null : session.outsideLine(name));
         } else if (session != null) {
-            throw new IOException("there is no virtual port \"" + name + "\"; there are " + names());
+            throw new IOException("there is no virtual port \"" + name + "\"; virtual ports: " + names());
         }
     }
 
@@ -139,7 +139,10 @@ public final class Exports {
         return names.length() == 0 ? "none" : names.toString();
     }
 
-    /** A simulation has started: joins the exports that there are to its ports, and makes those that its project asks for. What fails is said. */
+    /**
+     * Connects the present exports to the ports of a new simulation and creates those of its project. Warns of
+     * failures.
+     */
     public synchronized void begin() {
         SimulationSession session = control.sessionOrNull();
         if (session == null) {
@@ -201,17 +204,17 @@ public final class Exports {
         }
     }
 
-    /** What may fail. */
+    /** An action that may fail. */
     private interface Attempt {
         void run() throws IOException;
     }
 
-    /** The simulation is about to stop: the exports fall silent. */
+    /** Disconnects the exports before the simulation stops. */
     public synchronized void pause() {
         bridges.values().forEach(PortBridge::detach);
     }
 
-    /** What there is: the names of ports, each with what programs open. */
+    /** Returns the endpoints that programs open, by port name. */
     public synchronized Map<String, List<String>> list() {
         Map<String, List<String>> list = new LinkedHashMap<>();
         bridges.forEach((name, bridge) -> list.put(name, bridge.describe()));
@@ -221,12 +224,12 @@ public final class Exports {
     /**
      * Ends all exports of a port.
      *
-     * @throws IllegalArgumentException that names the exported ports
+     * @throws IllegalArgumentException with the exported ports
      */
     public synchronized void end(String port) {
         if (!bridges.containsKey(port)) {
             throw new IllegalArgumentException("port \"" + port + "\" is not exported, legal: "
-                + (bridges.isEmpty() ? "none is" : String.join(", ", bridges.keySet())));
+                + (bridges.isEmpty() ? "none" : String.join(", ", bridges.keySet())));
         }
         bridges.remove(port).close();
         made.values().removeIf(export -> export.bridge.isEmpty());
@@ -241,7 +244,7 @@ public final class Exports {
         }
     }
 
-    /** Takes all of them away. */
+    /** Ends all exports. */
     public synchronized void close() {
         bridges.values().forEach(PortBridge::close);
         bridges.clear();

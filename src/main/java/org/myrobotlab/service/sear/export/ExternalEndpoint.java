@@ -1,23 +1,22 @@
 package org.myrobotlab.service.sear.export;
 
-/** Where programs outside MyRobotLab come in to a port: made once, it stays while simulations come and go. Any thread. */
+/** An access point for external programs to a port. It outlives simulations. Any thread. */
 interface ExternalEndpoint {
-    /** Starts taking bytes for {@code end}, which hears of every program that comes and goes. */
+    /** Starts delivering bytes and the programs' opening and closing to {@code end}. */
     void start(LineEnd end);
 
-    /** Bytes for the program; lost if nobody reads them. Never waits. */
+    /** Sends bytes to the program; drops them without a reader. Never waits. */
     void write(byte[] bytes);
 
     /**
-     * A device has come to the port.
+     * Reports that a device is present at the port.
      *
-     * @param baud its speed, which programs find there if none has set another
+     * @param baud its baud rate, which programs see unless one has set another
      */
     void deviceAt(int baud);
 
-    /** What a program opens, in words, for example {@code "pseudo-terminal /dev/pts/3"}. */
+    /** Returns a description of what a program opens, for example {@code "pseudo-terminal /dev/pts/3"}. */
     String describe();
 
-    /** Ends it. */
     void close();
 }

@@ -1,13 +1,16 @@
 package org.myrobotlab.service.sear.export;
 
 /**
- * Handshake, break, DTR and RTS of a line that has none of them, as command SET-CONTROL of RFC 2217 asks for and sets them: what a program has set is
- * what it is told. One thread.
+ * Handshake, break, DTR and RTS for command SET-CONTROL of RFC 2217. The line has none of them; a query returns the
+ * last value that a program has set. One thread.
  */
 final class LineControl {
-    /** Each group of values: the one that asks, then those that set, the first of which holds at the start; RFC 2217, section 3.1. */
+    /**
+     * Groups of values: the query, then the values to set, of which the first is the initial one; RFC 2217, section
+     * 3.1.
+     */
     private static final int[][] GROUPS = {{0, 1, 2, 3, 17, 19}, {4, 6, 5}, {7, 8, 9}, {10, 11, 12}, {13, 14, 15, 16, 18}};
-    /** No handshake, and none of its kinds is there. */
+    /** Index of flow control, which is always "none". */
     private static final int FLOW = 0;
     private static final int INBOUND_FLOW = 4;
 
@@ -20,9 +23,9 @@ final class LineControl {
     }
 
     /**
-     * Asks or sets.
+     * Queries or sets a value.
      *
-     * @return what holds now; for a value that the standard does not have, that there is no handshake
+     * @return the value in force; for an unknown value the code of no handshake
      */
     int set(int value) {
         for (int i = 0; i < GROUPS.length; i++) {

@@ -1,8 +1,9 @@
 package org.myrobotlab.service.sear.export;
 
 /**
- * What one {@link ExternalEndpoint} knows of the line: its programs' bytes and baud rate. Several of one port share the line, but each has a rate of
- * its own: that of the one holds which was opened, set or written to last. Any thread.
+ * The side of one {@link ExternalEndpoint} towards the line: its programs' bytes and baud rate. Several endpoints of a
+ * port share the line, but each has its own rate. The rate of the endpoint last opened, set or written to is in force.
+ * Any thread.
  */
 final class LineEnd {
     private final PortBridge bridge;
@@ -18,39 +19,39 @@ final class LineEnd {
         return endpoint;
     }
 
-    /** The rate that a program has set; 0 for the device's own, whatever that is. */
+    /** Returns the rate that a program has set; 0 for the device's own. */
     int getBaud() {
         return baud;
     }
 
-    /** A program has come. */
+    /** Reports that a program has opened the endpoint. */
     void opened() {
         bridge.use(this);
     }
 
-    /** The last program has gone. */
+    /** Reports that the last program has closed the endpoint. */
     void closed() {
         bridge.leave(this);
     }
 
-    /** A program has set its speed; 0 for the device's own. */
+    /** Sets the programs' baud rate; 0 for the device's own. */
     void setBaud(int newBaud) {
         baud = newBaud;
         bridge.changed(this);
     }
 
-    /** Bytes of a program; holds it up while the line is full, as a real port does. */
+    /** Sends bytes of a program; blocks it while the line is full, as a real port does. */
     void send(byte[] bytes) {
         bridge.use(this);
         bridge.send(bytes);
     }
 
-    /** Something the user should know, once for each cause; the export is named before it. */
+    /** Warns the user once per cause; prefixes the export's name. */
     void warn(String cause, String message) {
         bridge.warn(cause, bridge.getName() + ": " + message);
     }
 
-    /** The speed of the line as a program is told it: its own, else the device's; 0 if nothing runs. */
+    /** Returns the baud rate for a program: its own, else the device's; 0 without a device. */
     int getLineBaud() {
         return baud > 0 ? baud : bridge.getDeviceBaud();
     }

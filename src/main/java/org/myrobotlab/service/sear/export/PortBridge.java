@@ -14,8 +14,8 @@ import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.run.ExternalLine;
 
 /**
- * Passes bytes between the virtual port of one name, whenever there is one, and programs outside. While there is none, what comes is gone. Any
- * thread.
+ * Transfers bytes between external programs and the virtual port of one name while it exists; drops bytes otherwise.
+ * Any thread.
  */
 final class PortBridge implements SerialDataListener {
     private static final int DATA_BITS = 8;
@@ -26,12 +26,12 @@ final class PortBridge implements SerialDataListener {
     private final Host host;
     private final RepeatedWarnings repeats = new RepeatedWarnings();
     private final List<LineEnd> ends = new CopyOnWriteArrayList<>();
-    /** Those with a program, the one whose rate holds last. Guarded by this. */
+    /** Ends with a program; the rate of the last one is in force. Guarded by this. */
     private final List<LineEnd> inUse = new ArrayList<>();
     private volatile VirtualSerialPort port;
-    /** The short way to a simulated device; null where another end of the port is. */
+    /** Direct path to a simulated device; null for a port without one. */
     private volatile ExternalLine line;
-    /** What the port was set to last, 0 for the device's own. Guarded by this. */
+    /** Rate last set at the port, 0 for the device's own. Guarded by this. */
     private int applied;
 
     PortBridge(String name, Host host) {
@@ -40,10 +40,10 @@ final class PortBridge implements SerialDataListener {
     }
 
     /**
-     * The port of this name is there.
+     * Connects to the port of this name.
      *
-     * @param direct the short way to the simulated device behind it; null if there is none
-     * @throws IOException if another has the port
+     * @param direct direct path to its simulated device; null if there is none
+     * @throws IOException if the port is in use
      */
     void attach(VirtualSerialPort present, ExternalLine direct) throws IOException {
         if (present == port && present.isOpen()) {
@@ -67,7 +67,7 @@ final class PortBridge implements SerialDataListener {
         }
     }
 
-    /** The port goes away, or is left to others. */
+    /** Disconnects from the port. */
     void detach() {
         VirtualSerialPort present;
         ExternalLine direct;
@@ -103,7 +103,7 @@ final class PortBridge implements SerialDataListener {
         endpoint.start(end);
     }
 
-    /** Ends one of the ways in. */
+    /** Ends one endpoint. */
     void remove(ExternalEndpoint endpoint) {
         for (LineEnd end : ends) {
             if (end.getEndpoint() == endpoint) {
@@ -118,12 +118,12 @@ final class PortBridge implements SerialDataListener {
         return ends.isEmpty();
     }
 
-    /** What programs open, in words. */
+    /** Returns a description of each endpoint. */
     List<String> describe() {
         return ends.stream().map(end -> end.getEndpoint().describe()).collect(Collectors.toList());
     }
 
-    /** From now on the rate of this end holds. */
+    /** Puts the rate of this end in force. */
     synchronized void use(LineEnd end) {
         ExternalLine direct = line;
         if (inUse.isEmpty() && direct != null) {
@@ -136,14 +136,14 @@ final class PortBridge implements SerialDataListener {
         }
     }
 
-    /** The rate of an end has changed. */
+    /** Puts the changed rate of an end in force. */
     synchronized void changed(LineEnd end) {
         inUse.remove(end);
         inUse.add(end);
         apply();
     }
 
-    /** Nobody uses this end any more: the rate of who came before holds again. */
+    /** Removes an end without programs; puts the previous end's rate in force. */
     synchronized void leave(LineEnd end) {
         if (!inUse.remove(end)) {
             return;
@@ -174,7 +174,7 @@ final class PortBridge implements SerialDataListener {
         }
     }
 
-    /** Holds the program up while the line is full, as a real port does. */
+    /** Sends bytes; blocks the program while the line is full, as a real port does. */
     void send(byte[] bytes) {
         VirtualSerialPort present = port;
         ExternalLine direct = line;
@@ -248,6 +248,6 @@ final class PortBridge implements SerialDataListener {
 
     @Override
     public void updateStats(QueueStats stats) {
-        // Nobody looks at them.
+        // No statistics needed.
     }
 }

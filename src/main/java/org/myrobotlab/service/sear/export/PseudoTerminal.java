@@ -13,9 +13,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A pseudo-terminal in raw mode, which any program opens like a serial port; programs may come and go. What comes while none has it open is gone, and
- * what a program did not read is gone when it closes, as on a real port. Linux and macOS; macOS forgets the settings of a terminal that nobody has
- * open, so there a side of its own is kept open, and a program may get up to 4 kB of old bytes.
+ * A pseudo-terminal in raw mode, which programs open and close like a serial port. Drops bytes while no program has it
+ * open, and unread bytes when a program closes it, as a real port does. Linux and macOS. macOS forgets the settings of
+ * a closed terminal, so SEAR keeps the terminal side open there, and a program may read up to 4 kB of old bytes.
  */
 final class PseudoTerminal implements ExternalEndpoint {
     private static final Logger log = LoggerFactory.getLogger(PseudoTerminal.class);
@@ -28,50 +28,50 @@ final class PseudoTerminal implements ExternalEndpoint {
     private static final int TERMIOS_SIZE = 256;
     private static final int BUFFER = 4096;
     private static final int POLL_MILLIS = 100;
-    /** How often a terminal that nobody has open is looked at. */
+    /** Interval between checks of a closed terminal, milliseconds. */
     private static final int CLOSED_MILLIS = 10;
     private static final short POLL_IN = 1;
     private static final short POLL_HANG_UP = 0x10;
     private static final int EVENTS_AT = Integer.BYTES;
     private static final int FOUND_AT = Integer.BYTES + Short.BYTES;
     private static final int NONE = -1;
-    /** Set while the device's rate is not known yet: one that no program sets. */
+    /** Rate while the device's rate is unknown; no program sets it. */
     private static final int UNKNOWN_BAUD = 50;
-    /** Linux's codes of baud rates (asm-generic/termbits.h). macOS uses the numbers themselves. */
+    /** Baud rate codes of Linux (asm-generic/termbits.h). macOS uses the numbers themselves. */
     private static final int[][] LINUX_BAUDS = {{UNKNOWN_BAUD, 0x1}, {300, 0x7}, {600, 0x8}, {1200, 0x9}, {2400, 0xB}, {4800, 0xC}, {9600, 0xD},
         {19200, 0xE}, {38400, 0xF}, {57600, 0x1001}, {115200, 0x1002}, {230400, 0x1003}, {460800, 0x1004}, {500000, 0x1005}, {1000000, 0x1008}};
-    /** Linux's TCGETS2, whose termios2 has the rate as a number, those without a code (14400, 28800) too. */
+    /** Linux's TCGETS2: its termios2 has the rate as a number, including rates without a code (14400, 28800). */
     private static final long GET_TERMIOS_2 = 0x802C542AL;
     private static final int OUTPUT_SPEED = 40;
-    /** Linux's TIOCPKT: before what is read there stands a byte, 0 for bytes of a program, or what it did to the terminal. */
+    /** Linux's TIOCPKT, packet mode: each read starts with a byte, 0 for data, else flags of the terminal's change. */
     private static final long PACKETS = 0x5420;
     private static final byte HAS_SET = 0x40;
     private static final int PACKET_HEADER = 1;
-    /** Linux's EXTPROC among a terminal's local flags: whatever a program sets is then told, even if it is what was set already. */
+    /** Linux's EXTPROC, a local flag: the system reports every setting by a program, even an unchanged one. */
     private static final int TELL_SETTING = 0x10000;
     private static final int LOCAL_FLAGS = 12;
-    /** ISIG, ICANON, ECHO; INLCR, IGNCR, ICRNL, IXON: what the system leaves to others while {@link #TELL_SETTING}. */
+    /** ISIG, ICANON, ECHO; INLCR, IGNCR, ICRNL, IXON: processing that the system omits with {@link #TELL_SETTING}. */
     private static final int LOCAL_PROCESSING = 0xB;
     private static final int INPUT_PROCESSING = 0x5C0;
 
     private final String port;
     private final C c;
     private final int master;
-    /** macOS: the side kept open; {@link #NONE} elsewhere. */
+    /** macOS: the terminal side that stays open; {@link #NONE} elsewhere. */
     private final int slave;
     private final String path;
     private final TerminalLink link;
     private final Memory writeDescriptor = new Memory(Long.BYTES);
     private volatile boolean open = true;
     private boolean unread;
-    /** Bytes before those of a program in what is read. */
+    /** Length of the packet header in each read, bytes. */
     private final int header;
-    /** What the terminal was set to here; where the system doesn't tell that a program sets it, one that sets this rate has set none. */
+    /** Rate set by SEAR. Without reports of settings, a program that sets this same rate goes unnoticed. */
     private int ownBaud = UNKNOWN_BAUD;
     private volatile LineEnd end;
     private Thread reader;
 
-    /** What is used of the C library. */
+    /** Functions of the C library. */
     interface C extends Library {
         int posix_openpt(int flags);
 
@@ -118,7 +118,7 @@ final class PseudoTerminal implements ExternalEndpoint {
         this.header = reportSettings(true) ? PACKET_HEADER : 0;
     }
 
-    /** @param link symbolic link to make, or null */
+    /** @param link symbolic link to create, or null */
     static PseudoTerminal open(String port, Path link) throws IOException {
         if (!Platform.isLinux() && !Platform.isMac()) {
             throw new IOException("this system has no pseudo-terminals: use exportTcp(\"" + port + "\", 0)");
@@ -132,7 +132,7 @@ final class PseudoTerminal implements ExternalEndpoint {
         int master = c.posix_openpt(READ_WRITE | NO_CONTROLLING_TERMINAL);
         if (master < 0 || c.grantpt(master) != 0 || c.unlockpt(master) != 0) {
             closeIfOpen(c, master);
-            throw new IOException("the system gave no pseudo-terminal (error " + Native.getLastError() + ")");
+            throw new IOException("the system provides no pseudo-terminal (error " + Native.getLastError() + ")");
         }
         String path = c.ptsname(master);
         int slave = c.open(path, READ_WRITE | NO_CONTROLLING_TERMINAL);
@@ -176,7 +176,7 @@ final class PseudoTerminal implements ExternalEndpoint {
         return Platform.isMac() ? baud : translated(baud, 0, 1);
     }
 
-    /** The path for programs to open. */
+    /** Returns the path for programs to open. */
     String getPath() {
         return link == null ? path : link.toString();
     }
@@ -186,7 +186,7 @@ final class PseudoTerminal implements ExternalEndpoint {
         return "pseudo-terminal " + getPath();
     }
 
-    /** Programs that don't set a rate find the device's. */
+    /** Sets the device's rate, which programs see that don't set one. */
     @Override
     public synchronized void deviceAt(int baud) {
         Memory termios = new Memory(TERMIOS_SIZE);
@@ -201,15 +201,15 @@ final class PseudoTerminal implements ExternalEndpoint {
         }
     }
 
-    /** Where settings are read and made. */
+    /** Returns the descriptor for reading and changing settings. */
     private int side() {
         return Platform.isMac() ? slave : master;
     }
 
     /**
-     * Linux: has the system tell at the master what programs set. What is set here is not to be told.
+     * Linux: switches reports of programs' settings at the master. Off while SEAR changes settings itself.
      *
-     * @return whether it does
+     * @return whether the system reports them
      */
     private boolean reportSettings(boolean on) {
         Memory wanted = new Memory(Integer.BYTES);
@@ -254,16 +254,16 @@ final class PseudoTerminal implements ExternalEndpoint {
         }
     }
 
-    /** Never together with {@link #deviceAt}, which changes for a moment what is read. */
+    /** Reads bytes. Excludes {@link #deviceAt}, which changes the read format for a moment. */
     private synchronized int take(byte[] buffer) {
         return open ? c.read(master, buffer, new NativeLong(buffer.length)).intValue() : 0;
     }
 
     /**
-     * Looks at the terminal's rate.
+     * Checks the terminal's rate.
      *
-     * @param set whether the system has told that a program sets something
-     * @return whether a program has set a rate, be it the one that was there
+     * @param set whether the system has reported a setting by a program
+     * @return whether a program has set a rate, even the same one
      */
     private synchronized boolean reportBaud(boolean set, Memory termios) {
         int baud = open ? currentBaud(termios) : 0;
@@ -277,7 +277,10 @@ final class PseudoTerminal implements ExternalEndpoint {
         return changed;
     }
 
-    /** A program that wants whole lines, or other input than the bytes as they are, gets it from the system; its rate is known already. */
+    /**
+     * Returns input processing to the system for a program that wants lines or converted input. Its rate is known by
+     * then.
+     */
     private void leaveProcessing(Memory termios) {
         c.tcgetattr(side(), termios);
         int local = termios.getInt(LOCAL_FLAGS);
@@ -287,7 +290,10 @@ final class PseudoTerminal implements ExternalEndpoint {
         }
     }
 
-    /** What there is at the master, {@link #POLL_IN} and {@link #POLL_HANG_UP}; the latter while no program has the terminal open. */
+    /**
+     * Returns the events at the master: {@link #POLL_IN}, and {@link #POLL_HANG_UP} while no program has the terminal
+     * open.
+     */
     private int poll(Memory descriptor, int millis) {
         descriptor.setInt(0, master);
         descriptor.setShort(EVENTS_AT, POLL_IN);
@@ -295,7 +301,7 @@ final class PseudoTerminal implements ExternalEndpoint {
         return c.poll(descriptor, new NativeLong(1), millis) > 0 ? descriptor.getShort(FOUND_AT) : 0;
     }
 
-    /** The last program has closed the terminal: what it did not read is not for the next one. */
+    /** Drops unread bytes after the last program has closed the terminal. */
     private synchronized void forgetUnread() {
         int side = open && unread ? c.open(path, READ_WRITE | NO_CONTROLLING_TERMINAL) : NONE;
         if (side >= 0) {
@@ -305,7 +311,7 @@ final class PseudoTerminal implements ExternalEndpoint {
         }
     }
 
-    /** 0 for a rate that the system doesn't tell, and while a program hangs up. */
+    /** Returns the terminal's rate; 0 if the system doesn't report it or while a program closes the terminal. */
     private int currentBaud(Pointer termios) {
         if (Platform.isLinux() && c.ioctl(master, new NativeLong(GET_TERMIOS_2, true), termios) == 0) {
             return termios.getInt(OUTPUT_SPEED);
@@ -331,7 +337,7 @@ final class PseudoTerminal implements ExternalEndpoint {
                 unread = true;
                 done += written;
             } else {
-                log.debug("nobody reads {}: bytes are thrown away", path);
+                log.debug("no program reads {}: bytes are dropped", path);
                 if (slave != NONE) {
                     c.tcflush(slave, FLUSH_INPUT);
                 }

@@ -6,9 +6,10 @@ import java.util.function.Consumer;
 import org.myrobotlab.serial.VirtualSerialPort;
 
 /**
- * The access server's side of RFC 2217: a Telnet connection whose Com Port Control option (44) sets the line's baud rate. The line is 8N1 without
- * handshake, and that is what is answered whatever is asked for; DTR and RTS are taken and answered, and lead nowhere. Holds at most
- * {@link #MAX_SUBNEGOTIATION} bytes, whatever comes. {@link #received} by one thread, {@link #encode} by any.
+ * The access server's side of RFC 2217: a Telnet connection whose Com Port Control option (44) sets the line's baud
+ * rate. The line is always 8N1 without handshake and reports so to any request. DTR and RTS are acknowledged without
+ * effect. Stores at most {@link #MAX_SUBNEGOTIATION} bytes. Call {@link #received} on one thread, {@link #encode} on
+ * any.
  *
  * <pre>
  * FF FA 2C 01 00 00 25 80 FF F0      program: SET-BAUDRATE 9600
@@ -16,7 +17,7 @@ import org.myrobotlab.serial.VirtualSerialPort;
  * </pre>
  */
 final class Rfc2217 implements TcpSession {
-    /** Sessions of this kind. */
+    /** Creates sessions of this kind. */
     static final Kind KIND = new Kind() {
         @Override
         public TcpSession begin(LineEnd end, Consumer<byte[]> replies) {
@@ -29,9 +30,9 @@ final class Rfc2217 implements TcpSession {
         }
     };
 
-    /** Bytes of a subnegotiation that are kept; more than any command has. */
+    /** Most stored bytes of a subnegotiation; more than any command has. */
     static final int MAX_SUBNEGOTIATION = 64;
-    /** So many bytes without negotiation come from a program that knows no RFC 2217. */
+    /** Number of bytes without negotiation that identify a program without RFC 2217. */
     private static final int RAW = 10;
     private static final int BYTE = 0xFF;
     private static final int IAC = 255;
@@ -59,10 +60,10 @@ final class Rfc2217 implements TcpSession {
     private static final int EIGHT_BITS = 8;
     private static final int NO_PARITY = 1;
     private static final int ONE_STOP_BIT = 1;
-    /** CD, DSR and CTS are there, as at a cable that bridges them. */
+    /** CD, DSR and CTS are on, as with a bridged cable. */
     private static final int MODEM_READY = 0xB0;
 
-    /** Where in the Telnet stream the next byte stands. */
+    /** State of the Telnet parser before the next byte. */
     private enum State { DATA, COMMAND, OPTION, SUBNEGOTIATION, SUBNEGOTIATION_COMMAND }
 
     private final LineEnd end;
@@ -77,7 +78,7 @@ final class Rfc2217 implements TcpSession {
     private State state = State.DATA;
     private int command;
 
-    /** @param replies takes what the program is answered */
+    /** @param replies takes the replies to the program */
     Rfc2217(LineEnd end, Consumer<byte[]> replies) {
         this.end = end;
         this.replies = replies;
@@ -96,13 +97,13 @@ final class Rfc2217 implements TcpSession {
         flush(data);
     }
 
-    /** What came before a command goes out before it is obeyed. */
+    /** Sends the data before a command, so that it precedes the command's effect. */
     private void flush(ByteArrayOutputStream data) {
         if (data.size() > 0) {
             raw += negotiated ? 0 : data.size();
             if (raw >= RAW) {
                 negotiated = true;
-                end.warn("raw", raw + " bytes came by RFC 2217 without its negotiation: is it the right port? A program that sends raw bytes needs "
+                end.warn("raw", raw + " bytes arrived without RFC 2217 negotiation: is it the right port? A program that sends raw bytes needs "
                     + "exportTcp");
             }
             end.send(data.toByteArray());
@@ -110,7 +111,7 @@ final class Rfc2217 implements TcpSession {
         }
     }
 
-    /** @return whether it is a byte for the device */
+    /** @return whether the byte is for the device */
     private boolean accept(int value) {
         switch (state) {
             case DATA:
@@ -159,7 +160,7 @@ final class Rfc2217 implements TcpSession {
         }
     }
 
-    /** Beyond the limit bytes are only counted, once: what is longer is no command of the option. */
+    /** Stores a byte; beyond the limit only marks the subnegotiation as too long to be a command. */
     private void keep(int value) {
         if (length < MAX_SUBNEGOTIATION) {
             subnegotiation[length] = (byte) value;
@@ -167,7 +168,7 @@ final class Rfc2217 implements TcpSession {
         length = Math.min(length + 1, MAX_SUBNEGOTIATION + 1);
     }
 
-    /** Answers only what changes something, so that two sides never answer each other for ever (RFC 854). */
+    /** Answers only requests that change something, so that two sides never answer each other forever (RFC 854). */
     private void negotiate(int option) {
         boolean known = option == OPTION_BINARY || option == OPTION_SUPPRESS_GO_AHEAD || option == OPTION_COM_PORT;
         boolean on = command == DO || command == WILL;
@@ -204,7 +205,7 @@ final class Rfc2217 implements TcpSession {
         }
     }
 
-    /** 0 asks; a rate that no line has is answered by the one that stays. */
+    /** Sets the rate and reports the one in force; 0 only queries, and invalid rates change nothing. */
     private void setBaud(int wanted) {
         if (wanted >= VirtualSerialPort.LOWEST_BAUD && wanted <= VirtualSerialPort.HIGHEST_BAUD) {
             end.setBaud(wanted);

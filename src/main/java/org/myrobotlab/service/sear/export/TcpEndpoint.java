@@ -16,8 +16,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A TCP server on the loopback address: one program at a time, a new one takes over. What the bytes mean is up to its {@link TcpSession.Kind}. What a
- * program is slow to take waits in the system's buffer; beyond, whole messages are lost.
+ * A TCP server on the loopback address for one program at a time; a new one replaces the old. Its
+ * {@link TcpSession.Kind} defines the meaning of the bytes. The system buffers bytes for a slow program; beyond that,
+ * whole messages are lost.
  */
 final class TcpEndpoint implements ExternalEndpoint {
     private static final Logger log = LoggerFactory.getLogger(TcpEndpoint.class);
@@ -29,10 +30,10 @@ final class TcpEndpoint implements ExternalEndpoint {
     private final Selector selector;
     private final ServerSocketChannel server;
     private LineEnd end;
-    /** Guarded by this, like what follows; null without a program. */
+    /** Guarded by this, like the following fields; null without a program. */
     private SocketChannel client;
     private TcpSession session;
-    /** The rest of a message of which the system took only a part. */
+    /** The unsent rest of a message. */
     private ByteBuffer unsent = ByteBuffer.allocate(0);
 
     private TcpEndpoint(String port, TcpSession.Kind kind, Selector selector, ServerSocketChannel server) {
@@ -42,7 +43,7 @@ final class TcpEndpoint implements ExternalEndpoint {
         this.server = server;
     }
 
-    /** @param number of the TCP port, 0 for any free one */
+    /** @param number TCP port, 0 for any free one */
     static TcpEndpoint open(String port, TcpSession.Kind kind, int number) throws IOException {
         if (number < 0 || number > HIGHEST_PORT) {
             throw new IllegalArgumentException("TCP port is " + number + ", legal: 0 (any free one) to " + HIGHEST_PORT);
@@ -75,7 +76,7 @@ final class TcpEndpoint implements ExternalEndpoint {
 
     @Override
     public void deviceAt(int baud) {
-        // A raw connection has no rate, and one with a rate asks for it.
+        // A raw connection has no rate; RFC 2217 queries it.
     }
 
     @Override
@@ -197,7 +198,7 @@ final class TcpEndpoint implements ExternalEndpoint {
         }
     }
 
-    /** Sends a message whole, or not at all if the one before is not through yet. */
+    /** Sends a whole message; drops it if the previous one is incomplete. */
     private void send(SocketChannel to, byte[] message) {
         try {
             synchronized (this) {

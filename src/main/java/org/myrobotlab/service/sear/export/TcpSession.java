@@ -2,24 +2,24 @@ package org.myrobotlab.service.sear.export;
 
 import java.util.function.Consumer;
 
-/** What the bytes on one TCP connection mean. One thread at a time for each direction. */
+/** Protocol of one TCP connection. One thread at a time per direction. */
 interface TcpSession {
     /** Takes bytes from the program; may wait while the line is full. */
     void received(byte[] bytes);
 
-    /** The bytes for the program that stand for the device's. */
+    /** Returns the device's bytes encoded for the program. */
     byte[] encode(byte[] fromDevice);
 
-    /** Makes the sessions of an export, one for each connection. */
+    /** Creates the sessions of an export, one per connection. */
     interface Kind {
         /** @param replies takes bytes for the program that don't come from the device */
         TcpSession begin(LineEnd end, Consumer<byte[]> replies);
 
-        /** What it is called, for example {@code "tcp"}. */
+        /** Returns the name, for example {@code "tcp"}. */
         String getName();
     }
 
-    /** The device's bytes and nothing else. */
+    /** The device's bytes without a protocol. */
     Kind RAW = new Kind() {
         @Override
         public TcpSession begin(LineEnd end, Consumer<byte[]> replies) {

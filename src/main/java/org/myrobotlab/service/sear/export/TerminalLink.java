@@ -9,11 +9,10 @@ import java.nio.file.Paths;
 import java.util.regex.Pattern;
 
 /**
- * A symbolic link to a pseudo-terminal. It is made only where nothing is, or where an earlier link to a pseudo-terminal was left behind; what else
- * has its name is never touched. Any thread.
+ * A symbolic link to a pseudo-terminal. Replaces only an old link to a pseudo-terminal, never another file. Any thread.
  */
 final class TerminalLink {
-    /** Where Linux and macOS have their pseudo-terminals. */
+    /** Paths of pseudo-terminals on Linux and macOS. */
     private static final Pattern TERMINAL = Pattern.compile("/dev/pts/\\d+|/dev/ttys\\d+");
 
     private final Path path;
@@ -25,10 +24,10 @@ final class TerminalLink {
     }
 
     /**
-     * Makes a link.
+     * Creates a link.
      *
      * @param terminal path of the pseudo-terminal
-     * @throws IOException if something else has the name, or the folder is missing
+     * @throws IOException if another file has the name, or the folder is missing
      */
     static TerminalLink make(Path link, String terminal) throws IOException {
         Path made = link.toAbsolutePath();
@@ -39,7 +38,7 @@ final class TerminalLink {
         try {
             Files.createSymbolicLink(made, target);
         } catch (FileAlreadyExistsException e) {
-            throw new IOException(made + " exists and is no link to a pseudo-terminal: choose another name, or remove it", e);
+            throw new IOException(made + " exists and is not a link to a pseudo-terminal: choose another name, or remove it", e);
         }
         return new TerminalLink(made, target);
     }
@@ -48,7 +47,7 @@ final class TerminalLink {
         return Files.isSymbolicLink(link) && TERMINAL.matcher(Files.readSymbolicLink(link).toString()).matches();
     }
 
-    /** Takes it away, unless another has taken its name meanwhile. */
+    /** Deletes the link unless its target has changed. */
     void remove() throws IOException {
         if (Files.exists(path, LinkOption.NOFOLLOW_LINKS) && Files.isSymbolicLink(path) && Files.readSymbolicLink(path).equals(target)) {
             Files.delete(path);

@@ -8,8 +8,8 @@ import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A connection: one request, one answer. It holds one picture at most, and never waits; one that takes its bytes too slowly misses pictures. The
- * thread of its server.
+ * A connection with one request and one response. Holds at most one picture and never waits; a slow client misses
+ * pictures. Server's thread.
  */
 final class CameraConnection {
     private static final int LONGEST_HEAD = 8192;
@@ -31,7 +31,7 @@ final class CameraConnection {
     private Request refusal;
     private SelectionKey key;
     private ByteBuffer[] sending;
-    /** When it last went on, by the computer's clock in nanoseconds. */
+    /** Time of the last progress, ns of the computer's clock. */
     private long since = System.nanoTime();
     private Form form;
     private long ticket;
@@ -39,7 +39,7 @@ final class CameraConnection {
 
     private enum Stage { ASKING, WAITING, STREAMING, ANSWERED, LEAVING, GONE }
 
-    /** @param patience nanoseconds for which it may take no byte */
+    /** @param patience nanoseconds without progress after which a client is dropped */
     CameraConnection(SocketChannel channel, String camera, DeviceProfile likeness, int door, int port, Demand demand, long patience) {
         this.channel = channel;
         this.camera = camera;
@@ -50,12 +50,12 @@ final class CameraConnection {
         this.timeout = patience;
     }
 
-    /** Where it is told what has come. */
+    /** Sets the selection key of the channel. */
     void setKey(SelectionKey selected) {
         key = selected;
     }
 
-    /** Whatever it asks for, this is the answer. */
+    /** Sets a response for any request. */
     void refuse(Request with) {
         refusal = with;
     }
@@ -68,7 +68,7 @@ final class CameraConnection {
         return stage == Stage.GONE;
     }
 
-    /** Bytes have come, or there is room for more. */
+    /** Handles received bytes and free space in the send buffer. */
     void ready(ByteBuffer buffer) {
         try {
             if (key.isValid() && key.isReadable()) {
@@ -100,7 +100,7 @@ final class CameraConnection {
         }
     }
 
-    /** It says nothing more: gone, unless it waits for an answer. */
+    /** Closes the connection at the end of the client's bytes, unless a response is pending. */
     private void ended() {
         if (stage == Stage.WAITING || stage == Stage.ANSWERED) {
             key.interestOps(key.interestOps() & ~SelectionKey.OP_READ);
@@ -109,7 +109,7 @@ final class CameraConnection {
         }
     }
 
-    /** Where the head's empty line ends, 0 if it has not come. */
+    /** Returns the index after the head's empty line; 0 if it has not arrived. */
     private int end(int from, int to) {
         for (int i = from; i < to; i++) {
             if (head[i] == '\n' && (i > 0 && head[i - 1] == '\n' || i > 2 && head[i - 1] == '\r' && head[i - 2] == '\n')) {
@@ -164,11 +164,11 @@ final class CameraConnection {
     }
 
     /**
-     * Sends what there is for it, and loses patience.
+     * Sends the next picture if it is due; closes the connection after a time-out.
      *
      * @param now the computer's clock, nanoseconds
      * @param stream the newest picture of the stream
-     * @param still the last answer to those who wait for a still
+     * @param still the last response for stills
      */
     void handle(long now, Latest stream, Latest still) {
         try {
@@ -186,7 +186,7 @@ final class CameraConnection {
         }
     }
 
-    /** How long it may stay as it is. */
+    /** Returns the time-out of the present stage, ns. */
     private long limit() {
         switch (stage) {
             case ASKING:
@@ -200,7 +200,6 @@ final class CameraConnection {
         }
     }
 
-    /** Ends it. */
     void close() {
         stage = Stage.GONE;
         sending = null;
@@ -211,7 +210,7 @@ final class CameraConnection {
         }
     }
 
-    /** A picture with its number. Immutable. */
+    /** A numbered picture. Immutable. */
     static final class Latest {
         static final Latest NONE = new Latest(null, 0);
         final EncodedFrame shot;

@@ -13,11 +13,12 @@ import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.readings.ScriptCameras;
 
 /**
- * The cameras that programs outside can look through. An export belongs to a camera's name, not to a simulation, as those of ports do: it may be made
- * before, and stays when the simulation stops, silent, until one with such a camera runs again. Any thread.
+ * The cameras available to external programs. An export belongs to a camera's name, not to a simulation. It may be
+ * created before a simulation, and stays open without pictures until a simulation with such a camera runs again. Any
+ * thread.
  */
 public final class CameraExports {
-    /** Milliseconds for which a client may take no byte. */
+    /** Milliseconds without progress after which a client is dropped. */
     private static final long TIMEOUT = 10_000;
 
     private final Host host;
@@ -30,17 +31,17 @@ public final class CameraExports {
     }
 
     /**
-     * Makes a network camera; asked for again, the same one.
+     * Creates a network camera; a repeated call returns the same one.
      *
-     * @param number of the TCP port, 0 for any free one
+     * @param number TCP port, 0 for any free one
      * @return the number
-     * @throws IllegalArgumentException if a simulation runs that has no such camera; it names those there are
+     * @throws IllegalArgumentException if the running simulation has no such camera; lists its cameras
      */
     public int plain(String camera, int number) throws IOException {
         return export(camera, number, DeviceProfile.PLAIN);
     }
 
-    /** The same with the addresses of a product. */
+    /** Creates a network camera with the addresses of a product. */
     public int like(String camera, int number, String product) throws IOException {
         return export(camera, number, DeviceProfile.of(ScriptText.of(product)));
     }
@@ -56,7 +57,7 @@ public final class CameraExports {
         return present.getNumber();
     }
 
-    /** A simulation has started: what it has no camera for is said. */
+    /** Warns of exports without a camera after the start of a simulation. */
     public synchronized void begin() {
         for (String camera : names()) {
             try {
@@ -71,7 +72,7 @@ public final class CameraExports {
         return made.values().stream().map(NetworkCamera::getCamera).collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
-    /** What there is: the names of cameras, each with what programs open. */
+    /** Returns descriptions of the exports, by camera name. */
     public synchronized Map<String, List<String>> list() {
         Map<String, List<String>> list = new LinkedHashMap<>();
         made.values().forEach(one -> list.computeIfAbsent(one.getCamera(), name -> new ArrayList<>()).add(one.describe()));
@@ -81,13 +82,13 @@ public final class CameraExports {
     /**
      * Ends all exports of a camera.
      *
-     * @throws IllegalArgumentException that names the exported cameras
+     * @throws IllegalArgumentException with the exported cameras
      */
     public synchronized void end(String asked) {
         String camera = ScriptText.of(asked);
         if (!names().contains(camera)) {
             throw new IllegalArgumentException("camera " + (camera == null ? "None" : "\"" + camera + "\"") + " is not exported, legal: "
-                + (made.isEmpty() ? "none is" : String.join(", ", names())));
+                + (made.isEmpty() ? "none" : String.join(", ", names())));
         }
         made.values().removeIf(one -> {
             boolean ends = one.getCamera().equals(camera);
@@ -98,7 +99,7 @@ public final class CameraExports {
         });
     }
 
-    /** Takes all of them away. */
+    /** Ends all exports. */
     public synchronized void close() {
         made.values().forEach(NetworkCamera::close);
         made.clear();

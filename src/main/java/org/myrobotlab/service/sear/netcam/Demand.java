@@ -4,20 +4,23 @@ import java.util.EnumSet;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 
-/** What clients wait for: those who serve them say it, who has pictures made hears it. Any thread. */
+/**
+ * The clients' demand for pictures. The server's thread records it, the thread that makes pictures waits for it. Any
+ * thread.
+ */
 final class Demand {
     private final Set<Form> forms = EnumSet.noneOf(Form.class);
     private boolean streaming;
     private long tickets;
     private boolean closed;
 
-    /** What is wanted at one moment. Immutable. */
+    /** The demand at one moment. Immutable. */
     static final class Order {
-        /** Stills that are waited for. */
+        /** Requested forms of stills. */
         final Set<Form> forms;
-        /** The last ticket that was given for them. */
+        /** Last ticket issued for them. */
         final long ticket;
-        /** Whether somebody looks at the stream. */
+        /** Whether the stream has viewers. */
         final boolean streaming;
 
         Order(Set<Form> forms, long ticket, boolean streaming) {
@@ -28,9 +31,9 @@ final class Demand {
     }
 
     /**
-     * Somebody wants a still.
+     * Requests a still.
      *
-     * @return a number, larger than all before, which is told when it is there
+     * @return a ticket, larger than all before; the response carries it
      */
     synchronized long ask(Form form) {
         forms.add(form);
@@ -38,7 +41,7 @@ final class Demand {
         return ++tickets;
     }
 
-    /** Whether somebody looks at the stream. */
+    /** Sets whether the stream has viewers. */
     synchronized void setStreaming(boolean on) {
         if (on != streaming) {
             streaming = on;
@@ -47,10 +50,10 @@ final class Demand {
     }
 
     /**
-     * Waits until something is wanted.
+     * Waits for demand.
      *
-     * @param pause milliseconds after which it comes back if all that is wanted is the stream
-     * @return null when there will be nothing more
+     * @param pause longest wait, milliseconds, if only the stream has viewers
+     * @return null after the close
      */
     synchronized Order await(long pause) throws InterruptedException {
         if (streaming && forms.isEmpty() && !closed) {
@@ -67,7 +70,7 @@ final class Demand {
         return order;
     }
 
-    /** Waits so many milliseconds, or until there will be nothing more. */
+    /** Waits a number of milliseconds, or until the close. */
     synchronized void rest(long millis) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(millis);
         for (long left = millis; left > 0 && !closed; left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime())) {
@@ -75,7 +78,7 @@ final class Demand {
         }
     }
 
-    /** There will be nothing more. */
+    /** Ends all waiting. */
     synchronized void close() {
         closed = true;
         notifyAll();

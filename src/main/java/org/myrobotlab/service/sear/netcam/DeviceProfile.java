@@ -3,7 +3,7 @@ package org.myrobotlab.service.sear.netcam;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 
-/** Products whose addresses programs know, and what separates the pictures of their streams. */
+/** Addresses and stream boundaries of known products. */
 enum DeviceProfile {
     /** Plain addresses only. */
     PLAIN("plain", 1, "picture") {
@@ -12,7 +12,10 @@ enum DeviceProfile {
             return null;
         }
     },
-    /** The example CameraWebServer of Arduino's core for the ESP32: stills at port 80, the stream at 81; here at a port and the next one. */
+    /**
+     * Arduino's example CameraWebServer for the ESP32: stills at port 80, the stream at 81; here at a port and the next
+     * one.
+     */
     ESP32_CAM("ESP32-CAM", 2, "123456789000000000000987654321") {
         @Override
         Form own(int door, String target) {
@@ -20,7 +23,7 @@ enum DeviceProfile {
             return door == 0 && path.equals("/capture") ? Form.STILL : door == 1 && path.equals("/stream") ? Form.STREAM : null;
         }
     },
-    /** mjpg-streamer (output_http), which OctoPi has, there behind /webcam. */
+    /** mjpg-streamer (output_http) as in OctoPi, there behind /webcam. */
     OCTOPI("OctoPi", 1, "boundarydonotcross") {
         @Override
         Form own(int door, String target) {
@@ -43,7 +46,7 @@ enum DeviceProfile {
         this.boundary = boundary;
     }
 
-    /** @throws IllegalArgumentException that lists the products */
+    /** @throws IllegalArgumentException with the products */
     static DeviceProfile of(String title) {
         for (DeviceProfile one : values()) {
             if (one != PLAIN && one.title.equalsIgnoreCase(title)) {
@@ -54,13 +57,13 @@ enum DeviceProfile {
             + Arrays.stream(values()).filter(one -> one != PLAIN).map(one -> one.title).collect(Collectors.joining(", ")));
     }
 
-    /** What only this product has at an address; null for nothing. */
+    /** Returns the form at an address specific to this product, or null. */
     abstract Form own(int door, String target);
 
     /**
-     * What stands at an address; null for nothing.
+     * Returns the form at an address, or null.
      *
-     * @param door the first port, 0, or the one after it, 1
+     * @param door index of the TCP port: 0 the first, 1 the next
      * @param target path and query, as in a request
      */
     Form at(int door, String target) {
@@ -77,22 +80,21 @@ enum DeviceProfile {
         return null;
     }
 
-    /** TCP ports that it listens at, one after the other. */
+    /** Returns the number of consecutive TCP ports. */
     int getListeners() {
         return listeners;
     }
 
-    /** What separates the pictures of its streams. */
+    /** Returns the separator of pictures in a stream. */
     String getBoundary() {
         return boundary;
     }
 
-    /** The product's name. */
     String getTitle() {
         return title;
     }
 
-    /** The address of its stream, as programs for this product write it. */
+    /** Returns the address of the stream in the product's usual form. */
     String stream(int port) {
         switch (this) {
             case ESP32_CAM:

@@ -6,7 +6,7 @@ import org.SEAR.camera.image.Jpeg;
 import org.SEAR.sensors.CameraImage;
 import org.SEAR.sensors.Picture;
 
-/** One picture as files, each made once, when it is first asked for. Any thread. */
+/** A picture with its files, each encoded on first use. Any thread. */
 final class EncodedFrame {
     private final CameraImage image;
     private final Map<Form, byte[]> files = new EnumMap<>(Form.class);
@@ -15,17 +15,16 @@ final class EncodedFrame {
         this.image = image;
     }
 
-    /** The picture. */
     CameraImage getImage() {
         return image;
     }
 
-    /** Simulated seconds at which it was taken. */
+    /** Returns the simulated time of the picture, seconds. */
     double getTime() {
         return image.getTime();
     }
 
-    /** A file; null if cameras of this kind have none of that form. */
+    /** Returns the file; null if cameras of this kind lack the form. */
     synchronized byte[] file(Form form) {
         if (!form.fits(image.getKind())) {
             return null;

@@ -2,17 +2,17 @@ package org.myrobotlab.service.sear.netcam;
 
 import org.SEAR.POJOs.Camera;
 
-/** What a network camera serves. */
+/** The resources of a network camera. */
 enum Form {
-    /** JPEG files that come again and again in one answer; depths and temperatures in false colours. */
+    /** Continuous JPEG files in one response; depths and temperatures in false colours. */
     STREAM("/stream.mjpg", null, null),
     /** The last picture, as in the stream. */
     STILL("/image.jpg", "image/jpeg", null),
-    /** The same without loss: what getImage answers. */
+    /** The last picture without loss, as returned by getImage. */
     EXACT("/image.png", "image/png", null),
-    /** Depths as 16 bits of grey. */
+    /** Depths as 16-bit grey. */
     DEPTHS("/depth.png", "image/png", Camera.DEPTH),
-    /** Temperatures as 16 bits of grey. */
+    /** Temperatures as 16-bit grey. */
     TEMPERATURES("/temperature.png", "image/png", Camera.INFRARED),
     /** A page that shows the stream. */
     PAGE("/", "text/html; charset=utf-8", null);
@@ -27,22 +27,22 @@ enum Form {
         this.kind = kind;
     }
 
-    /** Where it is found whatever product is imitated. */
+    /** Returns the path, valid for every product. */
     String getPath() {
         return path;
     }
 
-    /** The media type. */
+    /** Returns the media type. */
     String getType() {
         return type;
     }
 
-    /** Whether it needs no more than the camera's name. */
+    /** Returns whether this is the page, which needs no picture. */
     boolean isPage() {
         return this == PAGE;
     }
 
-    /** Whether cameras of a kind have it. */
+    /** Returns whether cameras of the given kind have this form. */
     boolean fits(String ofCamera) {
         return kind == null || kind.equals(ofCamera);
     }

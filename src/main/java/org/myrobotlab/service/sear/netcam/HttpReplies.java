@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.SEAR.sensors.CameraImage;
 
-/** What a network camera answers, as bytes of HTTP. */
+/** HTTP responses of a network camera. */
 final class HttpReplies {
     private static final int OK = 200;
     private static final int NOT_FOUND = 404;
@@ -17,7 +17,10 @@ final class HttpReplies {
         405, "Method Not Allowed", 431, "Request Header Fields Too Large", BUSY, "Service Unavailable");
     private static final String TEXT = "text/plain; charset=utf-8";
     private static final String LINE = "\r\n";
-    /** For all: a picture is never the same again, each connection has one answer, and pages of others may not frame it. */
+    /**
+     * Headers of every response: pictures change, each connection has one response, and foreign pages must not frame
+     * it.
+     */
     private static final String ALWAYS = "Cache-Control: no-store" + LINE + "Connection: close" + LINE + "X-Content-Type-Options: nosniff" + LINE
         + "X-Frame-Options: DENY" + LINE;
 
@@ -34,19 +37,19 @@ final class HttpReplies {
         return new ByteBuffer[] {ByteBuffer.wrap(bytes(head)), ByteBuffer.wrap(body)};
     }
 
-    /** Why something is not there. */
+    /** Returns the response to a rejected request. */
     static ByteBuffer[] refusal(Request request) {
         return answer(request.getRefusal(), TEXT, "Allow: GET" + LINE, bytes(request.getWhy() + '\n'));
     }
 
-    /** An address at which nothing is. */
+    /** Returns the response for an unknown address. */
     static ByteBuffer[] missing(String target) {
         return answer(NOT_FOUND, TEXT, "", bytes("there is nothing at " + target + ", legal: "
             + Arrays.stream(Form.values()).map(Form::getPath).collect(Collectors.joining(", ")) + '\n'));
     }
 
     /**
-     * A still.
+     * Returns the response with a still.
      *
      * @param shot null if no simulation with this camera runs
      */
@@ -63,21 +66,24 @@ final class HttpReplies {
         return answer(OK, form.getType(), time(shot), file);
     }
 
-    /** A page that shows the stream. */
+    /** Returns the page that shows the stream. */
     static ByteBuffer[] page(String camera) {
         String name = camera.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
         return answer(OK, Form.PAGE.getType(), "Content-Security-Policy: default-src 'none'; img-src 'self'" + LINE,
             bytes("<!DOCTYPE html>\n<html lang=\"en\">\n<title>" + name + "</title>\n<h1>" + name + "</h1>\n<img src=\"" + Form.STREAM.getPath()
-                + "\" alt=\"what the camera sees\">\n<p><a href=\"" + Form.STILL.getPath() + "\">one picture</a>\n</html>\n"));
+                + "\" alt=\"camera picture\">\n<p><a href=\"" + Form.STILL.getPath() + "\">one picture</a>\n</html>\n"));
     }
 
-    /** How a stream begins. */
+    /** Returns the start of a stream. */
     static ByteBuffer[] stream(String boundary) {
         return new ByteBuffer[] {ByteBuffer.wrap(bytes("HTTP/1.1 " + OK + " OK" + LINE + ALWAYS + "Content-Type: multipart/x-mixed-replace;boundary="
             + boundary + LINE + LINE + "--" + boundary + LINE))};
     }
 
-    /** A stream's next picture, with what separates it from the one after it, so that a reader knows at once that it is whole. */
+    /**
+     * Returns the stream's next picture and the boundary after it, so that a reader knows immediately that the picture
+     * is complete.
+     */
     static ByteBuffer[] part(String boundary, EncodedFrame shot) {
         byte[] file = shot.file(Form.STREAM);
         return new ByteBuffer[] {ByteBuffer.wrap(bytes("Content-Type: " + Form.STILL.getType() + LINE + "Content-Length: " + file.length + LINE

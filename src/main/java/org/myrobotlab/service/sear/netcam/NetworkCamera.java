@@ -7,13 +7,13 @@ import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.readings.ScriptCameras;
 
 /**
- * A camera at a TCP port, which stays while simulations come and go. Pictures are made only while somebody looks, when they are due, and for half of
- * the time at most, so that those who look leave time for the simulation. Any thread.
+ * A camera at a TCP port that outlives simulations. Renders pictures only for viewers, when they are due, and for at
+ * most half of the time, to leave time for the simulation. Any thread.
  */
 final class NetworkCamera {
-    /** Milliseconds after which it looks again whether a picture is due. */
+    /** Interval of checks for a due picture, milliseconds. */
     private static final long LOOK = 4;
-    /** Nanoseconds after which a picture is sent again while nothing new is seen: programs take a silent camera for a broken one. */
+    /** Interval after which an unchanged picture is sent again, ns: programs treat a silent camera as broken. */
     private static final long REPEAT = TimeUnit.SECONDS.toNanos(1);
     private static final long LONGEST_REST = 1000;
 
@@ -39,10 +39,10 @@ final class NetworkCamera {
     }
 
     /**
-     * Opens it.
+     * Opens a network camera.
      *
-     * @param number of the TCP port, 0 for any free one
-     * @param timeout milliseconds for which a client may take no byte
+     * @param number TCP port, 0 for any free one
+     * @param timeout milliseconds without progress after which a client is dropped
      */
     static NetworkCamera open(String camera, DeviceProfile likeness, int number, Host host, ScriptCameras cameras, long timeout) throws IOException {
         Demand demand = new Demand();
@@ -63,17 +63,17 @@ final class NetworkCamera {
         return camera;
     }
 
-    /** The first of its ports. */
+    /** Returns the first of its TCP ports. */
     int getNumber() {
         return server.getNumber();
     }
 
-    /** Programs that are connected. */
+    /** Returns the number of connected programs. */
     int getClients() {
         return server.getClients();
     }
 
-    /** What programs open, in words. */
+    /** Returns a description with the address that programs open. */
     String describe() {
         return "network camera " + (profile == DeviceProfile.PLAIN ? "" : "(" + profile.getTitle() + ") ") + profile.stream(getNumber());
     }
@@ -147,7 +147,7 @@ final class NetworkCamera {
         }
     }
 
-    /** Ends it, with all connections. */
+    /** Closes the ports and all connections. */
     void close() {
         demand.close();
         server.close();

@@ -19,22 +19,23 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * An HTTP server on the loopback address, of one thread for all clients. Whoever takes no byte for a while is dropped; for the others time goes on.
+ * An HTTP server on the loopback address with one thread for all clients. Drops clients that take no bytes for a while;
+ * they don't delay others.
  */
 final class PictureServer {
     static final Logger LOG = LoggerFactory.getLogger(PictureServer.class);
-    /** Clients that are served at the same time; more are told so. */
+    /** Most clients served at the same time; the server rejects more. */
     static final int MAX_CLIENTS = 128;
-    /** Those beside them that are told. */
+    /** Most additional clients that get a rejection. */
     private static final int MAX_REPORTED = 32;
     private static final int BUSY = 503;
     private static final int HIGHEST_PORT = 65535;
     private static final byte[] LOOPBACK = {127, 0, 0, 1};
     private static final int BUFFER = 4096;
-    /** Of what a client does not take the system keeps about as much, so that the pictures which it gets are not old. */
+    /** Size of the system's send buffer, bytes; small, so that slow clients get recent pictures. */
     private static final int UNSENT = 1 << 16;
     private static final long LOOK_MILLIS = 250;
-    /** Pairs of ports that are tried where any free one will do. */
+    /** Attempts to find free consecutive ports. */
     private static final int TRIES = 50;
 
     private final String camera;
@@ -44,7 +45,7 @@ final class PictureServer {
     private final Selector selector;
     private final List<ServerSocketChannel> listeners;
     private final List<CameraConnection> clients = new ArrayList<>();
-    /** Doors at which something went wrong, such as too many files that are open: they are opened again a little later. */
+    /** Listeners after an error, such as too many open files; they accept again a little later. */
     private final List<SelectionKey> resting = new ArrayList<>();
     private long rested;
     private volatile int count;
@@ -61,10 +62,10 @@ final class PictureServer {
     }
 
     /**
-     * Opens its ports.
+     * Opens the ports.
      *
-     * @param number of the TCP port, 0 for any free one
-     * @param patience milliseconds for which a client may take no byte
+     * @param number TCP port, 0 for any free one
+     * @param patience milliseconds without progress after which a client is dropped
      */
     static PictureServer open(String camera, DeviceProfile likeness, int number, Demand demand, long patience) throws IOException {
         int highest = HIGHEST_PORT + 1 - likeness.getListeners();
@@ -106,17 +107,17 @@ final class PictureServer {
         return door.socket().getLocalPort();
     }
 
-    /** The first of its ports. */
+    /** Returns the first of its TCP ports. */
     int getNumber() {
         return port(listeners.get(0));
     }
 
-    /** Clients that there are. Any thread. */
+    /** Returns the number of clients. Any thread. */
     int getClients() {
         return count;
     }
 
-    /** Serves until it is closed. */
+    /** Serves clients until the server is closed. */
     void serve() {
         ByteBuffer buffer = ByteBuffer.allocate(BUFFER);
         try {
@@ -172,7 +173,7 @@ final class PictureServer {
                 begin(channel, (Integer) key.attachment(), port(door));
             }
         } catch (IOException e) {
-            LOG.debug("a program did not come in to network camera {}: {}", camera, e.toString());
+            LOG.debug("network camera {} could not accept a program: {}", camera, e.toString());
             rested = System.nanoTime();
             resting.add(key);
             key.interestOps(0);
@@ -190,17 +191,17 @@ final class PictureServer {
             channel.setOption(StandardSocketOptions.SO_SNDBUF, UNSENT);
             CameraConnection client = new CameraConnection(channel, camera, profile, door, port, demand, timeout);
             if (clients.size() >= MAX_CLIENTS) {
-                client.refuse(Request.refused(BUSY, MAX_CLIENTS + " programs look already, which is as many as there may be"));
+                client.refuse(Request.refused(BUSY, MAX_CLIENTS + " programs are connected, the most that the camera serves"));
             }
             client.setKey(channel.register(selector, SelectionKey.OP_READ, client));
             clients.add(client);
         } catch (IOException e) {
-            LOG.debug("a program left network camera {} as it came: {}", camera, e.toString());
+            LOG.debug("network camera {} lost a new program: {}", camera, e.toString());
             channel.close();
         }
     }
 
-    /** The stream's next picture; null if there is none any more. Any thread. */
+    /** Sets the stream's next picture; null for none. Any thread. */
     void publish(EncodedFrame shot) {
         synchronized (this) {
             stream = new CameraConnection.Latest(shot, stream.number + 1);
@@ -208,13 +209,13 @@ final class PictureServer {
         selector.wakeup();
     }
 
-    /** Nobody looks: whoever comes later is not to see this picture. */
+    /** Drops the last picture while there are no viewers, so that later ones don't see it. */
     private synchronized void forget() {
         stream = new CameraConnection.Latest(null, stream.number);
     }
 
     /**
-     * The answer to those who wait for a still. Any thread.
+     * Sets the response for waiting stills. Any thread.
      *
      * @param ticket the last one that it answers
      * @param shot null if no simulation with this camera runs
@@ -224,7 +225,7 @@ final class PictureServer {
         selector.wakeup();
     }
 
-    /** Closes its ports and connections. Any thread. */
+    /** Closes ports and connections. Any thread. */
     void close() {
         try {
             for (ServerSocketChannel door : listeners) {

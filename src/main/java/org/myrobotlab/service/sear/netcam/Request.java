@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 
-/** What a client asks for, by HTTP/1.0 or 1.1 (RFC 9112), if it may. Immutable. */
+/** A client's request by HTTP/1.0 or 1.1 (RFC 9112), or the reason to reject it. Immutable. */
 final class Request {
     private static final int BAD = 400;
     private static final int FORBIDDEN = 403;
@@ -26,16 +26,16 @@ final class Request {
     }
 
     /**
-     * Reads a head. Whoever calls this server by another name (DNS rebinding) or from a page of another server is refused, as is each method but GET.
+     * Parses a head. Rejects other host names (DNS rebinding), pages of other servers, and methods other than GET.
      *
-     * @param head up to and with its empty line
-     * @param port that it came to
+     * @param head up to and including its empty line
+     * @param port TCP port of the connection
      */
     static Request of(byte[] head, int length, int port) {
         String[] lines = new String(head, 0, length, StandardCharsets.ISO_8859_1).split("\r?\n");
         String[] words = lines.length == 0 ? new String[0] : lines[0].split(" ", -1);
         if (words.length != 3 || !words[2].matches("HTTP/1\\.[01]") || !words[1].matches("[\\x21-\\x7e]+") || !words[0].matches("[!-~]+")) {
-            return refused(BAD, "this is no request of HTTP/1.1");
+            return refused(BAD, "this is not an HTTP/1.1 request");
         }
         List<String> hosts = new ArrayList<>();
         List<String> origins = new ArrayList<>();
@@ -53,13 +53,13 @@ final class Request {
             }
         }
         if (hosts.size() != 1 || !names(port).contains(hosts.get(0).toLowerCase(Locale.ROOT))) {
-            return refused(FORBIDDEN, "host " + hosts + " is refused: call this server localhost");
+            return refused(FORBIDDEN, "host " + hosts + " is not allowed: call this server localhost");
         }
         if (!origins.isEmpty() && !(origins.size() == 1 && origins.get(0).equals("http://" + hosts.get(0)))) {
-            return refused(FORBIDDEN, "pages of " + origins + " are refused");
+            return refused(FORBIDDEN, "pages of " + origins + " are not allowed");
         }
         if (!words[0].equals("GET")) {
-            return refused(WRONG_METHOD, "method " + words[0] + " is refused here, legal: GET");
+            return refused(WRONG_METHOD, "method " + words[0] + " is not allowed, legal: GET");
         }
         return new Request(plain(words[1]), 0, null);
     }
@@ -69,28 +69,28 @@ final class Request {
             : Set.of("localhost:" + port, "127.0.0.1:" + port, "[::1]:" + port);
     }
 
-    /** Without the server's name, which may stand in a request. */
+    /** Removes a server name from the target. */
     private static String plain(String target) {
         String path = target.replaceFirst("(?i)^http://[^/?]*", "");
         return path.startsWith("/") ? path : "/" + path;
     }
 
-    /** One that is not answered. */
+    /** Returns a rejected request. */
     static Request refused(int status, String why) {
         return new Request(null, status, why);
     }
 
-    /** Path and query. */
+    /** Returns path and query. */
     String getTarget() {
         return target;
     }
 
-    /** The status that it is refused with, 0 if it is not. */
+    /** Returns the status of the rejection, 0 for an accepted request. */
     int getRefusal() {
         return refusal;
     }
 
-    /** Why it is refused. */
+    /** Returns the reason of the rejection. */
     String getWhy() {
         return why;
     }

@@ -1,5 +1,5 @@
 /**
- * Cameras as network cameras, for programs outside. Uses {@link org.myrobotlab.service.sear.readings}, and what that uses. Two threads for each: one
- * serves all clients and never waits for one of them, nor for the simulation; the other has pictures made.
+ * Network cameras for external programs. Uses {@link org.myrobotlab.service.sear.readings}, and what that uses. Two
+ * threads per camera: one serves all clients without waiting for them or the simulation, the other makes pictures.
  */
 package org.myrobotlab.service.sear.netcam;

@@ -10,24 +10,24 @@ import org.SEAR.grammar.ScriptLine;
 import org.myrobotlab.service.sear.Host;
 
 /**
- * Notices a script that waits while lock-step lets no simulated time pass, by a sleep of the computer's clock or in a loop, and says so once:
- * whatever it waits for will not happen. The publisher's thread.
+ * Detects a script that waits in lock-step while simulated time stands still, in a sleep by the computer's clock or in
+ * a loop. Warns once: the awaited event will not happen. Publisher's thread.
  */
 final class ClockTrap {
-    /** Frames from the top in which a sleep stands, between it and the script's code. */
+    /** Number of top stack frames to search for the script's code above a sleep. */
     private static final int DEPTH = 30;
-    /** What Jython names the classes that it makes of scripts. */
+    /** Prefix of the classes that Jython creates from scripts. */
     private static final String SCRIPT = "org.python.pycode.";
-    /** How the class of the service that scripts call is named. */
+    /** End of the name of the service class that scripts call. */
     private static final String SERVICE = ".SEAR";
-    /** Calls that let time pass, and such as may themselves take seconds of the computer's time: none of them is a loop of the script. */
+    /** Calls that advance time or may take seconds of real time; none of them counts as a loop of the script. */
     private static final Set<String> NO_LOOP = Set.of("simSleep", "step", "startSimulation", "stopSimulation", "reset", "loadProject", "saveProject",
         "newProject", "rerunRecord");
     private static final String REMEDY =
-        ": in lock-step (--speed max, setLockStep(True)) it passes only in sear.simSleep(seconds) and sear.step(n), not ";
-    /** So long a script may be busy while time stands still. */
+        ": in lock-step (--speed max, setLockStep(True)) it advances only in sear.simSleep(seconds) and sear.step(n), not ";
+    /** Real time a script may be busy while simulated time stands still, ns. */
     private static final long LOOP_NANOS = TimeUnit.SECONDS.toNanos(2);
-    /** A loop is found in the same few lines each time; a script that has much to do is not. */
+    /** Most distinct lines of a loop; a script that computes much shows more. */
     private static final int LOOP_LINES = 12;
     private static final int LOOP_LOOKS = 10;
 
@@ -43,7 +43,7 @@ final class ClockTrap {
         this.host = host;
     }
 
-    /** Called again and again. */
+    /** Checks the script; call repeatedly. */
     void look(SimulationSession session) {
         double time = session.time();
         boolean still = session.isLockStep() && !session.isPaused() && time == lastTime;
@@ -57,7 +57,7 @@ final class ClockTrap {
         boolean sleeping = sleeper != null;
         if (sleeping && suspected) {
             reported = true;
-            host.warn(ScriptLine.added("the script waits by the computer's clock, while simulated time stands still" + REMEDY
+            host.warn(ScriptLine.added("the script waits by the computer's clock, but simulated time stands still" + REMEDY
                 + "in sleep, time.sleep, roomba.sleep, goForward(mm) or spin(degrees)", ScriptLine.of(sleeper)));
         }
         suspected = sleeping;
@@ -79,11 +79,14 @@ final class ClockTrap {
         if (loopLooks > LOOP_LOOKS && System.nanoTime() - loopSince > LOOP_NANOS) {
             reported = true;
             host.warn("simulated time has stood still for 2 s while the script is busy at " + line + REMEDY
-                + "by itself: a loop that waits for something needs one of them");
+                + "by itself: call one of them in a loop that waits");
         }
     }
 
-    /** Where a script is that neither waits, nor lets time pass, nor is in a call that takes long; null if there is none, or if another script is. */
+    /**
+     * Returns the line of a busy script: one that neither waits, nor advances time, nor is in a long call. Returns null
+     * if there is none, or if any script is in such a call.
+     */
     static String busyLine(Map<Thread, StackTraceElement[]> stacks) {
         String found = null;
         for (Map.Entry<Thread, StackTraceElement[]> entry : stacks.entrySet()) {

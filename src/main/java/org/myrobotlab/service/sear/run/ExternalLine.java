@@ -3,26 +3,26 @@ package org.myrobotlab.service.sear.run;
 import org.SEAR.devices.SerialLine;
 
 /**
- * The short way between a device and a program outside that has its port: bytes pass neither MyRobotLab's messages nor the ports' reader threads,
- * each of which may have to wait for a busy processor. Any thread.
+ * Direct path between a device and an external program at its port. Bypasses MyRobotLab's messages and the ports'
+ * reader threads, which may wait for a busy processor. Any thread.
  */
 public interface ExternalLine {
-    /** Bytes of the program, on their way from the next step on. Never waits. */
+    /** Sends bytes of the program, which are in transit from the next step on. Never waits. */
     void write(byte[] bytes);
 
     /**
-     * Who gets the bytes of the device, on the simulation thread; must not wait.
+     * Sets the receiver of the device's bytes; called on the simulation thread, must not wait.
      *
-     * @param reader null: they take the way through MyRobotLab again
+     * @param reader null sends bytes through MyRobotLab again
      */
     void setReader(SerialLine.Sink reader);
 
-    /** The first program has come. Never waits. */
+    /** Reports that the first program has opened the port. Never waits. */
     void pickUp();
 
-    /** The last program has gone. Never waits. */
+    /** Reports that the last program has closed the port. Never waits. */
     void hangUp();
 
-    /** The device's speed, bits a second. */
+    /** Returns the device's baud rate. */
     int getDeviceBaud();
 }

@@ -1,8 +1,8 @@
 package org.myrobotlab.service.sear.run;
 
-/** The libraries that a simulation can't do without. */
+/** Checks the libraries that a simulation needs. */
 final class LibraryCheck {
-    /** One class of each; jMonkeyEngine is not among them, without it there is no window and that is all. */
+    /** One class of each library. jMonkeyEngine is optional: without it there is no window. */
     private static final String[] CLASSES = {"com.bulletphysics.dynamics.DynamicsWorld", "javax.vecmath.Vector3f", "com.thoughtworks.xstream.XStream",
         "net.sf.geographiclib.Geodesic", "org.locationtech.proj4j.CRSFactory"};
 
@@ -10,7 +10,7 @@ final class LibraryCheck {
     }
 
     /**
-     * Looks for them all before anything starts; otherwise the one that is missing would be noticed in the midst of a simulation.
+     * Checks all libraries before the start, so that none turns out missing during a simulation.
      *
      * @throws NoClassDefFoundError with the name of the class whose library is missing
      */

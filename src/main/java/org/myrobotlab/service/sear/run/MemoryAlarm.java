@@ -15,12 +15,12 @@ import javax.management.NotificationEmitter;
 import javax.management.NotificationListener;
 
 /**
- * Says once that Java's memory is nearly full after a collection of what nobody needs. So a user hears of it where somebody else's thread catches the
- * error that follows, as threads of the real MyRobotLab do. Collectors that can't be asked are left alone, and so are thresholds that another part of
- * the program has set. Any thread; the listener is called on a thread of Java's.
+ * Reports once that Java's memory is nearly full after a garbage collection. The warning reaches the user even if a
+ * foreign thread catches the later error, as threads of the real MyRobotLab do. Skips collectors without thresholds and
+ * thresholds that other code has set. Any thread; calls the listener on a thread of Java.
  */
 final class MemoryAlarm implements NotificationListener {
-    /** Part of the heap that is nearly all. */
+    /** Fraction of the heap that counts as nearly full. */
     static final double NEARLY_FULL = 0.95;
     private static final double MEGABYTE = 1 << 20;
     private static final double PERCENT = 100;
@@ -30,16 +30,16 @@ final class MemoryAlarm implements NotificationListener {
     private final List<MemoryPoolMXBean> pools = new ArrayList<>();
     private boolean reported;
 
-    /** @param part of the heap, 0 to 1 */
+    /** @param part fraction of the heap, 0 to 1 */
     MemoryAlarm(double part, Consumer<String> listener) {
         this.part = part;
         this.listener = listener;
     }
 
-    /** Begins to watch. */
+    /** Starts watching. */
     synchronized void open() {
         for (MemoryPoolMXBean pool : ManagementFactory.getMemoryPoolMXBeans()) {
-            // where objects grow old: pools of young ones have no threshold of usage
+            // Pools of old objects; pools of young objects support no usage threshold.
             boolean lasting = pool.getType() == MemoryType.HEAP && pool.isUsageThresholdSupported() && pool.isCollectionUsageThresholdSupported();
             if (lasting && pool.getUsage().getMax() > 0 && pool.getCollectionUsageThreshold() == 0) {
                 pool.setCollectionUsageThreshold((long) (pool.getUsage().getMax() * part));
@@ -51,7 +51,7 @@ final class MemoryAlarm implements NotificationListener {
         }
     }
 
-    /** Ends it. */
+    /** Stops watching. */
     synchronized void close() {
         if (pools.isEmpty()) {
             return;
@@ -82,6 +82,6 @@ final class MemoryAlarm implements NotificationListener {
         }
         MemoryUsage heap = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage();
         listener.accept(String.format(Locale.ROOT, "Java's memory is nearly full: %.0f %% of %.0f MB are in use; start Java with more (-Xmx), or"
-            + " make the world or what the script keeps smaller", PERCENT * heap.getUsed() / heap.getMax(), heap.getMax() / MEGABYTE));
+            + " use a smaller world or store less in the script", PERCENT * heap.getUsed() / heap.getMax(), heap.getMax() / MEGABYTE));
     }
 }

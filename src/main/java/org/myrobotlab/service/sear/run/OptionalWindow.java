@@ -6,11 +6,11 @@ import org.SEAR.view.SimulatorWindow;
 import org.SEAR.view.WindowOptions;
 import org.myrobotlab.service.sear.Host;
 
-/** The simulator's window, where there can be one. */
+/** The simulator's window, if the system supports one. */
 final class OptionalWindow {
     private AutoCloseable window;
 
-    /** Opens it; without display, OpenGL or its libraries there is a warning and no window. */
+    /** Opens the window. Without a display, OpenGL or its libraries, warns and opens none. */
     synchronized void open(SimulationRunner runner, boolean debugShapes, BooleanSupplier scriptDrives, Host host) {
         try {
             WindowOptions options = new WindowOptions().setDebugShapes(debugShapes).setScriptDrives(scriptDrives).setWarnings(host::warn)

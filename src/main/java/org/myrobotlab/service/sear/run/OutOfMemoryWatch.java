@@ -5,8 +5,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Hears of threads of this program that end because there is no memory left, and of those of the embedded MyRobotLab that go on with a message
- * instead; other ends go to whoever heard of them before. Any thread.
+ * Reports threads of this program that end because memory ran out, including threads of the embedded MyRobotLab that
+ * continue with a message. Passes all failures on to the previous handler. Any thread.
  */
 final class OutOfMemoryWatch implements Thread.UncaughtExceptionHandler {
     private static final Logger log = LoggerFactory.getLogger(OutOfMemoryWatch.class);
@@ -18,13 +18,13 @@ final class OutOfMemoryWatch implements Thread.UncaughtExceptionHandler {
         this.listener = listener;
     }
 
-    /** Begins to watch. */
+    /** Starts watching. */
     synchronized void open() {
         before = Thread.getDefaultUncaughtExceptionHandler();
         Thread.setDefaultUncaughtExceptionHandler(this);
     }
 
-    /** Ends it. */
+    /** Stops watching. */
     synchronized void close() {
         if (Thread.getDefaultUncaughtExceptionHandler() == this) {
             Thread.setDefaultUncaughtExceptionHandler(before);

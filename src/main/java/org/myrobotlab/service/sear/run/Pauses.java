@@ -5,10 +5,13 @@ import java.util.function.BooleanSupplier;
 import org.SEAR.grammar.ScriptLine;
 import org.myrobotlab.service.sear.Host;
 
-/** Whether time stands still because somebody wants it, who that is, and who waits for the end of it. Any thread. */
+/**
+ * The pause of a simulation: whether one is active, which thread and script line started it, and which threads wait for
+ * its end. Any thread.
+ */
 final class Pauses {
     private static final long LOOK_MILLIS = 200;
-    /** Who has waited so long hears for what. */
+    /** Waiting time after which the waiting script gets a warning, ns. */
     private static final long WORD = TimeUnit.SECONDS.toNanos(2);
 
     private final Host host;
@@ -22,7 +25,7 @@ final class Pauses {
         this.host = host;
     }
 
-    /** The present thread wants time to stand still. */
+    /** Starts a pause on behalf of the present thread. */
     synchronized void begin() {
         paused = true;
         pauser = Thread.currentThread();
@@ -30,7 +33,7 @@ final class Pauses {
         reported = false;
     }
 
-    /** Time may pass again. */
+    /** Ends the pause. */
     synchronized void end() {
         paused = false;
         pauser = null;
@@ -38,7 +41,7 @@ final class Pauses {
         notifyAll();
     }
 
-    /** The simulation ends: nobody waits any more. */
+    /** Releases all waiting threads at the end of the simulation. */
     synchronized void close() {
         ended = true;
         notifyAll();
@@ -49,17 +52,18 @@ final class Pauses {
     }
 
     /**
-     * Before the present thread waits for time to pass.
+     * Checks that the present thread may wait for time to pass.
      *
-     * @throws IllegalStateException if it has paused the simulation itself, in a script: nobody would end that
+     * @throws IllegalStateException if this thread has paused the simulation in a script, so that nothing would end the
+     *     pause
      */
     synchronized void checkSleep() {
         if (paused && pauser == Thread.currentThread() && !line.isEmpty()) {
-            throw new IllegalStateException("simulated time stands still since " + line + " has paused it: sear.resume() first");
+            throw new IllegalStateException("the simulation is paused by " + line + ": call sear.resume() first");
         }
     }
 
-    /** Waits for the end of a pause, as long as the caller has to. */
+    /** Waits for the end of a pause while the caller still needs to wait. */
     synchronized void await(BooleanSupplier waits) throws InterruptedException {
         Sleeper sleeper = new Sleeper();
         while (paused && !ended && waits.getAsBoolean()) {
@@ -71,16 +75,16 @@ final class Pauses {
     private synchronized void report() {
         if (!reported && !ended) {
             reported = true;
-            host.warn(ScriptLine.added("simSleep waits, for the simulation is paused" + (line.isEmpty() ? "" : " by " + line)
-                + ": Resume in SEAR's tab, P in the window or sear.resume() lets time pass", ScriptLine.here()));
+            host.warn(ScriptLine.added("simSleep waits because the simulation is paused" + (line.isEmpty() ? "" : " by " + line)
+                + ": continue with Resume in SEAR's tab, P in the window or sear.resume()", ScriptLine.here()));
         }
     }
 
-    /** One who waits for time to pass; its thread. */
+    /** A thread that waits for time to pass. That thread only. */
     final class Sleeper {
         private long since = Long.MIN_VALUE;
 
-        /** Called again and again meanwhile. */
+        /** Checks how long time has stood still; call repeatedly while waiting. */
         void look(boolean standing) {
             if (!standing) {
                 since = Long.MIN_VALUE;

@@ -2,22 +2,22 @@ package org.myrobotlab.service.sear.run;
 
 import java.io.ByteArrayOutputStream;
 
-/** What a device sends while a step of lock-step is made: it waits until it is its port's turn. Any thread. */
+/** Bytes that a device sends during a step of lock-step, held until its port's turn. Any thread. */
 final class PendingBytes {
     private static final byte[] NOTHING = {};
 
     private final ByteArrayOutputStream waiting = new ByteArrayOutputStream();
     private boolean stepping;
 
-    /** @param on whether a step is being made */
+    /** @param on whether a step is in progress */
     synchronized void setStepping(boolean on) {
         stepping = on;
     }
 
     /**
-     * Keeps bytes that come in a step.
+     * Holds the bytes if a step is in progress.
      *
-     * @return whether it has; if not, what waits goes before them
+     * @return whether it holds them; otherwise send the held bytes first
      */
     synchronized boolean keep(byte[] bytes) {
         if (stepping) {
@@ -26,7 +26,7 @@ final class PendingBytes {
         return stepping;
     }
 
-    /** What waits, and waits no more; empty for nothing. */
+    /** Removes and returns the held bytes. */
     synchronized byte[] take() {
         if (waiting.size() == 0) {
             return NOTHING;

@@ -8,32 +8,35 @@ import java.util.concurrent.TimeUnit;
 import org.SEAR.grammar.ScriptLine;
 
 /**
- * The orders to drive that a script has given, and whether simulated time has passed for them to be obeyed. Times are simulated seconds that a reset
- * does not take back. Any thread.
+ * A script's drive commands and whether simulated time has passed to run them. Times are simulated seconds that a reset
+ * does not set back. Any thread.
  */
 final class PendingDrives {
-    /** A simulation that ends so soon after a robot's first order has not obeyed it, s. */
+    /** A simulation that ends within this time after a robot's first command has not run it, s. */
     private static final double AT_ONCE = 0.1;
-    /** Within so much time, by the clock, a script comes to its next line on a busy machine, s. */
+    /** Simulated time, s, that may pass before a script's next line if a busy machine runs the simulation by the clock. */
     private static final double NEXT_LINE = 0.25;
-    /** After so long an order that had no time is told, unless its line was carried out again: then it is a loop's, s. */
+    /**
+     * Delay of the report about a command without time, s. If its line runs again meanwhile, it belongs to a loop and
+     * is not reported.
+     */
     private static final double UNTIL_REPORTED = 1;
-    /** The window's keys leave a robot alone so long after a script has driven it. */
+    /** Time after a script's drive command in which the window's keys don't drive the robot, ns. */
     private static final long SCRIPT_DRIVES = TimeUnit.SECONDS.toNanos(1);
 
-    /** By robot. */
+    /** Last command by robot. */
     private final Map<String, Order> last = new HashMap<>();
     private final Map<String, Order> first = new HashMap<>();
-    /** Lines whose orders were in force while time passed, or that were carried out more than once. */
+    /** Lines of commands so far. Those in ofLoops were in force while time passed, or ran more than once. */
     private final Set<String> lines = new HashSet<>();
     private final Set<String> ofLoops = new HashSet<>();
-    /** The first order that had no time, by the next one; null before. */
+    /** The first command that a later one replaced before time passed; null if none did. */
     private Order lost;
     private Order next;
     private volatile boolean driven;
     private volatile long lastDriven;
 
-    /** One order. */
+    /** A drive command. */
     static final class Order {
         final String call;
         final String values;
@@ -44,12 +47,12 @@ final class PendingDrives {
         private final long thread = Thread.currentThread().getId();
 
         /**
-         * One that is given now, by the present thread.
+         * Creates a command of the present thread, given now.
          *
          * @param call the method's name
-         * @param values those that it was given
-         * @param moves whether it sets the robot going
-         * @param sleeps how often anybody has let time pass
+         * @param values its arguments
+         * @param moves whether it starts the robot
+         * @param sleeps how often any thread has advanced time
          */
         Order(String call, String values, boolean moves, double time, long sleeps) {
             this.call = call;
@@ -59,25 +62,28 @@ final class PendingDrives {
             this.sleeps = sleeps;
         }
 
-        /** By the same thread: when another one comes is not for the script to say, and a busy machine lets it come early or late. */
+        /**
+         * Returns whether a command of the same thread replaces this one before time passes. Commands of other threads
+         * don't count: their timing depends on the machine.
+         */
         boolean isReplacedAtOnceBy(Order next) {
             return thread == next.thread && moves && !line.isEmpty() && !next.line.isEmpty() && sleeps == next.sleeps && next.time - time < NEXT_LINE
                 && !(call + values).equals(next.call + next.values);
         }
     }
 
-    /** A script has told some robot to move. */
+    /** Records that a script has moved a robot. */
     void touch() {
         lastDriven = System.nanoTime();
         driven = true;
     }
 
-    /** Whether a script has told a robot to move lately, by the computer's clock. */
+    /** Returns whether a script has moved a robot recently, by the computer's clock. */
     boolean areRecent() {
         return driven && System.nanoTime() - lastDriven < SCRIPT_DRIVES;
     }
 
-    /** A robot was given an order. */
+    /** Records a command to a robot. */
     synchronized void give(String robot, Order order) {
         Order former = last.put(robot, order);
         if (!lines.add(order.line)) {
@@ -99,35 +105,35 @@ final class PendingDrives {
         }
     }
 
-    /** Everything is back at the start. */
+    /** Forgets the robots' commands after a reset. */
     synchronized void reset() {
         last.clear();
         first.clear();
     }
 
     /**
-     * What to say of an order that the next one has replaced before it could be obeyed.
+     * Returns a warning about a command that the next one replaced before it could run.
      *
      * @param ends whether the simulation ends
-     * @return once; empty if there is nothing to say, or it is too early
+     * @return the warning, once; empty if there is none, or if it is too early
      */
     synchronized String replaced(double time, boolean ends) {
         if (lost == null || next == null || !ends && time - next.time < UNTIL_REPORTED) {
             return "";
         }
         boolean isOfLoop = ofLoops.contains(lost.line);
-        String said = isOfLoop ? "" : "the " + lost.call + " of " + lost.line + " had no time to act, for the " + next.call + " of " + next.line
-            + " has replaced it at once: sear.simSleep(seconds) between them";
+        String said = isOfLoop ? "" : "the " + lost.call + " of " + lost.line + " had no time to act: the " + next.call + " of " + next.line
+            + " replaced it immediately; put sear.simSleep(seconds) between them";
         lost = isOfLoop ? null : lost;
         next = null;
         return said;
     }
 
     /**
-     * The line of the first order to a robot, if that has come so late that the robot has not moved when the simulation ends.
+     * Returns the line of a robot's first command if it came so late that the robot has not moved at the end.
      *
      * @param time of the end
-     * @return null if there is no such robot
+     * @return null if there is no such command
      */
     synchronized String tooLate(double time) {
         return first.values().stream().filter(order -> time - order.time < AT_ONCE).map(order -> order.line).findFirst().orElse(null);

@@ -4,9 +4,7 @@ import java.util.List;
 import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.service.sear.lockstep.SleepingThreads;
 
-/**
- * What the ports of a simulation have to do in one order always, that of the project. One thread at a time.
- */
+/** Processes the ports of a simulation in one fixed order, that of the project. One thread at a time. */
 final class PortOrder {
     private final List<UartLine> lines;
     private final SleepingThreads.Work settle;
@@ -19,8 +17,8 @@ final class PortOrder {
     }
 
     /**
-     * Those who were disconnected when an earlier simulation ended are connected again. In lock-step when time first passes, so that a script that
-     * connects its services itself comes first, and does the same each time.
+     * Reconnects the services that the end of an earlier simulation disconnected. In lock-step this happens when time
+     * first passes. A script that connects its services itself is then always first, so that each run is the same.
      */
     void callBackUsers() {
         if (!calledBack) {
@@ -30,9 +28,10 @@ final class PortOrder {
     }
 
     /**
-     * A step of lock-step: what it brings is handed over port after port, each when the callbacks of the one before have returned.
+     * Makes a step of lock-step, then delivers its bytes port by port. The callbacks of each port return before the
+     * next port's turn.
      *
-     * @param step makes it
+     * @param step makes the step
      */
     void step(SleepingThreads.Work step) throws InterruptedException {
         lines.forEach(line -> line.setStepping(true));

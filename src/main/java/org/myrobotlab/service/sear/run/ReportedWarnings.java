@@ -7,7 +7,7 @@ import org.SEAR.POJOs.ScriptSession;
 import org.SEAR.grammar.ScriptLine;
 import org.myrobotlab.service.sear.Host;
 
-/** Tells the user each warning of a simulation once. Any thread. */
+/** Reports each warning of a simulation once. Any thread. */
 final class ReportedWarnings {
     private static final String ORDERED = " can't obey the command to ";
 
@@ -19,25 +19,25 @@ final class ReportedWarnings {
         this.host = host;
     }
 
-    /** A script, the caller, gives an order. */
+    /** Records the script line of the present command. */
     void ordered() {
         order = ScriptLine.here();
     }
 
-    /** The simulation ends before a robot can have obeyed its first order, which stands in this line. */
+    /** Warns that the simulation ends before a robot could run its first command, which is in the given line. */
     void reportOfNoTime(String line) {
-        host.warn(ScriptLine.added("the simulation ends at the very moment at which a robot was told to drive, so that it has not moved: an order"
-            + " returns at once, and sear.simSleep(seconds) behind it lets time pass", line));
+        host.warn(ScriptLine.added("the simulation ends immediately after a drive command, so that the robot has not moved: a command"
+            + " returns immediately; call sear.simSleep(seconds) after it to let time pass", line));
     }
 
-    /** What has just come up. */
+    /** Reports a new warning; does nothing for an empty text. */
     void report(String warning) {
         if (!warning.isEmpty()) {
             host.warn(warning);
         }
     }
 
-    /** Tells those that have not been told. */
+    /** Reports the warnings that have not been reported yet. */
     synchronized void report(Collection<String> warnings) {
         for (String warning : warnings) {
             if (reported.add(warning)) {
@@ -46,7 +46,7 @@ final class ReportedWarnings {
         }
     }
 
-    /** What happens again is told again, but for these. */
+    /** Makes all warnings reportable again except the given ones. */
     synchronized void forgetAllBut(Collection<String> warnings) {
         reported.retainAll(warnings);
     }

@@ -13,41 +13,42 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What a run of a script is asked with, and what it answers. Parameters are the system properties {@code sear.parameter.NAME}, which
- * {@code sear SCRIPT.py --set NAME=VALUE} and {@code sear sweep} set. Results are kept until whoever runs the script takes them. Any thread.
+ * Parameters and results of a run. Parameters are the system properties {@code sear.parameter.NAME}, set by
+ * {@code sear SCRIPT.py --set NAME=VALUE} and {@code sear sweep}. Results are stored until the program that runs the
+ * script takes them. Any thread.
  */
 public final class RunParameters {
-    /** What the name of a parameter's system property begins with. */
+    /** Prefix of the system properties of parameters. */
     public static final String PROPERTY = "sear.parameter.";
-    /** What a name may be. */
+    /** Rule for names of parameters and results. */
     public static final String LEGAL_NAME = "letters, digits and _, not a digit first, and none of row, seed, status, message, version, digest";
 
     private static final String SEED = "seed";
-    /** Results that are kept until they are taken, and characters of a text. */
+    /** Most results stored until they are taken, and most characters of a text. */
     private static final int MAX_RESULTS = 1000;
     private static final int LONGEST_TEXT = 10_000;
     private static final int MAX_BITS = 63;
     private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
-    /** Columns of their own in the table of a sweep. */
+    /** Reserved columns in the table of a sweep. */
     private static final Set<String> TAKEN = Set.of("row", SEED, "status", "message", "version", "digest");
     private static final Logger PROGRESS = LoggerFactory.getLogger("org.SEAR.progress");
     private static final Map<String, Object> RESULTS = new LinkedHashMap<>();
-    /** Parameters that were given and for which a script has asked. */
+    /** Names of given parameters that a script has read. */
     private static final Set<String> ASKED = ConcurrentHashMap.newKeySet();
 
     private RunParameters() {
     }
 
-    /** Whether a parameter or a result may be called so. */
+    /** Returns whether the name is legal for a parameter or result. */
     public static boolean isLegal(String name) {
         return name != null && NAME.matcher(name).matches() && !TAKEN.contains(name);
     }
 
     /**
-     * A parameter of this run; {@code seed} is that of the run's random numbers.
+     * Returns a parameter of this run; {@code seed} is the seed of its random numbers.
      *
-     * @param standard what it is unless one was given; the one that was given has to be of the same kind
-     * @throws IllegalArgumentException that names parameter, value and what is legal
+     * @param standard default value; a given value must be of the same type
+     * @throws IllegalArgumentException with parameter, value and legal values
      */
     public static Object get(String name, Object standard) {
         boolean isSeed = SEED.equals(name);
@@ -95,9 +96,9 @@ public final class RunParameters {
     }
 
     /**
-     * Keeps a result of this run; one of that name takes its place.
+     * Stores a result of this run; replaces one of the same name.
      *
-     * @throws IllegalArgumentException that names result, value and what is legal
+     * @throws IllegalArgumentException with result, value and legal values
      */
     public static void setResult(String name, Object value) {
         if (!isLegal(name) || System.getProperty(PROPERTY + name) != null) {
@@ -118,20 +119,20 @@ public final class RunParameters {
         }
         synchronized (RESULTS) {
             if (RESULTS.size() >= MAX_RESULTS && !RESULTS.containsKey(name)) {
-                throw new IllegalArgumentException("result " + name + " is one too many, legal: at most " + MAX_RESULTS + " of a run");
+                throw new IllegalArgumentException("result " + name + " is one too many, legal: at most " + MAX_RESULTS + " per run");
             }
             RESULTS.put(name, kept);
         }
         PROGRESS.info("result: {} = {}", name, kept);
     }
 
-    /** Parameters that were given and for which no script of this process has asked. */
+    /** Returns the names of given parameters that no script of this process has read. */
     public static List<String> unasked() {
         return System.getProperties().stringPropertyNames().stream().filter(name -> name.startsWith(PROPERTY))
             .map(name -> name.substring(PROPERTY.length())).filter(name -> !ASKED.contains(name)).sorted().collect(Collectors.toList());
     }
 
-    /** The results since this was last called, in the order in which they came. */
+    /** Removes and returns the results, oldest first. */
     public static Map<String, Object> takeResults() {
         synchronized (RESULTS) {
             Map<String, Object> taken = new LinkedHashMap<>(RESULTS);

@@ -4,28 +4,29 @@ import org.SEAR.parallel.WorkerPool;
 import org.SEAR.simulator.SimulationRunner;
 
 /**
- * How simulations are to run, from the system properties that the command line sets: {@code sear.headless} (true or false), {@code sear.speed}
- * (simulated seconds a second, or {@code max}: lock-step, as fast as possible), {@code sear.seed} (a whole number) and {@code sear.threads} (a
- * whole number; as many as there are processors unless set). Immutable.
+ * Settings of simulations, from the system properties that the command line sets: {@code sear.headless} (true or
+ * false), {@code sear.speed} (simulated seconds per second, or {@code max}: lock-step, as fast as possible),
+ * {@code sear.seed} (a whole number) and {@code sear.threads} (a whole number; default: the number of processors).
+ * Immutable.
  */
 public final class RunSettings {
-    /** Seed unless another is given. */
+    /** Default seed. */
     public static final long DEFAULT_SEED = 1;
 
     private static final String MAX = "max";
 
-    /** No window, even where there is a display. */
+    /** Whether to open no window even with a display. */
     public final boolean headless;
-    /** Simulated seconds a second; infinity = as fast as possible. */
+    /** Simulated seconds per second; infinity = as fast as possible. */
     public final double speed;
-    /** Whether time advances only inside simSleep and step. */
+    /** Whether time advances only in simSleep and step. */
     public final boolean lockStep;
-    /** Of all random numbers. */
+    /** Seed of all random numbers. */
     public final long seed;
-    /** Whether beams see floors and terrain. */
+    /** Whether beams hit floors and terrain. */
     public final boolean groundVisible;
 
-    /** How many threads sensors measure on. */
+    /** Number of threads that compute sensors. */
     public final int threads;
 
     RunSettings(boolean headless, double speed, boolean lockStep, long seed, boolean groundVisible, int threads) {
@@ -40,7 +41,7 @@ public final class RunSettings {
     /**
      * Reads the properties.
      *
-     * @throws IllegalArgumentException that names property, value and what is legal
+     * @throws IllegalArgumentException with property, value and legal values
      */
     public static RunSettings fromSystem() {
         String speed = System.getProperty("sear.speed", "1");

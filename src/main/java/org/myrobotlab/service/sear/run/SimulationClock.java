@@ -5,9 +5,9 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.serial.PortClock;
 
-/** Simulated time as the ports see it. Any thread. */
+/** Simulated time for ports. Any thread. */
 final class SimulationClock extends PortClock {
-    /** How often waiters look at the time. Milliseconds; a step of real time is 16. */
+    /** Interval at which waiting threads check the time, milliseconds; a step of real time is 16. */
     private static final long LOOK = 4;
 
     private final Simulation simulation;
@@ -41,17 +41,17 @@ final class SimulationClock extends PortClock {
         wake();
     }
 
-    /** The rules have changed: waiters look again. */
+    /** Makes waiting threads check again after a change. */
     synchronized void wake() {
         notifyAll();
     }
 
-    /** Runs what was to run after each step of lock-step. */
+    /** Runs the tickers after a step of lock-step. */
     void tick() {
         tickers.forEach(Runnable::run);
     }
 
-    /** After a reset a new clock takes over. */
+    /** Moves the tickers to the new clock after a reset. */
     void moveTickersTo(SimulationClock other) {
         other.tickers.addAll(tickers);
     }

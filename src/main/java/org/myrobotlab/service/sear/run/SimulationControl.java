@@ -16,7 +16,7 @@ import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 import org.myrobotlab.service.sear.Host;
 
-/** Starts and ends the simulation of one SEAR service; there is one simulation in the whole program at a time. Any thread. */
+/** Starts and ends the simulation of one SEAR service. The whole program runs one simulation at a time. Any thread. */
 public final class SimulationControl {
     private static SimulationControl running;
 
@@ -32,7 +32,7 @@ public final class SimulationControl {
     private SimulationSession.StepListener stepListener = published -> { };
     private Consumer<Simulation> startListener = world -> { };
 
-    /** @param folder of the project, asked for each time */
+    /** @param folder supplies the project's folder at each start */
     public SimulationControl(Host host, Supplier<Path> folder) {
         this.host = host;
         this.folder = folder;
@@ -43,13 +43,13 @@ public final class SimulationControl {
      * Starts the project's world.
      *
      * @throws ProjectException with every problem of the project
-     * @throws IOException if the folder is missing or a port can't be had
+     * @throws IOException if the folder is missing or a port is not available
      */
     public void start(boolean debugShapes) throws ProjectException, IOException {
         synchronized (SimulationControl.class) {
             if (running != null && running.isRunning()) {
-                throw new IllegalStateException(running == this ? "the simulation runs already: stopSimulation() first"
-                    : "service " + running.host.getName() + " runs a simulation: stop that first");
+                throw new IllegalStateException(running == this ? "the simulation runs already: call stopSimulation() first"
+                    : "service " + running.host.getName() + " runs a simulation: stop it first");
             }
             stop();
             LibraryCheck.check();
@@ -84,17 +84,20 @@ public final class SimulationControl {
             threads == null ? fromSystem.threads : threads);
     }
 
-    /** What objects that were made before a start do in its world. Before the first start. */
+    /** Sets the actions that objects created before a start perform in its world. Call before the first start. */
     public void setActs(ScriptSession.Acts forObjects) {
         acts = forObjects;
     }
 
-    /** Called after each step of lock-step, on the thread that advances time. Before the first start. */
+    /** Sets a listener for each step of lock-step, on the thread that advances time. Call before the first start. */
     public void setStepListener(SimulationSession.StepListener listener) {
         stepListener = listener;
     }
 
-    /** Called with each world before its first step, on the thread that starts it; what it throws ends the start. Before the first start. */
+    /**
+     * Sets a listener for each world before its first step, on the thread that starts it; its exception aborts the
+     * start. Call before the first start.
+     */
     public void setStartListener(Consumer<Simulation> listener) {
         startListener = listener;
     }
@@ -113,16 +116,16 @@ public final class SimulationControl {
         }
     }
 
-    /** Whether a world exists. */
+    /** Returns whether a world exists. */
     public boolean isRunning() {
         SimulationSession present = session;
         return present != null && present.isRunning();
     }
 
     /**
-     * The running simulation.
+     * Returns the running simulation.
      *
-     * @throws IllegalStateException if there is none
+     * @throws IllegalStateException if none runs
      */
     public SimulationSession session() {
         SimulationSession present = session;
@@ -132,17 +135,17 @@ public final class SimulationControl {
         return present;
     }
 
-    /** The running simulation; null if there is none. */
+    /** Returns the running simulation; null if none runs. */
     public SimulationSession sessionOrNull() {
         SimulationSession present = session;
         return present != null && present.isRunning() ? present : null;
     }
 
     /**
-     * For those who look again and again: a stop in between is nothing to complain of.
+     * Answers a repeated query. A stop during the query is no error.
      *
      * @param question answered on the simulation thread, between two steps
-     * @param none the answer if no simulation runs, or if it ends before it has answered
+     * @param none the answer if no simulation runs, or if it ends first
      */
     public <T> T look(BiFunction<Simulation, SimulationSession, T> question, T none) throws InterruptedException {
         SimulationSession present = sessionOrNull();
@@ -165,15 +168,15 @@ public final class SimulationControl {
         }
     }
 
-    /** The present session, even one that begins or ends; null if there is none. */
+    /** Returns the present session, even while it starts or ends; null if there is none. */
     public SimulationSession anySession() {
         return session;
     }
 
     /**
-     * Speed of this and the next simulations.
+     * Sets the speed of this and later simulations.
      *
-     * @param factor simulated seconds a second; infinity = as fast as possible
+     * @param factor simulated seconds per second; infinity = as fast as possible
      */
     public void setSpeed(double factor) {
         speed = SimulationRunner.checkedSpeed(factor);
@@ -182,7 +185,7 @@ public final class SimulationControl {
         }
     }
 
-    /** Lock-step of this and the next simulations. */
+    /** Switches lock-step of this and later simulations. */
     public void setLockStep(boolean on) throws InterruptedException {
         lockStep = on;
         if (isRunning()) {
@@ -190,7 +193,7 @@ public final class SimulationControl {
         }
     }
 
-    /** Whether beams see floors and terrain in the next simulations. */
+    /** Sets whether beams hit floors and terrain in later simulations. */
     public void setGroundVisible(boolean on) {
         if (isRunning()) {
             throw new IllegalStateException("setGroundVisible needs the simulation to be stopped: call it before startSimulation()");
@@ -199,9 +202,9 @@ public final class SimulationControl {
     }
 
     /**
-     * On how many threads sensors measure in this and the next simulations.
+     * Sets the number of threads that compute sensors in this and later simulations.
      *
-     * @throws IllegalArgumentException that names the legal range
+     * @throws IllegalArgumentException with the legal range
      */
     public void setThreads(int number) {
         threads = WorkerPool.checked(number);
@@ -210,12 +213,11 @@ public final class SimulationControl {
         }
     }
 
-    /** Where the objects of the service are made; closed at first. */
+    /** Returns the session in which scripts create objects; closed at first. */
     public ScriptSession scriptSession() {
         return scriptSession;
     }
 
-    /** The project's folder. */
     public Path getFolder() {
         return folder.get();
     }

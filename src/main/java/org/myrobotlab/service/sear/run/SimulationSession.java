@@ -26,9 +26,10 @@ import org.myrobotlab.service.sear.lockstep.Quiescence;
 import org.myrobotlab.service.sear.lockstep.SleepingThreads;
 
 /**
- * One running simulation: its thread, its ports, its clock. Any thread.
+ * One running simulation with its thread, ports and clock. Any thread.
  *
- * <p>Locks: {@code stepping} is held while lock-step advances time, and nothing else is waited for under it but ports and the simulation thread.
+ * <p>Locks: {@code stepping} is held while lock-step advances time; its holder waits only for ports and the simulation
+ * thread.
  */
 public final class SimulationSession {
     private static final long LOOK_AFTER_THREAD = 200;
@@ -36,7 +37,7 @@ public final class SimulationSession {
     private static final long READER_LOOK = TimeUnit.MICROSECONDS.toNanos(100);
     private static final long LOOK_AFTER_SLEEPERS = 1;
     private static final int LOOKS_AFTER_SLEEPERS = 500;
-    /** By which sums of steps may miss the time that was asked for, s. */
+    /** Tolerance of a sum of steps against the requested time, s. */
     private static final double ROUNDING = Simulation.STEP / 1000;
     private static final long THREAD_END = TimeUnit.SECONDS.toMillis(10);
 
@@ -53,18 +54,21 @@ public final class SimulationSession {
     private final Quiescence quiescence;
     private final PortOrder turns;
     private final Object stepping = new Object();
-    /** Who makes time pass; null if nobody does. Guarded by {@link #stepping}. */
+    /** The thread that advances time; null if none does. Guarded by {@link #stepping}. */
     private Thread stepper;
     private final Pauses pauses;
     private final PendingDrives orders = new PendingDrives();
-    /** How often anybody has let time pass. */
+    /** Number of calls that have advanced time. */
     private final AtomicLong sleeps = new AtomicLong();
     private volatile SimulationClock clock;
     private volatile boolean lockStep;
     private volatile boolean ended;
     private boolean stopped;
     private volatile Throwable failure;
-    /** Up to where the script has slept: {@link SimulationRunner#getAdvancedTime} without rounding to steps. */
+    /**
+     * Simulated time at the end of the script's last sleep, s: {@link SimulationRunner#getAdvancedTime} without
+     * rounding to steps.
+     */
     private volatile double scriptTime;
     private final SleepingThreads sleepers = new SleepingThreads();
     private final ReportedWarnings warnings;
@@ -73,7 +77,7 @@ public final class SimulationSession {
 
     /** Publishes what is due after a step of lock-step. */
     public interface StepListener {
-        /** @param published run after each thing that was published: waits for its callbacks */
+        /** @param published waits for callbacks; run after each published message */
         void stepped(SleepingThreads.Work published) throws InterruptedException;
     }
 
@@ -100,7 +104,7 @@ public final class SimulationSession {
      *
      * @param stepListener called after each step of lock-step, on the thread that advances time
      * @throws ProjectException with every problem of the project
-     * @throws IOException if a port can't be had; nothing is left behind
+     * @throws IOException if a port is not available; releases everything else
      */
     public static SimulationSession start(Path folder, RunSettings settings, boolean debugShapes, Host host,
             StepListener stepListener, Consumer<Simulation> startListener) throws ProjectException, IOException {
@@ -133,20 +137,26 @@ public final class SimulationSession {
         thread.start();
         quiescence.greet();
         if (!settings.headless) {
-            window.open(runner, debugShapes, orders::areRecent, host); // takes seconds, which nobody is to miss
+            window.open(runner, debugShapes, orders::areRecent, host); // takes seconds, during which time must not pass
         }
         runner.setPaused(lockStep);
         reportWarnings();
     }
 
-    /** Its service knows it now and brings it bytes: by the clock, those who wait for its ports are connected. */
+    /**
+     * Called when the service knows this session and delivers bytes to it. Without lock-step, connects the services
+     * that wait for its ports.
+     */
     void known() {
         if (!lockStep) {
             turns.callBackUsers();
         }
     }
 
-    /** On the simulation thread after each step: "as fast as possible" is as fast as bytes are taken. Questions are answered at least each 50 ms. */
+    /**
+     * Waits after each step, on the simulation thread, until readers have taken their bytes, if the speed is "as fast
+     * as possible". Waits at most 50 ms, so that queries are answered.
+     */
     private void waitForReaders() {
         if (lockStep || !Double.isInfinite(throttle.getSpeed())) {
             return;
@@ -179,7 +189,7 @@ public final class SimulationSession {
         return what + "; its ports are closed";
     }
 
-    /** Memory ran out on another thread of this program: whatever that thread was to do is not done, so the simulation ends, too. */
+    /** Ends the simulation after another thread of this program ran out of memory and left its work undone. */
     private void outOfMemory(OutOfMemoryError reason) {
         if (!ended) {
             failure = reason;
@@ -194,7 +204,7 @@ public final class SimulationSession {
         }
     }
 
-    /** Ends the simulation and takes its ports, services, window and thread away. Again: does nothing. */
+    /** Ends the simulation and releases its ports, services, window and thread. Repeated calls do nothing. */
     public synchronized void stop() {
         if (stopped) {
             return;
@@ -230,28 +240,27 @@ public final class SimulationSession {
         }
     }
 
-    /** Whether the world exists; true while paused. */
+    /** Returns whether the world exists; true while paused. */
     public boolean isRunning() {
         return !ended;
     }
 
-    /** Whether it was told to end, or has: questions may find no answer. */
+    /** Returns whether the simulation ends or has ended, so that queries may get no answer. */
     boolean isEnding() {
         return ended || runner.isEnding();
     }
 
-    /** The world. */
     public Simulation getSimulation() {
         return simulation;
     }
 
-    /** The line whose device end has a Serial service of that name; null if there is none. */
+    /** Returns the line whose device end has the given Serial service; null if there is none. */
     UartLine lineOf(String serviceName) {
         return lines.stream().filter(line -> line.getServiceName().equals(serviceName)).findFirst().orElse(null);
     }
 
     /**
-     * The short way to the device behind a port.
+     * Returns the direct path to the device at a port.
      *
      * @param userPort the port's name
      * @return null if the simulation has no such port
@@ -266,7 +275,7 @@ public final class SimulationSession {
     }
 
     /**
-     * Brings bytes from a device's Serial service to the device.
+     * Delivers bytes from a device's Serial service to the device.
      *
      * @return whether the service belongs to one of the lines
      */
@@ -281,29 +290,29 @@ public final class SimulationSession {
         return line != null;
     }
 
-    /** A script has told a robot to move: for a while the window's keys leave it alone. */
+    /** Records that a script has moved a robot: the window's keys don't drive it for a while. */
     public void scriptDrives() {
         orders.touch();
         warnings.ordered();
     }
 
     /**
-     * A script has given an order to drive, which holds from the next step on.
+     * Records a script's drive command, which takes effect from the next step on.
      *
      * @param call the method's name
-     * @param values those that it was given
-     * @param moves whether it sets the robot going
+     * @param values its arguments
+     * @param moves whether it starts the robot
      */
     public void scriptOrders(String robot, String call, String values, boolean moves) {
         orders.give(robot, new PendingDrives.Order(call, values, moves, runner.getAdvancedTime(), sleeps.get()));
     }
 
-    /** Simulated seconds. */
+    /** Returns the simulated time, seconds. */
     public double time() {
         return simulation.snapshot().time;
     }
 
-    /** Answers a question on the simulation thread, between two steps. */
+    /** Answers a query on the simulation thread, between two steps. */
     public <T> T ask(Function<Simulation, T> question) throws InterruptedException {
         Future<T> answer = simulation.ask(question);
         while (true) {
@@ -331,7 +340,7 @@ public final class SimulationSession {
         }
     }
 
-    /** Waits so long in simulated time, whether it is reset meanwhile or not; in lock-step it makes that time pass. */
+    /** Waits for an amount of simulated time, even across a reset; in lock-step it advances the time. */
     public void simSleep(double seconds) throws InterruptedException {
         if (!(seconds >= 0) || Double.isInfinite(seconds)) {
             throw new IllegalArgumentException("simSleep of " + seconds + " s, legal: 0 or more");
@@ -368,7 +377,7 @@ public final class SimulationSession {
         });
     }
 
-    /** One step, unless the time has come; one thread at a time, also while it waits for others. */
+    /** Makes one step unless the target time has been reached. One thread at a time, even while it waits for others. */
     private void stepIfBefore(double target) throws InterruptedException {
         checkRunning();
         synchronized (stepping) {
@@ -388,8 +397,8 @@ public final class SimulationSession {
     }
 
     /**
-     * One step of lock-step: what was sent before it has arrived. What it brings is handed over in one order always: port after port as the project
-     * has them, then the readings that are due; each when the callbacks of the one before have returned.
+     * Makes one step of lock-step. Bytes sent before it have arrived. Delivers the results in one fixed order: port by
+     * port in the order of the project, then the due readings. The callbacks of each delivery return before the next.
      */
     private void oneStep() throws InterruptedException {
         turns.callBackUsers();
@@ -403,7 +412,7 @@ public final class SimulationSession {
         rest();
     }
 
-    /** Until ports and callbacks rest, and devices have answered who waits for them by the computer's clock. */
+    /** Waits until ports and callbacks are idle and devices have answered callers that wait by the computer's clock. */
     private void settle() throws InterruptedException {
         quiescence.settle();
         while (simulation.hasQueries()) {
@@ -416,8 +425,8 @@ public final class SimulationSession {
     }
 
     /**
-     * Until all who can go on at this moment, callbacks that have slept until now among them, have done so and wait again or have ended. Whoever
-     * sleeps no time at all again and again is not waited for without end.
+     * Waits until all threads that can run at this moment, including callbacks that slept until now, wait again or have
+     * ended. The number of checks is limited, because a thread may repeat sleeps of zero length forever.
      */
     private void rest() throws InterruptedException {
         settle();
@@ -432,14 +441,14 @@ public final class SimulationSession {
         }
     }
 
-    /** Nothing advances any more; whoever sleeps is told. */
+    /** Ends all waiting. */
     private void end() {
         ended = true;
         pauses.close();
         clock.wake();
     }
 
-    /** Advances by so many steps; pauses a simulation whose time runs by itself. */
+    /** Advances by a number of steps; pauses a simulation that runs by the clock. */
     public void step(long steps) throws InterruptedException {
         if (steps < 1) {
             throw new IllegalArgumentException("step(" + steps + "), legal: 1 or more");
@@ -458,7 +467,7 @@ public final class SimulationSession {
         reportWarnings();
     }
 
-    /** Time stands still until {@link #resume}; the step in hand has ended when this returns. */
+    /** Stops time until {@link #resume}; the present step is complete when this returns. */
     public void pause() throws InterruptedException {
         pauses.begin();
         runner.setPaused(true);
@@ -472,12 +481,11 @@ public final class SimulationSession {
         clock.wake();
     }
 
-    /** Whether {@link #pause} holds. */
     public boolean isPaused() {
         return pauses.isPaused();
     }
 
-    /** Switches the power of a serial device; what was written to its port until now is gone. */
+    /** Switches the power of a serial device. Bytes written to its port so far are lost. */
     public void power(String name, boolean on) throws InterruptedException {
         sleepers.whileSleeping(SleepingThreads.NOW, () -> {
             synchronized (stepping) {
@@ -493,10 +501,10 @@ public final class SimulationSession {
     }
 
     /**
-     * Puts a thing or a robot to where it starts in a newer state of the project, see {@link Simulation#place}.
+     * Moves an object or a robot to its start pose in a newer state of the project, see {@link Simulation#place}.
      *
-     * @param back whether an edit was taken back
-     * @return whether this world has it
+     * @param back whether an edit was undone
+     * @return whether this world has the object
      */
     public boolean place(String name, Project now, boolean back) throws InterruptedException {
         boolean[] found = new boolean[1];
@@ -508,12 +516,15 @@ public final class SimulationSession {
         return found[0];
     }
 
-    /** How much higher a robot's start has to be to stand where it is moved, metres, see {@link Simulation#rise}. */
+    /**
+     * Returns how much to raise a robot's start so that it stands at its new place, metres, see
+     * {@link Simulation#rise}.
+     */
     public double rise(String robot, Pose by) throws InterruptedException {
         return ask(world -> world.rise(robot, by));
     }
 
-    /** Everything back to the start. */
+    /** Resets the world to its start. */
     public void reset() throws InterruptedException {
         sleepers.whileSleeping(SleepingThreads.NOW, this::toTheStart);
     }
@@ -526,7 +537,7 @@ public final class SimulationSession {
                 return true;
             });
             orders.reset();
-            warnings.forgetAllBut(simulation.snapshot().warnings);    // what is odd from the start has been told
+            warnings.forgetAllBut(simulation.snapshot().warnings);    // warnings present from the start were reported already
             scriptTime = runner.getAdvancedTime();
             SimulationClock fresh = new SimulationClock(simulation, lockStep);
             lines.forEach(line -> line.setClock(fresh));
@@ -538,7 +549,7 @@ public final class SimulationSession {
         }
     }
 
-    /** Simulated seconds a second; infinity = as fast as possible. */
+    /** Sets simulated seconds per second; infinity = as fast as possible. */
     public void setSpeed(double factor) {
         throttle.setSpeed(factor);
         if (!lockStep) {
@@ -546,7 +557,7 @@ public final class SimulationSession {
         }
     }
 
-    /** Whether time advances only inside {@link #simSleep} and {@link #step}. */
+    /** Sets whether time advances only in {@link #simSleep} and {@link #step}. */
     public void setLockStep(boolean on) throws InterruptedException {
         sleepers.whileSleeping(SleepingThreads.NOW, () -> changeLockStep(on));
     }
@@ -566,27 +577,26 @@ public final class SimulationSession {
         }
     }
 
-    /** See {@link #setLockStep}. */
     public boolean isLockStep() {
         return lockStep;
     }
 
-    /** Simulated seconds a second as they were asked for; infinity = as fast as possible. */
+    /** Returns the requested simulated seconds per second; infinity = as fast as possible. */
     public double getWantedSpeed() {
         return throttle.getSpeed();
     }
 
-    /** Simulated seconds a second as measured lately. */
+    /** Returns the recently measured simulated seconds per second. */
     public double getMeasuredSpeed() {
         return runner.getMeasuredSpeed();
     }
 
-    /** Says so if a script waits by the computer's clock in lock-step. */
+    /** Warns if a script waits by the computer's clock in lock-step. */
     public void lookForClockTrap() {
         clockTrap.look(this);
     }
 
-    /** Publishes what the simulation has warned of since the last time. */
+    /** Publishes new warnings of the simulation. */
     public void reportWarnings() {
         warnings.report(simulation.snapshot().warnings);
         warnings.report(orders.replaced(runner.getAdvancedTime(), false));

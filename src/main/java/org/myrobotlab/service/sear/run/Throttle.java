@@ -2,7 +2,7 @@ package org.myrobotlab.service.sear.run;
 
 import java.util.concurrent.TimeUnit;
 
-/** Keeps lock-step from running faster than asked for. Any thread. */
+/** Limits lock-step to the requested speed. Any thread. */
 final class Throttle {
     private static final double NANOS = TimeUnit.SECONDS.toNanos(1);
 
@@ -10,7 +10,7 @@ final class Throttle {
     private double startTime;
     private long startNanos;
 
-    /** @param speed simulated seconds a second; infinity = as fast as possible */
+    /** @param speed simulated seconds per second; infinity = as fast as possible */
     Throttle(double speed) {
         this.speed = speed;
     }
@@ -26,7 +26,7 @@ final class Throttle {
     }
 
     /**
-     * From here on time is kept.
+     * Sets the start of the measurement.
      *
      * @param time simulated seconds
      */
@@ -35,7 +35,7 @@ final class Throttle {
         startNanos = System.nanoTime();
     }
 
-    /** Waits until the computer's time has come as far as simulated time. */
+    /** Waits until real time has caught up with simulated time. */
     synchronized void await(double time) throws InterruptedException {
         if (Double.isNaN(startTime)) {
             begin(time);

@@ -26,16 +26,19 @@ import org.myrobotlab.service.link.Reconnects;
 import org.myrobotlab.service.sear.Host;
 
 /**
- * The way between the user's port and a simulated device: two virtual ports with a null-modem cable, at whose device end one of MyRobotLab's
- * Serial services sits. What the user sends comes to SEAR as that service's publishBytes messages; what the device sends goes out through the
- * same service. The line keeps the baud rate, so the ports don't.
+ * Connects the user's port to a simulated device: two virtual ports with a null-modem cable, whose device end has one
+ * of MyRobotLab's Serial services. The user's bytes reach SEAR as publishBytes messages of that service. The device's
+ * bytes leave through the same service. The simulated line models the baud rate, so the ports don't. Any thread.
  */
 final class UartLine implements ExternalLine {
-    /** Shorter than lock-step waits for a port; longer than a busy machine leaves a thread without a processor. */
+    /** Milliseconds; shorter than lock-step waits for a port, longer than a busy machine delays a thread. */
     private static final long TIMEOUT = TimeUnit.SECONDS.toMillis(50);
-    /** As long the simulation thread waits for MyRobotLab's messages to go out. */
+    /** Longest wait of the simulation thread for MyRobotLab's outgoing messages, ns. */
     private static final long OUTBOX_TIMEOUT = TimeUnit.MILLISECONDS.toNanos(50);
-    /** So many bytes may wait for the user's port's reader before a simulation that runs as fast as possible waits: as in a driver. */
+    /**
+     * Bytes that may wait for the reader of the user's port before a simulation "as fast as possible" waits; size of a
+     * driver's buffer.
+     */
     private static final int MAX_PENDING = 4096;
     private static final String DRIVE = "Dynamics";
     private static final String CALLBACK = "onUartBytes";
@@ -55,8 +58,8 @@ final class UartLine implements ExternalLine {
     private boolean complained;
 
     /**
-     * @param serviceName as {@link #serviceNames} has it
-     * @param driven is told when a program outside drives a robot
+     * @param serviceName as in {@link #serviceNames}
+     * @param driven called when an external program drives a robot
      */
     UartLine(SerialLine line, String serviceName, Host host, Runnable driven) {
         this.line = line;
@@ -68,9 +71,10 @@ final class UartLine implements ExternalLine {
     }
 
     /**
-     * {@code myLidar_LIDARsimulator_Serial_Service}: the dissertation's name, by which SEAR finds the sensor that bytes are for. Where several robots
-     * have a part of that name, {@code rover_myLidar_LIDARsimulator_Serial_Service}: the names of services have no slash. If a part is called
-     * {@code rover_myLidar}, the other one's name has a number more: {@code rover_myLidar_2_LIDARsimulator_Serial_Service}.
+     * Returns the service names. {@code myLidar_LIDARsimulator_Serial_Service} is the dissertation's name, by which
+     * SEAR finds the sensor. If several robots have a part of that name,
+     * {@code rover_myLidar_LIDARsimulator_Serial_Service}, because service names contain no slash. If a part is itself
+     * named {@code rover_myLidar}, the other name gets a number: {@code rover_myLidar_2_LIDARsimulator_Serial_Service}.
      */
     static Map<SerialLine, String> serviceNames(Collection<SerialLine> lines) {
         Map<SerialLine, String> names = new IdentityHashMap<>();
@@ -96,9 +100,9 @@ final class UartLine implements ExternalLine {
     }
 
     /**
-     * Makes ports, cable and service.
+     * Creates ports, cable and service.
      *
-     * @throws IOException if a port or the service can't be had
+     * @throws IOException if a port or the service is not available
      */
     void open(PortClock clock) throws IOException {
         VirtualSerialPort.makeNullModem(uart, user);
@@ -116,7 +120,7 @@ final class UartLine implements ExternalLine {
         user.setOpenListener(line::open);
         ServiceInterface started = Runtime.start(serviceName, "Serial");
         if (!(started instanceof Serial)) {
-            throw new IOException("a service named " + serviceName + " exists already and is no Serial service: release it first");
+            throw new IOException("a service named " + serviceName + " already exists and is not a Serial service: release it first");
         }
         serial = (Serial) started;
         leaveOutOfSavedConfigurations();
@@ -125,13 +129,16 @@ final class UartLine implements ExternalLine {
         line.setSink(this::toUser);
     }
 
-    /** The time by which both ports go. */
+    /** Sets the clock of both ports. */
     void setClock(PortClock clock) {
         uart.setClock(clock);
         user.setClock(clock);
     }
 
-    /** A saved configuration starts the services that the Runtime's names: this one belongs to the simulation, not to the user. */
+    /**
+     * Removes this service from the Runtime's configuration: the simulation starts it, so a saved configuration must
+     * not.
+     */
     private void leaveOutOfSavedConfigurations() {
         Runtime.getInstance().getConfig().remove(serviceName);
     }
@@ -145,8 +152,8 @@ final class UartLine implements ExternalLine {
             String text;
             synchronized (repeats) {
                 text = repeats.count("baud", line.getObjectType() + " " + line.getObjectName() + " talks at " + line.getDeviceBaud()
-                    + " baud, but port " + user.getName() + " was set to " + baud + ": they won't understand each other; legal: "
-                    + line.getDeviceBaud() + " where the program opens the port" + remedy(baud));
+                    + " baud, but port " + user.getName() + " was set to " + baud + ": open the port at "
+                    + line.getDeviceBaud() + " baud" + remedy(baud));
             }
             if (text != null) {
                 host.warn(text);
@@ -154,13 +161,13 @@ final class UartLine implements ExternalLine {
         }
     }
 
-    /** The call of who drives a robot, which has the baud rate among its values. */
+    /** Returns the call that sets the baud rate of a robot's drive. */
     private String remedy(int baud) {
         return isDrive() ? ", as roomba.connect(\"" + user.getName() + "\", " + line.getDeviceBaud() + ", 8, 1, 0), or robot.getPart(\""
             + line.getObjectName() + "\").setBaud(" + baud + ") before the start" : "";
     }
 
-    /** The simulation thread brings bytes from the device: those of a step of lock-step wait for the port's turn. */
+    /** Takes bytes from the device on the simulation thread. Bytes of a lock-step step wait for the port's turn. */
     private void toUser(byte[] bytes) {
         SerialLine.Sink outside = reader;
         if (outside != null) {
@@ -173,18 +180,18 @@ final class UartLine implements ExternalLine {
         }
     }
 
-    /** @param on whether a step of lock-step is being made: what the device sends meanwhile waits for {@link #handOver} */
+    /** @param on whether a step of lock-step is in progress; the device's bytes then wait for {@link #handOver} */
     void setStepping(boolean on) {
         held.setStepping(on);
     }
 
     /**
-     * It is this port's turn: sends what the device has sent in a step of lock-step. The thread that makes time pass.
+     * Sends the bytes that the device sent in a step of lock-step. Thread that advances time.
      *
-     * @return whether there was anything
+     * @return whether there were any
      */
     boolean handOver() {
-        synchronized (held) { // so that nothing overtakes what was taken
+        synchronized (held) { // no other bytes may overtake these
             byte[] bytes = held.take();
             send(bytes);
             return bytes.length > 0;
@@ -200,12 +207,12 @@ final class UartLine implements ExternalLine {
         });
     }
 
-    /** Something that MyRobotLab's ports may throw at. */
+    /** An action that may throw at MyRobotLab's ports. */
     private interface Sending {
         void run() throws Exception;
     }
 
-    /** Whoever has closed the UART, as MyRobotLab does when it ends, wants nothing of it. */
+    /** Ignores errors after the UART was closed, as when MyRobotLab ends. */
     private void guarded(Sending sending) {
         try {
             sending.run();
@@ -244,7 +251,7 @@ final class UartLine implements ExternalLine {
         return line.getDeviceBaud();
     }
 
-    /** MyRobotLab's message brings bytes from the user. */
+    /** Takes bytes of the user from MyRobotLab's message. */
     void toDevice(byte[] bytes) {
         line.write(bytes);
         synchronized (this) {
@@ -253,7 +260,7 @@ final class UartLine implements ExternalLine {
         }
     }
 
-    /** On the UART's reader thread, after each piece: the next follows when this one has made its way through MyRobotLab's message queues. */
+    /** Waits on the UART's reader thread after each piece until it has passed MyRobotLab's message queues. */
     private synchronized void awaitDevice(long handed) {
         long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(TIMEOUT);
         try {
@@ -276,17 +283,17 @@ final class UartLine implements ExternalLine {
         }
     }
 
-    /** Whether bytes come faster than MyRobotLab and whoever has the user's port take them. */
+    /** Returns whether bytes arrive faster than MyRobotLab and the program at the user's port take them. */
     boolean isBehind() {
         return Backlog.isLong(serial) || user.getPending() > MAX_PENDING;
     }
 
-    /** Whether a robot's drive sits here. */
+    /** Returns whether the device is a robot's drive. */
     boolean isDrive() {
         return DRIVE.equals(line.getObjectType());
     }
 
-    /** Name of the Serial service at the device's end. */
+    /** Returns the name of the Serial service at the device's end. */
     String getServiceName() {
         return serviceName;
     }
@@ -295,7 +302,10 @@ final class UartLine implements ExternalLine {
         return user;
     }
 
-    /** As a real device that is switched off and on is reached through the port that is still open. Drivers see to that themselves. */
+    /**
+     * Reconnects listeners when the port returns: a real device that is switched off and on stays reachable through its
+     * open port. Drivers that reconnect do it themselves.
+     */
     private void reconnectWhenBack(Serial service, List<SerialDataListener> listeners) {
         String port = user.getName();
         boolean driven = false;
@@ -324,7 +334,7 @@ final class UartLine implements ExternalLine {
         }
     }
 
-    /** Takes service and ports away; whoever is connected to the user's port is disconnected until a simulation has it again. */
+    /** Removes service and ports. Disconnects listeners of the user's port until a simulation has it again. */
     void close() {
         List<SerialDataListener> listeners = user.getListeners();
         for (SerialDataListener listener : listeners) {

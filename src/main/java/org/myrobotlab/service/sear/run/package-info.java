@@ -1,5 +1,5 @@
 /**
- * One simulation from start to end: its thread, its clock, its ports, its window. Uses {@link org.SEAR.view}, {@link org.myrobotlab.service.link}
- * and {@link org.myrobotlab.service.sear.lockstep}, and what these use. Any thread.
+ * One simulation from start to end: its thread, clock, ports and window. Uses {@link org.SEAR.view},
+ * {@link org.myrobotlab.service.link} and {@link org.myrobotlab.service.sear.lockstep}, and what these use. Any thread.
  */
 package org.myrobotlab.service.sear.run;

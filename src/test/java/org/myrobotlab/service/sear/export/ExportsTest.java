@@ -265,7 +265,7 @@ public class ExportsTest {
             exports.terminal("/dev/test_user", file.toString());
             fail("overwrote a file");
         } catch (IOException e) {
-            assertTrue(e.getMessage(), e.getMessage().contains("exists and is no link to a pseudo-terminal"));
+            assertTrue(e.getMessage(), e.getMessage().contains("exists and is not a link to a pseudo-terminal"));
         }
         assertTrue(Files.isRegularFile(file));
         assertTrue("nothing is left", exports.list().isEmpty() && !user.isOpen());
@@ -403,7 +403,7 @@ public class ExportsTest {
             exports.end("/dev/test_user");
             fail("ended twice");
         } catch (IllegalArgumentException e) {
-            assertEquals("port \"/dev/test_user\" is not exported, legal: none is", e.getMessage());
+            assertEquals("port \"/dev/test_user\" is not exported, legal: none", e.getMessage());
         }
     }
 

@@ -73,14 +73,14 @@ public class HostileVisitorsTest {
         int port = open("color");
         String get = "GET /image.jpg HTTP/1.1\r\n";
         String host = "Host: localhost:" + port + "\r\n";
-        assertEquals("403 host [evil.example:" + port + "] is refused: call this server localhost",
+        assertEquals("403 host [evil.example:" + port + "] is not allowed: call this server localhost",
             answer(port, get + "Host: evil.example:" + port + "\r\n\r\n"));
-        assertEquals("403 host [localhost] is refused: call this server localhost", answer(port, get + "Host: localhost\r\n\r\n"));
-        assertEquals("403 host [] is refused: call this server localhost", answer(port, get + "\r\n"));
+        assertEquals("403 host [localhost] is not allowed: call this server localhost", answer(port, get + "Host: localhost\r\n\r\n"));
+        assertEquals("403 host [] is not allowed: call this server localhost", answer(port, get + "\r\n"));
         assertTrue(answer(port, get + host + "Host: evil.example\r\n\r\n").startsWith("403 host [localhost:"));
-        assertEquals("403 pages of [http://evil.example] are refused", answer(port, get + host + "Origin: http://evil.example\r\n\r\n"));
-        assertEquals("403 pages of [null] are refused", answer(port, get + host + "Origin: null\r\n\r\n"));
-        assertEquals("405 method POST is refused here, legal: GET",
+        assertEquals("403 pages of [http://evil.example] are not allowed", answer(port, get + host + "Origin: http://evil.example\r\n\r\n"));
+        assertEquals("403 pages of [null] are not allowed", answer(port, get + host + "Origin: null\r\n\r\n"));
+        assertEquals("405 method POST is not allowed, legal: GET",
             answer(port, "POST /image.jpg HTTP/1.1\r\n" + host + "Content-Length: 5\r\n\r\nhello"));
         for (String own : new String[] {"LOCALHOST:", "127.0.0.1:", "[::1]:"}) {
             try (Visitor visitor = new Visitor(port, SMALL)) {
@@ -113,7 +113,7 @@ public class HostileVisitorsTest {
         String end = "\r\nHost: localhost:" + port + "\r\n\r\n";
         for (String line : new String[] {"", "GET", "GET /image.jpg", "GET  /image.jpg HTTP/1.1", "GET /image.jpg HTTP/2.0", "PRI * HTTP/2.0",
             "GET /im\u00e4ge.jpg HTTP/1.1", "\u0016\u0003\u0001", "GET /image.jpg HTTP/1.1 "}) {
-            assertEquals(line, "400 this is no request of HTTP/1.1", answer(port, line + end));
+            assertEquals(line, "400 this is not an HTTP/1.1 request", answer(port, line + end));
         }
         assertEquals("400 a line of the request's head has no name", answer(port, "GET / HTTP/1.1\r\n: x" + end));
         for (String path : new String[] {"/../../etc/passwd", "/%2e%2e/image.jpg", "/image.jpg/", "//image.jpg", "*", "/?action=stream"}) {
@@ -187,7 +187,7 @@ public class HostileVisitorsTest {
         }
         try (Visitor late = Visitor.at(port, "/stream.mjpg")) {
             assertEquals(503, late.status);
-            assertEquals("128 programs look already, which is as many as there may be", late.text());
+            assertEquals("128 programs are connected, the most that the camera serves", late.text());
         }
         for (Visitor visitor : visitors) {
             visitor.close();

@@ -100,7 +100,7 @@ public class RunParametersTest {
         for (int i = 0; i < 1000; i++) {
             RunParameters.setResult("number" + i, i);
         }
-        assertEquals("result more is one too many, legal: at most 1000 of a run", refused(() -> RunParameters.setResult("more", 1)));
+        assertEquals("result more is one too many, legal: at most 1000 per run", refused(() -> RunParameters.setResult("more", 1)));
         RunParameters.setResult("number7", 8);
         Map<String, Object> taken = RunParameters.takeResults();
         assertEquals(1000, taken.size());

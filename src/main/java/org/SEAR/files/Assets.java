@@ -8,32 +8,33 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * The pictures and models of a project: files below its {@code assets/} folder, and for paths that it doesn't have, those that come with SEAR
- * ({@code models/Tree/Tree.mesh.xml}, {@code textures/roomba.jpg} and others), or pictures that are {@link MadePictures made}. Immutable, any thread.
+ * The pictures and models of a project: files below its {@code assets/} folder, else files that come with SEAR ({@code
+ * models/Tree/Tree.mesh.xml}, {@code textures/roomba.jpg} and others), else {@link MadePictures generated pictures}.
+ * Immutable, any thread.
  */
 public final class Assets {
-    /** Where the assets that come with SEAR lie on the class path. */
+    /** Class path of the assets that come with SEAR. */
     public static final String SHIPPED = "org/SEAR/assets/";
 
     private final Path folder;
 
-    /** @param folder the project's own assets; it may not exist */
+    /** @param folder the project's own assets; may be missing */
     public Assets(Path folder) {
         this.folder = folder;
     }
 
-    /** The path as it is looked up: {@code ./textures/roomba.jpg} becomes {@code textures/roomba.jpg}. */
+    /** Returns the normalised path: {@code ./textures/roomba.jpg} becomes {@code textures/roomba.jpg}. */
     public static String normal(String path) {
         return path.startsWith("./") ? normal(path.substring(2)) : path;
     }
 
-    /** The folder of the project's own assets; it may not exist. */
+    /** Returns the folder of the project's own assets, which may be missing. */
     public Path getFolder() {
         return folder;
     }
 
     /**
-     * Whether there is such an asset.
+     * Returns whether the asset exists.
      *
      * @param path as written in an object
      */
@@ -43,7 +44,7 @@ public final class Assets {
     }
 
     /**
-     * Bytes of an asset.
+     * Returns the size of an asset, bytes.
      *
      * @param path as written in an object
      * @throws FileNotFoundException if there is none
@@ -59,23 +60,23 @@ public final class Assets {
     }
 
     /**
-     * Refuses a picture that can't be unpacked, or takes too much memory then.
+     * Throws if a picture can't be decoded, or needs too much memory.
      *
      * @param path as written in an object
-     * @throws UnreadablePicture if it does no harm but can't be shown
-     * @throws IOException that names the file, what is wrong and what is legal
+     * @throws UnreadablePicture if it is harmless but can't be shown
+     * @throws IOException with the file, the problem and legal values
      */
     public void checkPicture(String path) throws IOException {
         readPicture(path);
     }
 
     /**
-     * The bytes of a picture that can be unpacked without harm.
+     * Returns the bytes of a picture that is safe to decode.
      *
      * @param path as written in an object
-     * @return without what doesn't belong to its pixels
-     * @throws UnreadablePicture if it does no harm but can't be shown
-     * @throws IOException that names the file, what is wrong and what is legal
+     * @return the file without data that its pixels don't need
+     * @throws UnreadablePicture if it is harmless but can't be shown
+     * @throws IOException with the file, the problem and legal values
      */
     public byte[] readPicture(String path) throws IOException {
         try (InputStream in = open(path)) {
@@ -84,10 +85,10 @@ public final class Assets {
     }
 
     /**
-     * The bytes of an asset.
+     * Opens an asset.
      *
      * @param path as written in an object
-     * @throws FileNotFoundException that says where it should be
+     * @throws FileNotFoundException with its expected path
      */
     public InputStream open(String path) throws IOException {
         Path file = folder.resolve(normal(path));
@@ -99,7 +100,7 @@ public final class Assets {
             return new ByteArrayInputStream(MadePictures.of(normal(path)));
         }
         if (shipped == null) {
-            throw new FileNotFoundException("no asset \"" + path + "\": put the file to " + file);
+            throw new FileNotFoundException("no asset \"" + path + "\": save the file as " + file);
         }
         return shipped;
     }

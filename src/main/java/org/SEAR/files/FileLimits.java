@@ -2,23 +2,23 @@ package org.SEAR.files;
 
 import java.io.IOException;
 
-/** What is wrong with a file of somebody's, and how large pictures may be; docs/projects.md has the same numbers. Any thread. */
+/** Error messages for files, and limits of pictures, documented in docs/projects.md. Any thread. */
 public final class FileLimits {
-    /** Bytes of a picture's file. */
+    /** Most bytes of a picture's file. */
     public static final int MAX_PICTURE = 64 << 20;
-    /** Pixels of a picture, width times height. */
+    /** Most pixels of a picture, width times height. */
     static final long MAX_PIXELS = 32_000_000;
-    /** Characters of a value that are told. */
+    /** Most characters of a value in a message. */
     private static final int REPORTED = 80;
 
     private FileLimits() {
     }
 
     /**
-     * Says what is wrong with a file.
+     * Returns an error about a file.
      *
      * @param what the field of the file
-     * @param legal what would have been right
+     * @param legal legal values
      */
     public static IOException wrong(String file, String what, Object value, String legal) {
         String text = String.valueOf(value);
@@ -27,9 +27,9 @@ public final class FileLimits {
     }
 
     /**
-     * Refuses a value outside of a range.
+     * Throws if a value is out of range.
      *
-     * @throws IOException that names it
+     * @throws IOException with the value
      */
     public static void range(String file, String what, long value, long low, long high) throws IOException {
         if (value < low || value > high) {

@@ -9,21 +9,24 @@ import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 
 /**
- * Pictures that no file has, drawn when somebody asks for their path: markers, {@code made/marker/DICT_4X4_50/7.png}, and chessboards of so many
- * columns and rows, {@code made/chessboard/10x7.png}. Around them is a white margin, of a marker as wide as one of its cells, of a chessboard as one
- * of its squares. And a test card, {@code made/testcard.png}: bars of eight colours. Any thread.
+ * Pictures generated on request by path. Markers: {@code made/marker/DICT_4X4_50/7.png}. Chessboards by columns and
+ * rows: {@code made/chessboard/10x7.png}. Both have a white margin, as wide as one cell of the marker or one square of
+ * the board. A test card with bars of eight colours: {@code made/testcard.png}. Any thread.
  */
 public final class MadePictures {
     private static final String FOLDER = "made/";
     private static final Pattern MARKER = Pattern.compile("made/marker/(DICT_([4-7])X[4-7]_(50|100|250|1000)|APRILTAG_36h11)/(\\d{1,4})\\.png");
     private static final Pattern CHESSBOARD = Pattern.compile("made/chessboard/(\\d{1,2})x(\\d{1,2})\\.png");
     private static final int APRILTAG_CELLS = 6;
-    /** Pixels of the longer side, about which pages show without making it smaller. */
+    /** Most pixels of the longer side, about what pages show unreduced. */
     private static final int LONGEST = 512;
-    /** Pixels of a cell: a power of 2, so that smaller pictures of it keep its edges. */
+    /** Most pixels of a cell: a power of 2, so that smaller pictures keep its edges. */
     private static final int FINEST = 32;
     private static final int WHITE = 0xffffff;
-    /** White paper. In full sun and sky light, 1.32 of white, it is just white: more would spread over the edges of what is black. */
+    /**
+     * White paper. Full sun and sky light of 1.32 times white makes it just white; a brighter paper would blur into
+     * black edges.
+     */
     private static final int PAPER = 0xc1c1c1;
     private static final String TEST_CARD = FOLDER + "testcard.png";
     private static final int[] BARS = {WHITE, 0xffff00, 0x00ffff, 0x00ff00, 0xff00ff, 0xff0000, 0x0000ff, 0};
@@ -31,7 +34,7 @@ public final class MadePictures {
     private MadePictures() {
     }
 
-    /** Whether there is such a picture. */
+    /** Returns whether the picture exists. */
     static boolean isThere(String path) {
         try {
             return path.startsWith(FOLDER) && of(path) != null;
@@ -41,10 +44,10 @@ public final class MadePictures {
     }
 
     /**
-     * A PNG file.
+     * Returns a PNG file.
      *
      * @param path with forward slashes
-     * @return null if it is none of these
+     * @return null for any other path
      */
     public static byte[] of(String path) throws IOException {
         if (!path.startsWith(FOLDER)) {
@@ -76,7 +79,7 @@ public final class MadePictures {
         });
     }
 
-    /** The square at the top left is black. */
+    /** Draws a chessboard; its top left square is black. */
     private static byte[] chessboardFile(int columns, int rows) throws IOException {
         return file(columns + 2, rows + 2, (column, row) -> {
             boolean margin = Math.min(row, column) == 0 || row > rows || column > columns;
@@ -100,9 +103,9 @@ public final class MadePictures {
         return bytes.toByteArray();
     }
 
-    /** What is in the cells of a picture. */
+    /** Colours of the cells of a picture. */
     private interface Colors {
-        /** 0xRRGGBB, from the top left. */
+        /** Returns 0xRRGGBB of a cell, counted from the top left. */
         int of(int column, int row);
     }
 }

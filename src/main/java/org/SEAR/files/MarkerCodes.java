@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * The codes of ArUco's and AprilTag's markers: a line of hexadecimal digits for each, a bit a cell, row by row from the top left. Smaller
- * dictionaries are the beginnings of larger ones. Any thread.
+ * Codes of ArUco and AprilTag markers: one line of hexadecimal digits per marker, one bit per cell, row by row from the
+ * top left. Smaller dictionaries are the beginnings of larger ones. Any thread.
  */
 final class MarkerCodes {
     private static final int HEX = 16;
@@ -18,11 +18,11 @@ final class MarkerCodes {
     }
 
     /**
-     * The cells of a marker within its black edge.
+     * Returns the cells of a marker within its black edge.
      *
      * @param family the file with its codes
-     * @param cells of a row
-     * @return row by row from the top left, whether each is white; null if there is no such marker
+     * @param cells cells per row
+     * @return whether each cell is white, row by row from the top left; null for an unknown marker
      */
     static boolean[] of(String family, int cells, int id) throws IOException {
         String[] codes = KNOWN.get(family);

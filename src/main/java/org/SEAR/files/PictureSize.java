@@ -16,28 +16,28 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 
-/** How large a picture is when it is unpacked, read from its head. Any thread. */
+/** Reads the decoded size of a picture from its header. Any thread. */
 public final class PictureSize {
     private static final int PNG_HEAD = 8;
     private static final int PNG_AROUND = 12;
-    /** What a PNG shows; its other parts are texts and colour profiles, which may be packed as well. */
+    /** Parts of a PNG that affect its pixels; others are texts and colour profiles, which may be compressed, too. */
     private static final Set<String> PNG_PARTS = Set.of("IHDR", "PLTE", "IDAT", "IEND", "tRNS", "gAMA", "sRGB");
     private static final Pattern HDR_SIZE = Pattern.compile("[-+]Y (\\d{1,9}) [-+]X (\\d{1,9})");
     private static final int HDR_HEAD = 4096;
     private static final int DDS_HEAD = 128;
     private static final int TGA_HEAD = 18;
-    /** Mip maps, cube sides and slices of a .dds add up to no more than so many pictures of its size. */
+    /** Limit of a .dds: all mip maps, cube sides and slices together, in pictures of its size. */
     private static final int MAX_DDS_PARTS = 8;
 
     private PictureSize() {
     }
 
     /**
-     * A picture that can be unpacked without harm.
+     * Checks that a picture is safe to decode.
      *
-     * @param name its file, with the ending that says the format
-     * @return the same picture, without what doesn't belong to its pixels
-     * @throws IOException that names the file, its size and the limit
+     * @param name its file, whose ending tells the format
+     * @return the picture without data that its pixels don't need
+     * @throws IOException with the file, its size and the limit
      */
     public static byte[] checked(byte[] bytes, String name) throws IOException {
         FileLimits.range(name, "the file's size", bytes.length, 1, FileLimits.MAX_PICTURE);

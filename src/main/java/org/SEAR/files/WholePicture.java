@@ -4,12 +4,15 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.zip.CRC32;
 
-/** Whether a PNG, JPEG or GIF has its end, and a PNG the bytes that were written: who unpacks a cut one may fill the rest with grey. Any thread. */
+/**
+ * Checks that a PNG, JPEG or GIF is complete, and that a PNG's checksums are right. Decoders may fill an incomplete
+ * picture with grey. Any thread.
+ */
 final class WholePicture {
     private static final int PNG = 0x89504e47;
     private static final int PNG_HEAD = 8;
     private static final int PNG_END = 0x49454e44;
-    /** Set in the types of parts that no pixel needs. */
+    /** Bit in the type of a part that no pixel needs. */
     private static final int PNG_EXTRA = 0x20000000;
     private static final int GIF = 0x47494638;
     private static final int JPEG = 0xffd8ff;
@@ -20,9 +23,9 @@ final class WholePicture {
     }
 
     /**
-     * Looks at the parts of a picture; of other formats at nothing.
+     * Checks a picture's parts; accepts other formats unchecked.
      *
-     * @throws UnreadablePicture that names the file and what is broken
+     * @throws UnreadablePicture with the file and the damage
      */
     static void require(byte[] bytes, String name) throws IOException {
         int magic = bytes.length < 4 ? 0 : ByteBuffer.wrap(bytes).getInt();
@@ -60,7 +63,7 @@ final class WholePicture {
         throw broken(name, "its end is missing after byte " + at + ": is it cut off?");
     }
 
-    /** Some programs fill a file up with zeros. */
+    /** Returns whether the end precedes a padding of zeros, which some programs write. */
     private static boolean hasEndBefore(byte[] bytes) {
         int last = bytes.length - 1;
         while (last > 0 && bytes[last] == 0) {
@@ -69,7 +72,10 @@ final class WholePicture {
         return bytes[last] == ';';
     }
 
-    /** Behind the first scan's head FF D9 can only be the end; a small picture inside the camera's data, before it, has an end of its own. */
+    /**
+     * Returns whether FF D9 follows the first scan's header, where it can only be the end. A thumbnail in the metadata
+     * before it has its own end.
+     */
     private static boolean hasJpegEnd(byte[] bytes) {
         int at = 2;
         while (at + 4 <= bytes.length && (bytes[at] & 0xff) == 0xff && (bytes[at + 1] & 0xff) != SCAN) {

@@ -1,5 +1,5 @@
 /**
- * Files that a project brings along or that come with SEAR: finding them, how large they may be, whether a picture is whole; and pictures that are
- * drawn when they are asked for. Uses no other package of SEAR. Any thread.
+ * Files of a project and files that come with SEAR: lookup, size limits, completeness of pictures, and pictures
+ * generated on request. Uses no other package of SEAR. Any thread.
  */
 package org.SEAR.files;

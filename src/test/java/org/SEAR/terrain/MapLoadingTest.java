@@ -249,6 +249,6 @@ public class MapLoadingTest {
         }
         write("map.tif", "");
         refused(all("map.tif"), "map.tif: the file's size is 0, legal: 1 to 4294967296");
-        refused(all("none.tif"), "no asset \"none.tif\": put the file to ");
+        refused(all("none.tif"), "no asset \"none.tif\": save the file as ");
     }
 }

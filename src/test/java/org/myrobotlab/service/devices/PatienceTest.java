@@ -97,7 +97,7 @@ public class PatienceTest {
         assertTrue("the thread was kept", starved.held);
         assertEquals("one question, one scan", 1, lidar.getScanCount());
         assertNull(lidar.getLastError());
-        assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().contains("goes on without it"));
+        assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().contains("continues without it"));
     }
 
     @Test
@@ -111,7 +111,7 @@ public class PatienceTest {
         lidar.singleScan();
         sear.simSleep(1);
         assertTrue(heard.awaitStatus("warn: a callback has been busy for more than 5 s: lock-step waits for it, 60 s at most"));
-        assertTrue(heard.awaitStatus("warn: a callback has been busy for more than 60 s: lock-step goes on"));
+        assertTrue(heard.awaitStatus("warn: a callback has been busy for more than 60 s: lock-step continues"));
         assertEquals("[]", String.valueOf(python.get("seen")));
         hang.countDown();
         assertTrue(String.valueOf(python.getLastError()), python.exec(String.join("\n",

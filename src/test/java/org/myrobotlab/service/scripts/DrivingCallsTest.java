@@ -134,7 +134,7 @@ public class DrivingCallsTest {
         assertEquals("spin: speed is 1.0E9, legal: -3600.0 to 3600.0 degrees per second", refused(() -> sear.spin(1e9)));
         assertEquals("setWheelSpeeds: right is -101.0, legal: -100.0 to 100.0 m/s", refused(() -> sear.setWheelSpeeds(0, -101)));
         assertEquals("drive: radius is NaN, legal: metres, + to the left, 0 or infinity", refused(() -> sear.drive(1, Double.NaN)));
-        assertEquals("there is no robot \"rover\"; there are: roomba", refused(() -> sear.spin("rover", 10)));
+        assertEquals("there is no robot \"rover\"; robots: roomba", refused(() -> sear.spin("rover", 10)));
         assertTrue(refused(() -> sear.getReading("pong")).contains("ping"));
         assertTrue(refused(() -> sear.getSensorUnit("pong")).contains("ping"));
         assertTrue(sear.isSimulating());

@@ -112,7 +112,7 @@ public class RecordCallsTest {
         sear.simSleep(1);
         Map<String, Object> frames = sear.getRecordFrames(file);
         assertEquals(Map.of("whole", false, "written", true), Map.of("whole", frames.get("whole"), "written", frames.get("written")));
-        assertTrue(heard.getStatuses().toString(), heard.awaitStatus(file + " is still being written: what it has so far is read"));
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus(file + " is still being written: SEAR reads it up to its latest event"));
         sear.stopSimulation();
         assertEquals(true, sear.getRecordFrames(file).get("whole"));
         Path cut = temporary.getRoot().toPath().resolve("cut.searlog");

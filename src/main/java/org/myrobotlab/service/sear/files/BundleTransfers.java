@@ -10,16 +10,16 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * Bundles on their way to and from a panel in a browser, in parts small enough for MyRobotLab's messages (1 MiB). One upload and one download at a
- * time; beginning another forgets the former. Any thread.
+ * Transfers bundles to and from a panel in a browser, in parts that fit MyRobotLab's messages (1 MiB). One upload and
+ * one download at a time; a new one replaces the previous. Any thread.
  */
 public final class BundleTransfers {
-    /** Bytes of a part that is sent to a panel. */
+    /** Bytes of a part sent to a panel. */
     static final int PART = 192 * 1024;
-    /** Bytes of the greatest bundle that panels may send. */
+    /** Bytes of the largest bundle that panels may send. */
     static final int GREATEST = 256 * 1024 * 1024;
     private static final String DOWNLOAD = "project.sear";
-    /** Characters; file systems take 255 bytes. */
+    /** Characters; file systems allow 255 bytes. */
     private static final int LONGEST_NAME = 60;
 
     private final Work save;
@@ -28,15 +28,15 @@ public final class BundleTransfers {
     private int expected;
     private byte[] download = {};
 
-    /** Something that is done with a bundle's file. */
+    /** An action on a bundle's file. */
     public interface Work {
-        /** @throws Exception that says why it could not be done */
+        /** @throws Exception with the reason of a failure */
         void on(Path bundle) throws Exception;
     }
 
     /**
      * @param save writes the project as a bundle
-     * @param load replaces the project by a bundle
+     * @param load replaces the project with a bundle
      */
     public BundleTransfers(Work save, Work load) {
         this.save = save;
@@ -44,13 +44,13 @@ public final class BundleTransfers {
     }
 
     /**
-     * Takes the next part of a bundle; with the last one the project is replaced by it.
+     * Takes the next part of a bundle; the last one replaces the project.
      *
-     * @param name as the user's computer calls the file
+     * @param name file name on the user's computer
      * @param index from 0, in order
-     * @param count how many parts there are
+     * @param count number of parts
      * @param base64 the part
-     * @return whether that was the last part
+     * @return whether this was the last part
      */
     public synchronized boolean receive(String name, int index, int count, String base64) throws Exception {
         if (index == 0) {
@@ -58,7 +58,7 @@ public final class BundleTransfers {
             expected = 0;
         }
         if (index != expected || index >= count) {
-            throw new IllegalArgumentException("part " + index + " of " + count + " of " + name + " came out of order, expected " + expected
+            throw new IllegalArgumentException("part " + index + " of " + count + " of " + name + " arrived out of order, expected " + expected
                 + ": upload the file again");
         }
         byte[] part = decoded(name, base64);
@@ -80,7 +80,7 @@ public final class BundleTransfers {
         return true;
     }
 
-    /** What the user's computer calls a file, without what a name can't have here: errors and progress are told under it. */
+    /** Returns the user's file name without characters illegal here; errors and progress show it. */
     private static String fileName(String name) {
         String last = name == null ? "" : name.replaceAll(".*[/\\\\]", "").replaceAll("[\\p{Cntrl}:*?\"<>|]", "_").trim();
         return last.replace(".", "").isEmpty() ? DOWNLOAD : last.substring(Math.max(0, last.length() - LONGEST_NAME));
@@ -90,12 +90,12 @@ public final class BundleTransfers {
         try {
             return Base64.getDecoder().decode(base64);
         } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException(name + " was damaged on its way (" + e.getMessage() + "): upload the file again", e);
+            throw new IllegalArgumentException(name + " was damaged in transfer (" + e.getMessage() + "): upload the file again", e);
         }
     }
 
     /**
-     * A part of the project's bundle; the bundle is made when the first part is asked for.
+     * Returns a part of the project's bundle; the first part creates the bundle.
      *
      * @return {@code {"index", "count", "data"}}, data in base64
      */

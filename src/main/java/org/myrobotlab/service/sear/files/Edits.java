@@ -18,13 +18,14 @@ import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
- * Edits of the present project for scripts and panels: what {@link ProjectEditor} takes, and {@code undo} and {@code redo}. What is moved while a
- * simulation runs moves there, too. Any thread.
+ * Edits of the present project for scripts and panels: those of {@link ProjectEditor}, and {@code undo} and
+ * {@code redo}. A move also moves the object in a running simulation. Any thread.
  *
  * <pre>
- * {"done": true, "page": "7f3a" (as it stood in the edit), "words": "move crate" (empty if it was so already), "object": "crate" or null,
- *  "files": ["environment/crate.xml"], "note": "..." or null, "undo": "move crate" or null, "redo": null, "problems": []}
- * {"done": false, "page": "7f3a", "problems": [{"file", "line", "field", "value", "legal"}], "reason": ".." (where there are no problems)}
+ * {"done": true, "page": "7f3a" (copied from the edit), "words": "move crate" (empty if nothing changed),
+ *  "object": "crate" or null, "files": ["environment/crate.xml"], "note": "..." or null, "undo": "move crate" or null, "redo": null, "problems": []}
+ * {"done": false, "page": "7f3a", "problems": [{"file", "line", "field", "value", "legal"}],
+ *  "reason": ".." (if there are no problems)}
  * </pre>
  */
 public final class Edits {
@@ -33,7 +34,7 @@ public final class Edits {
 
     private final SimulationControl control;
 
-    /** @param control of the simulation in which things move */
+    /** @param control the simulation in which objects move */
     public Edits(SimulationControl control) {
         this.control = control;
     }
@@ -42,7 +43,7 @@ public final class Edits {
         return new ProjectEditor(Projects.folder());
     }
 
-    /** What may be made: {@code types} as {@link Grammar} tells them, and {@code templates} of robots. */
+    /** Returns the objects that can be created: {@code types}, see {@link Grammar}, and {@code templates} of robots. */
     public static Map<String, Object> grammar() {
         Map<String, Object> grammar = new LinkedHashMap<>();
         grammar.put("types", Grammar.types());
@@ -51,9 +52,9 @@ public final class Edits {
     }
 
     /**
-     * An object as it stands in its file, see {@link ProjectEditor#object}.
+     * Returns an object as its file describes it, see {@link ProjectEditor#object}.
      *
-     * @return with {@code gone} if there is none of that name that can be read
+     * @return with {@code gone} if no readable object has this name
      */
     public static Map<String, Object> object(String name) throws IOException {
         try {
@@ -67,9 +68,9 @@ public final class Edits {
     }
 
     /**
-     * Takes back the edit in the middle of which a program was killed, before anybody reads its files.
+     * Reverts an edit that a killed program left incomplete, before its files are read.
      *
-     * @param notices get what hinders that
+     * @param notices takes the reason if that fails
      */
     public static void mend(Consumer<String> notices) {
         try {
@@ -79,15 +80,15 @@ public final class Edits {
         }
     }
 
-    /** What undo and redo would do now. */
+    /** Returns what undo and redo would change now. */
     public static Map<String, Object> state() throws IOException, ProjectException {
         return answer(editor().state(), null, null);
     }
 
     /**
-     * Does an edit.
+     * Applies an edit.
      *
-     * @throws ProjectException with all that is wrong with it; nothing has changed then
+     * @throws ProjectException with all its problems; nothing has changed then
      */
     public Map<String, Object> apply(Map<?, ?> asked) throws IOException, ProjectException, InterruptedException {
         Map<?, ?> edit = given(asked);
@@ -98,7 +99,7 @@ public final class Edits {
         return answer(outcome, edit.get("page"), note(outcome, session, UNDO.equals(kind)));
     }
 
-    /** Does an edit for a panel: what is wrong stands in the answer. */
+    /** Applies a panel's edit; the answer contains its problems. */
     public Map<String, Object> attempt(Map<?, ?> asked) throws InterruptedException {
         Map<?, ?> edit = given(asked);
         try {
@@ -110,7 +111,7 @@ public final class Edits {
         }
     }
 
-    /** None is an edit of which everything is missing. */
+    /** Treats null as an empty edit. */
     private static Map<?, ?> given(Map<?, ?> edit) {
         return edit == null ? Map.of() : edit;
     }
@@ -138,7 +139,7 @@ public final class Edits {
         return answer;
     }
 
-    /** Moves what was moved where a simulation runs. What else there is to say of an edit; null for nothing. */
+    /** Moves objects in the running simulation. Returns a note about the edit; null for none. */
     private static String note(Outcome outcome, SimulationSession session, boolean back) throws InterruptedException {
         if (session == null || outcome.files.isEmpty()) {
             return outcome.note;
@@ -152,12 +153,12 @@ public final class Edits {
         } catch (ProjectException | IllegalArgumentException e) {
             all = false;
         }
-        String later = all ? null : "a simulation runs: " + (outcome.moved.isEmpty() ? "this" : "what is no place of a thing it knows")
+        String later = all ? null : "a simulation runs: " + (outcome.moved.isEmpty() ? "this" : "everything except moves of its objects")
             + " takes effect at its next start";
         return outcome.note == null || later == null ? (outcome.note == null ? later : outcome.note) : outcome.note + "; " + later;
     }
 
-    /** The robot whose component it is, else the name itself. */
+    /** Returns the robot that has the component, else the name itself. */
     private static String whole(Project project, String name) {
         return project.getRobots().stream().filter(robot -> robot.getComponentNames().contains(name)).map(SEARrobot::getName).findFirst()
             .orElse(name);

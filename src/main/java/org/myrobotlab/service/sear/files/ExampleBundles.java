@@ -10,15 +10,18 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.SEAR.project.problems.ProjectException;
 
-/** The example bundles inside the jar, by paths such as {@code examples/office.sear}, which hold in every working folder. Any thread. */
+/**
+ * The example bundles in the jar, by paths such as {@code examples/office.sear}, valid in every working folder. Any
+ * thread.
+ */
 public final class ExampleBundles {
     private static final String FOLDER = "examples/";
     private static final String ENDING = ".sear";
     private static final String IN_JAR = "/resource/SEAR/";
-    /** A name on each line, written by the build. */
+    /** Names of the examples, one per line, written by the build. */
     private static final String LIST = "/org/SEAR/examples.txt";
 
-    /** What is done with a bundle's file. */
+    /** An action on a bundle's file. */
     public interface Work<T> {
         /** @throws ProjectException with every problem of the bundle */
         T on(Path bundle) throws IOException, ProjectException;
@@ -27,12 +30,12 @@ public final class ExampleBundles {
     private ExampleBundles() {
     }
 
-    /** Paths of all. */
+    /** Returns the paths of all example bundles. */
     static List<String> paths() throws IOException {
         return list().stream().filter(name -> name.endsWith(ENDING)).map(name -> FOLDER + name).collect(Collectors.toList());
     }
 
-    /** What the build has put into the jar: names below {@code examples}. */
+    /** Returns the names below {@code examples} that the build put into the jar. */
     static List<String> list() throws IOException {
         try (InputStream in = ExampleBundles.class.getResourceAsStream(LIST)) {
             return in == null ? List.of() : Arrays.asList(new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\n"));
@@ -40,10 +43,10 @@ public final class ExampleBundles {
     }
 
     /**
-     * Whether a bundle comes with SEAR.
+     * Returns whether a bundle is an example of SEAR.
      *
      * @param bundle the file
-     * @param path by which it was asked for
+     * @param path requested path
      */
     static boolean isOne(Path bundle, Path path) throws IOException {
         String name = path.getFileName() == null ? "" : path.getFileName().toString();
@@ -55,7 +58,7 @@ public final class ExampleBundles {
         }
     }
 
-    /** Whether a path means an example: there is no file of that name, and an example of it. */
+    /** Returns whether a path means an example in the jar: no such file exists, but such an example does. */
     public static boolean isMeant(Path path) throws IOException {
         return !Files.exists(path) && paths().contains(name(path));
     }
@@ -64,7 +67,7 @@ public final class ExampleBundles {
         return path.toString().replace('\\', '/');
     }
 
-    /** Gives somebody a bundle as a file: the one of that path; where there is none, the example of that path. */
+    /** Runs an action on the bundle file of a path, or on the example of this path if no file exists. */
     public static <T> T with(Path path, Work<T> work) throws IOException, ProjectException {
         if (!isMeant(path)) {
             return work.on(path);

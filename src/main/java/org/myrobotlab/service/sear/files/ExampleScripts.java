@@ -12,7 +12,9 @@ import java.util.List;
 import java.util.TreeSet;
 import org.myrobotlab.service.Runtime;
 
-/** The example scripts that drive a robot: those of {@code examples/drive} in the working folder, and those inside the jar. Any thread. */
+/**
+ * Example scripts that drive a robot, from {@code examples/drive} in the working folder and from the jar. Any thread.
+ */
 public final class ExampleScripts {
     private static final String PYTHON = "python";
     private static final String FOLDER = "drive/";
@@ -22,7 +24,7 @@ public final class ExampleScripts {
     private ExampleScripts() {
     }
 
-    /** Their names, such as {@code maze_solver.py}, in order. */
+    /** Returns their names, such as {@code maze_solver.py}, sorted. */
     public static List<String> names() throws IOException {
         TreeSet<String> names = new TreeSet<>();
         if (Files.isDirectory(ON_DISK)) {
@@ -35,13 +37,13 @@ public final class ExampleScripts {
     }
 
     /**
-     * The text of one.
+     * Returns the text of a script.
      *
-     * @throws IllegalArgumentException that names those there are
+     * @throws IllegalArgumentException with the available names
      */
     public static String text(String name) throws IOException {
         if (!names().contains(name)) {
-            throw new IllegalArgumentException("there is no example script \"" + name + "\"; there are " + names());
+            throw new IllegalArgumentException("there is no example script \"" + name + "\"; example scripts: " + names());
         }
         if (Files.isRegularFile(ON_DISK.resolve(name))) {
             return Files.readString(ON_DISK.resolve(name));
@@ -52,13 +54,13 @@ public final class ExampleScripts {
     }
 
     /**
-     * The name of the service that runs scripts for tabs.
+     * Returns the name of the service that runs scripts for tabs.
      *
-     * @throws IllegalStateException if it is not there
+     * @throws IllegalStateException if there is no such service
      */
     public static String runner() {
         if (Runtime.getService(PYTHON) == null) {
-            throw new IllegalStateException("no service named " + PYTHON + " is there to run scripts: Runtime.start(\"" + PYTHON
+            throw new IllegalStateException("no service named " + PYTHON + " runs scripts: call Runtime.start(\"" + PYTHON
                 + "\", \"Python\")");
         }
         return PYTHON;

@@ -12,11 +12,11 @@ import org.SEAR.project.problems.ProjectException;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
- * Edits that put a robot elsewhere in a running world say with {@code "stand": true} that it is to stand there: its height comes from what is below.
- * Any thread.
+ * Sets the height of a robot that an edit with {@code "stand": true} moves in a running world, so that it stands on the
+ * ground or object below. Any thread.
  */
 final class GroundSnap {
-    /** Lower steps are left to the springs, metres. */
+    /** Least height change, metres; springs settle smaller ones. */
     private static final double STEP = 0.01;
     private static final double DIGITS = 1e4;
 
@@ -24,7 +24,8 @@ final class GroundSnap {
     }
 
     /**
-     * The edit with the height at which the robot stands; as it is if it moves no robot, or one that stands on the ground anyway.
+     * Returns the edit with the robot's height. Returns the edit unchanged if it moves no robot, or one that stands on
+     * the ground anyway.
      *
      * @throws ProjectException if the project can't be read
      */
@@ -43,7 +44,7 @@ final class GroundSnap {
             to = Pose.ofDegrees(number(set, "x", robot.getX()), robot.getY(), number(set, "z", robot.getZ()), number(set, "rx", robot.getRx()),
                 number(set, "ry", robot.getRy()), number(set, "rz", robot.getRz()));
         } catch (NumberFormatException e) {
-            return edit;        // the editor says what is wrong
+            return edit;        // the editor reports the problem
         }
         double rise = session.rise(name, to.times(inverse(ObjectPose.of(robot))));
         if (Math.abs(rise) >= STEP) {

@@ -34,15 +34,15 @@ public final class Projects {
     private final SimulationControl control;
     private final Host host;
 
-    /** @param host hears how far saving and loading are; in its resources examples may lie */
+    /** @param host takes the progress of saving and loading; its resources may contain examples */
     public Projects(SimulationControl control, Host host) {
         this.control = control;
         this.host = host;
     }
 
     /**
-     * Paths of the example bundles, ordered by name: from {@code examples} in the working folder, else from MyRobotLab's resources of SEAR, else from
-     * the jar, so that those that come with SEAR are there in every folder.
+     * Returns the paths of the example bundles, sorted by name: from {@code examples} in the working folder, else from
+     * MyRobotLab's resources of SEAR, else from the jar. SEAR's own examples are therefore available in every folder.
      */
     public List<String> examples() throws IOException {
         Map<String, String> found = new TreeMap<>();
@@ -57,15 +57,17 @@ public final class Projects {
         return new ArrayList<>(found.values());
     }
 
-    /** {@code SEARproject} in the working folder, or what the system property {@code sear.project} says, as the objects have it. */
+    /**
+     * Returns {@code SEARproject} in the working folder, or the system property {@code sear.project}, like the objects.
+     */
     public static Path folder() {
         return Paths.get(System.getProperty("sear.project", DEFAULT_FOLDER)).toAbsolutePath().normalize();
     }
 
     /**
-     * Puts the present project aside.
+     * Moves the present project to a backup.
      *
-     * @return where it is now; null if there was none
+     * @return its new folder; null if there was no project
      */
     public synchronized Path restart() throws IOException {
         refuseWhileRunning("newProject");
@@ -74,7 +76,7 @@ public final class Projects {
         return Bundle.newProject(folder(), new PercentProgress("replacing", folder(), host::progress));
     }
 
-    /** Refuses to take the project away from under a running simulation. */
+    /** Throws if a simulation runs, because the call would change its project. */
     public void refuseWhileRunning(String what) {
         if (control.isRunning()) {
             throw new IllegalStateException(what + " needs the simulation to be stopped: stopSimulation() first");
@@ -84,22 +86,22 @@ public final class Projects {
     /**
      * Saves the project as a bundle.
      *
-     * @param file gets the ending .sear, if it has it not; its folder must be there
+     * @param file gets the ending .sear if it has none; its folder must exist
      */
     public synchronized void save(Path file) throws IOException, ProjectException {
         Path bundle = bundle(file);
         Bundle.save(folder(), bundle, new PercentProgress("saving", bundle, host::progress));
     }
 
-    /** Saves the project as {@link #save} does, but of the terrain's maps only the area that is used. */
+    /** Saves the project like {@link #save}, but only the used area of the terrain's maps. */
     public synchronized void saveCut(Path file) throws IOException, ProjectException {
         Path bundle = bundle(file);
         if (!Bundle.saveCut(folder(), bundle, new PercentProgress("saving", bundle, host::progress))) {
-            host.progress(bundle + " has everything: there is no Terrain with a setArea in a map that can be cut");
+            host.progress(bundle + " contains everything: the project has no Terrain with a setArea in a map that SEAR can cut");
         }
     }
 
-    /** The file to write, if it may be written. */
+    /** Returns the file to write after checking that it can be written. */
     private static Path bundle(Path file) throws IOException {
         if (!Files.isDirectory(folder())) {
             throw new IOException("there is no project folder " + folder() + ": create some objects first (org.SEAR.POJOs)");
@@ -110,19 +112,20 @@ public final class Projects {
         }
         Path parent = bundle.toAbsolutePath().normalize().getParent();
         if (parent == null || !Files.isDirectory(parent)) {
-            throw new IOException(bundle + " can't be saved, there is no folder " + parent + ": make it, or choose another");
+            throw new IOException(bundle + " can't be saved: there is no folder " + parent + "; create it, or choose another");
         }
         if (!Files.exists(bundle) && !Files.notExists(bundle)) {
-            throw new IOException(bundle + " can't be saved, no such file can be there: choose a shorter name, or another folder");
+            throw new IOException(bundle + " can't be saved: the system can't create such a file; choose a shorter name, or another folder");
         }
         return bundle;
     }
 
     /**
-     * Saves the project for a panel, which asks its user before a file is overwritten.
+     * Saves the project for a panel, which asks the user before overwriting a file.
      *
-     * @param overwrite whether a file of that name may be overwritten
-     * @return {@code {"asked": path, "path": with the ending, "saved": whether it is, "free": where there is no file yet, null if it is saved}}
+     * @param overwrite whether to overwrite an existing file
+     * @return {@code {"asked": path, "path": with the ending, "saved": whether it was, "free": an unused path, null if
+     *     saved}}
      */
     public synchronized Map<String, Object> saveAs(String path, boolean overwrite) throws IOException, ProjectException {
         String named = withEnding(path);
@@ -154,9 +157,9 @@ public final class Projects {
     }
 
     /**
-     * Replaces the project by a bundle's, once that is read whole and found valid.
+     * Replaces the project with a bundle's after reading and checking the whole bundle.
      *
-     * @param file may be an example's path that is not on the disk
+     * @param file may be an example's path without a file
      */
     public synchronized void load(Path file) throws IOException, ProjectException {
         refuseWhileRunning("loadProject");
@@ -177,8 +180,8 @@ public final class Projects {
     /**
      * Adds a robot of a bundle or folder to the project.
      *
-     * @param robot its name there; null or empty if it is the only one
-     * @return its name here
+     * @param robot its name in the bundle; null or empty for the only one
+     * @return its name in the project
      */
     public synchronized String importRobot(Path file, String robot) throws IOException, ProjectException {
         refuseWhileRunning("importRobot");
@@ -190,7 +193,7 @@ public final class Projects {
     /**
      * Adds the environment of a bundle or folder to the project.
      *
-     * @return the names of the objects here
+     * @return the objects' names in the project
      */
     public synchronized List<String> importEnvironment(Path file) throws IOException, ProjectException {
         refuseWhileRunning("importEnvironment");
@@ -207,12 +210,12 @@ public final class Projects {
         control.scriptSession().projectTaken();
         renamed.forEach((old, now) -> {
             if (!old.equals(now)) {
-                host.progress("\"" + old + "\" is called \"" + now + "\" here, because that name was taken");
+                host.progress("imported \"" + old + "\" as \"" + now + "\", because that name was in use");
             }
         });
     }
 
-    /** The Python script that makes the project's objects. */
+    /** Returns the Python script that creates the project's objects. */
     public synchronized String script() throws ProjectException {
         return ProjectScript.of(Project.read(folder()));
     }
@@ -221,22 +224,22 @@ public final class Projects {
      * Copies a template into a folder.
      *
      * @return the copy
-     * @throws IOException if that exists already
+     * @throws IOException if the file exists
      */
     public Path copyTemplate(String name, String folder) throws IOException {
         if (!TEMPLATES.contains(name)) {
-            throw new IllegalArgumentException("there is no template \"" + name + "\"; there are " + TEMPLATES);
+            throw new IllegalArgumentException("there is no template \"" + name + "\"; templates: " + TEMPLATES);
         }
         if (folder == null) {
             throw new IllegalArgumentException("the folder is missing (None), legal: the path of a folder, such as \"SEARproject\"");
         }
         Path copy = Paths.get(folder).resolve(name);
         if (Files.exists(copy)) {
-            throw new IOException(copy + " exists already: delete or rename it to get a fresh one");
+            throw new IOException(copy + " already exists: delete or rename it to get a new copy");
         }
         try (InputStream in = Projects.class.getResourceAsStream("/templates/" + name)) {
             if (in == null) {
-                throw new IOException("this sear.jar lacks templates/" + name);
+                throw new IOException("this sear.jar has no templates/" + name);
             }
             Files.createDirectories(copy.toAbsolutePath().getParent());
             Path temporary = copy.resolveSibling("." + name + ".tmp");

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
-/** What scripts can call, as docs/scripting.md has it: for editors that complete what is typed. Any thread. */
+/** The calls of scripts, as in docs/scripting.md, for completion in editors. Any thread. */
 public final class ScriptCalls {
     private static final String LIST = "/org/SEAR/script-calls.txt";
     private static final int COLUMNS = 4;
@@ -15,7 +15,10 @@ public final class ScriptCalls {
     private ScriptCalls() {
     }
 
-    /** {@code {"type": "SEAR", "name": "simSleep", "parameters": "seconds", "doc": ..}}, in the order of the page. */
+    /**
+     * Returns {@code {"type": "SEAR", "name": "simSleep", "parameters": "seconds", "doc": ..}}, in the order of the
+     * page.
+     */
     public static List<Map<String, String>> list() throws IOException {
         List<Map<String, String>> calls = new ArrayList<>();
         try (InputStream in = ScriptCalls.class.getResourceAsStream(LIST)) {

@@ -1,6 +1,6 @@
 /**
- * Saving, loading and importing projects, and moving them to and from a browser. Uses {@link org.SEAR.project.bundle},
- * {@link org.SEAR.project.edit}, {@link org.SEAR.project.script} and {@link org.myrobotlab.service.sear.run}, and what these use. Any thread; one
- * call at a time.
+ * Saving, loading and importing projects, and transferring them to and from a browser. Uses
+ * {@link org.SEAR.project.bundle}, {@link org.SEAR.project.edit}, {@link org.SEAR.project.script} and
+ * {@link org.myrobotlab.service.sear.run}, and what these use. Any thread; one call at a time.
  */
 package org.myrobotlab.service.sear.files;

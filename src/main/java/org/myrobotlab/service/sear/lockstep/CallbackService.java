@@ -1,7 +1,10 @@
 package org.myrobotlab.service.sear.lockstep;
 
-/** A service that carries out callbacks on a thread of its own, behind its messages, and {@link FencePass passes} with them. Any thread. */
+/**
+ * A service that runs callbacks on a separate thread, after its messages, and {@link FencePass passes} among them. Any
+ * thread.
+ */
 public interface CallbackService {
-    /** That thread; null before the first callback. */
+    /** Returns the thread of its callbacks; null before the first one. */
     Thread getCallbackThread();
 }

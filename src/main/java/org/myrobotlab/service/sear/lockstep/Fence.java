@@ -13,22 +13,28 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Waits until MyRobotLab's services have dealt with their messages, so that in lock-step a script's callbacks have run when simSleep returns.
+ * Waits until MyRobotLab's services have processed their messages, so that in lock-step a script's callbacks have run
+ * when simSleep returns.
  *
- * <p>It sends messages of its own behind all others and waits until they come back: first out of each outbox, straight to SEAR; then through each
- * inbox, where the service is asked to put one into its outbox ({@code out(Message)}), again for SEAR. Python has a queue of its own for callbacks:
- * there a callback {@code _sear_fence.passed(pass)} is sent, which is a variable of that name in the script's globals. What a callback publishes
- * goes through the queues once more, so this is repeated until nothing waited in two rounds one after the other.
+ * <p>Sends its own messages behind all others and waits for their return. The first go from each outbox straight to
+ * SEAR. The next go through each inbox and ask the service to put a message into its outbox ({@code out(Message)}),
+ * again for SEAR. Python has a separate queue of callbacks; there the fence sends the callback
+ * {@code _sear_fence.passed(pass)}, where {@code _sear_fence} is a global variable of the script. Messages from
+ * callbacks pass the queues again, so the fence repeats this until two rounds in a row find empty queues.
  *
- * <p>One thread at a time may wait. A service whose thread waits for simulated time itself, in a callback that sleeps, is not waited for.
+ * <p>One thread at a time may wait. The fence does not wait for a service whose thread itself waits for simulated time,
+ * in a callback that sleeps.
  */
 public final class Fence {
-    /** SEAR's method for what comes back out of an outbox. */
+    /** SEAR's method for messages that return from an outbox. */
     public static final String CALLBACK = "onFence";
 
     private static final long LOOK_MILLIS = 1;
     private static final int CLEAN_ROUNDS = 2;
-    /** Python names the variables of a callback's arguments after sender and method, and compiles the call only once: these never change. */
+    /**
+     * Constants: Python names the variables of a callback's arguments after sender and method, and compiles the call
+     * once.
+     */
     private static final String SENDER = "sear";
     private static final String SENDING = "fence";
     private static final String VARIABLE = "_sear_fence";
@@ -37,9 +43,9 @@ public final class Fence {
 
     private final Host host;
     private final SleepingThreads sleepers;
-    /** By service, the thread that its callbacks run on, as its passes have shown. */
+    /** Callback thread by service, learned from its passes. */
     private final Map<ServiceInterface, Thread> handlers = new ConcurrentHashMap<>();
-    /** By outbox or service, the pass that did not come back in time. */
+    /** Overdue pass by outbox or service. */
     private final Map<Object, FencePass> late = new HashMap<>();
     private final Map<ServiceInterface, FencePass> greetings = new HashMap<>();
     private boolean reportedOfWaiting;
@@ -50,7 +56,7 @@ public final class Fence {
         this.sleepers = sleepers;
     }
 
-    /** Learns on which threads Python runs callbacks: a pass is sent and not waited for. */
+    /** Learns the threads of Python's callbacks: sends a pass without waiting for it. */
     synchronized void greet() {
         for (ServiceInterface service : Runtime.getServices()) {
             if (service instanceof Python && service.isRunning() && !handlers.containsKey(service)) {
@@ -59,7 +65,7 @@ public final class Fence {
         }
     }
 
-    /** At once if nobody listens. */
+    /** Waits; returns immediately without listeners. */
     synchronized void await() throws InterruptedException {
         long end = System.nanoTime() + Timeouts.nanos(Timeouts.END);
         int clean = 0;
@@ -100,7 +106,7 @@ public final class Fence {
         return pass;
     }
 
-    /** Whether it carries out callbacks on a thread of its own, beside its messages. */
+    /** Returns whether the service runs callbacks on a separate thread. */
     private static boolean hasCallbacks(ServiceInterface service) {
         return service instanceof Python || service instanceof CallbackService;
     }
@@ -143,7 +149,7 @@ public final class Fence {
         }
     }
 
-    /** Whether it is a service that has ended meanwhile, and answers no more. */
+    /** Returns whether the queue's service has ended and can't answer. */
     private static boolean isReleased(Object queue) {
         return queue instanceof ServiceInterface && !((ServiceInterface) queue).isRunning();
     }
@@ -159,7 +165,7 @@ public final class Fence {
         log.debug("no pass came back from {}", queue);
         if (!reportedOfGoingOn) {
             reportedOfGoingOn = true;
-            host.warn(busy(Timeouts.END) + ": lock-step goes on and no longer waits for callbacks of that service until it ends");
+            host.warn(busy(Timeouts.END) + ": lock-step continues and ignores callbacks of that service until this one ends");
         }
     }
 
@@ -167,7 +173,7 @@ public final class Fence {
         return "a callback has been busy for more than " + seconds + " s";
     }
 
-    /** Whether the service can't move before the present thread goes on, or before simulated time does. */
+    /** Returns whether the service is blocked until the present thread or simulated time continues. */
     private boolean isHeld(Object queue) {
         if (!(queue instanceof Service)) {
             return false;

@@ -3,7 +3,10 @@ package org.myrobotlab.service.sear.lockstep;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
-/** A token that a {@link Fence} sends behind other messages and waits for. Public because Python's callbacks reach it. Any thread. */
+/**
+ * A token that a {@link Fence} sends behind other messages and waits for. Public because Python's callbacks call it.
+ * Any thread.
+ */
 public final class FencePass {
     private final CountDownLatch back = new CountDownLatch(1);
     private volatile Thread handler;
@@ -11,7 +14,7 @@ public final class FencePass {
     FencePass() {
     }
 
-    /** It has come through. On the thread that deals with the queue's messages. */
+    /** Marks the pass as returned. Thread that processes the queue's messages. */
     public static void passed(FencePass pass) {
         pass.handler = Thread.currentThread();
         pass.back.countDown();
@@ -25,7 +28,7 @@ public final class FencePass {
         return back.await(millis, TimeUnit.MILLISECONDS);
     }
 
-    /** The thread that brought it back; null before. */
+    /** Returns the thread that returned the pass; null before. */
     Thread getHandler() {
         return handler;
     }

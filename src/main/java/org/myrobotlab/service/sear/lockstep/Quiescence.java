@@ -5,7 +5,7 @@ import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.sear.Host;
 
-/** Waits until no virtual port has bytes that its listeners have not finished with, and the callbacks of scripts have run. */
+/** Waits until the listeners of all virtual ports have processed their bytes and the callbacks of scripts have run. */
 public final class Quiescence {
     private final Host host;
     private final Fence messages;
@@ -23,32 +23,32 @@ public final class Quiescence {
     }
 
     /**
-     * Waits until ports and callbacks rest; looks at the callbacks only when bytes have come since the last time, somebody has slept, or
-     * {@link #disturb} was called.
+     * Waits until ports and callbacks are idle. Checks the callbacks only after new bytes, after a thread has slept, or
+     * after {@link #disturb}.
      */
     public void settle() throws InterruptedException {
         await();
         while (isDisturbed()) {
             long calls = calls();
             long bytes = accepted();
-            await(); // so that all that these bytes cause is in the queues
+            await(); // so that all messages that these bytes cause are queued
             messages.await();
             settledCalls = calls;
             settledBytes = bytes;
         }
     }
 
-    /** Whether a callback may run that the last {@link #settle} did not wait for. */
+    /** Returns whether a callback may run that the last {@link #settle} did not wait for. */
     public boolean isDisturbed() {
         return calls() != settledCalls || accepted() != settledBytes;
     }
 
-    /** Learns who deals with callbacks, before there are any. */
+    /** Learns the threads of callbacks before there are any. */
     public void greet() {
         messages.greet();
     }
 
-    /** Something else has made callbacks run: the next {@link #settle} looks at them. */
+    /** Makes the next {@link #settle} check the callbacks. */
     public void disturb() {
         disturbances.incrementAndGet();
     }
@@ -65,7 +65,7 @@ public final class Quiescence {
         return sum;
     }
 
-    /** Gives up on a port after {@link Timeouts#END}: its listener hangs. */
+    /** Waits for all ports. Gives up a port after {@link Timeouts#END}, because its listener hangs. */
     private void await() throws InterruptedException {
         boolean moved = true;
         while (moved) {
@@ -76,7 +76,7 @@ public final class Quiescence {
                         moved = true;
                     } else {
                         complainedOf = port;
-                        host.warn(unfinished(port, Timeouts.END) + ": lock-step goes on without it");
+                        host.warn(unfinished(port, Timeouts.END) + ": lock-step continues without it");
                     }
                 }
             }
@@ -95,6 +95,6 @@ public final class Quiescence {
     }
 
     private static String unfinished(VirtualSerialPort port, long seconds) {
-        return "a listener of port " + port.getName() + " has not finished with " + port.getPending() + " bytes within " + seconds + " s";
+        return "a listener of port " + port.getName() + " has not processed " + port.getPending() + " bytes within " + seconds + " s";
     }
 }

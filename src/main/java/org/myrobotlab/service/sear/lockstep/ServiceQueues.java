@@ -10,7 +10,10 @@ import org.myrobotlab.framework.MRLListener;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.Runtime;
 
-/** The services of this MyRobotLab whose queues can hold messages that scripts wait for, as they are now. Messages to SEAR itself don't count. */
+/**
+ * Services of this MyRobotLab whose queues may hold messages that scripts wait for; a snapshot. Ignores messages to
+ * SEAR itself.
+ */
 final class ServiceQueues {
     private final String self;
     private final Collection<ServiceInterface> services;
@@ -56,17 +59,17 @@ final class ServiceQueues {
         return !isSelf(service) && service.getInbox() != null && service.getInbox().size() > 0;
     }
 
-    /** Services that have listeners, or messages on their way out. */
+    /** Returns the services that have listeners or outgoing messages. */
     List<ServiceInterface> getPublishers() {
         return publishers;
     }
 
-    /** Services that others publish to, or that have messages to deal with. */
+    /** Returns the services that are listeners or have incoming messages. */
     Set<ServiceInterface> getReceivers() {
         return receivers;
     }
 
-    /** Whether a message is in one of the queues; one that is being dealt with isn't. */
+    /** Returns whether a queue holds a message; a message in progress doesn't count. */
     boolean hold() {
         return publishers.stream().anyMatch(service -> service.getOutbox().size() > 0) || services.stream().anyMatch(this::isWaiting);
     }

@@ -3,22 +3,25 @@ package org.myrobotlab.service.sear.lockstep;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Which threads wait for simulated time, or for the right to make it pass: a callback that does can't end before. Any thread. */
+/**
+ * Threads that wait for simulated time, or for the right to advance it. A callback on such a thread can't end before.
+ * Any thread.
+ */
 public final class SleepingThreads {
-    /** The moment for which those wait who want to go on at once. */
+    /** Target of threads that want to continue immediately. */
     public static final double NOW = Double.NEGATIVE_INFINITY;
 
-    /** By thread, the simulated time that it waits for. */
+    /** Simulated time that each thread waits for. */
     private final Map<Thread, Double> sleeping = new HashMap<>();
     private long woken;
 
-    /** Something that waits, or makes time pass. */
+    /** An action that waits or advances time. */
     public interface Work {
         void run() throws InterruptedException;
     }
 
     /**
-     * Does work during which the thread counts as waiting; work within work counts once.
+     * Runs an action during which the thread counts as waiting; nested calls count once.
      *
      * @param target simulated seconds that it waits for, or {@link #NOW}
      */
@@ -42,18 +45,20 @@ public final class SleepingThreads {
         woken++;
     }
 
-    /** How many have waited and gone on: counted in the same moment in which they are asleep no more. */
+    /**
+     * Returns how many threads have waited and continued; incremented in the same moment in which they stop waiting.
+     */
     synchronized long getWoken() {
         return woken;
     }
 
-    /** Whether a thread waits for time to pass. */
+    /** Returns whether a thread waits for time to pass. */
     synchronized boolean sleeps(Thread thread) {
         return sleeping.containsKey(thread);
     }
 
     /**
-     * Whether another thread than the present one has waited long enough and is about to go on.
+     * Returns whether a thread other than the present one has waited long enough and is about to continue.
      *
      * @param now simulated seconds
      */

@@ -3,13 +3,13 @@ package org.myrobotlab.service.sear.lockstep;
 import java.util.concurrent.TimeUnit;
 
 /**
- * How long lock-step waits for what may hang. On a machine that is busy with other programs a thread may have no processor for many seconds; if time
- * went on meanwhile, drivers would give answers up that are on their way.
+ * Time-outs of lock-step for threads that may hang. On a busy machine a thread may get no processor for many seconds.
+ * If time advanced meanwhile, drivers would give up replies in transit.
  */
 final class Timeouts {
-    /** After so long the user hears for what lock-step waits. Seconds of the computer's time. */
+    /** Real time after which SEAR reports what lock-step waits for, s. */
     static final long WORD = 5;
-    /** After so long lock-step goes on all the same. Seconds of the computer's time. */
+    /** Real time after which lock-step continues regardless, s. */
     static final long END = 60;
 
     private Timeouts() {
@@ -23,7 +23,7 @@ final class Timeouts {
         return TimeUnit.SECONDS.toMillis(seconds);
     }
 
-    /** What lock-step will do, to follow what it waits for in a warning. */
+    /** Returns the end of a warning that lock-step waits. */
     static String waits() {
         return ": lock-step waits for it, " + END + " s at most";
     }

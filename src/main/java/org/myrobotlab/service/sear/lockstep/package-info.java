@@ -1,6 +1,6 @@
 /**
- * Waiting until bytes and messages have been dealt with, so that in lock-step a script's callbacks have run before time goes on. Uses
- * {@link org.myrobotlab.serial} and {@link org.myrobotlab.service.sear}, and what these use. It knows the queues and ports of MyRobotLab, the
- * embedded and the real one. The thread that makes time pass waits here.
+ * Waits until bytes and messages have been processed, so that in lock-step a script's callbacks have run before time
+ * advances. Uses {@link org.myrobotlab.serial} and {@link org.myrobotlab.service.sear}, and what these use. Knows the
+ * queues and ports of MyRobotLab, both the embedded and the real one. Thread that advances time.
  */
 package org.myrobotlab.service.sear.lockstep;

@@ -7,19 +7,19 @@ import org.SEAR.sensors.CameraImage;
 import org.SEAR.sensors.PixelGrid;
 
 /**
- * A camera's picture as panels show it: they ask for one after the other, while somebody looks.
+ * A camera's picture for panels, which request one after the other while a user watches.
  *
  * <pre>
- * {"name": of the camera, "path": of the record that it is of, "asked": when in that, "time": simulated seconds at which it was taken,
- *  "words": the reading, "numbers": [..], "picture": "data:image/..", "kind": "depth", "width": pixels of the camera, "height": ..,
- *  "range": ["0.410 m", "5.200 m"] that the false colours reach from and to, "column": of the pixel that was asked for, "row": ..,
- *  "pixel": "#b01010, about red, 1.234 m ahead"}
+ * {"name": of the camera, "path": of the record, if recorded, "asked": requested time in the record,
+ *  "time": simulated seconds of the picture, "words": the reading, "numbers": [..], "picture": "data:image/..",
+ *  "kind": "depth", "width": pixels of the camera, "height": .., "range": ["0.410 m", "5.200 m"] of the false colours,
+ *  "column": of the requested pixel, "row": .., "pixel": "#b01010, about red, 1.234 m ahead"}
  * </pre>
  *
- * <p>What does not apply is left out. Any thread.
+ * <p>Omits fields that don't apply. Any thread.
  */
 public final class CameraPicture {
-    /** Pixels of the longer side that panels may have. */
+    /** Upper limit of the longer side, pixels. */
     private static final int LARGEST = 640;
     private static final int SMALLEST = 32;
 
@@ -43,17 +43,17 @@ public final class CameraPicture {
         String pixel;
     }
 
-    /** What a panel wants of a picture. Immutable. */
+    /** A panel's request for a picture. Immutable. */
     public static final class Wish {
         private final int longest;
         private final int column;
         private final int row;
 
         /**
-         * A wish.
+         * Creates a request.
          *
-         * @param longest pixels of the longer side; a smaller one is not enlarged
-         * @param column of the pixel that is to be told in words; below 0 for none
+         * @param longest pixels of the longer side; a smaller picture is not enlarged
+         * @param column column of the pixel to describe; below 0 for none
          */
         public Wish(int longest, int column, int row) {
             this.longest = longest;
@@ -63,9 +63,9 @@ public final class CameraPicture {
     }
 
     /**
-     * A picture of a running world.
+     * Returns a picture of a running world.
      *
-     * @param distance of what the pixel sees that is to be told, metres along the axis; not a number if it isn't known
+     * @param distance distance of the described pixel along the axis, metres; NaN if unknown
      */
     public static Map<String, Object> of(String name, CameraImage image, double distance, Wish wish) {
         Answer answer = answer(image.grid(), distance, wish);
@@ -77,10 +77,10 @@ public final class CameraPicture {
     }
 
     /**
-     * A picture of a record.
+     * Returns a picture of a record.
      *
-     * @param asked seconds since the record began for which it was asked for
-     * @param time at which it was taken
+     * @param asked requested time, seconds since the record began
+     * @param time time of the picture
      */
     public static Map<String, Object> of(String path, String name, double asked, double time, PixelGrid grid, Wish wish) {
         Answer answer = answer(grid, Double.NaN, wish);

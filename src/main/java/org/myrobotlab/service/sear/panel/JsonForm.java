@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * What becomes a JSON object: its fields, in their order, those of the class above first. A field that is null is left out; an {@link Optional} is
- * always there, null if it is empty. Whoever fills it in shows it to no other thread before that is done.
+ * A class whose fields become a JSON object, in their order, those of the superclass first. A null field is omitted; an
+ * {@link Optional} is always present, null if it is empty. Complete an object before other threads use it.
  */
 abstract class JsonForm {
     private static final ClassValue<List<Field>> FIELDS = new ClassValue<>() {
@@ -28,7 +28,10 @@ abstract class JsonForm {
         }
     };
 
-    /** As maps, lists, arrays, numbers and texts, which every JSON library writes alike and a Python script can read. */
+    /**
+     * Returns the fields as maps, lists, arrays, numbers and texts, which every JSON library and Python script can
+     * read.
+     */
     Map<String, Object> map() {
         Map<String, Object> map = new LinkedHashMap<>();
         for (Field field : FIELDS.get(getClass())) {
@@ -40,7 +43,7 @@ abstract class JsonForm {
         return map;
     }
 
-    /** What another of its class had not, or otherwise; null for what only that one had. */
+    /** Returns the fields that differ from another object of the class; null for fields that only the other has. */
     Map<String, Object> since(JsonForm before) {
         Map<String, Object> changed = new LinkedHashMap<>();
         for (Field field : FIELDS.get(getClass())) {

@@ -18,17 +18,17 @@ import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.simulator.Simulation;
 
 /**
- * What shapes look like, for the panels' view in space. A world tells of each shape the number of its look, which shapes that look alike share, and
- * the path of its picture; a panel asks for those that it has not got yet, large looks in parts.
+ * Meshes and pictures of shapes for the panels' 3D view. A world lists for each shape the key of its look, which
+ * identical shapes share, and the path of its picture. A panel requests those it lacks, large looks in parts.
  *
- * <p>It knows the shapes of the last world that it was given, and no others. Any thread.
+ * <p>Contains only shapes of the last world. Any thread.
  */
 final class LookTable {
-    /** Triangles of a part. */
+    /** Triangles per part. */
     static final int PART = 8000;
-    /** Triangles of the finest look that is told; finer ones are drawn as the box around them. */
+    /** Most triangles of a look; panels draw the bounding box of finer ones. */
     static final int MAX_TRIANGLES = 400_000;
-    /** Characters of an answer, more or less: MyRobotLab takes messages up to 1 MiB. */
+    /** Approximate limit of an answer, characters; MyRobotLab accepts messages up to 1 MiB. */
     private static final int ENOUGH = 400_000;
     private static final String PICTURE = "picture ";
     private static final int CORNERS = 3;
@@ -42,7 +42,7 @@ final class LookTable {
     private WeakReference<Simulation> world = new WeakReference<>(null);
     private Assets assets;
 
-    /** Forgets the shapes of another world than this. */
+    /** Starts a world; forgets the shapes of another one. */
     synchronized void begin(Simulation newWorld) {
         if (newWorld != world.get()) {
             world = new WeakReference<>(newWorld);
@@ -54,9 +54,9 @@ final class LookTable {
     }
 
     /**
-     * Says of a shape how it looks.
+     * Adds the look of a shape to its object.
      *
-     * @param inWorld that was begun
+     * @param inWorld the world passed to {@link #begin}
      */
     synchronized void add(WorldState.Thing thing, Shape shape, Simulation inWorld) {
         thing.look = known.computeIfAbsent(shape, one -> learn(inWorld.getSurface(one)));
@@ -79,10 +79,10 @@ final class LookTable {
     }
 
     /**
-     * The looks and pictures that a panel wants, as many as fit into a message, at least one if there is one.
+     * Returns requested looks and pictures, as many as fit into a message but at least one.
      *
-     * @param wanted keys; those that nothing is known of get no answer
-     * @throws IllegalArgumentException if they aren't, as a page of somebody else's may send
+     * @param wanted keys; unknown ones get no answer
+     * @throws IllegalArgumentException unless the keys are texts, as foreign pages may send anything
      */
     synchronized List<Map<String, Object>> of(List<String> wanted) {
         if (wanted == null || !((List<?>) wanted).stream().allMatch(String.class::isInstance)) {
@@ -104,7 +104,7 @@ final class LookTable {
         return found;
     }
 
-    /** Null for none. */
+    /** Returns a part; null if the key is unknown. */
     private Part part(String key) {
         int slash = key.lastIndexOf('/');
         SurfaceMesh surface = slash < 0 ? null : looks.get(key.substring(0, slash));
@@ -115,11 +115,11 @@ final class LookTable {
 
     /** A picture of a project. */
     private static final class PictureForm extends JsonForm {
-        /** {@code picture textures/grass.png}. */
+        /** For example {@code picture textures/grass.png}. */
         final String key;
-        /** {@code data:image/jpeg;base64,..}; none if it can't be read. */
+        /** {@code data:image/jpeg;base64,..}; empty if the picture can't be read. */
         final Optional<String> data;
-        /** Why it can't. */
+        /** The reason why the picture can't be read. */
         final String problem;
 
         PictureForm(String key, String path, Assets assets) {
@@ -138,27 +138,27 @@ final class LookTable {
 
     /** A look, or a part of a large one. */
     private static final class Part extends JsonForm {
-        /** {@code 6f1e../0}: the look, and which part of it. */
+        /** For example {@code 6f1e../0}: the look and the number of its part. */
         final String key;
         final int parts;
-        /** Three a triangle. */
+        /** Number of vertices, three per triangle. */
         final int vertices;
-        /** The corner of the box around the whole look, {x, y, z}, metres; 0 in the positions. */
+        /** Lowest corner of the look's bounding box, {x, y, z}, metres; 0 in the positions. */
         final double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
-        /** The opposite corner; 65535 in the positions. */
+        /** Highest corner; 65535 in the positions. */
         final double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
-        /** Base64 of 16 bits a coordinate, low byte first. */
+        /** Base64 of 16 bits per coordinate, low byte first. */
         final String positions;
-        /** Base64 of 8 bits a coordinate, 127 is 1. */
+        /** Base64 of 8 bits per coordinate, 127 means 1. */
         final String normals;
-        /** Where in the picture, 0 to 1: base64 of two floats a vertex, low byte first. */
+        /** Texture coordinates, 0 to 1: base64 of two floats per vertex, low byte first. */
         final String pictures;
 
         Part(String key, SurfaceMesh surface, int part, int parts) {
             this.key = key;
             this.parts = parts;
             int first = CORNERS * PART * part;
-            int[] corners = surface.getIndices();    // copies, all of them: asked for once
+            int[] corners = surface.getIndices();    // these calls return copies: one call each
             float[] all = surface.getPositions();
             float[] directions = surface.getNormals();
             float[] places = surface.getPictures();

@@ -19,15 +19,15 @@ import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.RunSettings;
 
 /**
- * The world as it would start, for panels while no simulation runs. Panels that are looked at ask again and again; the world is only made when a file
- * of the project has changed since, so that objects made by scripts, by hand or by a bundle are all followed, and nothing is done when nobody asks.
- * Who has the newest one gets its stamp only. Where there is no project yet, its world has nothing in it. Any thread; one at a time.
+ * The start state of the project's world for panels while no simulation runs. Visible panels poll it. SEAR loads the
+ * world only after a file of the project has changed, by a script, by hand or by a bundle. A panel that has the newest
+ * state gets its stamp only. Without a project the world is empty. Any thread; one at a time.
  */
 public final class Preview {
     private final LookTable looks = new LookTable();
     private Map<String, Object> last = Collections.emptyMap();
 
-    /** @param known the stamp that the asker has; empty if none */
+    /** @param known stamp that the caller has; empty if none */
     public synchronized Map<String, Object> of(Path folder, String known) {
         String stamp;
         try {
@@ -53,28 +53,30 @@ public final class Preview {
         } catch (ProjectException e) {
             return new Answer(stamp, null, e.getProblems(), null).map();
         } catch (RuntimeException e) {
-            return new Answer(stamp, null, List.of(), "its world can't be made: " + e).map();
+            return new Answer(stamp, null, List.of(), "the world can't be created: " + e).map();
         }
     }
 
-    /** What the shapes of the last world look like, as {@link LookTable} tells it. */
+    /** Returns looks of the last world's shapes, see {@link LookTable#of}. */
     public List<Map<String, Object>> looks(List<String> wanted) {
         return looks.of(wanted);
     }
 
-    /** There is no world, and not because of the project. */
+    /** Returns an answer without a world, for a reason outside the project. */
     public static Map<String, Object> none(String reason) {
         return new Answer("", null, List.of(), reason).map();
     }
 
-    /** Differs when any file of the folder has changed: by name, size, time or, where there are such, by its number on the disk. */
+    /**
+     * Returns a stamp that changes with any file of the folder: by name, size, time or file key, if the system has one.
+     */
     private static String stamp(Path folder) throws IOException {
         Map<String, String> files = new TreeMap<>();
         if (Files.isDirectory(folder)) {
             Files.walkFileTree(folder, new SimpleFileVisitor<Path>() {
                 @Override
                 public FileVisitResult visitFile(Path file, BasicFileAttributes is) {
-                    if (!file.getFileName().toString().startsWith(".")) {       // else it is still being written
+                    if (!file.getFileName().toString().startsWith(".")) {       // else the file is still being written
                         files.put(file.toString(), is.size() + " " + is.lastModifiedTime().toInstant() + " " + is.fileKey());
                     }
                     return FileVisitResult.CONTINUE;
@@ -95,14 +97,14 @@ public final class Preview {
         return UUID.nameUUIDFromBytes(all.getBytes(StandardCharsets.UTF_8)).toString();
     }
 
-    /** What a panel gets. */
+    /** The answer to a panel. */
     private static final class Answer extends JsonForm {
-        /** What to ask with again; empty if there is nothing to wait for. */
+        /** Stamp for the next request; empty if polling is useless. */
         final String stamp;
-        /** Empty if something is in the way. */
+        /** Empty if the world can't be loaded. */
         final Optional<WorldState> world;
         final List<Problem> problems;
-        /** What is in the way that is no problem of the project. */
+        /** A reason outside the project why there is no world. */
         final Optional<String> reason;
 
         Answer(String stamp, WorldState world, List<Problem> problems, String reason) {

@@ -18,17 +18,17 @@ import org.SEAR.record.ThinnedList;
 import org.SEAR.simulator.Simulation;
 
 /**
- * What a record does not have itself and a picture of it needs: how wheels and servos turned, and what sensors saw. Its commands are run again for
- * that, in a world of its own. One use, one thread.
+ * Motion that a record itself lacks and its replay needs: rotations of wheels and servos, and beams of sensors. Reruns
+ * the record's commands in a separate world to compute it. One use, one thread.
  */
 public final class RecordMotion {
-    /** Steps from one frame to the next, as often as panels hear of a running world. */
+    /** Steps per frame, the rate at which panels see a running world. */
     private static final int EVERY = 6;
-    /** Frames; where there would be more, or more numbers or beams than a message should have, every second, fourth ... one is kept. */
+    /** Limits of frames, numbers and beams per message; beyond one, only every second, fourth ... frame is kept. */
     private static final int MAX_FRAMES = 2000;
     private static final int MAX_NUMBERS = 60000;
     private static final int MAX_BEAMS = 150000;
-    /** Beams of one scanner; of more, every second, third ... one is kept. */
+    /** Most beams of a scanner; of more, only every second, third ... is kept. */
     private static final int WIDEST = 181;
     private static final int POSE = 6;
     private static final double CENTIMETRES = 100;
@@ -37,9 +37,9 @@ public final class RecordMotion {
 
     private final WorldJson json = new WorldJson(new LookTable());
     private final Answer answer = new Answer();
-    /** Numbers of the sensors whose beams are seen. */
+    /** Indices of the sensors with visible beams. */
     private int[] seeing;
-    /** Of each of these: the numbers of the beams that are kept. */
+    /** Indices of the kept beams, for each of these sensors. */
     private List<int[]> beams;
     private ThinnedList<Frame> kept;
     private long steps;
@@ -47,43 +47,48 @@ public final class RecordMotion {
     private RecordMotion() {
     }
 
-    /** What panels get. */
+    /** The answer to panels. */
     private static final class Answer extends JsonForm {
         String path;
-        /** Why there is nothing; null if there is. */
+        /** The reason why there is no motion; null if there is motion. */
         String why;
         List<String> robots;
-        /** Sensors whose beams are seen, as {@link WorldState.Probe} has them. */
+        /** Sensors with visible beams, see {@link WorldState.Probe}. */
         List<WorldState.Probe> sensors;
         List<Frame> frames;
     }
 
-    /** A moment. */
+    /** One moment. */
     private static final class Frame extends JsonForm {
         /** Simulated seconds since the record began. */
         double time;
-        /** By robot: as in {@link WorldState.Mover}. */
+        /** By robot, see {@link WorldState.Mover}. */
         double[][][] wheels;
         double[][][] turned;
         double[][][] leds;
-        /** By sensor: where it is. */
+        /** Pose of each sensor. */
         double[][] poses;
-        /** Of a scanner, else null: centimetres of each beam in 16 bits, the low ones first, in base 64; 65535 where nothing was hit. */
+        /**
+         * Ranges of a scanner, else null: centimetres of each beam in 16 bits, low byte first, in base64; 65535 without
+         * a hit.
+         */
         String[] ranges;
-        /** Where its nearest beam met something; null if there is no such place. */
+        /** Nearest hit of the beams; null if there is none. */
         double[][] hits;
     }
 
     /**
-     * That of a record.
+     * Returns the motion of a record.
      *
      * <pre>
-     * {"path": .., "why": "why there is none", "robots": [name, ..], "sensors": [{"name": .., "type": .., "robot": .., "cones": .., "fan": ..}, ..],
-     *  "frames": [{"time": .., "wheels": [[[x, y, z, rx, ry, rz] of each wheel, ..] of each robot, ..], "turned": likewise, of the parts of a robot
-     *  with servos, "leds": likewise, "poses": [of each sensor, ..], "ranges": [text, ..], "hits": [[x, y, z], ..]}, ..]}
+     * {"path": .., "why": "reason why there is none", "robots": [name, ..],
+     *  "sensors": [{"name": .., "type": .., "robot": .., "cones": .., "fan": ..}, ..], "frames": [{"time": ..,
+     *  "wheels": [[[x, y, z, rx, ry, rz] of each wheel, ..] of each robot, ..],
+     *  "turned": likewise, of the parts of a robot with servos, "leds": likewise,
+     *  "poses": [of each sensor, ..], "ranges": [text, ..], "hits": [[x, y, z], ..]}, ..]}
      * </pre>
      *
-     * @param project that was recorded
+     * @param project the recorded project
      */
     public static Map<String, Object> of(String path, RunRecord record, Path project) throws IOException {
         RecordMotion motion = new RecordMotion();
@@ -135,7 +140,7 @@ public final class RecordMotion {
         return sensor.cones != null || sensor.hit != null || sensor.ranges != null && sensor.fan != null;
     }
 
-    /** What stays as it is. */
+    /** Returns the constant fields of a sensor. */
     private static WorldState.Probe form(WorldState.Probe sensor) {
         WorldState.Probe form = new WorldState.Probe();
         form.name = sensor.name;

@@ -5,9 +5,9 @@ import java.nio.ByteOrder;
 import java.util.Base64;
 
 /**
- * A scan as panels get it: a text of 16 bits for each beam, which is less than half of what its numbers would be. Base64 of unsigned numbers, the
- * lower byte first: the unit in tenths of millimetres, as fine as the farthest beam allows, then for each beam how many of them, 65535 where nothing
- * was hit. {@code world/ranges.js} reads it. Immutable.
+ * A scan encoded for panels with 16 bits per beam, less than half of the numbers' text. Base64 of unsigned numbers, low
+ * byte first: the unit in tenths of a millimetre, as fine as the longest range allows, then the range of each beam in
+ * this unit, 65535 without a hit. {@code world/ranges.js} decodes it. Immutable.
  */
 final class ScanRanges {
     private static final double TENTHS = 1e4;
@@ -15,7 +15,7 @@ final class ScanRanges {
 
     private final double[] metres;
 
-    /** @param metres infinite or no number where nothing was hit */
+    /** @param metres range of each beam; infinite or NaN without a hit */
     ScanRanges(double[] metres) {
         this.metres = metres.clone();
     }
@@ -24,12 +24,12 @@ final class ScanRanges {
         return metres.length;
     }
 
-    /** Infinite or no number where nothing was hit. */
+    /** Returns metres; infinite or NaN without a hit. */
     double get(int beam) {
         return metres[beam];
     }
 
-    /** Whether a beam has hit something at so many metres. */
+    /** Returns whether the range in metres is a hit. */
     static boolean isHit(double range) {
         return !Double.isNaN(range) && !Double.isInfinite(range);
     }

@@ -11,15 +11,15 @@ import org.SEAR.camera.image.Jpeg;
 import org.SEAR.camera.image.Png;
 import org.SEAR.sensors.Picture;
 
-/** Pictures in the form that pages show, small enough for one message. */
+/** Encodes pictures for pages, small enough for one message. */
 final class SmallPicture {
     private static final String DATA = "data:image/";
-    /** Pixels of the longer side. */
+    /** Longer side, pixels. */
     private static final int LONGEST = 512;
-    /** Characters of an address. */
+    /** Most characters of a data address. */
     private static final int MOST = 400_000;
     private static final double SMALLER = 0.7;
-    /** Of a sensor's picture: pixels of the longer side up to which each is shown as it is, and of a larger one that is shown. */
+    /** Pixels of the longer side up to which a sensor's picture keeps its size; below, the most for larger ones. */
     private static final int EXACT = 64;
     private static final int LONGEST_OF_SENSOR = 320;
 
@@ -27,16 +27,16 @@ final class SmallPicture {
     }
 
     /**
-     * A picture of a project, at most 512 pixels long, as an address of its own; what can be seen through stays so.
+     * Returns a project's picture as a data address, at most 512 pixels long; keeps transparency.
      *
-     * @param bytes whose size was checked
-     * @param path for the error
-     * @throws IOException if it is of another format than PNG, JPEG, GIF or BMP
+     * @param bytes the file, after a check of its size
+     * @param path path for the error
+     * @throws IOException if the format is none of PNG, JPEG, GIF and BMP
      */
     static String of(byte[] bytes, String path) throws IOException {
         BufferedImage image = ImageIO.read(new ByteArrayInputStream(bytes));
         if (image == null) {
-            throw new IOException(path + " is shown in the window only, legal in pages: .png, .jpg, .gif or .bmp");
+            throw new IOException(path + " appears only in the simulator window, legal on pages: .png, .jpg, .gif or .bmp");
         }
         int longest = Math.min(LONGEST, Math.max(image.getWidth(), image.getHeight()));
         while (true) {
@@ -60,20 +60,20 @@ final class SmallPicture {
         return solid ? address("jpeg", Jpeg.of(small)) : address("png", Png.of(small));
     }
 
-    /** What a page takes as the address of a picture. */
+    /** Returns the data address of a picture's file. */
     static String address(String format, byte[] bytes) {
         return DATA + format + ";base64," + Base64.getEncoder().encodeToString(bytes);
     }
 
-    /** The picture of a sensor: each pixel of a small one as it is, larger ones smaller than they are, because they come again and again. */
+    /** Returns a sensor's picture: small ones unchanged, larger ones reduced, because panels get them repeatedly. */
     static String of(Picture picture) {
         return of(picture, LONGEST_OF_SENSOR);
     }
 
     /**
-     * The same.
+     * Returns a sensor's picture.
      *
-     * @param most pixels of the longer side of a large one
+     * @param most pixels of the longer side of a large picture
      */
     static String of(Picture picture, int most) {
         BufferedImage image = new BufferedImage(picture.getWidth(), picture.getHeight(), BufferedImage.TYPE_INT_RGB);

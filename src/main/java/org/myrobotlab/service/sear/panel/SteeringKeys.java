@@ -5,20 +5,20 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Wheel;
 
-/** How a robot with steered wheels is steered by who holds a key: by an order for the robot, or for the servo that steers them. */
+/** Steering angles for keys of a robot with steered wheels, by a command for the robot or for its steering servo. */
 final class SteeringKeys extends JsonForm {
-    /** A servo may turn farther than wheels are any good at, degrees. */
+    /** Most useful steering angle, degrees; servos may turn further. */
     private static final double MOST = 30;
 
-    /** The servo's name, as {@code setServo} takes it; null if none steers. */
+    /** Name of the servo as in {@code setServo}; null without one. */
     String servo;
-    /** Of a wheel in the middle, degrees, + to the left: as far to the left, and to the right, as it goes. */
+    /** Furthest angles to the left and right of a wheel in the middle, degrees, left positive. */
     double left;
     double right;
-    /** And as near to straight ahead as it goes. */
+    /** Angle nearest to straight ahead, degrees. */
     double straight;
 
-    /** That of a robot; null if no wheel is steered. */
+    /** Returns the angles of a robot; null if no wheel is steered. */
     static SteeringKeys of(SEARrobot robot) {
         SteeringKeys steered = new SteeringKeys();
         String name = robot.getWheels().stream().map(Wheel::getSteeringServo).filter(Objects::nonNull).findFirst().orElse(null);

@@ -13,53 +13,62 @@ import org.SEAR.terrain.relief.GroundPicture;
 import org.SEAR.terrain.relief.Relief;
 
 /**
- * The ground as panels draw it, for JSON: a shaded picture and a grid of heights, both coarse enough for one message, which panels get once for each
- * ground. Metres and degrees.
+ * The ground for panels as JSON: a shaded picture and an elevation grid, coarse enough for one message. Panels request
+ * each ground once. Metres and degrees.
  */
 final class TerrainJson extends JsonForm {
-    /** Bytes of the picture at most, before base64. */
+    /** Most bytes of the picture, before base64. */
     static final int PICTURE_BYTES = 300_000;
-    /** Pixels of the picture's longer side at most. */
+    /** Most pixels of the picture's longer side. */
     static final int PICTURE_PIXELS = 1024;
-    /** Posts of the grid on a side at most. */
+    /** Most grid posts per side. */
     static final int MAX_POSTS = 300;
-    /** Points on a side at which latitude and longitude are told: between them straight is right to a metre over 100 km. */
+    /**
+     * Points per side with latitude and longitude. Linear interpolation between them is accurate to a metre over 100
+     * km.
+     */
     static final int PLACES = 33;
     private static final int PER_POST = 3;
     private static final double SMALLER = 0.8;
     private static final double FULL = 65535;
     private static final double MILLIMETRES = 1e3;
-    /** Parts of a degree that are told, about a centimetre. */
+    /** Reported parts per degree, about a centimetre. */
     private static final double PLACE = 1e7;
 
-    /** What a panel knows it by, see {@link TerrainMap}. */
+    /** Identifies the ground for panels, see {@link TerrainMap}. */
     final String stamp;
-    /** Of the area, x in the world. */
+    /** Limits of the area in the world's x. */
     final float south;
     final float north;
-    /** Of the area, z in the world. */
+    /** Limits of the area in the world's z. */
     final float west;
     final float east;
-    /** The area, north up: {@code data:image/jpeg;base64,..}. */
+    /** Picture of the area, north up: {@code data:image/jpeg;base64,..}. */
     final String picture;
     final int rows;
     final int columns;
     final double lowest;
     final double highest;
-    /** Base64 of 16 bits a post, low byte first, row by row from the south: 0 is the lowest, 65535 the highest. */
+    /**
+     * Base64 of 16 bits per post, low byte first, row by row from the south: 0 is the lowest, 65535 the highest
+     * elevation.
+     */
     final String heights;
-    /** Of y = 0 above the geoid; empty if the map has no place on Earth. */
+    /** Height of y = 0 above the geoid; empty if the map is not georeferenced. */
     final Optional<Double> altitude;
-    /** {latitude, longitude} of {@value #PLACES} x {@value #PLACES} points, row by row from the south, longitudes without a jump; empty likewise. */
+    /**
+     * {latitude, longitude} of {@value #PLACES} x {@value #PLACES} points, row by row from the south, longitudes
+     * without a jump; empty without georeference.
+     */
     final Optional<List<double[]>> places;
 
     /**
-     * A ground for panels.
+     * Creates a ground for panels.
      *
-     * @param origin null if it has no place on Earth
-     * @param altitude metres of y = 0 above the geoid
-     * @param detail metres between the map's own posts
-     * @param colors null for colours by height
+     * @param origin null without georeference
+     * @param altitude height of y = 0 above the geoid, metres
+     * @param detail spacing of the map's own posts, metres
+     * @param colors null for colours by elevation
      */
     TerrainJson(String stamp, HeightField field, GeoOrigin origin, double altitude, double detail, GroundPicture.Colors colors) {
         this.stamp = stamp;
@@ -111,7 +120,7 @@ final class TerrainJson extends JsonForm {
         return Base64.getEncoder().encodeToString(bytes);
     }
 
-    /** The place of one of count points from low to high, both ends exactly. */
+    /** Returns one of count points from low to high; exact at both ends. */
     private static double between(double low, double high, int at, int count) {
         return at == count - 1 ? high : low + (high - low) * at / (count - 1);
     }

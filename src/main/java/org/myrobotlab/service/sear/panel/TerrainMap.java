@@ -12,16 +12,19 @@ import org.SEAR.terrain.Ground;
 import org.SEAR.terrain.TerrainColors;
 
 /**
- * The ground of a project for panels, as {@link TerrainJson} has it. A world tells the stamp of its ground; a panel that has no ground of that stamp
- * asks for it, once. The last one is kept for further panels. Any thread.
+ * The ground of a project for panels, see {@link TerrainJson}. A world reports the stamp of its ground; a panel without
+ * this ground requests it once. Caches the last one. Any thread.
  */
 public final class TerrainMap {
-    /** Heights that a stamp looks at, more or less: enough to tell maps apart, few enough for each new world. */
+    /** Approximate number of elevations in a stamp: enough to distinguish maps, cheap for each new world. */
     private static final int LOOKED_AT = 65_536;
 
     private Map<String, Object> last = Collections.emptyMap();
 
-    /** What a panel knows a ground by: the same for the same heights, place and colours; null for a project without a terrain. */
+    /**
+     * Returns a stamp of the ground, equal for equal elevations, location and colours; null for a project without
+     * terrain.
+     */
     static String stamp(Project project) throws ProjectException {
         Ground ground = project.getGround();
         if (ground == null) {
@@ -53,11 +56,11 @@ public final class TerrainMap {
     }
 
     /**
-     * The ground of a project.
+     * Returns the ground of a project.
      *
-     * @return empty for a project without a terrain
-     * @throws ProjectException if its map can't be read
-     * @throws IOException that names the picture over it, what is wrong with it and what is legal
+     * @return empty for a project without terrain
+     * @throws ProjectException if the map can't be read
+     * @throws IOException with the name of the map's picture, the problem and legal values
      */
     public synchronized Map<String, Object> of(Project project) throws ProjectException, IOException {
         String stamp = stamp(project);

@@ -7,13 +7,13 @@ import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
- * What panels are told of a running world, again and again: the whole of it when it begins or is reset, from then on what has changed, so that what
- * does not move costs nothing. Messages are numbered: a panel that has missed one, or comes later, asks for the whole.
+ * Messages about a running world for panels: the whole state at the start and after a reset, then only changes.
+ * Messages are numbered; a panel that missed one or starts later requests the whole state.
  *
- * <p>Asked on the simulation thread, forgotten from any.
+ * <p>Call on the simulation thread, {@link #forget} on any.
  */
 public final class WorldFeed {
-    /** Stands for "as fast as possible", which JSON has no number for. */
+    /** Number for "as fast as possible", because JSON has no infinity. */
     private static final double FASTEST = 1e6;
     private static final double ROUNDING = 1e3;
 
@@ -23,12 +23,14 @@ public final class WorldFeed {
     private Simulation world;
     private WorldState last;
 
-    /** What there is to say when nothing runs. */
+    /** Returns the message while nothing runs. */
     public static Map<String, Object> nothing() {
         return Map.of("running", false);
     }
 
-    /** The next message for everybody: the whole of a world that has just begun, else what has changed since the last one. */
+    /**
+     * Returns the next message to all panels: the whole state of a new world, else the changes since the last message.
+     */
     public Map<String, Object> next(Simulation present, SimulationSession session) {
         return next(present, new Message(session));
     }
@@ -46,7 +48,10 @@ public final class WorldFeed {
         return message.map();
     }
 
-    /** The whole, for a panel that has missed something; the messages for everybody go on from its number. */
+    /**
+     * Returns the whole state for one panel. Carries the number of the last message, so that the next message follows
+     * it.
+     */
     public Map<String, Object> whole(Simulation present, SimulationSession session) {
         return whole(present, new Message(session));
     }
@@ -58,32 +63,32 @@ public final class WorldFeed {
         return message.map();
     }
 
-    /** What its shapes look like, as {@link LookTable} tells it. */
+    /** Returns looks of the world's shapes, see {@link LookTable#of}. */
     public List<Map<String, Object>> looks(List<String> wanted) {
         return looks.of(wanted);
     }
 
-    /** The world has ended. */
+    /** Forgets a world that has ended. */
     public synchronized void forget() {
         world = null;
         last = null;
     }
 
-    /** What a panel gets: the whole state, or the changes. */
+    /** A message: the whole state, or the changes. */
     static final class Message extends WorldState {
-        /** Instead of the objects, robots and sensors. */
+        /** Present instead of objects, robots and sensors. */
         Changes changes;
         long number;
-        /** All so far, for a panel that has asked for the whole. */
+        /** All warnings so far, only in a whole state on request. */
         List<String> warnings;
         Boolean running;
         Boolean paused;
         Boolean lockStep;
-        /** Simulated seconds in one, as measured. */
+        /** Measured simulated seconds per second. */
         Double speed;
         Double wantedSpeed;
 
-        /** Without what a session tells. */
+        /** Creates a message without a session's fields. */
         Message() {
         }
 
@@ -105,7 +110,7 @@ public final class WorldFeed {
         }
     }
 
-    /** What is otherwise than it was: by place in the list, then by name of the field; null for what is no longer there. */
+    /** Changed fields: by index in the list, then by field name; null for a field without a value now. */
     private static final class Changes extends JsonForm {
         final Map<Integer, Object> objects;
         final Map<Integer, Object> robots;

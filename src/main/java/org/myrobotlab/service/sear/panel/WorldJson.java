@@ -42,12 +42,12 @@ import org.SEAR.simulator.Snapshot;
 import org.myrobotlab.service.sear.readings.EulerAngles;
 
 /**
- * Fills in the state of the world as panels get it. Remembers where each robot was; {@link WorldFeed} adds what only a running simulation has.
- * Simulation thread.
+ * Converts the state of the world for panels. Stores each robot's path. {@link WorldFeed} adds the fields of a running
+ * simulation. Simulation thread.
  */
 final class WorldJson {
     private static final double FINE = 1e4;
-    /** A centimetre on Earth has seven digits of a degree. */
+    /** Resolution of numbers: seven digits of a degree are a centimetre on Earth. */
     private static final double FINEST = 1e8;
     private static final double MILLIMETRES = 1e3;
     private static final double ANGLE = 1e3;
@@ -65,13 +65,13 @@ final class WorldJson {
         this(looks, false);
     }
 
-    /** @param looking whether it has cameras take pictures; else who wants one asks for it, see {@link CameraPicture} */
+    /** @param looking whether cameras take pictures; otherwise panels request them, see {@link CameraPicture} */
     WorldJson(LookTable looks, boolean looking) {
         this.looks = looks;
         this.looking = looking;
     }
 
-    /** The world without what only a running simulation has. */
+    /** Fills in the whole world, without the fields of a running simulation. */
     synchronized <T extends WorldState> T whole(Simulation world, T state) {
         moving(world, state);
         looks.begin(world);
@@ -92,7 +92,7 @@ final class WorldJson {
         return state;
     }
 
-    /** What can change from step to step, in the same places as in the whole. */
+    /** Fills in the fields that can change in each step, in the same order as the whole state. */
     synchronized <T extends WorldState> T moving(Simulation world, T state) {
         Snapshot snapshot = world.snapshot();
         List<String> names = world.getSensorNames().stream()
@@ -200,7 +200,7 @@ final class WorldJson {
         return mover;
     }
 
-    /** Their poses in the body, as they have turned, in the order of the wheels among the parts. */
+    /** Returns the rotated wheels' poses in the body, in their order among the parts. */
     private static double[][] wheels(List<Pose> poses) {
         double[][] all = new double[poses.size()][];
         for (int i = 0; i < all.length; i++) {
@@ -209,7 +209,7 @@ final class WorldJson {
         return all;
     }
 
-    /** The poses in the body of the parts of one kind, as servos have turned them. */
+    /** Returns the poses of one kind of parts in the body, as turned by servos. */
     private static double[][] turned(SEARrobot robot, List<Pose> poses, Class<? extends SearObject> kind) {
         List<double[]> list = new ArrayList<>();
         for (int i = 0; i < poses.size(); i++) {
@@ -294,7 +294,7 @@ final class WorldJson {
         return balance;
     }
 
-    /** Panels do the same with the poses that they get. */
+    /** Extends a robot's path; panels do the same with the poses they get. */
     private void extendPath(SceneState.RobotState robot) {
         List<double[]> path = paths.computeIfAbsent(robot.name, name -> new ArrayList<>());
         double[] last = path.isEmpty() ? null : path.get(path.size() - 1);
@@ -371,9 +371,9 @@ final class WorldJson {
     }
 
     /**
-     * Its pixels are not told: they are very many, and the picture shows them.
+     * Fills in a camera without its pixels: they are too many, and the picture shows them.
      *
-     * @param reading null if it takes no picture
+     * @param reading null without a picture
      */
     private static void addSeen(WorldState.Probe probe, Camera camera, Reading reading) {
         if (reading == null) {
@@ -386,7 +386,7 @@ final class WorldJson {
         }
     }
 
-    /** The numbers of a reading as panels get them: null for what is no number, or infinite. */
+    /** Returns a reading's numbers; null for NaN and infinity. */
     static List<Double> numbers(double[] exact) {
         List<Double> numbers = new ArrayList<>(exact.length);
         for (double number : exact) {

@@ -5,80 +5,80 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The state of the world as panels get it. Metres, degrees and seconds; a pose is {x, y, z, rx, ry, rz}, rounded to tenths of millimetres and
- * thousandths of degrees. What doesn't change from step to step is null in a state that tells movement only.
+ * The state of the world for panels. Metres, degrees and seconds; a pose is {x, y, z, rx, ry, rz}, rounded to tenths of
+ * a millimetre and thousandths of a degree. Constant fields are null in a state of movement.
  */
 class WorldState extends JsonForm {
-    /** Seconds; null in a world without anything in it. */
+    /** Seconds; null in an empty world. */
     Double time;
     Long step;
     List<Thing> objects = new ArrayList<>();
     List<Mover> robots = new ArrayList<>();
     List<Probe> sensors = new ArrayList<>();
 
-    /** An object of the environment, or a part of a robot that is seen. */
+    /** An object of the environment, or a visible part of a robot. */
     static final class Thing extends JsonForm {
-        /** Of a part: in its robot's body. */
+        /** For a part: pose in its robot's body. */
         double[] pose;
         String name;
-        /** {@code Box}. */
+        /** For example {@code Box}. */
         String type;
-        /** Enough points for its outline from any side, in its own frame. */
+        /** Points that give the outline from any side, in the object's frame. */
         double[][] corners;
-        /** See {@link LookTable}; empty if it is not told. Of shapes, as the three that follow. */
+        /** See {@link LookTable}; empty for a look without mesh. Shapes only, like the next three. */
         String look;
-        /** {@code textures/cardboard.png}. */
+        /** For example {@code textures/cardboard.png}. */
         Optional<String> picture;
-        /** {@code #c49a6c}. */
+        /** For example {@code #c49a6c}. */
         String color;
-        /** Whether the colour is its own, not its kind's. */
+        /** Whether the colour is set, not the type's default. */
         Boolean colored;
-        /** Whether it has a mass, and so can be moved. */
+        /** Whether the object has a mass and can be moved. */
         Boolean loose;
-        /** Of a floor with a picture of its own: metres after which that is repeated, 0 if it covers the floor once. */
+        /** For a floor with its own picture: size of its repetition, metres; 0 if it covers the floor once. */
         Double tile;
-        /** Of a wheel: whether a motor may turn it. */
+        /** For a wheel: whether it can be driven. */
         Boolean driven;
-        /** Of a wheel: the name of the motor that turns it, if one does. */
+        /** For a wheel: name of its motor, if any. */
         String motor;
-        /** Of a model: whether it is ground. */
+        /** For a model: whether it is ground. */
         Boolean terrain;
-        /** Of a terrain: its stamp, see {@link TerrainMap}. */
+        /** For a terrain: its stamp, see {@link TerrainMap}. */
         String ground;
     }
 
     /** A robot. */
     static final class Mover extends JsonForm {
         double[] pose;
-        /** Its pose after a reset. */
+        /** Pose after a reset. */
         double[] start;
-        /** What its file says of that. */
+        /** Start pose in the robot's file. */
         double[] written;
-        /** Metres a second, along its forward axis. */
+        /** Metres per second along the forward axis. */
         Double speed;
-        /** Radians a second about the axis up, + counter-clockwise. */
+        /** Radians per second about the up axis, counter-clockwise positive. */
         Double turnRate;
         List<Device> devices;
-        /** Poses in the body, as the wheels have turned; in their order among the parts. */
+        /** Poses of the rotated wheels in the body, in their order among the parts. */
         double[][] wheels;
-        /** Poses in the body of the other parts, if the robot has servos. */
+        /** Poses of the other parts in the body, if the robot has servos. */
         double[][] turned;
-        /** How bright each of its lights is, 0 to 1; if it has any. */
+        /** Brightness of each light, 0 to 1, if the robot has any. */
         List<Double> lights;
-        /** Poses in the body of the lights, if the robot has servos, too. */
+        /** Poses of the lights in the body, if the robot also has servos. */
         double[][] turnedLeds;
         String name;
         Double radius;
-        /** Whether it has driven wheels. */
+        /** Whether the robot has driven wheels. */
         Boolean drives;
-        /** Whether its driven wheels turn it, by two sides at different speeds. */
+        /** Whether driven wheels on two sides turn the robot. */
         Boolean turns;
-        /** If it has steered wheels. */
+        /** Present if the robot has steered wheels. */
         SteeringKeys steered;
-        /** Where it was, {x, z}. */
+        /** Travelled path, {x, z}. */
         List<double[]> path;
         List<Thing> parts;
-        /** Its lights, if it has any. */
+        /** The robot's lights, if any. */
         List<Lamp> leds;
         Balance balance;
     }
@@ -86,11 +86,11 @@ class WorldState extends JsonForm {
     /** A device of a robot. */
     static final class Device extends JsonForm {
         String name;
-        /** Whether it has power. */
+        /** Whether the device has power. */
         boolean on;
-        /** What it is doing, in words. */
+        /** Activity as text. */
         String status;
-        /** Of a board only. */
+        /** Boards only. */
         List<Pin> pins;
     }
 
@@ -104,67 +104,66 @@ class WorldState extends JsonForm {
 
     /** A light of a robot. */
     static final class Lamp extends JsonForm {
-        /** In the body. */
+        /** Pose in the body. */
         double[] pose;
         String name;
-        /** {@code #00ff00}. */
+        /** For example {@code #00ff00}. */
         String color;
-        /** What is seen of it when it is dark. */
+        /** Colour of the unlit light. */
         String dark;
         double size;
     }
 
-    /** How a robot stands. */
+    /** Stability of a robot. */
     static final class Balance extends JsonForm {
-        /** Of mass, in the body. */
+        /** Centre of mass in the body. */
         double[] centre;
-        /** The corners of what it stands on. */
+        /** Corners of the support polygon. */
         double[][] support;
-        /** Whether it tips over easily. */
+        /** Whether the robot tips over easily. */
         boolean critical;
         String words;
     }
 
-    /** A sensor and what it reads. */
+    /** A sensor and its reading. */
     static final class Probe extends JsonForm {
         double[] pose;
-        /** What scripts get; of a scanner the ranges stand in its place. */
+        /** The value for scripts; a scanner has ranges instead. */
         Optional<Object> value;
-        /** Of a scanner. */
+        /** Scanners only. */
         ScanRanges ranges;
-        /** Where the nearest beam met something; only if beams meet something at a place. */
+        /** Nearest hit of the beams; only for sensors whose beams hit at a point. */
         Optional<double[]> hit;
-        /** {@code 1.250 m}. */
+        /** For example {@code 1.250 m}. */
         String words;
-        /** As records keep them; null where there is none. */
+        /** Numbers as in records; null for a missing one. */
         List<Double> numbers;
-        /** An address of its own, {@code data:image/png;base64,..}; of a sensor that takes pictures. */
+        /** {@code data:image/png;base64,..}, for sensors that take pictures. */
         String picture;
-        /** With its robot's, {@code myRoomba/Ping1}. */
+        /** Full name, for example {@code myRoomba/Ping1}. */
         String name;
         String type;
         String robot;
-        /** Of the value. */
+        /** Unit of the value. */
         String unit;
-        /** Of the numbers, to be put behind the sensor's. */
+        /** Names of the numbers, to append to the sensor's. */
         List<String> names;
-        /** Of a distance sensor. */
+        /** Distance sensors only. */
         List<BeamForm> cones;
-        /** Of a scanner: unit vectors of its beams in its own frame. */
+        /** Scanners only: unit vectors of the beams in the sensor's frame. */
         List<float[]> fan;
-        /** Of a camera. */
+        /** Cameras only. */
         EyeForm eye;
     }
 
-    /** What a camera is: its pictures are asked for, see {@link CameraPicture}. */
+    /** Properties of a camera; panels request its pictures, see {@link CameraPicture}. */
     static final class EyeForm extends JsonForm {
-        /** {@code depth}. */
+        /** For example {@code depth}. */
         String kind;
-        /** Pixels of a row. */
+        /** Pixels per row. */
         int width;
-        /** Rows. */
         int height;
-        /** The edge of its picture, as {@link org.SEAR.scene.ViewCone} has it: x, y, z of each point. */
+        /** Edge of the field of view, see {@link org.SEAR.scene.ViewCone}: x, y, z of each point. */
         float[] edge;
     }
 

@@ -2,16 +2,16 @@ package org.myrobotlab.service.sear.python3;
 
 import java.util.List;
 
-/** Calls that wait, and that a program of Python 3 may break off. Public because Python calls it. Any thread. */
+/** Blocking calls that a Python 3 program may cancel. Public because Python calls it. Any thread. */
 public final class BlockingCalls {
     private BlockingCalls() {
     }
 
     /**
-     * Calls a method that answers nothing.
+     * Calls a method without a result.
      *
-     * @return whether it has come to its end; false if the thread was interrupted meanwhile, which is then forgotten
-     * @throws Throwable what the method throws
+     * @return whether the call completed; false if the thread was interrupted; clears the interrupt then
+     * @throws Throwable the method's exception
      */
     public static boolean call(Object of, String name, List<?> arguments) throws Throwable {
         try {

@@ -14,11 +14,12 @@ import py4j.ClientServer;
 import py4j.Py4JNetworkException;
 
 /**
- * The door for Python 3 programs of the same machine (Py4J): whoever has the token calls whatever Java has. It listens on loopback only, and the
- * token of 192 random bits stands in a file that only its user can read, {@code .sear/gateway-PORT} of the home folder. Any thread.
+ * The gateway for Python 3 programs on the same machine (Py4J). A program with the token can call all of Java. Listens
+ * on loopback only. The token of 192 random bits is in {@code .sear/gateway-PORT} of the home folder, readable only by
+ * its user. Any thread.
  */
 public final class Gateway implements AutoCloseable {
-    /** Where Py4J's clients look by themselves. */
+    /** Default port of Py4J's clients. */
     public static final int PORT = 25333;
     private static final int HIGHEST = 65535;
     private static final int TOKEN_BYTES = 24;
@@ -35,15 +36,15 @@ public final class Gateway implements AutoCloseable {
     }
 
     /**
-     * Opens the door.
+     * Opens a gateway.
      *
-     * @param wanted port, 0 for any that is free
-     * @throws IllegalArgumentException if it is no port
-     * @throws IOException if it is taken, or the token can't be written
+     * @param wanted port, 0 for any free one
+     * @throws IllegalArgumentException if the port is out of range
+     * @throws IOException if the port is in use, or the token can't be written
      */
     public static Gateway open(int wanted) throws IOException {
         if (wanted < 0 || wanted > HIGHEST) {
-            throw new IllegalArgumentException("port is " + wanted + ", legal: 1 to " + HIGHEST + ", or 0 for one that is free");
+            throw new IllegalArgumentException("port is " + wanted + ", legal: 1 to " + HIGHEST + ", or 0 for any free one");
         }
         int port = wanted == 0 ? free() : wanted;
         byte[] random = new byte[TOKEN_BYTES];
@@ -54,7 +55,7 @@ public final class Gateway implements AutoCloseable {
         try {
             server.startServer(true);
         } catch (Py4JNetworkException e) {
-            throw new IOException("port " + port + " for Python 3 can't be had: another program has it", e);
+            throw new IOException("port " + port + " for Python 3 is not available: another program uses it", e);
         }
         return new Gateway(port, write(port, token), server);
     }
@@ -67,17 +68,16 @@ public final class Gateway implements AutoCloseable {
 
     private static Path write(int port, String token) throws IOException {
         Path folder = Files.createDirectories(Paths.get(System.getProperty("user.home"), ".sear"));
-        Path part = Files.createTempFile(folder, "gateway", null);    // which only its user can read
+        Path part = Files.createTempFile(folder, "gateway", null);    // only its user can read this file
         Files.write(part, (token + "\n").getBytes(StandardCharsets.UTF_8));
         return Files.move(part, folder.resolve("gateway-" + port), StandardCopyOption.REPLACE_EXISTING);
     }
 
-    /** Where it listens. */
     public int getPort() {
         return port;
     }
 
-    /** Closes the door; calls that run come to their end. */
+    /** Closes the gateway; calls in progress complete. */
     @Override
     public void close() {
         server.shutdown();

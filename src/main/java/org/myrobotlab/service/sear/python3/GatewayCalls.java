@@ -12,11 +12,11 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Calls that come over the gateway: the method is found that the arguments fit best, whole numbers fit where Java wants others, lists where it wants
- * arrays, and arrays of numbers go back as bytes. Public because Python calls it. Any thread.
+ * Calls through the gateway. Selects the method that fits the arguments best. Accepts whole numbers for other number
+ * types and lists for arrays, and returns arrays of numbers as bytes. Public because Python calls it. Any thread.
  */
 public final class GatewayCalls {
-    /** What bytes begin with that are an array of numbers; the three letters of numpy's type follow. */
+    /** Prefix of bytes that encode an array of numbers; the three letters of numpy's type follow. */
     private static final byte[] NUMBERS = "\0numpy".getBytes(StandardCharsets.US_ASCII);
     private static final int NO = 1000;
 
@@ -27,14 +27,14 @@ public final class GatewayCalls {
      * Calls a method.
      *
      * @throws NoSuchMethodException if none fits
-     * @throws Throwable what the method throws
+     * @throws Throwable the method's exception
      */
     public static Object call(Object of, String name, List<?> arguments) throws Throwable {
         Method method = best(Arrays.stream(of.getClass().getMethods()).filter(one -> one.getName().equals(name)), arguments);
         return invoke(method, of, arguments);
     }
 
-    /** The same of a static method. */
+    /** Calls a static method. */
     public static Object callStatic(String className, String name, List<?> arguments) throws Throwable {
         Method method = best(Arrays.stream(Class.forName(className).getMethods())
             .filter(one -> one.getName().equals(name) && Modifier.isStatic(one.getModifiers())), arguments);
@@ -42,7 +42,7 @@ public final class GatewayCalls {
     }
 
     private static Object invoke(Method method, Object of, List<?> arguments) throws Throwable {
-        method.trySetAccessible();    // of a class that is not public itself, as a list of Java's own
+        method.trySetAccessible();    // the class may not be public, as for Java's own lists
         try {
             return packed(method.invoke(of, converted(method, arguments)));
         } catch (InvocationTargetException e) {
@@ -50,7 +50,7 @@ public final class GatewayCalls {
         }
     }
 
-    /** Makes an object of a class, likewise. */
+    /** Creates an object of a class. */
     public static Object create(String className, List<?> arguments) throws Throwable {
         Constructor<?> maker = best(Arrays.stream(Class.forName(className).getConstructors()), arguments);
         try {
@@ -141,7 +141,7 @@ public final class GatewayCalls {
         } else if (type == long.class || type == Long.class) {
             return value.longValue();
         } else if (type == int.class || type == Integer.class) {
-            long whole = value.longValue();    // of Python in Java's process, where each whole number is a long one
+            long whole = value.longValue();    // Python in Java's process passes each whole number as a long
             if (whole != (int) whole) {
                 throw new IllegalArgumentException("a value is " + whole + ", legal: whole numbers from " + Integer.MIN_VALUE + " to "
                     + Integer.MAX_VALUE);
@@ -155,7 +155,7 @@ public final class GatewayCalls {
         return value;
     }
 
-    /** An array of numbers as bytes; all else as it is. */
+    /** Returns an array of numbers as bytes, any other answer unchanged. */
     private static Object packed(Object answer) {
         String type = answer == null || !answer.getClass().isArray() ? null : Members.numberType(answer);
         if (type == null) {

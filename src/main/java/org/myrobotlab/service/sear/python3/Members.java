@@ -16,7 +16,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** What the Python 3 package asks about Java's objects. Public because Python calls it. Any thread. */
+/** Queries of the Python 3 package about Java objects. Public because Python calls it. Any thread. */
 public final class Members {
     private static final String METHOD = "method";
     private static final String VALUE = "value";
@@ -24,7 +24,7 @@ public final class Members {
     private Members() {
     }
 
-    /** Whether that is a {@code method} or a {@code value}, as a field and a property are; empty if there is nothing of that name. */
+    /** Returns {@code method}, or {@code value} for a field or property; empty for an unknown name. */
     public static String kind(Object of, String name) {
         if (Arrays.stream(of.getClass().getMethods()).anyMatch(one -> one.getName().equals(name))) {
             return METHOD;
@@ -32,13 +32,13 @@ public final class Members {
         return field(of.getClass(), name) != null || getter(of.getClass(), name) != null ? VALUE : "";
     }
 
-    /** A field or property, as {@link #kind} has found it. */
+    /** Returns a field or property, see {@link #kind}. */
     public static Object value(Object of, String name) throws IllegalAccessException, InvocationTargetException {
         Field field = field(of.getClass(), name);
         return field != null ? field.get(of) : getter(of.getClass(), name).invoke(of);
     }
 
-    /** @throws IllegalArgumentException if there is no such field or property, or it can't be changed */
+    /** @throws IllegalArgumentException if the field or property doesn't exist or is read-only */
     public static void assign(Object of, String name, Object value) throws IllegalAccessException, InvocationTargetException {
         Field field = field(of.getClass(), name);
         Method setter = Arrays.stream(of.getClass().getMethods())
@@ -65,18 +65,18 @@ public final class Members {
         return name.isEmpty() ? name : name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1);
     }
 
-    /** The names of all public methods and fields but those that each object has, ordered. */
+    /** Returns the names of all public methods and fields except those of Object, sorted. */
     public static List<String> names(Class<?> type) {
         return Stream.concat(Arrays.stream(type.getMethods()).filter(one -> one.getDeclaringClass() != Object.class).map(Method::getName),
             Arrays.stream(type.getFields()).map(Field::getName)).distinct().sorted().collect(Collectors.toList());
     }
 
-    /** How a method can be called, {@code drive(speed: float, radius: float)}, the shortest first. */
+    /** Returns the signatures of a method, such as {@code drive(speed: float, radius: float)}, shortest first. */
     public static List<String> methods(Class<?> type, String name) {
         return calls(Arrays.stream(type.getMethods()).filter(one -> one.getName().equals(name)), name);
     }
 
-    /** How objects of a class can be made. */
+    /** Returns the signatures of the constructors. */
     public static List<String> constructors(Class<?> type) {
         return calls(Arrays.stream(type.getConstructors()), type.getSimpleName());
     }
@@ -90,7 +90,7 @@ public final class Members {
         return (parameter.isNamePresent() ? parameter.getName() + ": " : "") + python(parameter.getType());
     }
 
-    /** What Python calls a type. */
+    /** Returns Python's name of a type. */
     private static String python(Class<?> type) {
         if (type == double.class || type == float.class) {
             return "float";
@@ -102,7 +102,7 @@ public final class Members {
         return type == String.class ? "str" : type.isArray() || List.class.isAssignableFrom(type) ? "list" : type.getSimpleName();
     }
 
-    /** The simple names of a class and those above it, the nearest first. */
+    /** Returns the simple names of a class and its superclasses, nearest first. */
     public static List<String> lineage(Object of) {
         List<String> names = new ArrayList<>();
         for (Class<?> type = of.getClass(); type != null; type = type.getSuperclass()) {
@@ -111,12 +111,12 @@ public final class Members {
         return names;
     }
 
-    /** The class of an object, with its package. */
+    /** Returns the full class name of an object. */
     public static String className(Object of) {
         return of.getClass().getName();
     }
 
-    /** Of an array of numbers or truths what numpy calls their type, {@code <f4}; null of all else. */
+    /** Returns numpy's type of an array of numbers or booleans, such as {@code <f4}; null for any other object. */
     public static String numberType(Object array) {
         switch (String.valueOf(array.getClass().getComponentType())) {
             case "float":
@@ -136,7 +136,7 @@ public final class Members {
         }
     }
 
-    /** An array of numbers or truths as the bytes that numpy reads, the lowest first. */
+    /** Returns an array of numbers or booleans as bytes for numpy, low byte first. */
     public static byte[] bytes(Object array) {
         int length = Array.getLength(array);
         ByteBuffer out = ByteBuffer.allocate(length * Double.BYTES).order(ByteOrder.LITTLE_ENDIAN);

@@ -6,16 +6,16 @@ import java.util.stream.Collectors;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
 
-/** Objects of the grammar as tables, for notebooks. Public because Python calls it. Any thread. */
+/** Objects of the grammar as tables for notebooks. Public because Python calls it. Any thread. */
 public final class ObjectTables {
-    /** Values of a list that are told. */
+    /** Most listed values of a parameter. */
     private static final int MOST = 8;
     private static final List<String> PLACE = List.of("x", "y", "z");
 
     private ObjectTables() {
     }
 
-    /** Of each parameter that has a value which is not there anyway: its name, its value with the unit, what it is. */
+    /** Returns a row for each parameter that differs from its default: name, value with unit, description. */
     public static List<List<String>> rows(Object of) {
         ParameterTable table = ParameterTable.of(of.getClass());
         List<List<String>> rows = new ArrayList<>();
@@ -34,7 +34,7 @@ public final class ObjectTables {
             && Parameter.format(values.get(0)).equals(table.defaultOf(parameter));
     }
 
-    /** A group that has a name is told by it. */
+    /** Returns a value as text; a named group as its name. */
     private static String text(Parameter parameter, Object value) {
         if (parameter.getKind() != Parameter.Kind.GROUP) {
             return (Parameter.format(value) + " " + parameter.getUnit()).trim();

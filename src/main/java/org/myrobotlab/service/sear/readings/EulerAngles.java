@@ -2,14 +2,16 @@ package org.myrobotlab.service.sear.readings;
 
 import org.SEAR.geometry.Pose;
 
-/** Turns rotations back into the degrees of {@code rotate(rx, ry, rz)}. */
+/** Converts rotations to the degrees of {@code rotate(rx, ry, rz)}. */
 public final class EulerAngles {
     private static final double POLE = 1 - 1e-12;
 
     private EulerAngles() {
     }
 
-    /** The inverse of {@link Pose#ofDegrees}: degrees about x in (-180, 180], y in (-180, 180], z in [-90, 90]. */
+    /**
+     * Returns the inverse of {@link Pose#ofDegrees}: degrees about x in (-180, 180], y in (-180, 180], z in [-90, 90].
+     */
     public static double[] degrees(Pose pose) {
         double[] right = pose.rotate(1, 0, 0);
         double[] up = pose.rotate(0, 1, 0);

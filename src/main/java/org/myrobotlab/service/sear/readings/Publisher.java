@@ -14,15 +14,15 @@ import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
- * Publishes readings and the state of the world again and again while a simulation runs: readings by simulated time, the state for panels by the
- * computer's. In lock-step readings are published by the thread that advances time. Any thread.
+ * Publishes readings and the state of the world while a simulation runs: readings by simulated time, the state for
+ * panels by the computer's clock. In lock-step the thread that advances time publishes readings. Any thread.
  */
 public final class Publisher {
     private static final long LOOK_MILLIS = 10;
     private static final long STATE_MILLIS = 100;
     private static final long FINISH_SECONDS = 1;
     private static final double HIGHEST_RATE = 60;
-    /** So long a listener may hear nothing, simulated s. */
+    /** Simulated time without a reading after which SEAR warns a listener's user, s. */
     private static final double TIMEOUT = 2;
 
     private final SimulationControl control;
@@ -48,7 +48,7 @@ public final class Publisher {
         }
     }
 
-    /** Starts looking for what is due. */
+    /** Starts the periodic checks. */
     public Publisher(Host host, SimulationControl control, ScriptReadings readings, ScriptCameras cameras) {
         this.host = host;
         this.control = control;
@@ -65,12 +65,12 @@ public final class Publisher {
         }), STATE_MILLIS, STATE_MILLIS, TimeUnit.MILLISECONDS);
     }
 
-    /** Who listens and has not said to what waits in vain. */
+    /** Warns if a listener waits for readings although no script has called {@link #start}. */
     private void lookForSilence(SimulationSession session) {
         if (session != null && session.time() > TIMEOUT && host.isReadingHeard()) {
             silenceReported = true;
-            host.warn("something listens to publishReading, and no reading is published: sear.startPublishing(sensor, readings a second) begins;"
-                + " there are the sensors " + String.join(", ", readings.names()));
+            host.warn("a listener waits for publishReading, but no reading is published: call sear.startPublishing(sensor, readings per second);"
+                + " sensors: " + String.join(", ", readings.names()));
         }
     }
 
@@ -85,18 +85,18 @@ public final class Publisher {
         }
     }
 
-    /** @param rate a second of simulated time, above 0 to 60 */
+    /** @param rate readings per simulated second, above 0 to 60 */
     public void start(String name, double rate) {
         String sensor = ScriptText.of(name);
         if (!(rate > 0 && rate <= HIGHEST_RATE)) {
-            throw new IllegalArgumentException("rate is " + rate + ", legal: above 0 to " + HIGHEST_RATE + " readings a second");
+            throw new IllegalArgumentException("rate is " + rate + ", legal: above 0 to " + HIGHEST_RATE + " readings per second");
         }
         readings.check(sensor);
         started = true;
         subscriptions.put(sensor, new Subscription(1 / rate));
     }
 
-    /** Ends {@link #start}. */
+    /** Stops publishing a sensor's readings. */
     public void stop(String sensor) {
         subscriptions.remove(String.valueOf(ScriptText.of(sensor)));
     }
@@ -112,9 +112,10 @@ public final class Publisher {
     }
 
     /**
-     * Publishes the readings whose time has come, in the order of the sensors' names; the stepping thread calls it in lock-step.
+     * Publishes the due readings, in the order of the sensors' names. In lock-step the thread that advances time calls
+     * it.
      *
-     * @param published run after each
+     * @param published run after each reading
      */
     public void publishDue(SleepingThreads.Work published) throws InterruptedException {
         if (subscriptions.isEmpty() && !started && !silenceReported) {
@@ -143,13 +144,13 @@ public final class Publisher {
             host.reading(new SensorReading(sensor, now, readings.any(sensor)));
         } catch (IllegalArgumentException e) {
             subscriptions.remove(sensor);
-            host.warn("readings are no longer published: " + e.getMessage());
+            host.warn("SEAR stops publishing readings: " + e.getMessage());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
-    /** Publishes nothing more but what is in hand, and waits a while for that. */
+    /** Stops publishing; waits a while for a reading in progress. */
     public void finish() {
         timer.shutdown();
         subscriptions.clear();
@@ -160,7 +161,7 @@ public final class Publisher {
         }
     }
 
-    /** Ends what is in hand, too. */
+    /** Interrupts a reading in progress. */
     public void close() {
         timer.shutdownNow();
     }

@@ -8,7 +8,10 @@ import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
-/** Motors, servos and lights by call. An order holds from the start of the next step until the next order. Any thread. */
+/**
+ * Commands to motors, servos and lights. A command takes effect at the next step and lasts until the next command. Any
+ * thread.
+ */
 public final class ScriptActuators {
     private final SimulationControl control;
 
@@ -16,44 +19,44 @@ public final class ScriptActuators {
         this.control = control;
     }
 
-    /** @param power share of the full voltage, -1 to 1 */
+    /** @param power fraction of the full voltage, -1 to 1 */
     public void power(String name, double power) throws InterruptedException {
         control.session().scriptDrives();
         order(ActuatorOrder.Kind.POWER, name, "motor", power);
     }
 
-    /** @param speed of the wheels, rad/s */
+    /** @param speed wheel speed, rad/s */
     public void speed(String name, double speed) throws InterruptedException {
         control.session().scriptDrives();
         order(ActuatorOrder.Kind.SPEED, name, "motor", speed);
     }
 
-    /** Mean speed of its wheels, rad/s. */
+    /** Returns the mean speed of the motor's wheels, rad/s. */
     public double speed(String name) throws InterruptedException {
         return control.session().ask(world -> motor(world, name).getSpeed());
     }
 
-    /** What its encoder has counted. */
+    /** Returns the encoder's count. */
     public long counts(String name) throws InterruptedException {
         return control.session().ask(world -> motor(world, name).getCounts());
     }
 
-    /** @param degrees + counter-clockwise seen from above */
+    /** @param degrees counter-clockwise positive, seen from above */
     public void angle(String name, double degrees) throws InterruptedException {
         order(ActuatorOrder.Kind.ANGLE, name, "servo", degrees);
     }
 
-    /** Degrees. */
+    /** Returns degrees. */
     public double angle(String name) throws InterruptedException {
         return control.session().ask(world -> servo(world, name).getAngle());
     }
 
-    /** @param share of its full brightness, 0 to 1 */
+    /** @param share fraction of the full brightness, 0 to 1 */
     public void brightness(String name, double share) throws InterruptedException {
         order(ActuatorOrder.Kind.BRIGHTNESS, name, "led", share);
     }
 
-    /** 0 to 1. */
+    /** Returns 0 to 1. */
     public double brightness(String name) throws InterruptedException {
         return control.session().ask(world -> led(world, name).getBrightness());
     }

@@ -9,10 +9,13 @@ import org.SEAR.simulator.orders.BodyOrder;
 import org.SEAR.simulator.orders.DragSpring;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
-/** Velocities and pushes of things and robots by call; each is obeyed between two steps, before the call returns. Any thread. */
+/**
+ * Velocities of and forces on objects and robots by call. Each takes effect between two steps, before the call returns.
+ * Any thread.
+ */
 public final class ScriptBodies implements ScriptSession.Acts {
     private final SimulationControl control;
-    /** By the name of what they hold. */
+    /** Drag springs by the name of the object that they hold. */
     private final Map<String, DragSpring> hands = new ConcurrentHashMap<>();
 
     public ScriptBodies(SimulationControl control) {
@@ -20,10 +23,10 @@ public final class ScriptBodies implements ScriptSession.Acts {
     }
 
     /**
-     * Pushes a thing or robot at its centre of mass, from the next step on.
+     * Applies a force at the centre of mass of an object or robot, from the next step on.
      *
      * @param force N along the world's axes: three numbers
-     * @param seconds simulated, above 0
+     * @param seconds simulated duration, above 0
      */
     public void push(String name, List<?> force, double seconds) throws InterruptedException {
         double[] n = numbers("push: force", force, "N");
@@ -38,9 +41,10 @@ public final class ScriptBodies implements ScriptSession.Acts {
     }
 
     /**
-     * Pulls a thing or robot by a spring, as a hand does that holds it; it lets go when this is not called again within 1.5 s, or by {@link #letGo}.
+     * Pulls an object or robot by a drag spring. The spring releases it 1.5 s after the last call, or on
+     * {@link #letGo}.
      *
-     * @param way where to, metres from where it was at the first call: three numbers
+     * @param way target, metres from its position at the first call: three numbers
      */
     public void hold(String name, List<?> way) throws InterruptedException {
         double[] to = numbers("hold: way", way, "metres");
@@ -62,7 +66,7 @@ public final class ScriptBodies implements ScriptSession.Acts {
         }
     }
 
-    /** Nobody holds a thing or robot any more. */
+    /** Releases an object or robot. */
     public void letGo(String name) {
         DragSpring hand = hands.remove(ScriptText.of(name));
         if (hand != null) {
@@ -75,14 +79,14 @@ public final class ScriptBodies implements ScriptSession.Acts {
         order(BodyOrder.Kind.VELOCITY, name, x, y, z, 0);
     }
 
-    /** @param x degrees a second about the world's x, likewise y and z */
+    /** @param x degrees per second about the world's x, likewise y and z */
     public void spin(String name, double x, double y, double z) throws InterruptedException {
         order(BodyOrder.Kind.SPIN, name, x, y, z, 0);
     }
 
     private void order(BodyOrder.Kind kind, String name, double x, double y, double z, double seconds) throws InterruptedException {
         if (name == null) {
-            throw new IllegalArgumentException("the name is missing (None), legal: the name of a thing with a mass, or of a robot");
+            throw new IllegalArgumentException("the name is missing (None), legal: the name of an object with a mass, or of a robot");
         }
         BodyOrder order = new BodyOrder(kind, ScriptText.of(name), x, y, z, seconds);
         control.session().ask(world -> {
@@ -101,7 +105,7 @@ public final class ScriptBodies implements ScriptSession.Acts {
         forObject(() -> spin(name, x, y, z));
     }
 
-    /** Something that waits for the simulation. */
+    /** An action that waits for the simulation. */
     private interface Call {
         void run() throws InterruptedException;
     }

@@ -18,13 +18,13 @@ import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
-/** Pictures of cameras for scripts. Any thread. */
+/** Cameras' pictures for scripts. Any thread. */
 public final class ScriptCameras {
     private static final String ENDING = ".png";
     private static final int HEX = 16;
-    /** Pixels that a blob has at least. */
+    /** Least pixels of a blob. */
     private static final int MIN_BLOB = 4;
-    /** More than the rounding of a number of pictures. */
+    /** Tolerance for rounding errors of a number of pictures. */
     private static final double ROUNDING = 1e-9;
 
     private final SimulationControl control;
@@ -34,9 +34,9 @@ public final class ScriptCameras {
     }
 
     /**
-     * The last picture that was due.
+     * Returns the last due picture.
      *
-     * @throws IllegalArgumentException that names the cameras there are
+     * @throws IllegalArgumentException with the available cameras
      */
     private CameraImage image(String asked) throws InterruptedException {
         String name = ScriptText.of(asked);
@@ -69,16 +69,16 @@ public final class ScriptCameras {
         return image;
     }
 
-    /** Whether a sensor is a camera. */
+    /** Returns whether a sensor is a camera. */
     boolean isCamera(String name) {
         return control.session().getSimulation().getSensor(name).getParameters() instanceof Camera;
     }
 
     /**
-     * Looks whether there is a camera of a name, if a simulation runs.
+     * Checks that a camera exists, if a simulation runs.
      *
      * @return the name
-     * @throws IllegalArgumentException that names the cameras there are
+     * @throws IllegalArgumentException with the available cameras
      */
     public String check(String asked) {
         String name = ScriptText.of(asked);
@@ -91,7 +91,7 @@ public final class ScriptCameras {
         return name;
     }
 
-    /** How many pictures of a camera have been due since the start; -1 if no simulation with such a camera runs. */
+    /** Returns the number of pictures due since the start; -1 if no simulation with such a camera runs. */
     public long due(String name) {
         SimulationSession session = control.sessionOrNull();
         if (session == null || !isThere(session.getSimulation(), name)) {
@@ -100,12 +100,12 @@ public final class ScriptCameras {
         return (long) Math.floor(session.time() * ((Camera) session.getSimulation().getSensor(name).getParameters()).getRate() + ROUNDING);
     }
 
-    /** The last picture that was due; null if no simulation with such a camera runs. */
+    /** Returns the last due picture; null if no simulation with such a camera runs. */
     public CameraImage look(String name) throws InterruptedException {
         return control.look((world, session) -> isThere(world, name) ? (CameraImage) world.read(name) : null, null);
     }
 
-    /** How far what a pixel of that picture sees is: metres along the axis; not a number without a picture or such a pixel. */
+    /** Returns the distance at a pixel of that picture, metres along the axis; NaN without a picture or pixel. */
     public double distance(String name, CameraImage image, int column, int row) throws InterruptedException {
         if (column < 0 || row < 0 || column >= image.getWidth() || row >= image.getHeight()) {
             return Double.NaN;
@@ -118,32 +118,32 @@ public final class ScriptCameras {
         return world.getSensorNames().contains(name) && world.getSensor(name).getParameters() instanceof Camera;
     }
 
-    /** A PNG file. */
+    /** Returns a PNG file. */
     public byte[] png(String name) throws InterruptedException {
         return image(name).png();
     }
 
-    /** 0xRRGGBB each; of depths and temperatures in false colours. */
+    /** Returns 0xRRGGBB of each pixel; depths and temperatures in false colours. */
     public int[] pixels(String name) throws InterruptedException {
         return image(name).picture().getPixels();
     }
 
-    /** Metres along the axis. */
+    /** Returns metres along the axis. */
     public float[] depths(String name) throws InterruptedException {
         return image(name, Camera.DEPTH).getValues();
     }
 
-    /** Degrees Celsius. */
+    /** Returns degrees Celsius. */
     public float[] temperatures(String name) throws InterruptedException {
         return image(name, Camera.INFRARED).getValues();
     }
 
-    /** x, y and z of each point, metres. */
+    /** Returns x, y and z of each point, metres. */
     public float[] points(String name, boolean world) throws InterruptedException {
         return image(name, Camera.DEPTH).getPoints(world);
     }
 
-    /** [x, y, width, height, area] of each piece of a colour, pixels, the largest first. */
+    /** Returns [x, y, width, height, area] of each region of a colour, pixels, largest first. */
     public List<double[]> blobs(String name, String color) throws InterruptedException {
         String text = ScriptText.of(color);
         String hex = text == null ? null : ColorNames.hex(text);
@@ -158,7 +158,7 @@ public final class ScriptCameras {
         return blobs;
     }
 
-    /** Writes a PNG file; folders on the way are made. */
+    /** Writes a PNG file; creates missing folders. */
     public void save(String name, String path) throws InterruptedException, IOException {
         String text = ScriptText.of(path);
         if (text == null || !text.toLowerCase(Locale.ROOT).endsWith(ENDING)) {

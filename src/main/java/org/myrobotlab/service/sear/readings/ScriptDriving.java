@@ -7,8 +7,8 @@ import org.SEAR.simulator.DriveCommand;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
 /**
- * Driving by call. A command goes straight to the wheels' motors, at the start of the next step, and holds until the next one, by call or through the
- * robot's port. A robot is meant by its name, the first by null. Any thread.
+ * Drive commands. A command sets the wheels' motors at the next step and lasts until the next command, by call or
+ * through the robot's port. Null as a robot's name means the first robot. Any thread.
  */
 public final class ScriptDriving {
     private final SimulationControl control;
@@ -17,7 +17,7 @@ public final class ScriptDriving {
         this.control = control;
     }
 
-    /** As its call says it. */
+    /** Gives a robot a drive command. */
     public void give(String robot, DriveOrder order) throws InterruptedException {
         control.session().scriptDrives();
         String given = control.session().ask(world -> {
@@ -28,7 +28,7 @@ public final class ScriptDriving {
         control.session().scriptOrders(given, order.call, order.values, order.moves);
     }
 
-    /** @param degrees of a wheel in the middle, + to the left */
+    /** @param degrees angle of a wheel in the middle, left positive */
     public void steer(String robot, double degrees) throws InterruptedException {
         control.session().scriptDrives();
         control.session().ask(world -> {

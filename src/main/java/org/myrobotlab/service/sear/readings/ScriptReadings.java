@@ -29,32 +29,32 @@ public final class ScriptReadings {
         this.control = control;
     }
 
-    /** Metres to the nearest hit; the sensor's range where nothing was hit. */
+    /** Returns metres to the nearest hit; the sensor's range without a hit. */
     public double distance(String name) throws InterruptedException {
         return (Double) read(name, Distance.class);
     }
 
-    /** "x,y,z" in m/s^2. */
+    /** Returns "x,y,z" in m/s^2. */
     public String acceleration(String name) throws InterruptedException {
         return (String) read(name, Accelerometer.class);
     }
 
-    /** "x,y,z" in rad/s. */
+    /** Returns "x,y,z" in rad/s. */
     public String rates(String name) throws InterruptedException {
         return (String) read(name, Gyroscope.class);
     }
 
-    /** Degrees clockwise from north, (-180, 180]. */
+    /** Returns degrees clockwise from north, (-180, 180]. */
     public double heading(String name) throws InterruptedException {
         return (Double) read(name, Compass.class);
     }
 
-    /** Metres, right to left; the sensor's range where nothing was hit. */
+    /** Returns metres, right to left; the sensor's range without a hit. */
     public float[] scan(String name) throws InterruptedException {
         return (float[]) read(name, LIDAR.class);
     }
 
-    /** Degrees of each range of a scan from straight ahead, + to the left. */
+    /** Returns the direction of each range of a scan, degrees from straight ahead, left positive. */
     public double[] angles(String asked) throws InterruptedException {
         String name = given(asked);
         return control.session().ask(world -> {
@@ -64,17 +64,17 @@ public final class ScriptReadings {
         });
     }
 
-    /** [latitude, longitude, altitude] in degrees and metres. */
+    /** Returns [latitude, longitude, altitude] in degrees and metres. */
     public double[] position(String name) throws InterruptedException {
         return (double[]) read(name, GPS.class);
     }
 
-    /** What the sensor's get...Result call answers, for publishing. */
+    /** Returns the result of the sensor's get...Result call, for publishing. */
     public Object any(String name) throws InterruptedException {
         return read(name, SearObject.class);
     }
 
-    /** The unit of the sensor's reading; empty if it has none. */
+    /** Returns the unit of the sensor's reading; empty if it has none. */
     public String unit(String asked) {
         return control.session().getSimulation().getUnit(given(asked));
     }
@@ -91,14 +91,14 @@ public final class ScriptReadings {
         SearObject object = world.getSensor(name).getParameters();
         if (!type.isInstance(object)) {
             throw new IllegalArgumentException("sensor " + name + " is a " + object.getClass().getSimpleName() + ", not a"
-                + (type.getSimpleName().matches("[AEIOU].*") ? "n " : " ") + type.getSimpleName() + "; there are " + describe(world));
+                + (type.getSimpleName().matches("[AEIOU].*") ? "n " : " ") + type.getSimpleName() + "; sensors: " + describe(world));
         }
     }
 
     /**
-     * Makes sure that there is one sensor of a name.
+     * Checks that the sensor exists.
      *
-     * @throws IllegalArgumentException that names the sensors there are
+     * @throws IllegalArgumentException with the available sensors
      */
     void check(String name) {
         control.session().getSimulation().getSensor(name);
@@ -114,8 +114,8 @@ public final class ScriptReadings {
     }
 
     /**
-     * What a robot's odometer counts, metres, + forward. A robot with an Odometer object counts as a Roomba does: since the last call, to 32.767 m
-     * either way. A robot without one answers the path since start or reset.
+     * Returns a robot's odometer reading, metres, forward positive. An Odometer object counts like a Roomba: since the
+     * last call, at most 32.767 m either way. A robot without one returns the distance since start or reset.
      *
      * @param robot its name, or null for the first
      */
@@ -131,15 +131,15 @@ public final class ScriptReadings {
         });
     }
 
-    /** Names of all sensors. */
+    /** Returns the names of all sensors. */
     public List<String> names() {
         return control.session().getSimulation().getSensorNames();
     }
 
     /**
-     * A robot by name, or the first.
+     * Returns a robot by name, or the first.
      *
-     * @throws IllegalArgumentException that names the robots there are
+     * @throws IllegalArgumentException with the available robots
      */
     static Robot robot(Simulation world, String asked) {
         String name = ScriptText.of(asked);
@@ -150,16 +150,16 @@ public final class ScriptReadings {
         }
         StringBuilder names = new StringBuilder();
         world.getRobots().forEach(robot -> names.append(' ').append(robot.getObject().getName()));
-        throw new IllegalArgumentException(name == null ? "the project has no robot" : "there is no robot \"" + name + "\"; there are:" + names);
+        throw new IllegalArgumentException(name == null ? "the project has no robot" : "there is no robot \"" + name + "\"; robots:" + names);
     }
 
-    /** [x, y, z, rx, ry, rz] in the world, metres and degrees, of a robot, an object, a part or a sensor. */
+    /** Returns [x, y, z, rx, ry, rz] in the world, metres and degrees, of a robot, an object, a part or a sensor. */
     public double[] pose(String asked) throws InterruptedException {
         String name = given(asked);
         return control.session().ask(world -> asNumbers(world.getPose(name)));
     }
 
-    /** The world's y of the ground, metres; before the start, of the project as it is. */
+    /** Returns the world's y of the ground, metres; before the start from the project's files. */
     public double groundHeight(double x, double z) throws InterruptedException, ProjectException {
         if (!control.isRunning()) {
             return ProjectSwap.undisturbed(() -> Simulation.groundHeight(Project.read(Project.presentFolder()), x, z));

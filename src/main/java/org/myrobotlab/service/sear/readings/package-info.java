@@ -1,5 +1,5 @@
 /**
- * Readings of sensors as scripts ask for them and as they are published, and driving by call. Uses {@link org.myrobotlab.service.sear.run}, and what
- * that uses. Any thread; the simulation's answers the questions.
+ * Sensor readings for scripts and listeners, and commands to drive, actuate and move. Uses
+ * {@link org.myrobotlab.service.sear.run}, and what that uses. Any thread; the simulation thread answers the queries.
  */
 package org.myrobotlab.service.sear.readings;

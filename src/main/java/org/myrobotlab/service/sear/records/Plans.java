@@ -22,7 +22,7 @@ public final class Plans {
         this.control = control;
     }
 
-    /** The text of an SVG file. */
+    /** Returns the text of an SVG file. */
     public String svg(boolean beams) throws InterruptedException, IOException, ProjectException {
         return DrawingFiles.svg(new PlanDrawing(plan(beams)));
     }

@@ -17,9 +17,9 @@ import org.SEAR.record.RunRecord;
 import org.SEAR.record.Series;
 import org.SEAR.simulator.Simulation;
 
-/** Pictures of numbers over time, for scripts. Any thread. */
+/** Plots of numbers over time for scripts. Any thread. */
 public final class Plots {
-    /** More points than a picture has across. */
+    /** Most points; more than a picture is wide. */
     private static final int MAX_POINTS = 4000;
     private static final Pattern WITH_UNIT = Pattern.compile("(.*\\S)\\s*[(\\[]([^()\\[\\]]+)[)\\]]");
     private static final Map<String, String> UNITS = Map.of(".x", "m", ".y", "m", ".z", "m", ".heading", "deg", ".speed", "m/s", ".turnRate", "rad/s",
@@ -29,9 +29,9 @@ public final class Plots {
     }
 
     /**
-     * Draws lists of numbers into a file.
+     * Draws lists of numbers to a file.
      *
-     * @param lines their values by name, with a unit in brackets behind it
+     * @param lines values by name; the name may end with a unit in brackets
      */
     public static void save(String picture, String xTitle, List<?> xs, Map<String, ?> lines) throws IOException {
         String title = given(xTitle, "the title of the axis");
@@ -67,8 +67,8 @@ public final class Plots {
         for (int i = 0; i < numbers.length; i++) {
             Object value = list.get(i);
             if (value != null && !(value instanceof Number)) {
-                throw new IllegalArgumentException("\"" + name + "\" has " + ParameterTable.quote(value) + " at place " + i
-                    + ", legal: numbers, and None where there is none");
+                throw new IllegalArgumentException("\"" + name + "\" has " + ParameterTable.quote(value) + " at index " + i
+                    + ", legal: numbers, or None for a missing value");
             }
             numbers[i] = value == null ? Double.NaN : ((Number) value).doubleValue();
         }
@@ -76,9 +76,9 @@ public final class Plots {
     }
 
     /**
-     * Draws values of a record over time into a file.
+     * Draws values of a record over time to a file.
      *
-     * @param sensors their units, as {@link #units} has them
+     * @param sensors their units, see {@link #units}
      */
     public static void saveRecord(String path, List<String> names, String picture, Map<String, String> sensors) throws IOException {
         RunRecord record = Records.open(given(path, "the path of the record"));
@@ -105,7 +105,7 @@ public final class Plots {
             .map(Map.Entry::getValue).orElse("");
     }
 
-    /** The units of the sensors of a world; simulation thread. */
+    /** Returns the units of a world's sensors. Simulation thread. */
     public static Map<String, String> units(Simulation world) {
         Map<String, String> units = new HashMap<>();
         world.getSensorNames().forEach(name -> units.put(name, world.getUnit(name)));

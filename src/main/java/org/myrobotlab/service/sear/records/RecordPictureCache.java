@@ -8,8 +8,8 @@ import org.SEAR.record.RecordPictures;
 import org.SEAR.record.RunRecord;
 
 /**
- * Where the pictures of the record are that was asked for last: it is read through once, and again when it has changed; one that is being written at
- * most every ten seconds. Any thread.
+ * Index of the pictures in the last requested record. Reads the record once, and again after a change; a growing record
+ * at most every ten seconds. Any thread.
  */
 public final class RecordPictureCache {
     private static final long TIMEOUT = TimeUnit.SECONDS.toNanos(10);
@@ -21,9 +21,9 @@ public final class RecordPictureCache {
     private RecordPictures last;
 
     /**
-     * Those of a record.
+     * Returns the pictures of a record.
      *
-     * @throws IOException that names the path, if it is none
+     * @throws IOException with the path, if it is not a record
      */
     public synchronized RecordPictures of(String path) throws IOException {
         RunRecord record = Records.open(path);

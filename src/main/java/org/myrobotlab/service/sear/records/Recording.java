@@ -11,17 +11,20 @@ import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
-/** The record that is being written, or will be from the next start of a simulation on. Any thread. */
+/** The present record, or the one that starts with the next simulation. Any thread. */
 public final class Recording {
-    /** A record ends by itself at this size unless told otherwise. */
+    /** Default size at which a record ends. */
     public static final double MEGABYTES = 512;
-    /** Where whoever starts the program wants each run recorded, besides what scripts record; a later run replaces the one before. */
+    /**
+     * System property with the path of an additional record of each run, set by the program's user; a later run
+     * replaces it.
+     */
     private static final String KEPT = "sear.record";
     static final String ENDING = ".searlog";
     private static final long MEGABYTE = 1 << 20;
     private static final long KEPT_MEGABYTES = 64;
     private static final double MAX_MEGABYTES = 100000;
-    /** As many as a record has frames. */
+    /** Most pictures per simulated second; the number of frames in a record. */
     private static final double MAX_PICTURES = 30;
 
     private final SimulationControl control;
@@ -30,7 +33,7 @@ public final class Recording {
     private long limit;
     private double rate;
     private Recorder recorder;
-    /** Of the one who started the program; null if there is none. */
+    /** The additional record of the system property; null if there is none. */
     private Recorder kept;
 
     public Recording(SimulationControl control, Host host) {
@@ -40,11 +43,11 @@ public final class Recording {
     }
 
     /**
-     * Begins a record now, or with the next start if nothing runs.
+     * Starts a record now, or with the next simulation if none runs.
      *
-     * @param path gets the ending .searlog, if it has it not; its folder must be there
-     * @param megabytes at which it ends by itself
-     * @param pictures of each camera a simulated second, 0 for none
+     * @param path gets the ending .searlog if it has none; its folder must exist
+     * @param megabytes size at which the record ends
+     * @param pictures pictures of each camera per simulated second, 0 for none
      * @return the path with its ending
      */
     public synchronized String begin(String path, double megabytes, double pictures) throws IOException, InterruptedException {
@@ -55,15 +58,15 @@ public final class Recording {
             throw new IllegalArgumentException("recordRun: megabytes is " + megabytes + ", legal: above 0 to " + MAX_MEGABYTES);
         }
         if (!(pictures >= 0 && pictures <= MAX_PICTURES)) {
-            throw new IllegalArgumentException("recordRun: pictures is " + pictures + ", legal: 0 to " + MAX_PICTURES + " a second");
+            throw new IllegalArgumentException("recordRun: pictures is " + pictures + ", legal: 0 to " + MAX_PICTURES + " per second");
         }
         if (wanted != null) {
-            throw new IllegalStateException("a record is being written to " + wanted + " already: endRecord() first");
+            throw new IllegalStateException("a record is being written to " + wanted + " already: call endRecord() first");
         }
         Path file = ScriptText.path(path.endsWith(ENDING) ? path : path + ENDING);
         Path parent = file.toAbsolutePath().getParent();
         if (parent == null || !Files.isDirectory(parent)) {
-            throw new IOException(file + " can't be written, there is no folder " + parent + ": make it, or choose another");
+            throw new IOException(file + " can't be written: there is no folder " + parent + "; create it, or choose another");
         }
         Recorder.check(file);
         long most = (long) (megabytes * MEGABYTE);
@@ -77,7 +80,7 @@ public final class Recording {
         return file.toString();
     }
 
-    /** What {@link #begin} could not tell its caller is thrown as IllegalStateException. */
+    /** Creates the recorder; throws IOException of the file as IllegalStateException. */
     private Recorder made(Simulation world, Path file, long most, double pictures) {
         try {
             return Recorder.begin(world, file, most, pictures, host::warn);
@@ -86,7 +89,7 @@ public final class Recording {
         }
     }
 
-    /** Before the first step of a simulation. */
+    /** Called before the first step of a simulation. */
     private synchronized void started(Simulation world) {
         String keptFile = System.getProperty(KEPT);
         if (keptFile != null) {
@@ -97,7 +100,7 @@ public final class Recording {
         }
     }
 
-    /** Whether one is being written, or will be. */
+    /** Returns whether a record is being written or will be. */
     public synchronized boolean isOn() {
         return wanted != null;
     }
@@ -105,12 +108,12 @@ public final class Recording {
     /**
      * Ends the record.
      *
-     * @return simulated seconds that it has
+     * @return its simulated seconds
      * @throws IllegalStateException if there is none
      */
     public synchronized double end() throws IOException, InterruptedException {
         if (wanted == null) {
-            throw new IllegalStateException("no record is being written: recordRun(\"run.searlog\") begins one");
+            throw new IllegalStateException("no record is being written: call recordRun(\"run.searlog\") to start one");
         }
         Recorder present = recorder;
         wanted = null;
@@ -129,7 +132,7 @@ public final class Recording {
         return present.getSeconds();
     }
 
-    /** After the end of a simulation: the record of it ends, too. */
+    /** Ends the record after the end of its simulation. */
     public void stopped() {
         try {
             if (hasBegun()) {

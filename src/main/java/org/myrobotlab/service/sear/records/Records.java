@@ -29,29 +29,29 @@ import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.readings.EulerAngles;
 
-/** What is in records, for scripts and panels. Any thread. */
+/** Contents of records for scripts and panels. Any thread. */
 public final class Records {
-    /** Frames of a record that scripts and tables get; of more, every second, fourth ... one. */
+    /** Most frames for scripts and tables; of a longer record every second, fourth ... frame. */
     private static final int MAX_ROWS = 200000;
-    /** Frames that panels get. */
+    /** Most frames for panels. */
     private static final int MAX_FRAMES = 2000;
     private static final int MAX_POINTS = 4000;
     private static final int MAX_LISTED = 200;
     private static final double FINE = 1e4;
 
     private final Host host;
-    /** What was said last. */
+    /** The last reported message. */
     private String reported = "";
 
-    /** @param host hears of a record that is not whole */
+    /** @param host takes messages about incomplete records */
     public Records(Host host) {
         this.host = host;
     }
 
-    /** Says what a record lacks, once for several looks at it. */
+    /** Reports that a record is incomplete, once for repeated reads. */
     private synchronized void report(RunRecord record, boolean whole) {
-        String words = whole ? "" : record.getPath() + (record.isBeingWritten() ? " is still being written: what it has so far is read"
-            : " was cut off, by a crash or a full disk: what it has up to there is read");
+        String words = whole ? "" : record.getPath() + (record.isBeingWritten() ? " is still being written: SEAR reads it up to its latest event"
+            : " was cut off, by a crash or a full disk: SEAR reads it up to that point");
         if (!words.equals(reported) && !words.isEmpty()) {
             host.progress(words);
         }
@@ -59,10 +59,10 @@ public final class Records {
     }
 
     /**
-     * Opens one.
+     * Opens a record.
      *
-     * @param path as it was given to {@link Recording#begin}: its ending may be left out
-     * @throws IOException that names the path, if it is none
+     * @param path as passed to {@link Recording#begin}; the ending is optional
+     * @throws IOException with the path, if it is not a record
      */
     public static RunRecord open(String path) throws IOException {
         if (path == null) {
@@ -73,7 +73,7 @@ public final class Records {
         return RunRecord.open(!Files.exists(file) && Files.exists(whole) ? whole : file);
     }
 
-    /** Records in the working folder, ordered by name. */
+    /** Returns the records in the working folder, sorted by name. */
     public static List<String> list() throws IOException {
         TreeSet<String> names = new TreeSet<>();
         try (DirectoryStream<Path> files = Files.newDirectoryStream(Paths.get(""), "*.searlog")) {
@@ -87,12 +87,12 @@ public final class Records {
         return new ArrayList<>(names);
     }
 
-    /** Names of the values of a record. */
+    /** Returns the names of a record's values. */
     public static List<String> names(String path) throws IOException {
         return new ArrayList<>(Series.names(open(path).getHeader()));
     }
 
-    /** Runs a record's commands in a world of their own. */
+    /** Runs a record's commands again in a separate world. */
     public Map<String, Object> rerun(String path, Path project) throws IOException, ProjectException {
         RunRecord record = open(path);
         Rerun.Result result = Rerun.of(record, Project.read(project));
@@ -112,7 +112,7 @@ public final class Records {
         }
         Path file = ScriptText.path(csv);
         if (Files.exists(file) && !csv.endsWith(".csv")) {
-            throw new IOException(file + " is there already and is no .csv: choose another name");
+            throw new IOException(file + " already exists and is not a .csv file: choose another name");
         }
         RunRecord record = open(path);
         Series series = Series.of(record, names, MAX_ROWS);
@@ -120,7 +120,7 @@ public final class Records {
         Files.write(file, series.csv().getBytes(StandardCharsets.UTF_8));
     }
 
-    /** {@code {"path": .., "names": [..], "times": [..], "values": [[.., null, ..], ..]}}. */
+    /** Returns {@code {"path": .., "names": [..], "times": [..], "values": [[.., null, ..], ..]}}. */
     public Map<String, Object> values(String path, List<String> names) throws IOException {
         RunRecord record = open(path);
         Series series = Series.of(record, names, MAX_POINTS);
@@ -142,17 +142,18 @@ public final class Records {
     }
 
     /**
-     * What panels show again.
+     * Returns the frames of a replay in panels.
      *
      * <pre>
-     * {"path", "whole", "written" (just now), "names": [..], "robots": [name, ..], "objects": [name of one that moves, ..], "sensors": [name, ..],
-     *  "lights": [[number of a robot, of its light], ..], "times": [..], and by time:
+     * {"path", "whole", "written" (at present), "names": [..], "robots": [name, ..], "objects": [name of a moving one, ..],
+     *  "sensors": [name, ..], "lights": [[number of a robot, of its light], ..], "times": [..], and by time:
      *  "robotPoses": [[[x, y, z, rx, ry, rz], ..], ..], "objectPoses": likewise, "speeds": [[[m/s, rad/s] of each robot, ..], ..],
-     *  "pictures": [name of a camera of which it has some, ..],
-     *  "words": [[what each sensor read, null if none of that name is known, ..], ..], "brightness": [[of each light, 0 to 1, ..], ..]}
+     *  "pictures": [name of a camera with recorded pictures, ..],
+     *  "words": [[reading of each sensor as text, null for an unknown sensor, ..], ..],
+     *  "brightness": [[of each light, 0 to 1, ..], ..]}
      * </pre>
      *
-     * @param known as {@link #wording} has it
+     * @param known see {@link #wording}
      */
     public Map<String, Object> frames(String path, Map<String, Function<double[], String>> known) throws IOException {
         RunRecord record = open(path);
@@ -179,7 +180,9 @@ public final class Records {
         return answer;
     }
 
-    /** How the numbers of each sensor of a world are told in words; simulation thread, the functions any. */
+    /**
+     * Returns functions that format the numbers of each sensor as text. Simulation thread; the functions run on any.
+     */
     public static Map<String, Function<double[], String>> wording(Simulation world) {
         Map<String, Function<double[], String>> words = new HashMap<>();
         for (String name : world.getSensorNames()) {

@@ -46,14 +46,14 @@ public class BundleTransfersTest {
     @Test
     public void partsOutOfOrderAreRefusedAndABeginningForgetsTheFormer() throws Exception {
         transfers.receive("my.sear", 0, 3, base64(0, 10));
-        assertRefused("came out of order, expected 1", () -> transfers.receive("my.sear", 2, 3, base64(0, 10)));
+        assertRefused("arrived out of order, expected 1", () -> transfers.receive("my.sear", 2, 3, base64(0, 10)));
         assertTrue(transfers.receive("other.sear", 0, 1, base64(0, 5)));
         assertEquals(5, loaded.length);
     }
 
     @Test
     public void damagedPartsAreRefused() {
-        assertRefused("was damaged on its way", () -> transfers.receive("my.sear", 0, 1, "?"));
+        assertRefused("was damaged in transfer", () -> transfers.receive("my.sear", 0, 1, "?"));
         assertRefused("part is 3, legal: 0 to 0", () -> transfers.part(3));
     }
 

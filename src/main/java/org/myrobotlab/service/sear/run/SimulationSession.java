@@ -26,10 +26,8 @@ import org.myrobotlab.service.sear.lockstep.Quiescence;
 import org.myrobotlab.service.sear.lockstep.SleepingThreads;
 
 /**
- * One running simulation with its thread, ports and clock. Any thread.
- *
- * <p>Locks: {@code stepping} is held while lock-step advances time; its holder waits only for ports and the simulation
- * thread.
+ * One running simulation with its thread, ports and clock. Any thread. {@code stepping} is held while lock-step
+ * advances time; its holder waits only for ports and the simulation thread.
  */
 public final class SimulationSession {
     private static final long LOOK_AFTER_THREAD = 200;
@@ -65,10 +63,7 @@ public final class SimulationSession {
     private volatile boolean ended;
     private boolean stopped;
     private volatile Throwable failure;
-    /**
-     * Simulated time at the end of the script's last sleep, s: {@link SimulationRunner#getAdvancedTime} without
-     * rounding to steps.
-     */
+    /** Simulated end of the script's last sleep, s: {@link SimulationRunner#getAdvancedTime} not rounded to steps. */
     private volatile double scriptTime;
     private final SleepingThreads sleepers = new SleepingThreads();
     private final ReportedWarnings warnings;
@@ -144,8 +139,7 @@ public final class SimulationSession {
     }
 
     /**
-     * Called when the service knows this session and delivers bytes to it. Without lock-step, connects the services
-     * that wait for its ports.
+     * Connects the services that wait for its ports, unless in lock-step. Called when the service knows this session.
      */
     void known() {
         if (!lockStep) {
@@ -153,10 +147,7 @@ public final class SimulationSession {
         }
     }
 
-    /**
-     * Waits after each step, on the simulation thread, until readers have taken their bytes, if the speed is "as fast
-     * as possible". Waits at most 50 ms, so that queries are answered.
-     */
+    /** Lets readers take their bytes after each step "as fast as possible". At most 50 ms, so that queries run. */
     private void waitForReaders() {
         if (lockStep || !Double.isInfinite(throttle.getSpeed())) {
             return;
@@ -259,12 +250,7 @@ public final class SimulationSession {
         return lines.stream().filter(line -> line.getServiceName().equals(serviceName)).findFirst().orElse(null);
     }
 
-    /**
-     * Returns the direct path to the device at a port.
-     *
-     * @param userPort the port's name
-     * @return null if the simulation has no such port
-     */
+    /** Returns the direct path to the device at a user's port; null if the simulation has no such port. */
     public ExternalLine outsideLine(String userPort) {
         for (UartLine line : lines) {
             if (line.getUserPort().getName().equals(userPort)) {
@@ -299,8 +285,6 @@ public final class SimulationSession {
     /**
      * Records a script's drive command, which takes effect from the next step on.
      *
-     * @param call the method's name
-     * @param values its arguments
      * @param moves whether it starts the robot
      */
     public void scriptOrders(String robot, String call, String values, boolean moves) {
@@ -501,7 +485,7 @@ public final class SimulationSession {
     }
 
     /**
-     * Moves an object or a robot to its start pose in a newer state of the project, see {@link Simulation#place}.
+     * Moves an object to its start pose in a newer state of the project, see {@link Simulation#place}.
      *
      * @param back whether an edit was undone
      * @return whether this world has the object
@@ -516,10 +500,7 @@ public final class SimulationSession {
         return found[0];
     }
 
-    /**
-     * Returns how much to raise a robot's start so that it stands at its new place, metres, see
-     * {@link Simulation#rise}.
-     */
+    /** Returns how much to raise a robot's start to stand at its new place, metres, see {@link Simulation#rise}. */
     public double rise(String robot, Pose by) throws InterruptedException {
         return ask(world -> world.rise(robot, by));
     }

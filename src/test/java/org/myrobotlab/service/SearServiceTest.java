@@ -464,7 +464,7 @@ public class SearServiceTest {
         Path bundle = temporary.getRoot().toPath().resolve("rover.sear");
         sear.saveProject(bundle.toString());
         assertEquals("roomba_2", sear.importRobot(bundle.toString(), "roomba"));
-        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("\"roomba\" is called \"roomba_2\" here"));
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("imported \"roomba\" as \"roomba_2\""));
         assertTrue(sear.importEnvironment(bundle.toString()).contains("wall_2"));
         sear.startSimulation();
         assertTrue(sear.getSensorNames().toString(), sear.getSensorNames().containsAll(List.of("roomba/ping", "roomba_2/ping")));
@@ -564,7 +564,7 @@ public class SearServiceTest {
     public void templatesAreCopiedOnce() throws Exception {
         String copy = sear.copyTemplate("controller.py", folder.toString());
         assertTrue(Files.readString(Path.of(copy)).startsWith("# controller.py"));
-        assertFails("exists already", () -> sear.copyTemplate("controller.py", folder.toString()));
+        assertFails("already exists", () -> sear.copyTemplate("controller.py", folder.toString()));
     }
 
     @Test

@@ -3,7 +3,7 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Param;
 
-/** Acceleration along the body axes, m/s^2: velocity difference over the bandwidth's window. */
+/** Acceleration along the body axes, m/s^2: the change of velocity over one period of the bandwidth. */
 @Described("acceleration along the three body axes, m/s^2")
 public class Accelerometer extends SensorObject {
     @Param(doc = "readings a second that differ from each other", unit = "Hz", min = 0.01, max = 10000)
@@ -33,12 +33,10 @@ public class Accelerometer extends SensorObject {
         created(Accelerometer.class);
     }
 
-    /** Hz. */
     public double getBandwidth() {
         return bandwidth;
     }
 
-    /** Whether gravity is part of the reading. */
     public boolean isGravity() {
         return gravity;
     }
@@ -49,7 +47,7 @@ public class Accelerometer extends SensorObject {
         changed();
     }
 
-    /** Whether gravity is part of the reading (proper acceleration); false at first. */
+    /** @param on whether gravity is part of the reading (proper acceleration); default false */
     public void setGravity(boolean on) {
         gravity = checked("gravity", on);
         changed();

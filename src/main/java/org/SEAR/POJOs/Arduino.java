@@ -58,7 +58,7 @@ public class Arduino extends SearObject implements SerialObject {
         return true;
     }
 
-    /** One by one in their order, so that of two wires at one pin the second is told of. */
+    /** Checks the wires one by one, so that of two wires at one pin the second is the faulty one. */
     @Override
     protected void crossCheck(Faults faults) {
         List<BoardWire> good = new ArrayList<>();
@@ -80,33 +80,30 @@ public class Arduino extends SearObject implements SerialObject {
         }
     }
 
-    /** What kind of board it is. */
+    /** Returns the kind of board. */
     public BoardModel getModel() {
         return BoardModel.of(board);
     }
 
-    /** uno or mega. */
     public String getBoard() {
         return board;
     }
 
-    /** MrlComm or StandardFirmata. */
     public String getFirmware() {
         return firmware;
     }
 
-    /** Whether it runs StandardFirmata. */
     public boolean isFirmata() {
         return FIRMATA.equals(firmware);
     }
 
-    /** The wires in the order in which they were made; a view. */
+    /** Returns the wires in the order of their addition; a view. */
     public List<BoardWire> getWires() {
         return Collections.unmodifiableList(wires);
     }
 
     /**
-     * Wires a component to a pin, for what its kind is for.
+     * Wires a component to a pin, in the default role of its kind.
      *
      * @param pin for example "A0" or "7"
      */
@@ -114,7 +111,7 @@ public class Arduino extends SearObject implements SerialObject {
         wire(pin, part, null);
     }
 
-    /** Wires a component to a digital pin, for what its kind is for. */
+    /** Wires a component to a digital pin, in the default role of its kind. */
     public void wire(int pin, SearObject part) {
         wire(Integer.toString(pin), part, null);
     }
@@ -124,26 +121,27 @@ public class Arduino extends SearObject implements SerialObject {
         wire(Integer.toString(pin), part, role);
     }
 
-    /** Wires a component to a digital pin, by its name. */
+    /** Wires a component by its name to a digital pin. */
     public void wire(int pin, String part) {
         wire(Integer.toString(pin), part, null);
     }
 
-    /** Wires a component to a pin, by its name. */
+    /** Wires a component by its name to a pin. */
     public void wire(String pin, String part) {
         wire(pin, part, null);
     }
 
-    /** Wires a component to a digital pin, by its name. */
+    /** Wires a component by its name to a digital pin. */
     public void wire(int pin, String part, String role) {
         wire(Integer.toString(pin), part, role);
     }
 
     /**
-     * Wires a component to a pin, by its name.
+     * Wires a component by its name to a pin.
      *
-     * @param part a component of the Arduino's robot; before it is on one, of the only robot that has one of that name
-     * @throws IllegalArgumentException that names the parts there are, and as the call with the component itself
+     * @param part a component of the Arduino's robot; before the Arduino is on a robot, of the only robot with such a
+     *     component
+     * @throws IllegalArgumentException with the names of the parts, and as the call with the component itself
      */
     public void wire(String pin, String part, String role) {
         String name = ScriptText.of(part);
@@ -154,7 +152,7 @@ public class Arduino extends SearObject implements SerialObject {
         Map<String, SEARrobot> robots = new LinkedHashMap<>();
         for (SEARrobot robot : robot() != null ? List.of(robot()) : ScriptSessions.ALL.made(SEARrobot.class)) {
             if (robot.isInProject()) {
-                robots.put(robot.getName(), robot);    // a later one of that name has replaced it
+                robots.put(robot.getName(), robot);    // replaces an earlier robot of the same name
             }
         }
         List<SearObject> found = new ArrayList<>();
@@ -185,8 +183,9 @@ public class Arduino extends SearObject implements SerialObject {
      *
      * @param pin for example "A0" or "7"
      * @param part a component of the same robot
-     * @param role what the wire is for; null for what the component's kind is for
-     * @throws IllegalArgumentException that says what is legal, if the pin can't do that or is taken, or the component has no such wire
+     * @param role of the wire; null for the default role of the component's kind
+     * @throws IllegalArgumentException with the legal values, if the pin is unsuitable or taken, or the component has
+     *     no such wire
      */
     public void wire(String pin, SearObject part, String role) {
         checkChangeable();
@@ -221,9 +220,9 @@ public class Arduino extends SearObject implements SerialObject {
     }
 
     /**
-     * Pulls out the wire at a pin.
+     * Removes the wire at a pin.
      *
-     * @throws IllegalArgumentException that names the wired pins, if nothing is wired to it
+     * @throws IllegalArgumentException with the wired pins, if nothing is wired to it
      */
     public void unwire(String pin) {
         checkChangeable();
@@ -237,12 +236,12 @@ public class Arduino extends SearObject implements SerialObject {
         changed();
     }
 
-    /** Pulls out the wire at a digital pin. */
+    /** Removes the wire at a digital pin. */
     public void unwire(int pin) {
         unwire(Integer.toString(pin));
     }
 
-    /** @param newFirmware MrlComm (115200 baud at first) or StandardFirmata (57600) */
+    /** @param newFirmware MrlComm (default 115200 baud) or StandardFirmata (57600) */
     public void setFirmware(String newFirmware) {
         int old = deliveredBaud();
         firmware = checked("firmware", newFirmware);

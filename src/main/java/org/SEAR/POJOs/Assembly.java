@@ -3,13 +3,13 @@ package org.SEAR.POJOs;
 import java.io.IOException;
 import org.SEAR.grammar.Faults;
 
-/** Puts objects that were read from files together; for the project room. */
+/** Package access for {@link org.SEAR.project}, which assembles objects that were read from files. */
 public final class Assembly {
     private Assembly() {
     }
 
     /**
-     * Makes a component that was read from its own file a part of the robot whose file names it.
+     * Adds a component that was read from its own file to the robot whose file names it.
      *
      * @param aside whether the file lies in the robot's own folder
      */
@@ -17,52 +17,53 @@ public final class Assembly {
         robot.link(component, aside);
     }
 
-    /** The robot that a part belongs to; null for what is no robot's part. */
+    /** Returns the robot of a part; null for an object that is no robot's part. */
     public static SEARrobot robotOf(SearObject part) {
         return part.robot();
     }
 
     /**
-     * Moves the file of a robot's component into the robot's own folder, see {@link SearObject#getFileName}, and writes the robot's file.
+     * Moves the file of a robot's component into the robot's own folder, see {@link SearObject#getFileName}, and writes
+     * the robot's file.
      *
-     * @throws IOException if one of them can't be written; all is as before then
-     * @throws IllegalArgumentException if the names are too long for that
+     * @throws IOException if a file can't be written; nothing has changed then
+     * @throws IllegalArgumentException if the names are too long for a file
      */
     public static void moveAside(SearObject component) throws IOException {
         component.robot().moveAside(component);
     }
 
     /**
-     * Has a robot that was read name one of its components as a file in the robot's own folder.
+     * Changes the name of a component in a robot that was read to that of a file in the robot's own folder.
      *
-     * @return how it is named now, {@code robot/name}
-     * @throws IllegalArgumentException if the names are too long for that
+     * @return the new name, {@code robot/name}
+     * @throws IllegalArgumentException if the names are too long for a file
      */
     public static String nameAside(SEARrobot robot, String component) {
         return robot.nameAside(component);
     }
 
-    /** Takes {@link #moveAside} back, but for the files. */
+    /** Undoes {@link #moveAside}, except for the files. */
     public static void forgetAside(SearObject component) {
         component.robot().forgetAside(component);
     }
 
-    /** Says what scripts call a part that was read, see {@link SearObject#getFullName}. */
+    /** Sets the name by which scripts address a part that was read, see {@link SearObject#getFullName}. */
     public static void setFullName(SearObject part, String fullName) {
         part.setFullName(fullName);
     }
 
-    /** Gives a distance sensor that was read from a file the shape of its named beam. */
+    /** Sets the beam data of a distance sensor that was read from a file. */
     public static void link(Distance sensor, Beam beam) {
         sensor.link(beam);
     }
 
-    /** Adds what is wrong with the values of an object together. */
+    /** Adds the faults of an object's combined values. */
     public static void crossCheck(SearObject object, Faults faults) {
         object.crossCheck(faults);
     }
 
-    /** Whether an object can only be a part of a robot, so that its file lies in {@code robot/} from the start. */
+    /** Returns whether objects of this kind are always parts of a robot, so that their files lie in {@code robot/}. */
     public static boolean isRobotPart(SearObject object) {
         return object.isRobotPart();
     }

@@ -8,7 +8,8 @@ import org.SEAR.grammar.Param;
 import org.SEAR.grammar.TextRule;
 
 /**
- * The beam of a kind of distance sensor, as data: a file {@code beams/NAME.xml} of the project, or one that comes with SEAR. Immutable, any thread.
+ * The beam of a kind of distance sensor, as data: a file {@code beams/NAME.xml} of the project, or a beam that comes
+ * with SEAR. Immutable, any thread.
  */
 @Described("a named beam, a file of the project's beams folder")
 public class Beam {
@@ -32,32 +33,30 @@ public class Beam {
     protected Beam() {
     }
 
-    /** Name of the product or kind. */
     public String getName() {
         return name;
     }
 
-    /** Other names of the same product. */
+    /** Returns other names of the same product. */
     public List<String> getAliases() {
         return Collections.unmodifiableList(alias);
     }
 
-    /** What it is; null if the file doesn't say. */
+    /** Returns the description; null if the file has none. */
     public String getDescription() {
         return description;
     }
 
-    /** Nearest distance the product can tell, metres. */
     public double getMinRange() {
         return minRange;
     }
 
-    /** The cones, at least one. */
+    /** Returns the cones, at least one. */
     public List<BeamCone> getCones() {
         return Collections.unmodifiableList(cone);
     }
 
-    /** The curve from distance to output voltage, nearest first; empty for a sensor without one. */
+    /** Returns the curve from distance to output voltage, nearest first; empty for a sensor without one. */
     public List<VoltagePoint> getVoltages() {
         return Collections.unmodifiableList(voltage);
     }

@@ -9,12 +9,12 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
 import org.SEAR.grammar.TextRule;
 
-/** One cone of a distance sensor's beam: lines from the sensor to the cone's rim. Immutable, any thread. */
+/** One cone of a distance sensor's beam: rays from the sensor to the cone's rim. Immutable, any thread. */
 @Described("one cone of a beam")
 public class BeamCone {
-    /** Lines of a cone unless told otherwise. */
+    /** Default number of rays of a cone. */
     public static final int DEFAULT_LINES = 36;
-    /** Most lines of a cone. */
+    /** Largest number of rays of a cone. */
     public static final int MAX_LINES = 360;
     private static final String DEFAULT_COLOR = "#ffa500";
 
@@ -36,7 +36,7 @@ public class BeamCone {
     }
 
     /**
-     * An orange cone of 36 lines.
+     * An orange cone of 36 rays.
      *
      * @param halfAngle degrees, 0 to 90
      * @param range metres
@@ -56,11 +56,11 @@ public class BeamCone {
     }
 
     /**
-     * With everything.
+     * With all parameters.
      *
      * @param yaw degrees to the left, for a side lobe
      * @param pitch degrees up, for a side lobe
-     * @throws IllegalArgumentException with everything that is wrong
+     * @throws IllegalArgumentException with all problems
      */
     public BeamCone(double halfAngle, double range, String color, int lines, double yaw, double pitch) {
         this.halfAngle = halfAngle;
@@ -75,7 +75,10 @@ public class BeamCone {
         }
     }
 
-    /** A cone from what a script lists: a BeamCone, or [halfAngle, range, color, lines, yaw, pitch] of which the first two have to be there. */
+    /**
+     * Returns a cone from an entry of a script's list: a BeamCone, or [halfAngle, range, color, lines, yaw, pitch]; all
+     * but the first two are optional.
+     */
     static BeamCone of(Object entry) {
         if (entry instanceof BeamCone) {
             return (BeamCone) entry;
@@ -102,37 +105,32 @@ public class BeamCone {
         return (int) number;
     }
 
-    /** The same cone with another number of lines. */
+    /** Returns the same cone with another number of rays. */
     BeamCone withLines(int newLines) {
         return new BeamCone(halfAngle, range, color, halfAngle == 0 ? 1 : newLines, yaw, pitch);
     }
 
-    /** Angle between axis and rim, degrees, 0 to 90. */
     public double getHalfAngle() {
         return halfAngle;
     }
 
-    /** Length of each line, metres. */
     public double getRange() {
         return range;
     }
 
-    /** #rrggbb. */
+    /** Returns the colour as #rrggbb. */
     public String getColor() {
         return ColorNames.hex(color);
     }
 
-    /** Number of lines around the rim. */
     public int getLines() {
         return lines;
     }
 
-    /** Degrees to the left of the sensor's axis. */
     public double getYaw() {
         return yaw;
     }
 
-    /** Degrees above the sensor's axis. */
     public double getPitch() {
         return pitch;
     }

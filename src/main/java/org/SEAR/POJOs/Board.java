@@ -3,11 +3,11 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Param;
 
 /**
- * An upright plate with a picture on its front, which looks to where robots come from that drive ahead: towards -z. The middle of its front is its
- * origin.
+ * A vertical plate with a picture on its front. The front faces -z, towards robots that drive ahead, and its middle is
+ * the origin.
  */
 public abstract class Board extends Shape {
-    /** How thick a plate is unless something else is set, metres. */
+    /** Default thickness, metres. */
     private static final double THIN = 0.003;
 
     @Param(doc = "size along z, behind the picture", unit = "m", min = SMALL, max = 100)
@@ -22,13 +22,12 @@ public abstract class Board extends Shape {
         super(name, mass);
     }
 
-    /** Size along x, metres, before scaling. */
+    /** Returns the size along x, metres, before scaling. */
     public abstract double getBoardWidth();
 
-    /** Size along y, metres, before scaling. */
+    /** Returns the size along y, metres, before scaling. */
     public abstract double getBoardHeight();
 
-    /** Size along z, metres, before scaling. */
     public final double getThickness() {
         return thickness;
     }

@@ -26,17 +26,16 @@ public class BoardWire {
         this.role = role.getWord();
     }
 
-    /** The pin as people write it, {@code 7} or {@code A0}. */
+    /** Returns the pin as printed on the board, {@code 7} or {@code A0}. */
     public String getPin() {
         return pin;
     }
 
-    /** Name of the component. */
     public String getPart() {
         return part;
     }
 
-    /** What the wire is for; null only in a file whose problems are being told. */
+    /** Returns the role of the wire; null only in a file that is being checked. */
     public WireRole getRole() {
         return WireRole.of(role);
     }

@@ -3,7 +3,9 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Param;
 
-/** A box: length along x, height along y, width along z, centred on its origin. Its default picture is a cardboard box. */
+/**
+ * A box: length along x, height along y, width along z, centred on its origin. Its default picture is a cardboard box.
+ */
 @Described("a box: length along x, height along y, width along z")
 public class Box extends Shape {
     @Param(doc = "size along x", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.25")
@@ -23,7 +25,7 @@ public class Box extends Shape {
     }
 
     /**
-     * With its centre in the origin and the default picture of a cardboard box.
+     * Centred on the origin, with the default picture of a cardboard box.
      *
      * @param mass kg, 0 fixes it in place
      */
@@ -46,7 +48,7 @@ public class Box extends Shape {
         this(name, length, width, height, mass, null, x, y, z, rx, ry, rz);
     }
 
-    /** With everything. */
+    /** With all parameters. */
     public Box(String name, double length, double width, double height, double mass, String image,
             double x, double y, double z, double rx, double ry, double rz) {
         super(name, mass);
@@ -58,17 +60,14 @@ public class Box extends Shape {
         created(Box.class);
     }
 
-    /** Size along x, metres, before scaling. */
     public double getLength() {
         return length;
     }
 
-    /** Size along z, metres, before scaling. */
     public double getWidth() {
         return width;
     }
 
-    /** Size along y, metres, before scaling. */
     public double getHeight() {
         return height;
     }

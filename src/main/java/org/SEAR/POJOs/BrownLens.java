@@ -1,12 +1,13 @@
 package org.SEAR.POJOs;
 
 /**
- * A lens by Brown's model (D. C. Brown, "Decentering distortion of lenses", 1966), with OpenCV's order and signs: a point (x, y) of the plane one
- * metre ahead, x to the right and y down, is seen at x (1 + k1 r^2 + k2 r^4) + 2 p1 x y + p2 (r^2 + 2 x^2), likewise y. Immutable, any thread.
+ * A lens with Brown's distortion (D. C. Brown, "Decentering distortion of lenses", 1966), with OpenCV's order and
+ * signs. A point (x, y) of the plane at 1 m, x to the right and y down, appears at x (1 + k1 r^2 + k2 r^4) + 2 p1 x y +
+ * p2 (r^2 + 2 x^2), likewise y. Immutable, any thread.
  */
 public final class BrownLens {
     private static final int MAX_STEPS = 60;
-    /** Metres, one metre ahead. */
+    /** Convergence threshold of the Newton iteration, metres in the plane at 1 m. */
     private static final double EXACT = 1e-14;
     private static final double GOOD = 1e-9;
 
@@ -19,10 +20,8 @@ public final class BrownLens {
     private final double p2;
 
     /**
-     * A lens.
-     *
      * @param focalLength pixels
-     * @param cx column that the axis meets, likewise the row cy
+     * @param cx column of the optical axis, likewise the row cy
      * @param distortion k1, k2, p1, p2
      */
     public BrownLens(double focalLength, double cx, double cy, double[] distortion) {
@@ -35,17 +34,17 @@ public final class BrownLens {
         p2 = distortion[3];
     }
 
-    /** Pixels. */
+    /** Returns the focal length, pixels. */
     public double getFocalLength() {
         return focalLength;
     }
 
-    /** The column at which a point of the plane one metre ahead is seen: x metres to the right of the axis and y below it. */
+    /** Returns the column of a point of the plane at 1 m: x metres to the right of the axis and y below it. */
     public double column(double x, double y) {
         return cx + focalLength * seenX(x, y);
     }
 
-    /** Likewise the row. */
+    /** Returns the row of a point of the plane at 1 m. */
     public double row(double x, double y) {
         return cy + focalLength * seenY(x, y);
     }
@@ -61,10 +60,10 @@ public final class BrownLens {
     }
 
     /**
-     * The point of the plane one metre ahead that is seen at a place of the picture, by Newton's method.
+     * Finds the point of the plane at 1 m that appears at a place of the picture, by Newton's method.
      *
-     * @param point takes metres to the right of the axis and metres below it
-     * @return whether there is one that the distortion has not folded back
+     * @param point receives the metres to the right of the axis and below it
+     * @return whether there is such a point that the distortion does not fold back
      */
     public boolean point(double column, double row, double[] point) {
         double wantedX = (column - cx) / focalLength;
@@ -92,7 +91,7 @@ public final class BrownLens {
         return off <= GOOD && turn > 0 && isAhead(x, y);
     }
 
-    /** Whether the distortion grows all the way from the axis to a point. */
+    /** Returns whether the distorted radius increases all the way from the axis to the point. */
     private boolean isAhead(double x, double y) {
         double r = x * x + y * y;
         for (int part = 1; part <= MAX_STEPS; part++) {
@@ -104,7 +103,7 @@ public final class BrownLens {
         return true;
     }
 
-    /** Whether each pixel at the edge of a picture sees a point. */
+    /** Returns whether the lens covers every pixel at the edge of a picture. */
     boolean isWhole(int width, int height) {
         double[] point = new double[2];
         boolean whole = true;

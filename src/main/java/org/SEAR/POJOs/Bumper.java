@@ -6,7 +6,7 @@ import org.SEAR.grammar.Param;
 import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.arduino.WireRole;
 
-/** A switch that is pressed while a part of its robot, or any of them, touches anything that isn't the robot itself. */
+/** A switch that is pressed while one part of its robot, or any part, touches an object other than the robot. */
 @Described("a switch that is pressed while a part of its robot touches anything that isn't the robot itself; its own place doesn't matter")
 public class Bumper extends SensorObject implements Wirable {
     @Param(doc = "name of the part that presses it, a shape of the same robot; without it every part but the wheels does",
@@ -17,13 +17,13 @@ public class Bumper extends SensorObject implements Wirable {
     protected Bumper() {
     }
 
-    /** Every part of the robot presses it, but for its wheels. */
+    /** Pressed by every part of the robot except the wheels. */
     public Bumper(String name) {
         super(name);
         created(Bumper.class);
     }
 
-    /** @param part a shape of the same robot, which presses it */
+    /** @param part the shape of the same robot that presses it */
     public Bumper(String name, Shape part) {
         super(name);
         this.part = checkPart(part);
@@ -42,7 +42,7 @@ public class Bumper extends SensorObject implements Wirable {
         return wanted.getName();
     }
 
-    /** Whether a kind of component can press a bumper. */
+    /** Returns whether a kind of component can press a bumper. */
     public static boolean canPress(SearObject part) {
         return part instanceof Shape && !(part instanceof Wheel);
     }
@@ -52,12 +52,11 @@ public class Bumper extends SensorObject implements Wirable {
         return List.of(WireRole.SWITCH);
     }
 
-    /** Name of the part that presses it; null if every part but the wheels does. */
     public String getPart() {
         return part;
     }
 
-    /** @param newPart a shape of the same robot, which presses it from now on */
+    /** @param newPart the shape of the same robot that presses it */
     public void setPart(Shape newPart) {
         checkChangeable();
         part = checkPart(newPart);

@@ -7,23 +7,23 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ScriptText;
 
 /**
- * An eye: pictures of colours, of depths or of temperatures, some each second. It looks forward along its z axis, its picture's upper edge is up
- * along y and the left edge to the left along x; {@link #move} and {@link #rotate} put it elsewhere on the robot, a servo carries it.
+ * A camera for colour, depth or infrared pictures at a fixed rate. It looks along its z axis, y is up in the picture
+ * and x to the left. {@link #move} and {@link #rotate} set its pose on the robot; a servo can carry it.
  */
 @Described("pictures of colours, depths or temperatures")
 public class Camera extends SensorObject {
-    /** Kinds of pictures. */
+    /** Kind of a colour camera. */
     public static final String COLOR = "color";
-    /** Metres along the axis. */
+    /** Kind of a depth camera: metres along the axis. */
     public static final String DEPTH = "depth";
-    /** Degrees Celsius. */
+    /** Kind of an infrared camera: degrees Celsius. */
     public static final String INFRARED = "infrared";
-    /** Most pixels of a picture: those of 1920 x 1080. A camera needs 60 bytes of memory a pixel. */
+    /** Largest number of pixels, that of 1920 x 1080. A camera needs 60 bytes of memory per pixel. */
     public static final int MAX_PIXELS = 1920 * 1080;
 
     private static final String WHOLE_LENS = "a lens that shows the corners of the picture; with these four it folds back before them";
     private static final int LONGEST = 2048;
-    /** Steps of the simulation in a second: no picture is taken between two. */
+    /** Largest rate, Hz: one picture per simulation step. */
     private static final double FASTEST = 60;
 
     @Param(doc = "what its pictures show", values = {COLOR, DEPTH, INFRARED})
@@ -71,7 +71,7 @@ public class Camera extends SensorObject {
     protected Camera() {
     }
 
-    /** Colours, 320 x 240 pixels, 60 degrees, 10 Hz, at the body's origin. */
+    /** Colour, 320 x 240 pixels, 60 degrees, 10 Hz, at the body's origin. */
     public Camera(String name) {
         this(name, 0, 0, 0, 0, 0, 0);
     }
@@ -81,7 +81,9 @@ public class Camera extends SensorObject {
         this(name, x, y, z, 0, 0, 0);
     }
 
-    /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees; rx of 20 looks 20 degrees down. */
+    /**
+     * At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees; an rx of 20 tilts it 20 degrees down.
+     */
     public Camera(String name, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
         pose(x, y, z, rx, ry, rz);
@@ -104,7 +106,6 @@ public class Camera extends SensorObject {
         }
     }
 
-    /** {@link #COLOR}, {@link #DEPTH} or {@link #INFRARED}. */
     public String getKind() {
         return kind;
     }
@@ -117,10 +118,10 @@ public class Camera extends SensorObject {
     }
 
     /**
-     * Gives everything but the place the values of a camera that there is, by its data sheet; its errors, too.
+     * Sets all parameters but the pose to the data sheet values of a real camera, including its errors.
      *
-     * @param name RaspberryPi-v2, C270, Kinect, D435, MLX90640 or Pixy2, in whatever spelling
-     * @throws IllegalArgumentException that names the models there are
+     * @param name RaspberryPi-v2, C270, Kinect, D435, MLX90640 or Pixy2; case and punctuation are ignored
+     * @throws IllegalArgumentException with the names of the models
      */
     public void setModel(String name) {
         checkChangeable();
@@ -139,22 +140,20 @@ public class Camera extends SensorObject {
         changed();
     }
 
-    /** Pixels of a row. */
     public int getWidth() {
         return width;
     }
 
-    /** Rows. */
     public int getHeight() {
         return height;
     }
 
     /**
-     * Sets how many pixels there are.
+     * Sets the size of the picture.
      *
      * @param newWidth pixels of a row, 1 to 2048
      * @param newHeight rows, 1 to 2048; 1 makes a line camera
-     * @throws IllegalArgumentException if they are more than 1920 x 1080 together
+     * @throws IllegalArgumentException for more pixels than 1920 x 1080
      */
     public void setSize(int newWidth, int newHeight) {
         int checkedWidth = checked("width", newWidth);
@@ -174,7 +173,6 @@ public class Camera extends SensorObject {
         changed();
     }
 
-    /** Angle between the left and the right edge of the picture, of a lens without distortion, degrees. */
     public double getFieldOfView() {
         return fieldOfView;
     }
@@ -187,31 +185,28 @@ public class Camera extends SensorObject {
         changed();
     }
 
-    /** Pictures a simulated second. */
     public double getRate() {
         return rate;
     }
 
-    /** @param hertz pictures a simulated second, 0.001 to 60 */
+    /** @param hertz pictures per simulated second, 0.001 to 60 */
     public void setRate(double hertz) {
         rate = checked("rate", hertz);
         changed();
     }
 
-    /** Metres along the axis, nearer than which nothing is seen. */
     public double getNear() {
         return near;
     }
 
-    /** Metres along the axis, farther than which nothing is seen. */
     public double getFar() {
         return far;
     }
 
     /**
-     * Sets how far it sees.
+     * Sets the near and far limits of the picture.
      *
-     * @param newNear metres along the axis, 0.001 to 1000; depths that are less are no return
+     * @param newNear metres along the axis, 0.001 to 1000; smaller depths are no return
      * @param newFar metres along the axis, 0.01 to 1000000, more than near
      */
     public void setRange(double newNear, double newFar) {
@@ -226,22 +221,18 @@ public class Camera extends SensorObject {
         changed();
     }
 
-    /** Radial distortion at the square of the distance from the axis. */
     public double getK1() {
         return k1;
     }
 
-    /** Radial distortion at the fourth power. */
     public double getK2() {
         return k2;
     }
 
-    /** Tangential distortion. */
     public double getP1() {
         return p1;
     }
 
-    /** Tangential distortion, across. */
     public double getP2() {
         return p2;
     }
@@ -272,7 +263,7 @@ public class Camera extends SensorObject {
         p2 = distortion[3];
     }
 
-    /** @param back takes back what has changed, if the lens doesn't show all of the picture any more */
+    /** @param back restores the old values if the lens does not cover the whole picture */
     private void checkLens(Runnable back) {
         if (!getLens().isWhole(width, height)) {
             String message = label() + ": k1 is " + Parameter.format(k1) + ", legal: " + WHOLE_LENS;
@@ -281,18 +272,16 @@ public class Camera extends SensorObject {
         }
     }
 
-    /** Column that the axis meets, pixels, 0 the middle of the leftmost one; null for the middle. */
     public Double getCx() {
         return cx;
     }
 
-    /** Row that the axis meets, pixels, 0 the middle of the uppermost one; null for the middle. */
     public Double getCy() {
         return cy;
     }
 
     /**
-     * Sets where the axis meets the picture, as OpenCV counts: (0, 0) is the middle of the pixel at the upper left.
+     * Sets the principal point in OpenCV's coordinates: (0, 0) is the centre of the upper left pixel.
      *
      * @param newCx column, pixels; null for the middle
      * @param newCy row, pixels; null for the middle
@@ -311,35 +300,31 @@ public class Camera extends SensorObject {
         changed();
     }
 
-    /** Focal length, pixels: the distance of the picture's plane in units of its pixels. */
+    /** Returns the focal length, pixels. */
     public double getFocalLength() {
         return width / (2 * StrictMath.tan(StrictMath.toRadians(fieldOfView) / 2));
     }
 
-    /** The lens. */
     public BrownLens getLens() {
         double x = cx == null ? (width - 1) / 2.0 : cx;
         double y = cy == null ? (height - 1) / 2.0 : cy;
         return new BrownLens(getFocalLength(), x, y, new double[] {k1, k2, p1, p2});
     }
 
-    /** Factor on the light of colours. */
     public double getExposure() {
         return exposure;
     }
 
-    /** @param factor on the light of colours, 0.001 to 1000; 1 as the window shows them */
+    /** @param factor on the light of colours, 0.001 to 1000; 1 as in the window */
     public void setExposure(double factor) {
         exposure = checked("exposure", factor);
         changed();
     }
 
-    /** Electrons of a white pixel; 0 for no shot noise. */
     public double getFullWell() {
         return fullWell;
     }
 
-    /** Standard deviation of the electrons that reading adds. */
     public double getReadNoise() {
         return readNoise;
     }
@@ -347,8 +332,9 @@ public class Camera extends SensorObject {
     /**
      * Sets the noise of colours.
      *
-     * @param newFullWell electrons of a white pixel, 0 to 1e9: n electrons differ by their square root; 0 for none
-     * @param newReadNoise standard deviation of the electrons that reading adds, 0 to 1e6; 0 without fullWell
+     * @param newFullWell electrons of a white pixel, 0 to 1e9; the noise of n electrons is their square root; 0 for
+     *     none
+     * @param newReadNoise standard deviation of the read noise, electrons, 0 to 1e6; 0 without fullWell
      */
     public void setShotNoise(double newFullWell, double newReadNoise) {
         double checkedWell = checked("fullWell", newFullWell);
@@ -362,34 +348,30 @@ public class Camera extends SensorObject {
         changed();
     }
 
-    /** Standard deviation of a depth of 1 m, metres. */
     public double getDepthNoise() {
         return depthNoise;
     }
 
-    /** @param metres standard deviation of a depth of 1 m, 0 to 10; it grows with the square of the depth */
+    /** @param metres standard deviation at a depth of 1 m, 0 to 10; it grows with the square of the depth */
     public void setDepthNoise(double metres) {
         depthNoise = checked("depthNoise", metres);
         changed();
     }
 
-    /** Standard deviation of a temperature, kelvin. */
     public double getNetd() {
         return netd;
     }
 
-    /** @param kelvin standard deviation of a temperature (noise equivalent temperature difference), 0 to 100 */
+    /** @param kelvin noise equivalent temperature difference: standard deviation of a temperature, 0 to 100 */
     public void setNetd(double kelvin) {
         netd = checked("netd", kelvin);
         changed();
     }
 
-    /** Whether it sees parts of the own robot. */
     public boolean isSeesOwnRobot() {
         return seesOwnRobot;
     }
 
-    /** Whether it sees parts of the own robot; false at first. */
     public void setSeesOwnRobot(boolean on) {
         seesOwnRobot = checked("seesOwnRobot", on);
         changed();

@@ -5,31 +5,36 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /**
- * Cameras that there are, by their data sheets: data. Pixels are square, so the vertical field of view follows from the horizontal one. Errors are
- * those of the data sheets and of measurements that others have published; nothing here has been measured anew.
+ * Data of real cameras. Pixels are square, so the vertical field of view follows from the horizontal one. Errors come
+ * from data sheets and published measurements.
  */
 enum CameraModel {
-    /** Raspberry Pi camera v2, whole sensor, binned. Raspberry Pi documentation, camera: IMX219, 62.2 degrees, up to 30 Hz so, full well 4300 e-. */
+    /**
+     * Raspberry Pi camera v2, whole sensor, binned: IMX219, 62.2 degrees, up to 30 Hz in this mode, full well 4300 e-
+     * (Raspberry Pi documentation, camera).
+     */
     PI_V2("RaspberryPi-v2", Camera.COLOR, 640, 480, 62.2, 30, 0.02, 10000, new Errors().well(4300)),
     /**
-     * Logitech C270: 640 x 480 at 30 Hz. Logitech's technical specifications of it say "diagonal field of view (dFoV): 55°" and not of which format;
-     * taken for 4 : 3, these are 45.2 degrees from left to right. Older ones said 60.
+     * Logitech C270: 640 x 480 at 30 Hz. Logitech's specification gives "diagonal field of view (dFoV): 55°" without
+     * the format. For 4 : 3 this is a horizontal field of view of 45.2 degrees. Older specifications gave 60.
      */
     C270("C270", Camera.COLOR, 640, 480, 45.2, 30, 0.02, 10000, new Errors()),
     /**
-     * Kinect for Xbox 360, depth: 640 x 480 at 30 Hz, 57 degrees, 0.8 to 4 m (Kinect for Windows sensor specifications). Its error grows with the
-     * square of the distance, 1.425 mm at 1 m (Khoshelham and Elberink, "Accuracy and resolution of Kinect depth data", 2012).
+     * Kinect for Xbox 360, depth: 640 x 480 at 30 Hz, 57 degrees, 0.8 to 4 m (Kinect for Windows sensor
+     * specifications). The error grows with the square of the distance, 1.425 mm at 1 m (Khoshelham and Elberink,
+     * "Accuracy and resolution of Kinect depth data", 2012).
      */
     KINECT("Kinect", Camera.DEPTH, 640, 480, 57, 30, 0.8, 4, new Errors().depth(0.001425)),
     /**
-     * RealSense D435, depth: 848 x 480 at 30 Hz, 87 degrees, 0.3 to 10 m (D400 series data sheet). Its error is distance² * subpixel / 447 pixels /
-     * 50 mm, by its focal length and the distance of its eyes (Intel, "Tuning depth cameras for best performance"). For the subpixel an author of
-     * that paper says "best to use about 0.08", an empirical number that may be as low as 0.032 (librealsense on GitHub, issue 3904): 3.6 mm at 1 m.
+     * RealSense D435, depth: 848 x 480 at 30 Hz, 87 degrees, 0.3 to 10 m (D400 series data sheet). Its error is
+     * distance² * subpixel / 447 pixels (focal length) / 50 mm (baseline) (Intel, "Tuning depth cameras for best
+     * performance"). For the subpixel an author of that paper says "best to use about 0.08", an empirical number that
+     * may be as low as 0.032 (librealsense on GitHub, issue 3904): 3.6 mm at 1 m.
      */
     D435("D435", Camera.DEPTH, 848, 480, 87, 30, 0.3, 10, new Errors().depth(0.0036)),
     /** Melexis MLX90640-BAB: 32 x 24 at 8 Hz, 55 degrees; 0.1 K at 1 Hz, which is 0.28 K at 8 Hz (data sheet, revision 11). */
     MLX90640("MLX90640", Camera.INFRARED, 32, 24, 55, 8, 0.01, 1000, new Errors().netd(0.28)),
-    /** Pixy2: 316 x 208 pixels of colour at 60 Hz, 60 degrees, whose blobs it tells (docs.pixycam.com, v2). */
+    /** Pixy2: 316 x 208 pixels of colour at 60 Hz, 60 degrees, with blob detection (docs.pixycam.com, v2). */
     PIXY2("Pixy2", Camera.COLOR, 316, 208, 60, 60, 0.02, 10000, new Errors());
 
     final String label;
@@ -42,7 +47,7 @@ enum CameraModel {
     final double far;
     final Errors errors;
 
-    /** What a model measures wrongly. */
+    /** Measurement errors of a model. */
     static final class Errors {
         double fullWell;
         double depthNoise;
@@ -77,10 +82,10 @@ enum CameraModel {
     }
 
     /**
-     * The model of a name, in whatever spelling: {@code raspberry pi v2} is a RaspberryPi-v2.
+     * Returns the model of a name; case and punctuation are ignored: {@code raspberry pi v2} is a RaspberryPi-v2.
      *
-     * @param owner for the error
-     * @throws IllegalArgumentException that names those there are
+     * @param owner for the error message
+     * @throws IllegalArgumentException with the names of the models
      */
     static CameraModel of(String name, String owner) {
         for (CameraModel model : values()) {

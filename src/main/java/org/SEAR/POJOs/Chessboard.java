@@ -4,10 +4,10 @@ import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Param;
 
-/** A chessboard by which cameras are calibrated, with a white margin as wide as one of its squares. */
+/** A chessboard for camera calibration, with a white margin of one square's width. */
 @Described("a plate with a chessboard by which cameras are calibrated, upright, its front towards -z; the middle of the board is its origin")
 public class Chessboard extends Board {
-    /** Squares in a row or column at most. */
+    /** Largest number of squares in a row or column. */
     private static final int MOST = 60;
 
     @Param(doc = "squares in a row; OpenCV counts the corners between them, one less", min = 3, max = MOST)
@@ -47,17 +47,14 @@ public class Chessboard extends Board {
         created(Chessboard.class);
     }
 
-    /** Squares in a row. */
     public int getColumns() {
         return columns;
     }
 
-    /** Squares in a column. */
     public int getRows() {
         return rows;
     }
 
-    /** Side of a square, metres, before scaling. */
     public double getSquare() {
         return square;
     }

@@ -2,7 +2,10 @@ package org.SEAR.POJOs;
 
 import org.SEAR.grammar.Described;
 
-/** The colour of the surface before it: red, green and blue, 0 to 255. By itself it looks straight down. */
+/**
+ * Colour of the surface in front of the sensor: red, green and blue, 0 to 255. The short constructors point it straight
+ * down.
+ */
 @Described("the colour of the surface below it: red, green and blue, 0 to 255")
 public class ColorSensor extends SurfaceSensor {
 
@@ -10,18 +13,21 @@ public class ColorSensor extends SurfaceSensor {
     protected ColorSensor() {
     }
 
-    /** Looks straight down from the robot's origin. */
+    /** Points straight down from the robot's origin. */
     public ColorSensor(String name) {
         this(name, 0, 0, 0);
     }
 
-    /** Looks straight down from (x, y, z) of the body frame, metres. */
+    /** Points straight down from (x, y, z) of the body frame, metres. */
     public ColorSensor(String name, double x, double y, double z) {
         super(name, x, y, z);
         created(ColorSensor.class);
     }
 
-    /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees; (90, 0, 0) looks straight down, (0, 0, 0) forward. */
+    /**
+     * At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees: (90, 0, 0) points straight down, (0, 0,
+     * 0) forward.
+     */
     public ColorSensor(String name, double x, double y, double z, double rx, double ry, double rz) {
         super(name, x, y, z, rx, ry, rz);
         created(ColorSensor.class);

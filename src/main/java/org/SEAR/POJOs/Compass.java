@@ -6,7 +6,7 @@ import org.SEAR.grammar.Included;
 import org.SEAR.grammar.Param;
 import org.SEAR.grammar.Parameter;
 
-/** Angle of the forward axis to north, degrees clockwise; behind its ports an HMC6352 on a serial bridge. */
+/** Angle from north to the forward axis, degrees clockwise; with ports also an HMC6352 on a serial bridge. */
 @Described("angle of the forward axis to north, degrees clockwise; behind its ports an HMC6352 on a serial bridge")
 public class Compass extends SensorObject implements SerialObject {
     @Param(doc = "whether north is magnetic north at the robot's place and date")
@@ -24,12 +24,12 @@ public class Compass extends SensorObject implements SerialObject {
     protected Compass() {
     }
 
-    /** To true north, which lies at +X. */
+    /** Relative to true north, the world's +x. */
     public Compass(String name) {
         this(name, false);
     }
 
-    /** @param declination whether to answer magnetic north */
+    /** @param declination whether to return magnetic north */
     public Compass(String name, boolean declination) {
         this(name, declination, 0, 0, 0, 0, 0, 0);
     }
@@ -49,27 +49,23 @@ public class Compass extends SensorObject implements SerialObject {
         }
     }
 
-    /** Whether north is magnetic north. */
     public boolean isDeclination() {
         return declination;
     }
 
-    /** A point in the north: x, metres. */
     public double getNorthX() {
         return northX;
     }
 
-    /** A point in the north: y, metres. */
     public double getNorthY() {
         return northY;
     }
 
-    /** A point in the north: z, metres. */
     public double getNorthZ() {
         return northZ;
     }
 
-    /** Whether north is magnetic north. */
+    /** @param on whether north is magnetic north */
     public void setDeclination(boolean on) {
         declination = checked("declination", on);
         changed();
@@ -80,7 +76,7 @@ public class Compass extends SensorObject implements SerialObject {
         return serial;
     }
 
-    /** @param newNorthX metres, a point of the world that lies in the north; not straight above or below the origin */
+    /** @param newNorthX metres, a point of the world to the north; not directly above or below the origin */
     public void setNorth(double newNorthX, double newNorthY, double newNorthZ) {
         if (newNorthX == 0 && newNorthZ == 0) {
             throw new IllegalArgumentException(this + ": north is (0, " + Parameter.format(newNorthY) + ", 0), legal: a point that isn't straight"

@@ -2,7 +2,7 @@ package org.SEAR.POJOs;
 
 import org.SEAR.grammar.Described;
 
-/** An upright cone about the y axis, its apex up, centred on its origin. Its default picture is a traffic cone. */
+/** A vertical cone about the y axis, its apex up, centred on its origin. Its default picture is a traffic cone. */
 @Described("an upright cone about the y axis, its apex up")
 public class Cone extends RoundShape {
     /** For reading from a file. */
@@ -15,7 +15,7 @@ public class Cone extends RoundShape {
     }
 
     /**
-     * With its centre in the origin and the default picture of a traffic cone.
+     * Centred on the origin, with the default picture of a traffic cone.
      *
      * @param mass kg, 0 fixes it in place
      */
@@ -38,7 +38,7 @@ public class Cone extends RoundShape {
         this(name, radius, height, mass, null, x, y, z, rx, ry, rz);
     }
 
-    /** With everything. */
+    /** With all parameters. */
     public Cone(String name, double radius, double height, double mass, String image,
             double x, double y, double z, double rx, double ry, double rz) {
         super(name, radius, height, mass, image, x, y, z, rx, ry, rz);

@@ -2,7 +2,7 @@ package org.SEAR.POJOs;
 
 import org.SEAR.grammar.Described;
 
-/** An upright cylinder about the y axis, centred on its origin. Its default picture is a recycling bin. */
+/** A vertical cylinder about the y axis, centred on its origin. Its default picture is a recycling bin. */
 @Described("an upright cylinder about the y axis")
 public class Cylinder extends RoundShape {
     /** For reading from a file. */
@@ -15,7 +15,7 @@ public class Cylinder extends RoundShape {
     }
 
     /**
-     * With its centre in the origin and the default picture of a recycling bin.
+     * Centred on the origin, with the default picture of a recycling bin.
      *
      * @param mass kg, 0 fixes it in place
      */
@@ -38,7 +38,7 @@ public class Cylinder extends RoundShape {
         this(name, radius, height, mass, null, x, y, z, rx, ry, rz);
     }
 
-    /** With everything. */
+    /** With all parameters. */
     public Cylinder(String name, double radius, double height, double mass, String image,
             double x, double y, double z, double rx, double ry, double rz) {
         super(name, radius, height, mass, image, x, y, z, rx, ry, rz);

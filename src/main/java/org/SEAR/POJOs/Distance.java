@@ -10,7 +10,10 @@ import org.SEAR.grammar.Param;
 import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.arduino.WireRole;
 
-/** Nested cones of beams; the nearest hit of all their lines counts. The cones are a named beam's, or the user's own. */
+/**
+ * A distance sensor with nested cones of rays; the nearest hit of all rays counts. The cones come from a named beam or
+ * from the user.
+ */
 @Described("a distance sensor: nested cones of beams, of which the nearest hit counts")
 public class Distance extends SensorObject implements Wirable {
     private static final String DEFAULT_BEAM = "ultrasonic";
@@ -33,7 +36,7 @@ public class Distance extends SensorObject implements Wirable {
     protected Distance() {
     }
 
-    /** A sensor that is named like a beam has that beam, else it is a plain ultrasonic sensor. */
+    /** Uses the beam of the sensor's name if there is one, otherwise a plain ultrasonic beam. */
     public Distance(String name) {
         this(name, ObjectStores.get().beamNames().contains(name) ? name : DEFAULT_BEAM);
     }
@@ -53,7 +56,7 @@ public class Distance extends SensorObject implements Wirable {
     }
 
     /**
-     * A single cone of 36 lines.
+     * A single cone of 36 rays.
      *
      * @param halfAngle degrees
      * @param range metres
@@ -67,7 +70,7 @@ public class Distance extends SensorObject implements Wirable {
         this(name, cones, 0, 0, 0, 0, 0, 0);
     }
 
-    /** With everything. */
+    /** With all parameters. */
     public Distance(String name, List<?> cones, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
         this.cones = listed(cones);
@@ -100,12 +103,12 @@ public class Distance extends SensorObject implements Wirable {
         shape = beam == null ? null : named(beam);
     }
 
-    /** Gives a sensor that was read from a file the shape of its named beam. */
+    /** Sets the beam data of a sensor that was read from a file. */
     void link(Beam named) {
         shape = named;
     }
 
-    /** A sensor whose beam has a curve of voltages puts these on a pin; any other one answers with an echo. */
+    /** Returns the wires: the voltage of a beam with a voltage curve, otherwise the echo. */
     @Override
     public List<WireRole> getWireRoles() {
         return shape == null || shape.getVoltages().isEmpty() ? ECHO : VOLTS;
@@ -121,7 +124,7 @@ public class Distance extends SensorObject implements Wirable {
         }
     }
 
-    /** The cones of the named beam, or its own; at least one. */
+    /** Returns the cones of the named beam, or the sensor's own; at least one. */
     public List<BeamCone> getCones() {
         List<BeamCone> effective = shape == null ? cones : shape.getCones();
         if (lines > 0) {
@@ -130,39 +133,35 @@ public class Distance extends SensorObject implements Wirable {
         return Collections.unmodifiableList(effective);
     }
 
-    /** Name of the beam; null if it has cones of its own. */
     public String getBeam() {
         return beam;
     }
 
-    /** The data of the named beam (nearest distance, voltages); null if it has cones of its own. */
+    /** Returns the data of the named beam (nearest distance, voltages); null if the sensor has cones of its own. */
     public Beam getShape() {
         return shape;
     }
 
-    /** Lines of each cone; 0 if each cone has its own number. */
     public int getLines() {
         return lines;
     }
 
-    /** Whether its beams see parts of the own robot. */
     public boolean isSeesOwnRobot() {
         return seesOwnRobot;
     }
 
-    /** @param count lines of each cone, 1 to 360; 0 leaves each cone its own number */
+    /** @param count rays of each cone, 1 to 360; 0 keeps each cone's own number */
     public void setLines(int count) {
         lines = checked("lines", count);
         changed();
     }
 
-    /** Whether its beams see parts of the own robot; false at first. */
     public void setSeesOwnRobot(boolean on) {
         seesOwnRobot = checked("seesOwnRobot", on);
         changed();
     }
 
-    /** @param newBeam name of a beam, in place of what the sensor had */
+    /** @param newBeam name of a beam; replaces the present beam or cones */
     public void setBeam(String newBeam) {
         String legal = checked("beam", newBeam);
         shape = named(legal);
@@ -171,7 +170,7 @@ public class Distance extends SensorObject implements Wirable {
         changed();
     }
 
-    /** @param newCones as in the constructor, in place of what the sensor had */
+    /** @param newCones as in the constructor; replaces the present beam or cones */
     public void setCones(List<?> newCones) {
         checkChangeable();
         cones = listed(newCones);

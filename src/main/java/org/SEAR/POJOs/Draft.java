@@ -5,7 +5,10 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.SEAR.grammar.ParameterTable;
 
-/** Objects that are made only to be looked at: while a draft's work runs, what its thread makes is checked, but neither written nor told. */
+/**
+ * A store for temporary objects. While a draft's work runs, SEAR checks the objects that its thread creates, but
+ * neither writes them nor reports notices about them.
+ */
 public final class Draft implements ObjectStore {
     private final List<String> beamNames;
 
@@ -17,19 +20,19 @@ public final class Draft implements ObjectStore {
     }
 
     /**
-     * Does something with objects that belong to no project.
+     * Runs work with objects that belong to no project.
      *
-     * @param beamNames names of the beams that there are for them
-     * @param work makes and changes objects, none of which may be changed later
+     * @param beamNames names of the beams available to them
+     * @param work creates and changes objects; they must not be changed afterwards
      */
     public static <T> T of(List<String> beamNames, Supplier<T> work) {
         return ObjectStores.with(new Draft(beamNames, List.of()), work);
     }
 
     /**
-     * Makes a ready robot that belongs to no project.
+     * Creates a ready robot that belongs to no project.
      *
-     * @param taken names that none of its parts may have, in whatever capitals
+     * @param taken names that its parts must not have, case-insensitive
      */
     public static SEARrobot robot(Collection<String> taken, Supplier<SEARrobot> work) {
         return ObjectStores.with(new Draft(List.of(), taken), work);

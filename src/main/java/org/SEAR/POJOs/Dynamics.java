@@ -4,7 +4,10 @@ import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Included;
 import org.SEAR.grammar.Param;
 
-/** Mass, suspension and start pose of a robot, and its serial port, which speaks the Roomba protocol. The pose counts from the robot's own. */
+/**
+ * Mass, suspension and start pose of a robot, and its serial port for the Roomba protocol. The pose is relative to the
+ * robot's.
+ */
 @Described("mass, suspension and start pose of a robot (in the world, or from where the robot was moved to), and its serial port, which speaks the"
     + " Roomba protocol. A start pose that lies on its back is set upright and turned by 180 degrees, with a warning")
 public class Dynamics extends SearObject implements SerialObject {
@@ -38,7 +41,7 @@ public class Dynamics extends SearObject implements SerialObject {
     }
 
     /**
-     * With a suspension that suits the robot, at the origin.
+     * At the origin, with a suspension that fits the robot.
      *
      * @param mass kg
      */
@@ -46,7 +49,7 @@ public class Dynamics extends SearObject implements SerialObject {
         this(name, mass, 0, 0, 0, 0, 0, 0);
     }
 
-    /** With a suspension that suits the robot, starting at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
+    /** At (x, y, z), metres, turned by (rx, ry, rz), degrees, with a suspension that fits the robot. */
     public Dynamics(String name, double mass, double x, double y, double z, double rx, double ry, double rz) {
         this(name, mass, null, COMPRESSION, DAMPING, MAX_FORCE, null, x, y, z, rx, ry, rz);
     }
@@ -57,7 +60,7 @@ public class Dynamics extends SearObject implements SerialObject {
     }
 
     /**
-     * With everything.
+     * With all parameters.
      *
      * @param maxSuspensionForce N
      * @param restLength metres
@@ -85,32 +88,28 @@ public class Dynamics extends SearObject implements SerialObject {
         return true;
     }
 
-    /** Mass of the whole robot, kg. */
     public double getMass() {
         return mass;
     }
 
-    /** In Bullet's measure, 1/s^2; null if it suits the robot. */
+    /** Returns the stiffness, 1/s^2 (N/m per kg of the robot); null for one that fits the robot. */
     public Double getStiffness() {
         return stiffness;
     }
 
-    /** Share of the critical damping while compressed. */
     public double getCompression() {
         return compression;
     }
 
-    /** Share of the critical damping while released. */
     public double getDamping() {
         return damping;
     }
 
-    /** N. */
     public double getMaxSuspensionForce() {
         return maxSuspensionForce;
     }
 
-    /** Metres; null if it suits the robot. */
+    /** Returns the length of the unloaded suspension, metres; null for one that fits the robot. */
     public Double getRestLength() {
         return restLength;
     }
@@ -120,7 +119,6 @@ public class Dynamics extends SearObject implements SerialObject {
         return serial;
     }
 
-    /** roomba400, create or create2. */
     public String getModel() {
         return model;
     }
@@ -132,8 +130,8 @@ public class Dynamics extends SearObject implements SerialObject {
     }
 
     /**
-     * Whether the checksum of a sensor stream covers the header byte 19: true as in the Create 2 document (2016), false as printed in that of the
-     * Create (2006). Default true.
+     * Returns whether the checksum of a sensor stream covers the header byte 19: true as in the Create 2 document
+     * (2016), false as printed in that of the Create (2006).
      */
     public boolean isStreamHeaderSummed() {
         return streamHeaderSummed;

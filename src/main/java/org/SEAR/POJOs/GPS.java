@@ -7,8 +7,9 @@ import org.SEAR.grammar.Param;
 import org.SEAR.grammar.TextRule;
 
 /**
- * Where the robot is on Earth; behind its ports a receiver that sends NMEA 0183 sentences. Latitude, altitude and longitude are those of the centre
- * of the world: degrees, metres, degrees, north and east positive. In a world with a {@link Terrain} they are that of its map.
+ * Position of the robot on Earth; with ports also a receiver that sends NMEA 0183 sentences. Latitude, altitude and
+ * longitude are those of the world's origin: degrees, metres, degrees, north and east positive. In a world with a
+ * {@link Terrain} the default is that of its map.
  */
 @Described("where the robot is on Earth; behind its ports a receiver that sends NMEA 0183")
 public class GPS extends SensorObject implements SerialObject {
@@ -35,14 +36,14 @@ public class GPS extends SensorObject implements SerialObject {
     protected GPS() {
     }
 
-    /** Counts from where the terrain's map lies on Earth. */
+    /** With the terrain's map as reference. */
     public GPS(String name) {
         super(name);
         created(GPS.class);
     }
 
     /**
-     * With ports; counts from where the terrain's map lies on Earth.
+     * With ports, and the terrain's map as reference.
      *
      * @param uart the device's end
      * @param user the end that the user opens
@@ -100,22 +101,19 @@ public class GPS extends SensorObject implements SerialObject {
         return latitude != null || altitude != null || longitude != null;
     }
 
-    /** Whether it says itself where on Earth the world's centre is; else the terrain does. */
+    /** Returns whether the sensor has its own geographic reference of the world's origin, instead of the terrain's. */
     public boolean hasReference() {
         return latitude != null && altitude != null && longitude != null;
     }
 
-    /** Degrees, north positive; null if the terrain says it. */
     public Double getLatitude() {
         return latitude;
     }
 
-    /** Metres; null if the terrain says it. */
     public Double getAltitude() {
         return altitude;
     }
 
-    /** Degrees, east positive; null if the terrain says it. */
     public Double getLongitude() {
         return longitude;
     }
@@ -125,19 +123,17 @@ public class GPS extends SensorObject implements SerialObject {
         return serial;
     }
 
-    /** Name of the receiver. */
     public String getModel() {
         return model;
     }
 
-    /** Fixes a second. */
     public double getRate() {
         return rate;
     }
 
     /**
-     * The receiver. If the line's speed is the one with which the present receiver is delivered, it becomes the one with which the new receiver is:
-     * 38400 of an MT3301 or MT3329, 9600 of a NEO-M8N.
+     * Sets the receiver. A baud rate that is the present receiver's default changes to the new receiver's default:
+     * 38400 for MT3301 and MT3329, 9600 for NEO-M8N.
      *
      * @param newModel MT3301 (also FV-M8, FV-M11), MT3329 or NEO-M8N (also u-blox)
      */
@@ -160,7 +156,6 @@ public class GPS extends SensorObject implements SerialObject {
         changed();
     }
 
-    /** Simulated seconds after power-on or a cold start without a fix; default 0. */
     public double getTimeToFix() {
         return timeToFix;
     }

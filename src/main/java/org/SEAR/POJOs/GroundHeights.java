@@ -2,15 +2,19 @@ package org.SEAR.POJOs;
 
 import java.io.IOException;
 
-/** Looks into the elevation maps of a terrain. The project room implements it; found by {@link java.util.ServiceLoader}. Any thread. */
+/**
+ * Elevation queries on the maps of a terrain. {@link java.util.ServiceLoader} finds the implementation, in
+ * {@code org.SEAR.project}. Any thread.
+ */
 public interface GroundHeights {
     /**
-     * The ground's height at a place on the Earth, metres above the geoid, as the map has it.
+     * Returns the elevation at a geographic position, metres above the geoid.
      *
      * @param latitude degrees, north positive
      * @param longitude degrees, east positive
      * @throws IOException if the map can't be read
-     * @throws IllegalArgumentException that names the area's extent if the place is outside, or says that the map has no place on Earth
+     * @throws IllegalArgumentException with the area's extent if the position is outside, or if the map has no
+     *     georeference
      */
     double height(Terrain terrain, double latitude, double longitude) throws IOException;
 }

@@ -3,7 +3,7 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Param;
 
-/** Rates of turn about the body axes, rad/s. */
+/** Angular velocity about the body axes, rad/s. */
 @Described("rates of turn about the three body axes, rad/s")
 public class Gyroscope extends SensorObject {
     @Param(doc = "readings a second that differ from each other", unit = "Hz", min = 0.01, max = 10000)
@@ -31,7 +31,6 @@ public class Gyroscope extends SensorObject {
         created(Gyroscope.class);
     }
 
-    /** Hz. */
     public double getBandwidth() {
         return bandwidth;
     }

@@ -3,7 +3,7 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Included;
 
-/** Yaw, pitch and roll, with accelerations, rates of turn and the magnetic field; behind its ports a Razor 9DOF. */
+/** Yaw, pitch and roll, acceleration, angular velocity and magnetic field; with ports also a Razor 9DOF. */
 @Described("yaw, pitch and roll, accelerations, rates of turn, magnetic field; behind its ports a Razor 9DOF")
 public class IMU extends SensorObject implements SerialObject {
     @Included

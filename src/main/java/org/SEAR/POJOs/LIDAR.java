@@ -8,7 +8,7 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.lidar.LidarModel;
 
-/** A plane of beams; behind its ports a device of its model if LMS(1). */
+/** A fan of beams in one plane; with ports and LMS(1) also a device of its model. */
 @Described("a plane of beams; behind its ports a SICK LMS200 or another model")
 public class LIDAR extends SensorObject implements SerialObject {
     private static final int MAX_BEAMS = 36001;
@@ -73,17 +73,14 @@ public class LIDAR extends SensorObject implements SerialObject {
         }
     }
 
-    /** Farthest distance, metres. */
     public double getRange() {
         return range;
     }
 
-    /** Angle from the rightmost to the leftmost beam, degrees. */
     public double getSpread() {
         return spread;
     }
 
-    /** Angle between two beams, degrees. */
     public double getResolution() {
         return resolution;
     }
@@ -93,26 +90,24 @@ public class LIDAR extends SensorObject implements SerialObject {
         return serial;
     }
 
-    /** 1 for a device of the {@link #getModel model} behind the ports, 0 for none. */
     public int getLms() {
         return lms;
     }
 
-    /** Whether its beams see parts of the own robot. */
     public boolean isSeesOwnRobot() {
         return seesOwnRobot;
     }
 
-    /** Name of the device: {@code LMS200}. */
     public String getModel() {
         return model;
     }
 
     /**
-     * Chooses the device, and gives range, spread, resolution and baud the values that it is delivered with.
+     * Sets the model, and with it the model's default range, spread, resolution and baud rate.
      *
-     * @param name LMS200, LMS221, LMS291, LMS111, TiM561, URG-04LX, UTM-30LX, RPLIDAR-A1 or CoLa (any fan), in whatever spelling
-     * @throws IllegalArgumentException that names the models there are
+     * @param name LMS200, LMS221, LMS291, LMS111, TiM561, URG-04LX, UTM-30LX, RPLIDAR-A1 or CoLa (any fan); case and
+     *     punctuation are ignored
+     * @throws IllegalArgumentException with the names of the models
      */
     public void setModel(String name) {
         LidarModel wanted = LidarModel.of(checked("model", name));
@@ -124,12 +119,12 @@ public class LIDAR extends SensorObject implements SerialObject {
     }
 
     /**
-     * Puts the device behind a port: that of {@link #setModel}, an LMS200 at first, unless {@link #LMS} says that there is none. It has
-     * only some fans.
+     * Connects the device of the {@link #setModel model} to a pair of ports, unless {@link #LMS} has switched it off. A
+     * device supports only some fans.
      *
      * @param uart the device's end
      * @param user the end that the user opens
-     * @throws IllegalArgumentException if the model doesn't have the fan; without ports every fan is legal
+     * @throws IllegalArgumentException if the model doesn't support the fan; without ports every fan is legal
      */
     @Override
     public void setPorts(String uart, String user) {
@@ -164,7 +159,10 @@ public class LIDAR extends SensorObject implements SerialObject {
         return getUartPort() != null && lms == 1;
     }
 
-    /** The fan has changed. What is wrong now may be right when the other half of it is changed, too, so this is no error. */
+    /**
+     * Writes a changed fan. An unsupported one gives a warning, not an error: the script may go on to change the other
+     * angle.
+     */
     private void fanChanged() {
         changed();
         if (hasDevice() && !device().hasFan(spread, resolution)) {
@@ -173,7 +171,7 @@ public class LIDAR extends SensorObject implements SerialObject {
     }
 
     /**
-     * Warns at once if the device at a port can't tell such a distance.
+     * Sets the range, and warns if the device at the port can't report such a distance.
      *
      * @param metres 0.01 to 10000
      */
@@ -187,7 +185,7 @@ public class LIDAR extends SensorObject implements SerialObject {
     }
 
     /**
-     * Warns at once if the device at a port can't do it.
+     * Sets the spread, and warns if the device at the port doesn't support it.
      *
      * @param degrees from the rightmost to the leftmost beam, 0.01 to 360
      */
@@ -197,7 +195,7 @@ public class LIDAR extends SensorObject implements SerialObject {
     }
 
     /**
-     * Warns at once if the device at a port can't do it.
+     * Sets the resolution, and warns if the device at the port doesn't support it.
      *
      * @param degrees between two beams, 0.01 to 360
      */
@@ -206,7 +204,7 @@ public class LIDAR extends SensorObject implements SerialObject {
         fanChanged();
     }
 
-    /** @param newLms 1 for a device of its {@link #setModel model} behind the ports, 0 for none */
+    /** @param newLms 1 for a device of its {@link #setModel model} at the ports, 0 for none */
     public void LMS(int newLms) {
         int wanted = checked("lms", newLms);
         if (getUartPort() != null) {
@@ -216,13 +214,15 @@ public class LIDAR extends SensorObject implements SerialObject {
         changed();
     }
 
-    /** Whether its beams see parts of the own robot; false at first. */
     public void setSeesOwnRobot(boolean on) {
         seesOwnRobot = checked("seesOwnRobot", on);
         changed();
     }
 
-    /** Whether an LMS2xx obeys the baud telegrams with a wrong checksum that MyRobotLab's old driver sends: a real one answers NAK. At first not. */
+    /**
+     * Returns whether an LMS2xx accepts the baud telegrams with a wrong checksum that MyRobotLab's old driver sends; a
+     * real LMS2xx answers NAK.
+     */
     public boolean isLenient() {
         return lenient;
     }

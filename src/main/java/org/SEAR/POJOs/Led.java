@@ -7,7 +7,10 @@ import org.SEAR.grammar.Param;
 import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.arduino.WireRole;
 
-/** A light-emitting diode on a robot, which scripts and the pin of an Arduino switch and dim. It has no mass, and no sensor sees it. */
+/**
+ * A light-emitting diode on a robot, which scripts and the pin of an Arduino switch and dim. It has no mass, and
+ * sensors do not see it.
+ */
 @Described("a light-emitting diode on a robot: scripts and the pin of an Arduino switch it on and off, and dim it; no sensor sees it")
 public class Led extends SearObject implements Wirable {
     private static final String RED = "#ff0000";
@@ -22,12 +25,12 @@ public class Led extends SearObject implements Wirable {
     protected Led() {
     }
 
-    /** A red one, 1 cm wide, at the robot's origin. */
+    /** Red, 1 cm wide, at the robot's origin. */
     public Led(String name) {
         this(name, 0, 0, 0);
     }
 
-    /** A red one at (x, y, z) of the body frame, metres. */
+    /** Red, at (x, y, z) of the body frame, metres. */
     public Led(String name, double x, double y, double z) {
         this(name, null, x, y, z);
     }
@@ -54,12 +57,11 @@ public class Led extends SearObject implements Wirable {
         return List.of(WireRole.LIGHT);
     }
 
-    /** Of its light, {@code #rrggbb}. */
+    /** Returns the colour as {@code #rrggbb}. */
     public String getColor() {
         return color == null ? RED : ColorNames.hex(color);
     }
 
-    /** Diameter, metres. */
     public double getSize() {
         return size;
     }

@@ -4,7 +4,10 @@ import java.util.List;
 import org.SEAR.grammar.Described;
 import org.SEAR.protocol.arduino.WireRole;
 
-/** How much light the surface before it throws back, percent: 0 for black or nothing, 100 for white. By itself it looks straight down. */
+/**
+ * Light reflected by the surface in front of the sensor, percent: 0 for black or no surface, 100 for white. The short
+ * constructors point it straight down.
+ */
 @Described("how much light the surface below it throws back, percent: 0 for black or nothing, 100 for white")
 public class LineSensor extends SurfaceSensor implements Wirable {
 
@@ -12,18 +15,21 @@ public class LineSensor extends SurfaceSensor implements Wirable {
     protected LineSensor() {
     }
 
-    /** Looks straight down from the robot's origin. */
+    /** Points straight down from the robot's origin. */
     public LineSensor(String name) {
         this(name, 0, 0, 0);
     }
 
-    /** Looks straight down from (x, y, z) of the body frame, metres. */
+    /** Points straight down from (x, y, z) of the body frame, metres. */
     public LineSensor(String name, double x, double y, double z) {
         super(name, x, y, z);
         created(LineSensor.class);
     }
 
-    /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees; (90, 0, 0) looks straight down, (0, 0, 0) forward. */
+    /**
+     * At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees: (90, 0, 0) points straight down, (0, 0,
+     * 0) forward.
+     */
     public LineSensor(String name, double x, double y, double z, double rx, double ry, double rz) {
         super(name, x, y, z, rx, ry, rz);
         created(LineSensor.class);

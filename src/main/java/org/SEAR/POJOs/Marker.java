@@ -5,15 +5,15 @@ import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Param;
 
 /**
- * A marker of ArUco or AprilTag, by whose corners a camera's program finds out where it is. Its black square is so large as is said; around it is a
- * white margin, as wide as one of its cells.
+ * An ArUco or AprilTag marker, by whose corners a camera program finds its position. The size is that of the black
+ * square; around it is a white margin of one cell's width.
  */
 @Described("a plate with a marker of ArUco or AprilTag, upright, its front towards -z; the middle of the marker is its origin")
 public class Marker extends Board {
     private static final String APRILTAG = "APRILTAG_36h11";
     private static final int APRILTAGS = 587;
     private static final int APRILTAG_CELLS = 6;
-    /** Cells of the black edge, and of the margin, on both sides. */
+    /** Cells of the black border on two opposite sides; the white margin adds as many. */
     private static final int EDGES = 2;
 
     @Param(doc = "dictionary, as OpenCV calls it", values = {"DICT_4X4_50", "DICT_4X4_100", "DICT_4X4_250", "DICT_4X4_1000", "DICT_5X5_50",
@@ -32,8 +32,8 @@ public class Marker extends Board {
     /**
      * Fixed in place.
      *
-     * @param dictionary as OpenCV calls it: DICT_4X4_50 ... DICT_7X7_1000, or APRILTAG_36h11
-     * @param id number in it, from 0
+     * @param dictionary OpenCV's name: DICT_4X4_50 ... DICT_7X7_1000, or APRILTAG_36h11
+     * @param id number of the marker in the dictionary, from 0
      * @param size side of the black square, metres
      */
     public Marker(String name, String dictionary, int id, double size) {
@@ -55,22 +55,19 @@ public class Marker extends Board {
         created(Marker.class);
     }
 
-    /** The dictionary, as OpenCV calls it. */
     public String getDictionary() {
         return dictionary;
     }
 
-    /** Number in the dictionary. */
     public int getId() {
         return id;
     }
 
-    /** Side of the black square, metres, before scaling. */
     public double getSize() {
         return size;
     }
 
-    /** Cells of a row, without the black edge. */
+    /** Returns the cells of a row, without the black border. */
     private int cells() {
         return dictionary.equals(APRILTAG) ? APRILTAG_CELLS : dictionary.charAt("DICT_".length()) - '0';
     }

@@ -7,8 +7,8 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.TextRule;
 
 /**
- * A model from a file below assets: OGRE mesh.xml, .j3o, .obj, .gltf, .glb or .blend. An obstacle, a part of a robot, or the terrain, whose centre
- * then is the world's origin. It may be invisible to beams.
+ * A model from a file below assets: OGRE mesh.xml, .j3o, .obj, .gltf, .glb or .blend. It is an obstacle, a part of a
+ * robot, or the terrain, whose centre is then the world's origin. It may be invisible to beams.
  */
 @Described("a model from a file: an obstacle, a part of a robot, or the terrain")
 public class Model extends Shape {
@@ -36,7 +36,7 @@ public class Model extends Shape {
     }
 
     /**
-     * With its own picture instead of the textures that the model names.
+     * With a picture that replaces the model's textures.
      *
      * @param image path below assets
      */
@@ -54,7 +54,7 @@ public class Model extends Shape {
         this(name, path, mass, null, x, y, z, rx, ry, rz);
     }
 
-    /** With everything. */
+    /** With all parameters. */
     public Model(String name, String path, double mass, String image, double x, double y, double z, double rx, double ry, double rz) {
         super(name, mass);
         this.path = path;
@@ -76,12 +76,10 @@ public class Model extends Shape {
         }
     }
 
-    /** Path of the file below assets. */
     public String getPath() {
         return path;
     }
 
-    /** Whether it is the terrain. */
     public boolean isTerrain() {
         return terrain;
     }
@@ -92,7 +90,7 @@ public class Model extends Shape {
     }
 
     /**
-     * Makes it the terrain: fixed, its centre is the world's origin.
+     * Makes the model the terrain: fixed, its centre is the world's origin.
      *
      * @throws IllegalArgumentException if it has a mass
      */

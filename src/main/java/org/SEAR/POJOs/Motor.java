@@ -10,13 +10,13 @@ import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.arduino.WireRole;
 
 /**
- * An electric motor with its gear, which turns one or more wheels of the robot it belongs to. Its torque falls in a straight line with its speed:
- * torque = stallTorque (power - speed / noLoadSpeed). Its wheels share the torque, each at its own speed. A simulation's SEAR service commands it.
+ * An electric motor with a gear, which turns one or more wheels of its robot. Its torque decreases linearly with its
+ * speed: torque = stallTorque (power - speed / noLoadSpeed). The wheels share the torque, each at its own speed. The
+ * SEAR service of the simulation commands the motor.
  */
 @Described("an electric motor with its gear, which turns wheels of its robot: torque = stallTorque (power - speed / noLoadSpeed); its wheels share"
     + " the torque, each at its own speed")
 public class Motor extends SearObject implements Wirable {
-    /** Most wheels of a motor. */
     private static final int MAX_WHEELS = 100;
     private static final double STALL_TORQUE = 0.5;
     private static final double NO_LOAD_SPEED = 20;
@@ -39,16 +39,16 @@ public class Motor extends SearObject implements Wirable {
     }
 
     /**
-     * A small gear motor: 0.5 N m when it stalls, 20 rad/s without load, an encoder of 360 counts a turn.
+     * A small gear motor: stall torque 0.5 N m, no-load speed 20 rad/s, an encoder with 360 counts per turn.
      *
-     * @param wheel a driven one, which no other motor turns
+     * @param wheel a driven wheel that no other motor turns
      */
     public Motor(String name, Wheel wheel) {
         this(name, wheel, STALL_TORQUE, NO_LOAD_SPEED);
     }
 
     /**
-     * Without a gear beyond what is in the numbers.
+     * With a gear ratio of 1.
      *
      * @param stallTorque N m
      * @param noLoadSpeed rad/s
@@ -58,12 +58,12 @@ public class Motor extends SearObject implements Wirable {
     }
 
     /**
-     * With everything.
+     * With all parameters.
      *
      * @param stallTorque of the motor's shaft, N m
      * @param noLoadSpeed of the motor's shaft, rad/s
-     * @param gearRatio turns of the motor's shaft for one of the wheel
-     * @param encoderCounts for one turn of the motor's shaft, 0 for no encoder
+     * @param gearRatio turns of the motor's shaft per turn of the wheel
+     * @param encoderCounts per turn of the motor's shaft, 0 for no encoder
      */
     public Motor(String name, Wheel wheel, double stallTorque, double noLoadSpeed, double gearRatio, int encoderCounts) {
         super(name);
@@ -82,7 +82,7 @@ public class Motor extends SearObject implements Wirable {
         return true;
     }
 
-    /** Power and direction; its encoder, if it has one. */
+    /** Returns the wires for power and direction, and for the encoder if the motor has one. */
     @Override
     public List<WireRole> getWireRoles() {
         return encoderCounts > 0 ? List.of(WireRole.PWM, WireRole.REVERSE, WireRole.DIRECTION, WireRole.ENCODER_A, WireRole.ENCODER_B)
@@ -115,9 +115,10 @@ public class Motor extends SearObject implements Wirable {
     }
 
     /**
-     * Has it turn another wheel, too, with a share of the torque.
+     * Adds a wheel, which gets a share of the torque.
      *
-     * @throws IllegalArgumentException if it isn't driven, or another motor turns it, or it is on another robot
+     * @throws IllegalArgumentException if the wheel isn't driven, another motor turns it, or it belongs to another
+     *     robot
      */
     public void addWheel(Wheel wheel) {
         checkChangeable();
@@ -133,27 +134,23 @@ public class Motor extends SearObject implements Wirable {
         changed();
     }
 
-    /** Names of the wheels that it turns, a view. */
+    /** Returns the names of the motor's wheels; a view. */
     public List<String> getWheelNames() {
         return Collections.unmodifiableList(wheelNames);
     }
 
-    /** N m, of the motor's shaft. */
     public double getStallTorque() {
         return stallTorque;
     }
 
-    /** rad/s, of the motor's shaft. */
     public double getNoLoadSpeed() {
         return noLoadSpeed;
     }
 
-    /** Turns of the motor's shaft for one of its wheels. */
     public double getGearRatio() {
         return gearRatio;
     }
 
-    /** Counts for one turn of the motor's shaft; 0 for no encoder. */
     public int getEncoderCounts() {
         return encoderCounts;
     }
@@ -170,13 +167,13 @@ public class Motor extends SearObject implements Wirable {
         changed();
     }
 
-    /** @param newRatio turns of the motor's shaft for one of its wheels */
+    /** @param newRatio turns of the motor's shaft per turn of its wheels */
     public void setGearRatio(double newRatio) {
         gearRatio = checked("gearRatio", newRatio);
         changed();
     }
 
-    /** @param newCounts for one turn of the motor's shaft; 0 for no encoder */
+    /** @param newCounts per turn of the motor's shaft; 0 for no encoder */
     public void setEncoderCounts(int newCounts) {
         encoderCounts = checked("encoderCounts", newCounts);
         changed();

@@ -5,7 +5,7 @@ import org.SEAR.grammar.Param;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
 
-/** An error model of a sensor, in the unit of its reading. All parts are 0 at first. One thread at a time. */
+/** Error model of a sensor, in the unit of its reading. All parameters default to 0. One thread at a time. */
 @Described("the error model of a sensor")
 public class Noise {
     @Param(doc = "standard deviation of a new error at each reading", unit = "unit of the reading")
@@ -20,16 +20,16 @@ public class Noise {
     private double dropout;
     private SensorObject owner;
 
-    /** No error at all. */
+    /** Without errors. */
     public Noise() {
     }
 
-    /** @param white standard deviation of a new error at each reading */
+    /** @param white standard deviation of the white noise */
     public Noise(double white) {
         this(white, 0, 0, 0, 0);
     }
 
-    /** With everything. */
+    /** With all parameters. */
     public Noise(double white, double bias, double drift, double quantisation, double dropout) {
         this.white = checked("white", white);
         this.bias = checked("bias", bias);
@@ -61,27 +61,22 @@ public class Noise {
         return this;
     }
 
-    /** Standard deviation of a new error at each reading. */
     public double getWhite() {
         return white;
     }
 
-    /** Constant error. */
     public double getBias() {
         return bias;
     }
 
-    /** Random walk, unit per square root of a second. */
     public double getDrift() {
         return drift;
     }
 
-    /** Size of the smallest step of the reading; 0 for none. */
     public double getQuantisation() {
         return quantisation;
     }
 
-    /** Probability, 0 to 1, that a reading is missing. */
     public double getDropout() {
         return dropout;
     }

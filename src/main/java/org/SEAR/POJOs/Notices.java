@@ -3,20 +3,23 @@ package org.SEAR.POJOs;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** What makers of objects should know, although it is legal: goes to the workbench where they are made, without one to the log. Any thread. */
+/**
+ * Notices about legal but doubtful objects: reported to the script session in use, or to the log if there is none. Any
+ * thread.
+ */
 final class Notices {
     private static final System.Logger LOG = System.getLogger("org.SEAR.POJOs");
-    /** Of more objects only the number is told. */
+    /** Largest number of objects that a notice names. */
     private static final int NAMED = 5;
 
     private Notices() {
     }
 
     /**
-     * An object was made.
+     * Reports a new object that the running simulation ignores, or whose name the script has used before.
      *
      * @param label {@code Box "crate"}
-     * @param taken whether it replaces the file of an object of its name
+     * @param taken whether it replaces the file of an object of the same name
      */
     static void made(String label, String name, boolean taken) {
         ScriptSession scriptSession = ScriptSessions.ALL.present();
@@ -30,11 +33,11 @@ final class Notices {
     }
 
     /**
-     * An object is not any more what it was.
+     * Reports that a change of an object does not affect the running simulation.
      *
-     * @param what was done with it
-     * @param instead what does it at once; empty if nothing does
-     * @param madeAfter so many starts
+     * @param what the change, a participle
+     * @param instead a call that takes effect immediately; empty if there is none
+     * @param madeAfter number of starts before the object was created
      */
     static void changed(String label, String what, String instead, int madeAfter) {
         if (ScriptSessions.ALL.actsFor(madeAfter) != null) {
@@ -43,7 +46,7 @@ final class Notices {
     }
 
     /**
-     * Objects of a project that the script which starts it did not make.
+     * Returns the notice about objects of a project that the script did not create.
      *
      * @return one line; empty if there are none
      */

@@ -5,60 +5,67 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * Where objects of the grammar keep themselves: the present SEARproject folder. The project room implements it; found by
- * {@link java.util.ServiceLoader}. Any thread.
+ * Storage of the objects of the grammar: the current SEARproject folder. {@link java.util.ServiceLoader} finds the
+ * implementation, in {@code org.SEAR.project}. Any thread.
  */
 public interface ObjectStore {
     /**
-     * Writes an object's file, whole or not at all. Another robot's part of that name, which this program made, moves its file into its robot's own
-     * folder before.
+     * Writes an object's file, completely or not at all. If the file belongs to another robot's part of this program,
+     * that part's file first moves into its robot's own folder.
      *
-     * @param part whether it goes to {@code robot/} instead of {@code environment/}
+     * @param part whether the file goes to {@code robot/} instead of {@code environment/}
      */
     void write(SearObject object, boolean part) throws IOException;
 
-    /** Whether an object that is made now replaces one of its name: there is a file of it, in either folder, that does not make way. */
+    /**
+     * Returns whether a new object of this name would replace one: either folder has a file of that name that does not
+     * move aside.
+     */
     boolean replaces(String name) throws IOException;
 
-    /** Whether there is a file, named as for {@link #remove}. */
+    /** Returns whether a file exists; the parameters are those of {@link #remove}. */
     boolean keeps(String file, boolean part) throws IOException;
 
     /**
-     * Removes the file of an object if there is one.
+     * Removes the file of an object if it exists.
      *
      * @param file as {@link SearObject#getFileName}
-     * @param part whether it lies in {@code robot/}
+     * @param part whether the file lies in {@code robot/}
      */
     void remove(String file, boolean part) throws IOException;
 
-    /** Removes the file of a part that stands in its robot's file from now on, unless another part was written there since. */
+    /**
+     * Removes the file of a part that its robot's file now contains, unless the file has been overwritten by another
+     * part.
+     */
     void removeOwn(SearObject part) throws IOException;
 
-    /** Makes several objects that belong together: if the maker fails, the project is as it was. */
+    /** Creates several objects as a unit: if the maker fails, the project is restored. */
     <T> T whole(Supplier<T> maker);
 
     /**
-     * What a part of a ready robot is called.
+     * Returns the name of a part of a ready robot.
      *
-     * @param part its plain name, which it has unless an object of the environment or a robot has it; then it is {@code robot part}
+     * @param part its plain name; if an object of the environment or a robot has that name, the result is
+     *     {@code robot part}
      */
     String partName(String robot, String part) throws IOException;
 
     /**
-     * The place of a robot that is made now in the order of the project's robots: behind all others. One that is made again keeps its place as long
-     * as this program has made none before it that stands behind.
+     * Returns the position of a new robot in the order of the project's robots: the last. A robot that is created again
+     * keeps its position, unless this program has before created a robot that comes later in the order.
      *
      * @return null for the first robot of a project
      */
     Integer orderOfRobot(String name);
 
     /**
-     * A named beam: one of the project's own ({@code beams/} of the folder), or a built-in one.
+     * Returns a named beam of the project ({@code beams/} of the folder), or a built-in one.
      *
-     * @throws IllegalArgumentException that names the beams there are
+     * @throws IllegalArgumentException with the names of the beams
      */
     Beam beam(String name);
 
-    /** Names of all beams, the project's own included, in order. */
+    /** Returns the names of all beams, including the project's, in order. */
     List<String> beamNames();
 }

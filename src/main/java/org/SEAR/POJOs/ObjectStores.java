@@ -5,12 +5,12 @@ import java.io.UncheckedIOException;
 import java.util.ServiceLoader;
 import java.util.function.Supplier;
 
-/** The one store of this program, as the project folder is one; where a thread makes drafts, theirs. */
+/** The object store of the program, or the draft store of the calling thread. */
 final class ObjectStores {
     private static final ObjectStore STORE = ServiceLoader.load(ObjectStore.class, ObjectStore.class.getClassLoader()).findFirst()
         .orElseThrow(() -> new IllegalStateException("no org.SEAR.POJOs.ObjectStore on the class path: sear.jar is incomplete"));
 
-    /** What keeps the objects that a thread makes just now, in the place of the one store. */
+    /** Store that replaces the program's for the objects of a thread. */
     private static final ThreadLocal<ObjectStore> INSTEAD = new ThreadLocal<>();
 
     private ObjectStores() {
@@ -21,7 +21,7 @@ final class ObjectStores {
         return instead == null ? STORE : instead;
     }
 
-    /** What a part of a ready robot is called, see {@link ObjectStore#partName}. */
+    /** Returns the name of a part of a ready robot, see {@link ObjectStore#partName}. */
     static String partName(SEARrobot robot, String part) {
         try {
             return get().partName(robot.getName(), part);
@@ -30,12 +30,12 @@ final class ObjectStores {
         }
     }
 
-    /** Whether another store keeps what this thread makes. */
+    /** Returns whether the calling thread uses another store than the program's. */
     static boolean isRedirected() {
         return INSTEAD.get() != null;
     }
 
-    /** Has another store keep what this thread makes meanwhile. */
+    /** Runs a maker with another store for the objects of the calling thread. */
     static <T> T with(ObjectStore store, Supplier<T> maker) {
         ObjectStore before = INSTEAD.get();
         INSTEAD.set(store);

@@ -2,7 +2,7 @@ package org.SEAR.POJOs;
 
 import org.SEAR.grammar.Described;
 
-/** Path of the robot's centre in millimetres, 16 bit, cleared when it is read. */
+/** Distance travelled by the robot's centre, millimetres, 16 bit; a reading clears it. */
 @Described("path of the robot's centre in millimetres, 16 bit, cleared when it is read")
 public class Odometer extends SensorObject {
 

@@ -1,19 +1,19 @@
 package org.SEAR.POJOs;
 
-/** What the drivers of a robot with an Open Interface take for its dimensions. Immutable, any thread. */
+/** Dimensions that drivers assume for a robot with an Open Interface. Immutable, any thread. */
 public enum OpenInterfaceBody {
-    /** Roomba 400 (SCI) and 500: distances come in millimetres, so the wheels' size is the robot's own affair. */
+    /** Roomba 400 (SCI) and 500: distances are in millimetres, so drivers do not depend on the size of the wheels. */
     ROOMBA_400("roomba400", 0.258, 0.036),
     /** Create 1. */
     CREATE("create", 0.258, 0.036),
-    /** Create 2 and Roomba 600: encoders count 508.8 a turn of a wheel of 72 mm. */
+    /** Create 2 and Roomba 600: 508.8 encoder counts per turn of a 72 mm wheel. */
     CREATE_2("create2", 0.235, 0.036);
 
     /** As in {@link Dynamics#getModel}. */
     public final String model;
-    /** Metres from the middle of the left wheel to that of the right one. */
+    /** Distance between the middles of the left and the right wheel, metres. */
     public final double wheelBase;
-    /** Metres; for the Create 2 by its document, for the others taken from there. */
+    /** Metres; from the Create 2's document, also for the other models. */
     public final double wheelRadius;
 
     OpenInterfaceBody(String model, double wheelBase, double wheelRadius) {
@@ -22,13 +22,13 @@ public enum OpenInterfaceBody {
         this.wheelRadius = wheelRadius;
     }
 
-    /** Whether drivers count turns of the wheels, so that the wheels' radius matters to them. */
+    /** Returns whether drivers count turns of the wheels, so that the wheels' radius matters. */
     public boolean hasEncoders() {
         return this == CREATE_2;
     }
 
     /**
-     * That of a model.
+     * Returns the body of a model.
      *
      * @param model legal for {@link Dynamics#setModel}
      */

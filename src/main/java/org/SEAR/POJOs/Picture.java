@@ -3,7 +3,7 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Param;
 
-/** A picture on a plate. Its edges and its back have the colour of the picture's lower left corner. */
+/** A picture on a plate. The plate's edges and back have the colour of the picture's lower left corner. */
 @Described("a plate with a picture of your own, upright, its front towards -z; the middle of the picture is its origin")
 public class Picture extends Board {
     @Param(doc = "size along x", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.6")
@@ -46,12 +46,10 @@ public class Picture extends Board {
         created(Picture.class);
     }
 
-    /** Size along x, metres, before scaling. */
     public double getWidth() {
         return width;
     }
 
-    /** Size along y, metres, before scaling. */
     public double getHeight() {
         return height;
     }

@@ -4,8 +4,8 @@ import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Param;
 
 /**
- * What may stand on the ground of the world: a thing of the environment, or a robot. {@link #place} and {@link #placeAt} say where; how high that is
- * comes out when the world is built, from the terrain, floor or model below it, so nobody has to know the ground's height.
+ * An object that can be placed on the ground: an object of the environment, or a robot. {@link #place} and
+ * {@link #placeAt} set where; SEAR finds the height from the terrain, floor or model below when it builds the world.
  */
 public abstract class PlacedObject extends SearObject {
     private static final String ON_GROUND = "onGround";
@@ -29,33 +29,32 @@ public abstract class PlacedObject extends SearObject {
         super(name);
     }
 
-    /** Whether a parameter says where it stands on the ground. */
+    /** Returns whether a parameter places the object on the ground. */
     static boolean isPlacing(String parameter) {
         return parameter.equals(ON_GROUND) || parameter.equals(LATITUDE) || parameter.equals(LONGITUDE);
     }
 
-    /** Whether it stands on the ground: its own height doesn't count then. */
+    /** Returns whether the object is placed on the ground, which overrides its own y. */
     public final boolean isOnGround() {
         return Boolean.TRUE.equals(onGround) || hasPlaceOnEarth();
     }
 
-    /** Whether it stands at {@link #getPlaceLatitude} and {@link #getPlaceLongitude}, not at its x and z. */
+    /** Returns whether {@link #getPlaceLatitude} and {@link #getPlaceLongitude} define its position, not x and z. */
     public final boolean hasPlaceOnEarth() {
         return placeLatitude != null && placeLongitude != null;
     }
 
-    /** Degrees, north positive; null if it was not placed so. */
     public final Double getPlaceLatitude() {
         return placeLatitude;
     }
 
-    /** Degrees, east positive; null if it was not placed so. */
     public final Double getPlaceLongitude() {
         return placeLongitude;
     }
 
     /**
-     * Puts it on the ground at a place on the Earth, which a {@code Terrain} says where to find. It keeps its rotation.
+     * Places the object on the ground at a geographic position, which a {@code Terrain} maps to the world. The rotation
+     * stays.
      *
      * @param latitude degrees, north positive
      * @param longitude degrees, east positive
@@ -72,7 +71,7 @@ public abstract class PlacedObject extends SearObject {
     }
 
     /**
-     * Puts it on the ground at a point of the world. It keeps its rotation.
+     * Places the object on the ground at a point of the world. The rotation stays.
      *
      * @param newX metres north of the world's origin
      * @param newZ metres east of it

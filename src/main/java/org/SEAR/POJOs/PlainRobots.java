@@ -1,6 +1,6 @@
 package org.SEAR.POJOs;
 
-/** What {@link Robots} makes that is no copy of a product: small vehicles with motors, from which one builds one's own. */
+/** Generic ready robots of {@link Robots}: small vehicles with motors as a base for the user's own. */
 final class PlainRobots {
     private static final String COLOR = "#4a7fb5";
     private static final double STIFFNESS = 1000;
@@ -8,7 +8,7 @@ final class PlainRobots {
     private static final double DAMPING = 0.4;
     private static final double MAX_FORCE = 10000;
     private static final double REST_LENGTH = 0.02;
-    /** The axles hang so far below the robot's origin when it stands, metres. */
+    /** Height of the robot's origin above the axles at rest, metres. */
     private static final double HANGING = 0.018;
 
     private PlainRobots() {
@@ -42,7 +42,7 @@ final class PlainRobots {
         robot.addComponent(motor);
     }
 
-    /** 2 kg, without wheels; its origin is where the middle between driven wheels of a radius of 5 cm may be. */
+    /** 2 kg, without wheels. The origin suits the middle between driven wheels of 5 cm radius. */
     static SEARrobot chassis(String name) {
         SEARrobot robot = make(name, 2, 0.05);
         body(robot, 0.2, 0.3, 0.06, 2, 0.02, -0.05);

@@ -1,17 +1,18 @@
 package org.SEAR.POJOs;
 
 /**
- * Ready robots: iRobot's with the dimensions of the real ones, so that drivers made for those judge distances and turns rightly, three vehicles
- * with motors to build one's own from, and a chassis without wheels. Each is an ordinary robot: it can be moved, and gets sensors by
- * {@link SEARrobot#addComponent}. The parts of iRobot's are {@code drive} (a {@link Dynamics}), {@code body}, the driven wheels
- * {@code left} and {@code right}, and the casters {@code front} and {@code back} (the real ones have a caster in front only). Their origin is
- * the middle of the body, which starts 54 mm above the world's origin; forward is z. Where an object of the environment or a robot is called like a
- * part, {@code body}, the part of {@code rover} is {@code rover body}. What can't be made whole leaves the project as it was.
+ * Ready robots: iRobot's models with the dimensions of the real ones, so that drivers compute correct distances and
+ * turns; three vehicles with motors and a chassis without wheels, as a base for the user's own. Each is an ordinary
+ * robot: it can be moved, and gets sensors by {@link SEARrobot#addComponent}. The parts of an iRobot are {@code drive}
+ * (a {@link Dynamics}), {@code body}, the driven wheels {@code left} and {@code right}, and the casters {@code front}
+ * and {@code back} (the real ones only have a front caster). Its origin is the middle of the body, which starts 54 mm
+ * above the world's origin; forward is z. If an object of the environment or a robot is named {@code body}, the part of
+ * {@code rover} is named {@code rover body}. If a robot can't be created completely, the project stays unchanged.
  */
 public final class Robots {
     private static final double RADIUS = 0.17;
     private static final double HEIGHT = 0.07;
-    /** The body is this much above the axles: its bottom is 20 mm above the ground, its top 90 mm. */
+    /** Height of the body's middle above the axles, metres: its bottom is 20 mm above the ground, its top 90 mm. */
     private static final double RAISED = 0.0015;
     private static final double MASS = 3.6;
     private static final double STIFFNESS = 1000;
@@ -52,14 +53,17 @@ public final class Robots {
         return make(name, "create2", 115200, null, null);
     }
 
-    /** The same with ports: {@code uart} is the device's end, {@code user} the one that the user opens. */
+    /**
+     * An iRobot Create 2 or a Roomba of the 600 series with ports: {@code uart} is the device's end, {@code user} the
+     * one that the user opens.
+     */
     public static SEARrobot create2(String name, String uart, String user) {
         return make(name, "create2", 115200, uart, user);
     }
 
     /**
-     * A robot of 2 kg without wheels, which rests on its {@code body} until it gets some; its other part is {@code drive}. Wheels of a radius of
-     * 0.05 m whose y is 0 lift the body 4 cm above the ground.
+     * A chassis of 2 kg without wheels, which rests on its {@code body}; its other part is {@code drive}. Wheels with a
+     * radius of 0.05 m at y 0 lift the body 4 cm above the ground.
      */
     public static SEARrobot chassis(String name) {
         return ObjectStores.get().whole(() -> PlainRobots.chassis(name));
@@ -74,16 +78,17 @@ public final class Robots {
     }
 
     /**
-     * A robot of 4 kg with four driven wheels, which turns by its two sides: {@code frontLeft}, {@code frontRight}, {@code rearLeft}, {@code
-     * rearRight}, a motor for each side ({@code leftMotor}, {@code rightMotor}), {@code body} and {@code drive}.
+     * A skid-steered robot of 4 kg with four driven wheels: {@code frontLeft}, {@code frontRight}, {@code rearLeft},
+     * {@code rearRight}, a motor for each side ({@code leftMotor}, {@code rightMotor}), {@code body} and {@code drive}.
      */
     public static SEARrobot fourWheeled(String name) {
         return ObjectStores.get().whole(() -> PlainRobots.fourWheeled(name));
     }
 
     /**
-     * A car of 5 kg whose front wheels are steered by up to 30 degrees and whose rear wheels one motor drives: {@code frontLeft}, {@code frontRight},
-     * {@code rearLeft}, {@code rearRight}, {@code engine}, {@code body} and {@code drive}.
+     * A car of 5 kg with front wheels steered by up to 30 degrees and rear wheels driven by one motor:
+     * {@code frontLeft}, {@code frontRight}, {@code rearLeft}, {@code rearRight}, {@code engine}, {@code body} and
+     * {@code drive}.
      */
     public static SEARrobot car(String name) {
         return ObjectStores.get().whole(() -> PlainRobots.car(name));

@@ -2,7 +2,7 @@ package org.SEAR.POJOs;
 
 import org.SEAR.grammar.Param;
 
-/** A shape that is round about its y axis, centred on its origin. */
+/** A shape with rotational symmetry about its y axis, centred on its origin. */
 public abstract class RoundShape extends Shape {
     @Param(doc = "radius; of a cone, that of its base", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.1")
     private double radius;
@@ -14,7 +14,7 @@ public abstract class RoundShape extends Shape {
     }
 
     /**
-     * With its centre at (x, y, z), metres, turned by (rx, ry, rz), degrees.
+     * Centred at (x, y, z), metres, turned by (rx, ry, rz), degrees.
      *
      * @param mass kg, 0 fixes it in place
      * @param image path below assets; null for the default picture
@@ -28,12 +28,10 @@ public abstract class RoundShape extends Shape {
         pose(x, y, z, rx, ry, rz);
     }
 
-    /** Radius, of a cone at its base, metres, before scaling. */
     public double getRadius() {
         return radius;
     }
 
-    /** Size along y, metres, before scaling. */
     public double getHeight() {
         return height;
     }

@@ -14,16 +14,15 @@ import org.SEAR.grammar.ScriptText;
 import org.SEAR.grammar.TextRule;
 
 /**
- * A robot: components and wheels, no shape of its own. It starts at the pose of its {@link Dynamics}, which counts from the robot's own pose; that
- * is the world's origin until {@link #move} or {@link #rotate} say otherwise. Its XML file in {@code robot/} has the names of its components, each
- * of which has a file beside it or in the folder {@code robot/ROBOT/}, and the wheels themselves.
+ * A robot: components and wheels, without a shape of its own. It starts at the pose of its {@link Dynamics}, relative
+ * to the robot's own pose; that is the world's origin until {@link #move} or {@link #rotate} change it. The robot's XML
+ * file in {@code robot/} contains the wheels and the names of the components. Each component has its own file beside it
+ * or in the folder {@code robot/ROBOT/}.
  */
 @Described("a robot: the names of its components, whose files lie beside its own, and its wheels; moving or turning it moves the start pose of its"
     + " Dynamics with it")
 public class SEARrobot extends PlacedObject {
-    /** Most components of a robot. */
     private static final int MAX_COMPONENTS = 1000;
-    /** Most wheels of a robot. */
     private static final int MAX_WHEELS = 100;
     private static final double MAX_ORDER = 1e9;
 
@@ -43,7 +42,10 @@ public class SEARrobot extends PlacedObject {
     protected SEARrobot() {
     }
 
-    /** A robot without parts, the last of the project's robots. A robot of that name in the project is replaced. */
+    /**
+     * Creates a robot without parts, the last in the order of the project's robots. It replaces a robot of the same
+     * name.
+     */
     public SEARrobot(String name) {
         super(name);
         order = TextRule.NAME.isLegal(getName()) ? ObjectStores.get().orderOfRobot(getName()) : null;
@@ -63,13 +65,16 @@ public class SEARrobot extends PlacedObject {
         return " can't be a component, legal: a shape, a model, a sensor, dynamics";
     }
 
-    /** Degrees clockwise from north in which it looks where it was placed; null if its rotation and its Dynamics' say that. */
+    /**
+     * Returns the heading on the ground, degrees clockwise from north; null if the rotations of the robot and its
+     * Dynamics define it.
+     */
     public Double getPlaceHeading() {
         return placeHeading;
     }
 
     /**
-     * Puts it on the ground at a place on the Earth, looking into a direction, wherever its Dynamics is.
+     * Places the robot on the ground at a geographic position with a heading, whatever the pose of its Dynamics.
      *
      * @param latitude degrees, north positive
      * @param longitude degrees, east positive
@@ -83,7 +88,7 @@ public class SEARrobot extends PlacedObject {
     }
 
     /**
-     * Puts it on the ground at a point of the world, looking into a direction, wherever its Dynamics is.
+     * Places the robot on the ground at a point of the world with a heading, whatever the pose of its Dynamics.
      *
      * @param newX metres north of the world's origin
      * @param newZ metres east of it
@@ -116,11 +121,12 @@ public class SEARrobot extends PlacedObject {
     }
 
     /**
-     * Makes an object a part of this robot: its pose now is in the body frame, and its XML file moves to {@code robot/}. If a robot that was made
-     * before has a part of that name, the file of that one moves on to {@code robot/ROBOT/}.
+     * Adds a component: its pose becomes relative to the body frame, and its XML file moves to {@code robot/}. If an
+     * earlier robot has a part of that name, that part's file moves on to {@code robot/ROBOT/}.
      *
      * @param component a shape, a sensor or the dynamics, not null
-     * @throws IllegalArgumentException if it is a part already, a robot, a wheel (see {@link #addWheel}), or has the name of another part
+     * @throws IllegalArgumentException if the component is already a part, a robot, a wheel (see {@link #addWheel}), or
+     *     has the name of another part
      */
     public void addComponent(SearObject component) {
         checkChangeable();
@@ -166,9 +172,10 @@ public class SEARrobot extends PlacedObject {
     }
 
     /**
-     * Moves a component's file into this robot's own folder. The project is whole after each step, so whatever fails, nothing of it is lost.
+     * Moves a component's file into this robot's own folder. The project is consistent after each step, so a failure
+     * loses nothing.
      *
-     * @throws IllegalArgumentException if the two names are too long for that
+     * @throws IllegalArgumentException if the two names are too long for a file
      */
     void moveAside(SearObject component) throws IOException {
         checkAside(component.getName());
@@ -195,7 +202,7 @@ public class SEARrobot extends PlacedObject {
         }
     }
 
-    /** Of a robot that was read: names a component as a file in the robot's own folder. */
+    /** Names a component of a robot that was read as a file in the robot's own folder, and returns that name. */
     String nameAside(String component) {
         checkAside(component);
         String aside = getName() + "/" + component;
@@ -208,11 +215,11 @@ public class SEARrobot extends PlacedObject {
     }
 
     /**
-     * Says where a component's file lies: {@code robot/ROBOT/NAME.xml} or {@code robot/NAME.xml}. Scripts need it only to make files as they were; a
-     * file moves by itself where another robot's part takes its place.
+     * Chooses between {@code robot/ROBOT/NAME.xml} and {@code robot/NAME.xml} for a component's file. Scripts need it
+     * only to reproduce files; otherwise a file moves by itself when another robot gets a part of the same name.
      *
-     * @param component the name of one of this robot's
-     * @param on whether it lies in the robot's own folder
+     * @param component name of a component of this robot
+     * @param on whether the file lies in the robot's own folder
      * @throws IllegalArgumentException if there is no such component
      */
     public void setOwnFolder(String component, boolean on) {
@@ -245,9 +252,9 @@ public class SEARrobot extends PlacedObject {
     }
 
     /**
-     * Gives the robot a wheel; its XML now stands in the robot's file.
+     * Adds a wheel; the robot's file then contains it.
      *
-     * @throws IllegalArgumentException if it is a part already, or has the name of another part
+     * @throws IllegalArgumentException if the wheel is already a part, or has the name of another part
      */
     public void addWheel(Wheel wheel) {
         checkChangeable();
@@ -306,19 +313,19 @@ public class SEARrobot extends PlacedObject {
         }
     }
 
-    /** Puts a component that was read from its own file in its place. */
+    /** Adds a component that was read from its own file. */
     void link(SearObject component, boolean aside) {
         component.setRobot(this);
         component.setAside(aside);
         components.add(component);
     }
 
-    /** The components in the order they were added; a view. */
+    /** Returns the components in the order of their addition; a view. */
     public List<SearObject> getComponents() {
         return Collections.unmodifiableList(components);
     }
 
-    /** Whether the project that is open now has its file. */
+    /** Returns whether the open project contains the robot's file. */
     boolean isInProject() {
         try {
             return ObjectStores.get().replaces(getName());
@@ -328,9 +335,9 @@ public class SEARrobot extends PlacedObject {
     }
 
     /**
-     * A component or wheel by its name, for example a motor of a ready robot.
+     * Returns a component or wheel by its name, for example a motor of a ready robot.
      *
-     * @throws IllegalArgumentException that names the parts that it has, if there is none of that name
+     * @throws IllegalArgumentException with the names of the robot's parts, if it has none of that name
      */
     public SearObject getPart(String part) {
         String wanted = ScriptText.of(part);
@@ -339,17 +346,20 @@ public class SEARrobot extends PlacedObject {
                 + Stream.concat(components.stream(), wheels.stream()).map(SearObject::getName).collect(Collectors.joining(", "))));
     }
 
-    /** Its place in the order in which the project's robots were made; null for the first, and in files of older versions. */
+    /**
+     * Returns the robot's position in the order of the project's robots; null for the first robot, and in files of
+     * older versions.
+     */
     public Integer getOrder() {
         return order;
     }
 
-    /** The components' files (see {@link SearObject#getFileName}) in the order they were added; a view. */
+    /** Returns the components' files (see {@link SearObject#getFileName}) in the order of their addition; a view. */
     public List<String> getComponentNames() {
         return Collections.unmodifiableList(componentNames);
     }
 
-    /** The wheels in the order they were added; a view. */
+    /** Returns the wheels in the order of their addition; a view. */
     public List<Wheel> getWheels() {
         return Collections.unmodifiableList(wheels);
     }

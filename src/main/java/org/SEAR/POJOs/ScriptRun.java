@@ -13,25 +13,25 @@ import java.util.stream.Collectors;
 import org.SEAR.grammar.ScriptLine;
 
 /**
- * Which names the present run of a Python script has given to objects. Jython makes a class of its own of each run of a script; a script that is run
- * again is another run, which may make the same objects. Any thread.
+ * Names that the current run of a Python script has given to objects. Jython compiles each run of a script to a class
+ * of its own; a repeated run may create the same objects again. Any thread.
  */
 final class ScriptRun {
     private static final String SCRIPT = "org.python.pycode.";
     private final Set<String> names = new HashSet<>();
-    /** Where the script has made each. */
+    /** Script line that created each object. */
     private final Map<String, String> lines = new HashMap<>();
-    /** Which lines have replaced what others made. */
+    /** Pairs of lines of which the second has replaced objects of the first. */
     private final Set<String> replaced = new HashSet<>();
     private String run = "";
     private boolean taken;
 
     /**
-     * Notes a name.
+     * Notes a name, and returns whether to report it.
      *
      * @param taken whether its object replaces another
-     * @return whether it replaces one that this run of a script has made, at a line that has replaced none of that one's line until now: a ready
-     *     robot replaces each of its parts; never outside of scripts
+     * @return whether the object replaces one that the same run of a script has created; only once per pair of lines,
+     *     since a ready robot replaces each of its parts; false outside of scripts
      */
     synchronized boolean isAgain(String name, boolean taken) {
         if (!follow()) {
@@ -42,7 +42,7 @@ final class ScriptRun {
         return !names.add(name) && taken && (line.isEmpty() || replaced.add(former + " by " + line));
     }
 
-    /** Another project: nothing in it has been given a name yet. */
+    /** Forgets all names, for another project. */
     synchronized void forget() {
         names.clear();
         lines.clear();
@@ -51,9 +51,9 @@ final class ScriptRun {
     }
 
     /**
-     * Where the script has made the first object that a text names.
+     * Returns the script line that created the first object named in a text.
      *
-     * @return {@code line 7 of first.py}; empty if it names none of the script's
+     * @return {@code line 7 of first.py}; empty if the text names none of the script's objects
      */
     synchronized String lineOf(String text) {
         String found = "";
@@ -68,21 +68,21 @@ final class ScriptRun {
         return found;
     }
 
-    /** This run of a script has taken a project, whose objects it means to have. */
+    /** Notes that this run of a script has opened a project, whose objects it uses. */
     synchronized void hasTaken() {
         taken = follow();
     }
 
-    /** Which of these names this run of a script did not give; none if it gave no name at all, or has taken a project. */
+    /** Returns the names that this run of a script did not give; empty if it gave no name, or has opened a project. */
     synchronized List<String> others(Collection<String> all) {
         boolean builds = follow() && !names.isEmpty() && !taken;
         return builds ? all.stream().filter(name -> !names.contains(name)).collect(Collectors.toList()) : List.of();
     }
 
     /**
-     * Looks which run is calling; another than before begins with no names.
+     * Finds the calling run of a script; a new run starts without names.
      *
-     * @return whether one is
+     * @return whether a script calls
      */
     private boolean follow() {
         Optional<String> present = StackWalker.getInstance().walk(frames -> frames.map(StackWalker.StackFrame::getClassName)

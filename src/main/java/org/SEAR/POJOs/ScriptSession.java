@@ -5,34 +5,34 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * Where the objects of a service are made: who is told what their makers should know, and the simulation that has read them. Each SEAR service has
- * its own; an object that a script makes comes to that whose simulation runs, else to that which was used last. The files lie in the project folder,
- * which is the program's. Any thread.
+ * Session of a service in which scripts create objects. It receives the notices about them and knows the simulation
+ * that has read them. Each SEAR service has one. A script's object belongs to the session whose simulation runs,
+ * otherwise to the session used last. The files lie in the program's project folder. Any thread.
  */
 public final class ScriptSession {
     private final Consumer<String> reported;
     private volatile Run run;
 
-    /** What a running simulation does for its objects, between two steps, before it returns. */
+    /** Changes that a running simulation makes to its objects between two steps; each call waits for the change. */
     public interface Acts {
         /**
-         * Gives a thing a velocity.
+         * Sets the velocity of an object.
          *
          * @param x m/s in the world frame, likewise y and z
-         * @throws IllegalArgumentException if the simulation has nothing of that name that can move
+         * @throws IllegalArgumentException if the simulation has no movable object of that name
          */
         void setVelocity(String name, double x, double y, double z);
 
         /**
-         * Has a thing turn.
+         * Sets the angular velocity of an object.
          *
          * @param x degrees a second about the world's x, likewise y and z
-         * @throws IllegalArgumentException if the simulation has nothing of that name that can move
+         * @throws IllegalArgumentException if the simulation has no movable object of that name
          */
         void setSpin(String name, double x, double y, double z);
     }
 
-    /** A simulation from its start on. */
+    /** A started simulation. */
     private static final class Run {
         private final Acts acts;
         private final BooleanSupplier runs;
@@ -45,29 +45,25 @@ public final class ScriptSession {
         }
     }
 
-    /**
-     * A workbench where nothing is made yet.
-     *
-     * @param told is called on the thread that makes an object
-     */
+    /** @param told receives the notices, on the thread that creates an object */
     public ScriptSession(Consumer<String> told) {
         this.reported = told;
     }
 
-    /** It is used from now on. */
+    /** Opens the session, which makes it the one used last. */
     public void open() {
         ScriptSessions.ALL.add(this);
     }
 
-    /** Nothing is made here any more. */
+    /** Closes the session to new objects. */
     public void close() {
         ScriptSessions.ALL.remove(this);
     }
 
     /**
-     * A simulation has read the objects, and looks at no later ones.
+     * Starts a simulation, which has read the objects and ignores later ones.
      *
-     * @param forObjects null if it does nothing for them
+     * @param forObjects null if the simulation changes no objects
      * @param running whether it still runs
      */
     public void begin(Acts forObjects, BooleanSupplier running) {
@@ -75,27 +71,27 @@ public final class ScriptSession {
         ScriptSessions.ALL.use(this);
     }
 
-    /** Its simulation has ended. */
+    /** Ends the simulation. */
     public void end() {
         run = null;
     }
 
-    /** Another project, maybe an empty one, is in the place of the one whose objects were made until now. */
+    /** Notes that another project, possibly an empty one, is open. */
     public void anotherProject() {
         ScriptSessions.ALL.use(this);
         ScriptSessions.ALL.script().forget();
         ScriptSessions.ALL.forgetMade();
     }
 
-    /** The calling script has opened a project or taken something out of one, and means to have what is in it. */
+    /** Notes that the calling script has opened a project or taken objects from one, and uses them. */
     public void projectTaken() {
         ScriptSessions.ALL.use(this);
         ScriptSessions.ALL.script().hasTaken();
     }
 
     /**
-     * Which objects the calling script, which has made others, did not make: of an earlier run, as the file of an object that was renamed, or of
-     * another script.
+     * Returns the notice about objects that the calling script did not create, if it has created any: objects of an
+     * earlier run, the old file of a renamed object, or objects of another script.
      *
      * @param names of the project's objects and robots
      * @return one line; empty if there are none
@@ -105,9 +101,9 @@ public final class ScriptSession {
     }
 
     /**
-     * Where the calling script, or the last one, has made the first object that a text names.
+     * Returns the line of the present or last script that created the first object named in a text.
      *
-     * @return {@code line 7 of first.py}; empty if it names none of them
+     * @return {@code line 7 of first.py}; empty if the text names none of its objects
      */
     public static String lineOf(String text) {
         return ScriptSessions.ALL.script().lineOf(text);
@@ -122,7 +118,10 @@ public final class ScriptSession {
         return present != null && present.runs.getAsBoolean();
     }
 
-    /** What its simulation does for an object that was made after so many starts; null unless it runs and has read it. */
+    /**
+     * Returns the simulation's actions for an object; null unless the simulation runs and was started after the object
+     * was created.
+     */
     Acts actsFor(int madeAfter) {
         Run present = run;
         return present != null && madeAfter < present.number && present.runs.getAsBoolean() ? present.acts : null;

@@ -6,23 +6,23 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * The workbenches of a program. A script's {@code Box("crate", ...)} names no service: here it finds whose it is. Beside the store of the project
- * folder this is all that objects share. Any thread.
+ * The script sessions of a program. A script's {@code Box("crate", ...)} names no service, so this class finds its
+ * session. Objects share only this class and the store of the project folder. Any thread.
  */
 final class ScriptSessions {
     static final ScriptSessions ALL = new ScriptSessions();
 
     private final ScriptRun script = new ScriptRun();
-    /** In the order in which they were used last. */
+    /** Ordered by last use. */
     private volatile List<ScriptSession> open = List.of();
     private volatile int starts;
-    /** Robots of the project that somebody still has, in the order in which they were made. */
+    /** Robots of the project that are still referenced, in the order of their creation. */
     private final List<WeakReference<Object>> made = new ArrayList<>();
 
     private ScriptSessions() {
     }
 
-    /** What the present run of a script has made: of the program's one project, whichever service it asks. */
+    /** Returns the current script run. There is one per program, since the program has one project. */
     ScriptRun script() {
         return script;
     }
@@ -36,7 +36,7 @@ final class ScriptSessions {
         made.clear();
     }
 
-    /** What of the project was made in this program, and is still had by somebody, in the order in which it was made. */
+    /** Returns the robots created in this program that are still referenced, in the order of their creation. */
     synchronized <T> List<T> made(Class<T> type) {
         return made.stream().map(WeakReference::get).filter(type::isInstance).map(type::cast).collect(Collectors.toList());
     }
@@ -53,7 +53,7 @@ final class ScriptSessions {
         open = List.copyOf(fewer);
     }
 
-    /** From now on it is the one that was used last, unless it is closed. */
+    /** Marks a session as used last, unless it is closed. */
     synchronized void use(ScriptSession scriptSession) {
         List<ScriptSession> others = new ArrayList<>(open);
         if (others.remove(scriptSession)) {
@@ -62,27 +62,27 @@ final class ScriptSessions {
         }
     }
 
-    /** The one whose simulation runs, else the one that was used last; null if none is open. */
+    /** Returns the session whose simulation runs, otherwise the one used last; null if none is open. */
     ScriptSession present() {
         List<ScriptSession> now = open;
         return now.stream().filter(ScriptSession::isSimulating).findFirst().orElse(now.isEmpty() ? null : now.get(now.size() - 1));
     }
 
-    /** Number of a simulation that begins, from 1. */
+    /** Returns the number of the simulation that starts, from 1. */
     synchronized int nextStart() {
         return ++starts;
     }
 
-    /** How many simulations have begun: an object remembers it when it is made. */
+    /** Returns the number of simulations started; an object stores it on creation. */
     int starts() {
         return starts;
     }
 
     /**
-     * What the simulation that runs does for an object.
+     * Returns the running simulation's actions for an object.
      *
-     * @param madeAfter so many starts
-     * @return null if no simulation runs that has read it
+     * @param madeAfter number of starts before the object was created
+     * @return null if no simulation runs that has read the object
      */
     ScriptSession.Acts actsFor(int madeAfter) {
         ScriptSession present = present();

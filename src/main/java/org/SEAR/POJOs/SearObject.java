@@ -14,16 +14,18 @@ import org.SEAR.grammar.ScriptText;
 import org.SEAR.grammar.TextRule;
 
 /**
- * Anything of the object grammar: a name and a pose. An object that a script or program creates writes its XML file when it is created and after
- * each change; an object that was read from a file belongs to its {@code Project} and never changes. One thread at a time.
+ * An object of the grammar: a name and a pose. An object that a script or program creates writes its XML file when it
+ * is created and after each change. An object that was read from a file belongs to its {@code Project} and is
+ * immutable. One thread at a time.
  *
- * <p>How to write a class of the grammar: fields with {@link Param}, a constructor without arguments for reading, constructors that end with
- * {@code created(MyClass.class)}, and setters of the form {@code mass = checked("mass", newMass); changed();}.
+ * <p>A class of the grammar consists of fields with {@link Param}, a constructor without arguments for reading,
+ * constructors that end with {@code created(MyClass.class)}, and setters of the form
+ * {@code mass = checked("mass", newMass); changed();}.
  */
 public abstract class SearObject {
-    /** Metres from the origin that an object may be away. */
+    /** Largest legal coordinate of a position, metres. */
     static final double FAR = 200000;
-    /** Degrees that an object may be turned at once. */
+    /** Largest legal angle of a rotation, degrees. */
     static final double TURNS = 36000;
 
     @Param(doc = "name of the object, and of its file", text = TextRule.NAME, required = true)
@@ -46,10 +48,13 @@ public abstract class SearObject {
     private Life life;
     private SEARrobot robot;
     private SearObject mover;
-    /** Whether its file lies in a folder of its robot's own, because another robot's part of that name has the plain place. */
+    /**
+     * Whether the file lies in the robot's own folder, because a part of another robot with the same name has the plain
+     * file.
+     */
     private boolean aside;
     private String fullName;
-    /** How many simulations had begun when it was made. */
+    /** Number of simulations started before the object was created. */
     private int starts;
 
     /** For reading from a file. */
@@ -64,10 +69,10 @@ public abstract class SearObject {
     }
 
     /**
-     * Has to be the last call of each public constructor: checks all values, then writes the file.
+     * Checks all values, then writes the file. Each public constructor has to call it last.
      *
-     * @param constructed the class that the constructor belongs to, so that a subclass's constructor can go on
-     * @throws IllegalArgumentException with everything that is wrong; nothing is written then
+     * @param constructed the constructor's class; the call does nothing in the constructor of a superclass
+     * @throws IllegalArgumentException with all problems; nothing is written then
      */
     protected final void created(Class<?> constructed) {
         if (getClass() != constructed) {
@@ -99,15 +104,15 @@ public abstract class SearObject {
         }
     }
 
-    /** Adds what is wrong with the values together, beyond the legal range of each. Called when it is created and when it was read. */
+    /** Adds the problems of combined values, beyond the legal range of each. Called on creation and after reading. */
     protected void crossCheck(Faults faults) {
     }
 
     /**
      * Writes the file again.
      *
-     * @throws UncheckedIOException if it can't be written; the old file is whole then
-     * @throws IllegalStateException if the project does not have it any more
+     * @throws UncheckedIOException if the file can't be written; the old file stays complete
+     * @throws IllegalStateException if the object is not in the project
      */
     protected final void changed() {
         if (life == Life.LIVE) {
@@ -116,7 +121,7 @@ public abstract class SearObject {
         }
     }
 
-    /** Writes its file, whether there is one or not. */
+    /** Writes the file, whether it exists or not. */
     final void write() {
         try {
             save();
@@ -125,7 +130,7 @@ public abstract class SearObject {
         }
     }
 
-    /** What the project does not have any more must not come back by its old name beside what it is now. */
+    /** Writes the file only if it still exists: a deleted or renamed object must not reappear under its old name. */
     private void rewrite() {
         try {
             if (!isKept()) {
@@ -151,23 +156,22 @@ public abstract class SearObject {
         }
     }
 
-    /** Whether its file is there. */
+    /** Returns whether the object's file exists. */
     boolean isKept() throws IOException {
         return ObjectStores.get().keeps(getFileName(), isRobotPart());
     }
 
-    /** Writes this object's file. */
     void save() throws IOException {
         ObjectStores.get().write(this, isRobotPart());
     }
 
-    /** Whether the file lies in {@code robot/} even before the object is added to a robot. */
+    /** Returns whether the file lies in {@code robot/} even before the object is added to a robot. */
     boolean isRobotPart() {
         return robot != null;
     }
 
     /**
-     * A value that may be assigned.
+     * Checks a value before it is assigned.
      *
      * @throws IllegalArgumentException that names object, parameter, value and legal range
      */
@@ -177,7 +181,7 @@ public abstract class SearObject {
     }
 
     /**
-     * A value that may be assigned.
+     * Checks a value before it is assigned.
      *
      * @throws IllegalArgumentException that names object, parameter, value and legal values
      */
@@ -187,7 +191,7 @@ public abstract class SearObject {
     }
 
     /**
-     * A value that may be assigned.
+     * Checks a value before it is assigned.
      *
      * @throws IllegalArgumentException that names object, parameter, value and legal form
      */
@@ -197,7 +201,7 @@ public abstract class SearObject {
     }
 
     /**
-     * A value that may be assigned.
+     * Checks a value before it is assigned.
      *
      * @throws IllegalStateException if the object was read from a file
      */
@@ -218,17 +222,22 @@ public abstract class SearObject {
         }
     }
 
-    /** Why this kind of object has a parameter that is never set, and what to do instead; null if it may be set. */
+    /**
+     * Returns why this kind of object has a fixed parameter, and what to do instead; null if the parameter can be set.
+     */
     String whyFixed(String parameter) {
         return null;
     }
 
-    /** Why it can't be a component of a robot, after its name, and what is legal; null if it can. */
+    /**
+     * Returns why the object can't be a component of a robot, as text after its name, and what is legal; null if it
+     * can.
+     */
     String whyNoComponent() {
         return null;
     }
 
-    /** Whether it can steer a wheel. */
+    /** Returns whether it is a servo, which can steer a wheel. */
     boolean isServo() {
         return false;
     }
@@ -240,10 +249,11 @@ public abstract class SearObject {
     }
 
     /**
-     * Sets parameters by the names that they have in the object's file, for what has no method of its own: {@code box.set({"onGround": False})}. All
-     * of them, or, if one is wrong or they don't fit together, none.
+     * Sets parameters by their names in the object's file, also those without a method: {@code box.set({"onGround":
+     * False})}. If a value is invalid or the values don't fit together, none is set.
      *
-     * @param values number, text, True or False by name; None for nothing; a group of parameters is a dictionary in turn, several are a list
+     * @param values number, text, True or False by name; None clears; a group of parameters is a dictionary, several
+     *     values are a list
      * @throws IllegalArgumentException that names object, parameter, value and legal values
      */
     public void set(Map<String, ?> values) {
@@ -264,11 +274,11 @@ public abstract class SearObject {
     }
 
     /**
-     * Makes an object of any class of the grammar from its parameters by name, as {@link #set} takes them, whatever constructors the class has.
+     * Creates an object of any class of the grammar from its parameters by name, as {@link #set} takes them.
      *
-     * @param type its class
-     * @param values what differs from the defaults; the name has to be there
-     * @throws IllegalArgumentException with everything that is wrong; nothing is written then
+     * @param type the object's class
+     * @param values the name, and the parameters that differ from the defaults
+     * @throws IllegalArgumentException with all problems; nothing is written then
      */
     public static <T extends SearObject> T make(Class<T> type, Map<String, ?> values) {
         SearObject object = (SearObject) ParameterTable.of(type).newInstance();
@@ -283,20 +293,20 @@ public abstract class SearObject {
         return parameter.getTextRule() == TextRule.COMPONENT || SearObject.class.isAssignableFrom(parameter.getType());
     }
 
-    /** Whether a parameter is what an object is called or made of, which no value sets. */
+    /** Returns whether a parameter is the name or a part, which {@link #set} does not set. */
     private static boolean isGiven(Parameter parameter) {
         return parameter.getName().equals("name") || isPart(parameter);
     }
 
     /**
-     * Several parameters were set by name: what hangs on them follows. Called before the file is written.
+     * Updates dependent data after parameters were set by name. Called before the file is written.
      *
-     * @throws IllegalArgumentException if they don't fit to what else there is
+     * @throws IllegalArgumentException if the values don't fit to the object's other data
      */
     void valuesSet() {
     }
 
-    /** {@code Box "Box1_name"}. */
+    /** Returns class and name: {@code Box "Box1_name"}. */
     final String label() {
         return getClass().getSimpleName() + " \"" + name + "\"";
     }
@@ -309,7 +319,9 @@ public abstract class SearObject {
         robot = newRobot;
     }
 
-    /** The motor or servo that turns it; null if there is none, or it was read from a file. */
+    /**
+     * Returns the motor or servo that turns the object; null if there is none, or if the object was read from a file.
+     */
     final SearObject getMover() {
         return mover;
     }
@@ -326,58 +338,53 @@ public abstract class SearObject {
         fullName = newFullName;
     }
 
-    /** The name, which is also the name of the XML file. */
+    /** Returns the name, which is also the name of the XML file. */
     public String getName() {
         return name;
     }
 
     /**
-     * The name of the file below {@code environment/} or {@code robot/}, without .xml: the name, or {@code robot/name} for a part that lies in its
-     * robot's own folder, because another robot's part has the same name.
+     * Returns the name of the file below {@code environment/} or {@code robot/}, without .xml: the name, or
+     * {@code robot/name} for a part in its robot's own folder.
      */
     public final String getFileName() {
         return aside ? robot.getName() + "/" + name : name;
     }
 
     /**
-     * What scripts ask for: the name, or {@code robot/name} for a part of whose name another robot of the project has one, too. Only an object that
-     * was read with its project knows of the others; for every other it is the name.
+     * Returns the name by which scripts address the object: its name, or {@code robot/name} if another robot of the
+     * project has a part with the same name. Only an object that was read with its project knows the other robots'
+     * parts; for every other object this is the name.
      */
     public final String getFullName() {
         return fullName == null ? name : fullName;
     }
 
-    /** Metres. */
     public double getX() {
         return x;
     }
 
-    /** Metres. */
     public double getY() {
         return y;
     }
 
-    /** Metres. */
     public double getZ() {
         return z;
     }
 
-    /** Degrees about x. */
     public double getRx() {
         return rx;
     }
 
-    /** Degrees about y. */
     public double getRy() {
         return ry;
     }
 
-    /** Degrees about z. */
     public double getRz() {
         return rz;
     }
 
-    /** Puts the object there: metres, world frame; body frame once it is a component of a robot. */
+    /** Moves the object: metres in the world frame, or in the body frame of its robot. */
     public void move(double newX, double newY, double newZ) {
         double checkedX = checked("x", newX);
         double checkedY = checked("y", newY);
@@ -387,7 +394,7 @@ public abstract class SearObject {
         moved();
     }
 
-    /** Turns the object: degrees about the three axes, applied as jME's Quaternion.fromAngles. */
+    /** Rotates the object: degrees about the three axes, in the order of jME's Quaternion.fromAngles. */
     public void rotate(double newRx, double newRy, double newRz) {
         double checkedX = checked("rx", newRx);
         double checkedY = checked("ry", newRy);
@@ -397,14 +404,14 @@ public abstract class SearObject {
         moved();
     }
 
-    /** Puts it elsewhere; the values are checked already. */
+    /** Sets the position without a check and without writing the file. */
     final void setPosition(double newX, double newY, double newZ) {
         x = newX + 0.0;
         y = newY + 0.0;
         z = newZ + 0.0;
     }
 
-    /** Sets the pose while the object is being made; {@link #created} checks it. */
+    /** Sets the pose during construction; {@link #created} checks it. */
     protected final void pose(double newX, double newY, double newZ, double newRx, double newRy, double newRz) {
         x = newX + 0.0;
         y = newY + 0.0;
@@ -414,7 +421,7 @@ public abstract class SearObject {
         rz = newRz + 0.0;
     }
 
-    /** {@code Box "Box1_name"}. */
+    /** Returns class and name: {@code Box "Box1_name"}. */
     @Override
     public String toString() {
         return label();

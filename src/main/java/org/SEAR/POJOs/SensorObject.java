@@ -2,7 +2,7 @@ package org.SEAR.POJOs;
 
 import org.SEAR.grammar.Param;
 
-/** A sensor's parameters. A sensor is a component of a robot; without rotation it looks forward. */
+/** Parameters of a sensor. A sensor is a component of a robot; without rotation it faces forward. */
 public abstract class SensorObject extends SearObject {
     @Param(doc = "error model; none by default")
     private Noise noise;
@@ -11,7 +11,7 @@ public abstract class SensorObject extends SearObject {
     protected SensorObject() {
     }
 
-    /** @param name by which scripts ask for its readings */
+    /** @param name by which scripts read the sensor */
     protected SensorObject(String name) {
         super(name);
     }
@@ -28,12 +28,11 @@ public abstract class SensorObject extends SearObject {
         }
     }
 
-    /** The error model; null for none. */
     public Noise getNoise() {
         return noise;
     }
 
-    /** @param newNoise the error model; later changes to it are saved too; null for none */
+    /** @param newNoise the error model, whose later changes are saved too; null for none */
     public void setNoise(Noise newNoise) {
         checkChangeable();
         if (noise != null) {

@@ -6,7 +6,10 @@ import org.SEAR.grammar.Param;
 import org.SEAR.grammar.ParameterTable;
 import org.SEAR.grammar.TextRule;
 
-/** The ports of a simulated device and the speed of its line, as {@link Included} parameters of a {@link SerialObject}. One thread at a time. */
+/**
+ * Ports and baud rate of a simulated device, as {@link Included} parameters of a {@link SerialObject}. One thread at a
+ * time.
+ */
 public final class SerialParameters {
     private final SearObject owner;
     @Param(doc = "port of the simulated device's end")
@@ -21,34 +24,31 @@ public final class SerialParameters {
     /**
      * Without ports.
      *
-     * @param owner the object whose parameters these are
-     * @param baud bits a second at power-on until another is set
+     * @param owner the object with these parameters
+     * @param baud default bits a second at power-on
      */
     SerialParameters(SearObject owner, int baud) {
         this.owner = owner;
         this.baud = baud;
     }
 
-    /** Port name of the device's end; null without ports. */
     public String getUartPort() {
         return uartPort;
     }
 
-    /** Port name of the user's end; null without ports. */
     public String getUserPort() {
         return userPort;
     }
 
-    /** Bits a second at power-on. */
     public int getBaud() {
         return baud;
     }
 
     /**
-     * Names both ports and writes the object's file.
+     * Sets both port names and writes the object's file.
      *
      * @param uart the device's end; null, as the user's, for none
-     * @throws IllegalArgumentException unless both are names of two ports, or both null
+     * @throws IllegalArgumentException unless both are different names, or both null
      */
     public void setPorts(String uart, String user) {
         if (uart == null && user == null) {
@@ -65,15 +65,14 @@ public final class SerialParameters {
         owner.changed();
     }
 
-    /** Where programs outside find the user's end, see {@link ExportTarget}; null for nowhere. */
     public String getExport() {
         return export;
     }
 
     /**
-     * Says where programs outside find the user's end, and writes the object's file.
+     * Sets where other programs find the user's end, and writes the object's file.
      *
-     * @param target see {@link ExportTarget}; null for nowhere
+     * @param target see {@link ExportTarget}; null for no export
      */
     public void setExport(String target) {
         if (target == null) {
@@ -86,7 +85,7 @@ public final class SerialParameters {
     }
 
     /**
-     * Sets the speed at power-on and writes the object's file.
+     * Sets the baud rate at power-on and writes the object's file.
      *
      * @param newBaud 300 to 100000000
      */

@@ -11,19 +11,18 @@ import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.arduino.WireRole;
 
 /**
- * A servo motor, which turns what is mounted on it about the servo's own y axis: a sensor, a shape, another servo. What is mounted has its place on
- * the robot, as every component, as it is with the servo at 0 degrees.
+ * A servo motor, which turns the parts mounted on it about the servo's own y axis: a sensor, a shape, another servo.
+ * The pose of a mounted part on the robot is that with the servo at 0 degrees.
  */
 @Described("a servo motor, which turns what is mounted on it about the servo's own y axis; what is mounted is written where it is with the servo at"
     + " 0 degrees")
 public class Servo extends SearObject implements Wirable {
-    /** What it can turn, in words. */
+    /** Parts that a servo can turn, in words. */
     public static final String TURNABLE = "a shape, a light, a distance sensor, a LIDAR, a compass or another servo";
-    /** Most parts on a servo. */
     private static final int MAX_PARTS = 100;
     private static final double HALF_RANGE = 90;
     private static final double SPEED = 400;
-    /** Of a servo of the 9 g class at 4.8 V (Tower Pro SG90: 1.8 kgf cm). */
+    /** Stall torque of a 9 g servo at 4.8 V (Tower Pro SG90: 1.8 kgf cm), N m. */
     private static final double STALL_TORQUE = 0.18;
 
     @Param(doc = "smallest angle", unit = "deg", min = -360, max = 360)
@@ -43,12 +42,12 @@ public class Servo extends SearObject implements Wirable {
     protected Servo() {
     }
 
-    /** At the origin of the robot, its axis upright: -90 to 90 degrees, 400 degrees a second, 0.18 N m. */
+    /** At the origin of the robot, its axis vertical: -90 to 90 degrees, 400 degrees a second, 0.18 N m. */
     public Servo(String name) {
         this(name, 0, 0, 0, 0, 0, 0);
     }
 
-    /** At (x, y, z) of the body frame, metres, its axis upright. */
+    /** At (x, y, z) of the body frame, metres, its axis vertical. */
     public Servo(String name, double x, double y, double z) {
         this(name, x, y, z, 0, 0, 0);
     }
@@ -83,10 +82,10 @@ public class Servo extends SearObject implements Wirable {
     }
 
     /**
-     * Has it turn a component of its robot.
+     * Mounts a component of the same robot.
      *
      * @param part a shape, a light, a distance sensor, a LIDAR, a compass or another servo
-     * @throws IllegalArgumentException if that can't be turned, or another servo turns it, or it is on another robot
+     * @throws IllegalArgumentException if the part can't be turned, another servo turns it, or it is on another robot
      */
     public void mount(SearObject part) {
         checkChangeable();
@@ -115,35 +114,32 @@ public class Servo extends SearObject implements Wirable {
         changed();
     }
 
-    /** Whether a servo can turn a kind of component: what measures motion, or is the robot's own, it can't. */
+    /** Returns whether a servo can turn a kind of component: not a wheel, nor a sensor of motion or position. */
     public static boolean canTurn(SearObject part) {
         boolean still = part instanceof Accelerometer || part instanceof Gyroscope || part instanceof IMU || part instanceof GPS
             || part instanceof Odometer || part instanceof Wheel;
         return !still && (part instanceof Shape || part instanceof SensorObject || part instanceof Servo || part instanceof Led);
     }
 
-    /** Names of the components that it turns, a view. */
+    /** Returns the names of the mounted components; a view. */
     public List<String> getPartNames() {
         return Collections.unmodifiableList(partNames);
     }
 
-    /** Degrees. */
     public double getMinAngle() {
         return minAngle;
     }
 
-    /** Degrees. */
     public double getMaxAngle() {
         return maxAngle;
     }
 
-    /** Degrees a second, without load. */
     public double getSpeed() {
         return speed;
     }
 
     /**
-     * Sets how far it turns.
+     * Sets the range of angles.
      *
      * @param smallest angle, degrees
      * @param greatest angle, degrees, + counter-clockwise seen from above
@@ -166,7 +162,6 @@ public class Servo extends SearObject implements Wirable {
         changed();
     }
 
-    /** N m. */
     public double getStallTorque() {
         return stallTorque;
     }

@@ -9,25 +9,25 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
 import org.SEAR.grammar.TextRule;
 
-/** A thing with a surface, a mass and a picture. */
+/** An object with a surface, a mass and a picture. */
 public abstract class Shape extends PlacedObject {
-    /** Smallest size of anything, metres. */
+    /** Smallest size, metres. */
     static final double SMALL = 0.0001;
-    /** Largest size of anything, metres. */
+    /** Largest size, metres. */
     static final double LARGE = 100000;
-    /** Lightest thing that moves, kg: speeds and forces of lighter ones are beyond single precision. */
+    /** Smallest mass of a moving object, kg: below it speeds and forces exceed single precision. */
     static final double LIGHT = 1e-6;
-    /** Heaviest thing, kg. */
+    /** Largest mass, kg. */
     static final double HEAVY = 1e6;
-    /** Fastest thing at the start, m/s. */
+    /** Largest initial speed along an axis, m/s. */
     private static final double FAST = 1000;
-    /** Fastest turning at the start, degrees a second. */
+    /** Largest initial angular velocity about an axis, deg/s. */
     private static final double TURNING = 100000;
-    /** How warm everything is that has no temperature of its own, degrees Celsius. */
+    /** Temperature of an object without a temperature of its own, degrees Celsius. */
     public static final double AMBIENT = 20;
-    /** What says how it moves at the start; looked for in each parameter of each object. */
+    /** Parameters of the initial velocity and spin. */
     private static final Set<String> LAUNCHING = Set.of("velocityX", "velocityY", "velocityZ", "spinX", "spinY", "spinZ");
-    /** The pictures of surfaces that come with SEAR, and how many metres wide and high one is. */
+    /** Pictures of surfaces that come with SEAR, and the width and height of one repetition, metres. */
     private static final Map<String, Double> TILES = Map.of("textures/tiles.png", 1.0, "textures/brick.png", 1.0, "textures/grass.png", 2.0);
 
     @Param(doc = "mass; 0 fixes the object in place", unit = "kg", min = LIGHT, orZero = true, max = HEAVY)
@@ -83,86 +83,82 @@ public abstract class Shape extends PlacedObject {
         this.mass = mass + 0.0;
     }
 
-    /** Sets the picture while the object is being made. */
+    /** Sets the picture during construction. */
     final void wrap(String newImage) {
         image = newImage;
     }
 
-    /** Sets the visibility while the object is being made. */
+    /** Sets the visibility during construction. */
     final void show(boolean visible) {
         visibleToSensors = visible;
     }
 
-    /** kg; 0 for an object that is fixed in place. */
     public double getMass() {
         return mass;
     }
 
-    /** Path of the picture below assets; null for the default picture. */
     public String getImage() {
         return image;
     }
 
     /**
-     * Path below assets of the picture to show: its own, else, if it has no colour of its own, the default picture of its kind. Null for a plain
-     * surface in {@link #getColor its colour}; for a model without a colour of its own, for the model's textures.
+     * Returns the path below assets of the picture to show: the image, or the default picture of the kind if the object
+     * has no colour either. Null for a plain surface in {@link #getColor its colour}; for a model without a colour, for
+     * the model's textures.
      */
     public String getPicture() {
         String path = image == null && color == null ? defaultPicture() : image;
         return path != null && path.startsWith("./") ? path.substring(2) : path;
     }
 
-    /** Metres after which its picture is repeated, so that it has its true size on shapes of any size; null if it covers each side once. */
+    /**
+     * Returns the width and height of one repetition of the picture, metres; null if the picture covers each side once.
+     */
     public Double getPictureTile() {
         return getPicture() == null ? null : TILES.get(getPicture());
     }
 
-    /** The picture of a shape without one, which comes with SEAR; null for none. */
+    /** Returns the default picture of the kind, which comes with SEAR; null for none. */
     protected String defaultPicture() {
         return null;
     }
 
-    /** Its colour where it has no picture, and in drawings, as {@code #rrggbb}: its own, else that of its kind. */
+    /** Returns the colour of surface and drawings as {@code #rrggbb}: the object's own or the default of its kind. */
     public final String getColor() {
         return color == null ? defaultColor() : ColorNames.hex(color);
     }
 
-    /** Whether it has a colour of its own. */
     public final boolean hasColor() {
         return color != null;
     }
 
-    /** The colour of a shape without one, as {@code #rrggbb}. */
+    /** Returns the default colour of the kind, as {@code #rrggbb}. */
     protected String defaultColor() {
         return "#999999";
     }
 
-    /** Factor on the size along x. */
     public double getScaleX() {
         return scaleX;
     }
 
-    /** Factor on the size along y. */
     public double getScaleY() {
         return scaleY;
     }
 
-    /** Factor on the size along z. */
     public double getScaleZ() {
         return scaleZ;
     }
 
-    /** Whether beams see it. */
     public boolean isVisibleToSensors() {
         return visibleToSensors;
     }
 
-    /** Whether it is the ground, on which robots drive and things are placed: a floor or the terrain. */
+    /** Returns whether the object is ground, on which robots drive and objects are placed: a floor or the terrain. */
     public boolean isGround() {
         return false;
     }
 
-    /** @param kg 1e-6 to 1e6, or 0; 0 fixes the object in place, untouched by gravity and collisions */
+    /** @param kg 1e-6 to 1e6, or 0; 0 fixes the object in place, where neither gravity nor collisions move it */
     public void setMass(double kg) {
         double checkedMass = checked("mass", kg);
         if (checkedMass == 0 && isLaunched()) {
@@ -173,7 +169,7 @@ public abstract class Shape extends PlacedObject {
     }
 
     /**
-     * Wraps a picture around it.
+     * Sets the picture.
      *
      * @param newImage path below assets; null for the default picture
      */
@@ -183,32 +179,29 @@ public abstract class Shape extends PlacedObject {
     }
 
     /**
-     * Gives it a colour: without a picture its surface is plain, and drawings such as the tab's show it in this colour.
+     * Sets the colour of a surface without a picture, and of drawings such as the tab's map.
      *
-     * @param newColor {@code #rrggbb}, or one of the names red, orange, brown ... in {@code docs/objects.md}; null for that of its kind
+     * @param newColor {@code #rrggbb}, or one of the names red, orange, brown ... in {@code docs/objects.md}; null for
+     *     the default of its kind
      */
     public void setColor(String newColor) {
         color = checked("color", newColor);
         changed();
     }
 
-    /** Whether beams see it. */
     public void setVisibleToSensors(boolean visible) {
         visibleToSensors = checked("visibleToSensors", visible);
         changed();
     }
 
-    /** Coefficient of friction; null if the object has the default, 0.8 (a part of a robot 0.3, a wheel 1.25). */
     public Double getFriction() {
         return friction;
     }
 
-    /** Coefficient of restitution; null if the object has the default, 0. */
     public Double getRestitution() {
         return restitution;
     }
 
-    /** Coefficient of rolling friction; null if the object has the default, 0.001. */
     public Double getRollingFriction() {
         return rollingFriction;
     }
@@ -216,7 +209,7 @@ public abstract class Shape extends PlacedObject {
     /**
      * Sets the coefficient of friction.
      *
-     * @param coefficient 0 to 10; where two objects touch the product of both counts
+     * @param coefficient 0 to 10; a contact uses the product of both objects' coefficients
      */
     public void setFriction(double coefficient) {
         friction = checked("friction", coefficient);
@@ -224,9 +217,9 @@ public abstract class Shape extends PlacedObject {
     }
 
     /**
-     * Sets how much of its speed comes back when something hits it.
+     * Sets the coefficient of restitution.
      *
-     * @param coefficient 0 to 1; where two objects touch the greater counts
+     * @param coefficient 0 to 1; a contact uses the greater of both objects' coefficients
      */
     public void setRestitution(double coefficient) {
         restitution = checked("restitution", coefficient);
@@ -234,9 +227,10 @@ public abstract class Shape extends PlacedObject {
     }
 
     /**
-     * Sets what brakes the object when it rolls.
+     * Sets the coefficient of rolling friction.
      *
-     * @param coefficient 0 to 1, a share of its weight; where two objects touch the sum of both counts
+     * @param coefficient 0 to 1, the braking force as a fraction of the weight; a contact uses the sum of both objects'
+     *     coefficients
      */
     public void setRollingFriction(double coefficient) {
         rollingFriction = checked("rollingFriction", coefficient);
@@ -244,7 +238,7 @@ public abstract class Shape extends PlacedObject {
     }
 
     /**
-     * Stretches the object along its own axes.
+     * Scales the object along its own axes.
      *
      * @param newScaleX factor, 0.0001 to 10000
      */
@@ -258,7 +252,7 @@ public abstract class Shape extends PlacedObject {
     }
 
     /**
-     * Stretches the object along all axes.
+     * Scales the object along all axes.
      *
      * @param factor 0.0001 to 10000
      */
@@ -267,13 +261,13 @@ public abstract class Shape extends PlacedObject {
     }
 
     /**
-     * Gives it a velocity: what it starts with. While a simulation runs that was started after the object was made it has this velocity there at
-     * once, between two steps, and its file and the next start stay as they are.
+     * Sets the initial velocity. If a simulation runs that was started after the object was created, the call sets the
+     * velocity in that simulation between two steps, and leaves the file unchanged.
      *
-     * @param newX m/s northwards, of its centre of mass, -1000 to 1000
+     * @param newX m/s northwards, of the centre of mass, -1000 to 1000
      * @param newY m/s upwards
      * @param newZ m/s eastwards
-     * @throws IllegalArgumentException if it is fixed (mass 0) or a part of a robot
+     * @throws IllegalArgumentException if the object is fixed (mass 0) or a part of a robot
      */
     public void setVelocity(double newX, double newY, double newZ) {
         double checkedX = checked("velocityX", newX);
@@ -292,12 +286,13 @@ public abstract class Shape extends PlacedObject {
     }
 
     /**
-     * Has it turn about its centre of mass: what it starts with; while a simulation runs, at once, as {@link #setVelocity}.
+     * Sets the initial angular velocity about the centre of mass; in a running simulation the present one, as
+     * {@link #setVelocity}.
      *
-     * @param newX degrees a second about the world's x, by the right hand, -100000 to 100000
+     * @param newX degrees a second about the world's x, by the right-hand rule, -100000 to 100000
      * @param newY about the world's y, counter-clockwise seen from above
      * @param newZ about the world's z
-     * @throws IllegalArgumentException if it is fixed (mass 0) or a part of a robot
+     * @throws IllegalArgumentException if the object is fixed (mass 0) or a part of a robot
      */
     public void setSpin(double newX, double newY, double newZ) {
         double checkedX = checked("spinX", newX);
@@ -315,12 +310,12 @@ public abstract class Shape extends PlacedObject {
         changed();
     }
 
-    /** Temperature of its surface, degrees Celsius; null if it is as warm as its surroundings, {@link #AMBIENT}. */
+    /** Returns the surface temperature, degrees Celsius; null for {@link #AMBIENT}. */
     public Double getTemperature() {
         return temperature;
     }
 
-    /** @param celsius temperature of its surface, -273.15 to 5000, for infrared cameras; without it {@link #AMBIENT} */
+    /** @param celsius surface temperature, -273.15 to 5000, for infrared cameras */
     public void setTemperature(double celsius) {
         temperature = checked("temperature", celsius);
         changed();
@@ -343,34 +338,34 @@ public abstract class Shape extends PlacedObject {
         }
     }
 
-    /** Velocity of its centre of mass at the start: m/s along the world's {x, y, z}. */
+    /** Returns the initial velocity of the centre of mass: m/s along the world's {x, y, z}. */
     public final double[] getVelocity() {
         return new double[] {orZero(velocityX), orZero(velocityY), orZero(velocityZ)};
     }
 
-    /** Its turning at the start: degrees a second about the world's {x, y, z}. */
+    /** Returns the initial angular velocity: degrees a second about the world's {x, y, z}. */
     public final double[] getSpin() {
         return new double[] {orZero(spinX), orZero(spinY), orZero(spinZ)};
     }
 
-    /** Whether it has a velocity or a spin at the start. */
+    /** Returns whether the object has an initial velocity or spin. */
     public final boolean isLaunched() {
         return launching() != null;
     }
 
-    /** Whether a parameter says how it moves at the start. */
+    /** Returns whether a parameter is part of the initial velocity or spin. */
     static boolean isLaunching(String parameter) {
         return LAUNCHING.contains(parameter);
     }
 
-    /** The first parameter by which it moves at the start; null if there is none. */
+    /** Returns the first non-zero parameter of the initial velocity or spin; null if there is none. */
     private Parameter launching() {
         return ParameterTable.of(getClass()).getParameters().stream()
             .filter(parameter -> isLaunching(parameter.getName()) && parameter.get(this) != null && !parameter.get(this).equals(0.0)).findFirst()
             .orElse(null);
     }
 
-    /** Tells that it moves at the start and must not. */
+    /** Adds a fault if the object has an initial velocity or spin. */
     public final void toFaultsOfLaunch(Faults faults, String legal) {
         Parameter launching = launching();
         if (launching != null) {

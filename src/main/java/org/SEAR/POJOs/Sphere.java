@@ -3,7 +3,7 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Param;
 
-/** A sphere, centred on its origin; scaled, an ellipsoid. Without a picture it is plain. */
+/** A sphere, centred on its origin; non-uniform scaling makes it an ellipsoid. Without a picture it is plain. */
 @Described("a sphere; scaled differently along its axes, an ellipsoid")
 public class Sphere extends Shape {
     @Param(doc = "radius", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.1")
@@ -19,7 +19,7 @@ public class Sphere extends Shape {
     }
 
     /**
-     * With its centre in the origin, plain.
+     * Centred on the origin, plain.
      *
      * @param mass kg, 0 fixes it in place
      */
@@ -42,7 +42,7 @@ public class Sphere extends Shape {
         this(name, radius, mass, null, x, y, z, rx, ry, rz);
     }
 
-    /** With everything. */
+    /** With all parameters. */
     public Sphere(String name, double radius, double mass, String image, double x, double y, double z, double rx, double ry, double rz) {
         super(name, mass);
         this.radius = radius;
@@ -51,7 +51,6 @@ public class Sphere extends Shape {
         created(Sphere.class);
     }
 
-    /** Metres, before scaling. */
     public double getRadius() {
         return radius;
     }

@@ -2,7 +2,7 @@ package org.SEAR.POJOs;
 
 import org.SEAR.grammar.Param;
 
-/** A sensor that looks at a small spot of a surface near by. Its short constructors have it look straight down. */
+/** A sensor of a small spot on a nearby surface. The short constructors point it straight down. */
 public abstract class SurfaceSensor extends SensorObject {
     private static final double DOWN = 90;
 
@@ -15,7 +15,7 @@ public abstract class SurfaceSensor extends SensorObject {
     protected SurfaceSensor() {
     }
 
-    /** Looks straight down from (x, y, z) of the body frame, metres. */
+    /** Points straight down from (x, y, z) of the body frame, metres. */
     SurfaceSensor(String name, double x, double y, double z) {
         this(name, x, y, z, DOWN, 0, 0);
     }
@@ -26,23 +26,21 @@ public abstract class SurfaceSensor extends SensorObject {
         pose(x, y, z, rx, ry, rz);
     }
 
-    /** Diameter of the spot that it looks at, metres. */
     public double getSpot() {
         return spot;
     }
 
-    /** @param metres diameter of the spot that it looks at, 0.0001 to 1 */
+    /** @param metres diameter of the spot, 0.0001 to 1 */
     public void setSpot(double metres) {
         spot = checked("spot", metres);
         changed();
     }
 
-    /** How far away a surface may be, metres. */
     public double getRange() {
         return range;
     }
 
-    /** @param metres how far away a surface may be, 0.001 to 10 */
+    /** @param metres largest distance of a surface, 0.001 to 10 */
     public void setRange(double metres) {
         range = checked("range", metres);
         changed();

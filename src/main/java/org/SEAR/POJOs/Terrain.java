@@ -13,17 +13,18 @@ import org.SEAR.grammar.ParameterTable;
 import org.SEAR.grammar.TextRule;
 
 /**
- * The ground of the world from an elevation map: SRTM, GeoTIFF, ESRI ASCII grid, or a picture whose grey is the height. The middle of its area is the
- * world's origin, at height 0, and what GPS and compass count from. It is fixed where it is, and a project has one at most.
+ * The ground from an elevation map: SRTM, GeoTIFF, ESRI ASCII grid, or a picture whose grey level is the elevation. The
+ * middle of its area is the world's origin, at height 0, and the reference of GPS and compass. It is fixed in place; a
+ * project has at most one.
  */
 @Described("the ground from an elevation map; the middle of its area is the world's origin, so it is neither moved, turned nor scaled, and has no"
     + " mass")
 public class Terrain extends Shape {
-    /** Largest extent of an area, metres: things can be no farther than half of it from the origin. */
+    /** Largest extent of an area, metres: a position is at most half of it from the origin. */
     static final double LARGEST = 2 * FAR;
-    /** Lowest height of any ground, metres. */
+    /** Lowest legal elevation, metres. */
     static final double DEEPEST = -12000;
-    /** Greatest height of any ground, metres. */
+    /** Highest legal elevation, metres. */
     static final double HIGHEST = 100000;
     private static final int MAX_TILES = 63;
 
@@ -51,7 +52,7 @@ public class Terrain extends Shape {
     }
 
     /**
-     * All of a map.
+     * The whole map.
      *
      * @param path below assets
      */
@@ -132,12 +133,11 @@ public class Terrain extends Shape {
         return " is the terrain, which can't be a component";
     }
 
-    /** Path of the map below assets. */
     public String getPath() {
         return path;
     }
 
-    /** Paths of all maps below assets: that of the constructor, then the tiles. */
+    /** Returns the paths of all maps below assets: the first map, then the tiles. */
     public List<String> getPaths() {
         List<String> all = new ArrayList<>();
         all.add(path);
@@ -146,7 +146,7 @@ public class Terrain extends Shape {
     }
 
     /**
-     * Adds a map beside the first, or over it: where two have a height the first one's counts.
+     * Adds a map beside or over the first. Where maps overlap, the earlier one counts.
      *
      * @param tile path below assets
      */
@@ -161,7 +161,7 @@ public class Terrain extends Shape {
     }
 
     /**
-     * Uses a part of the map, whose middle becomes the world's origin.
+     * Selects a part of the map, whose middle becomes the world's origin.
      *
      * @param newLatitude of the middle, degrees, north positive
      * @param newLongitude of the middle, degrees, east positive
@@ -185,12 +185,12 @@ public class Terrain extends Shape {
     }
 
     /**
-     * Says how large a map is that doesn't say so itself, such as a picture.
+     * Sets the size of a map without georeference, such as a picture.
      *
      * @param newNorthSouth extent from north to south, metres
      * @param newEastWest extent from east to west, metres
-     * @param newLowest height of its lowest value (black), metres
-     * @param newHighest height of its highest value (white), metres
+     * @param newLowest elevation of the lowest value (black), metres
+     * @param newHighest elevation of the highest value (white), metres
      */
     public void setSize(double newNorthSouth, double newEastWest, double newLowest, double newHighest) {
         double checkedNorthSouth = checked("northSouth", newNorthSouth);
@@ -213,12 +213,12 @@ public class Terrain extends Shape {
     }
 
     /**
-     * The ground's height at a place on the Earth, as the map has it; whether a simulation runs or not.
+     * Returns the elevation at a geographic position, whether a simulation runs or not.
      *
      * @param atLatitude degrees, north positive
      * @param atLongitude degrees, east positive
-     * @return metres above the geoid, which is about the sea's level
-     * @throws IllegalArgumentException if the place is outside of the area, or the map has no place on Earth
+     * @return metres above the geoid (about mean sea level)
+     * @throws IllegalArgumentException if the position is outside of the area, or the map has no georeference
      * @throws UncheckedIOException if the map can't be read
      */
     public double getHeight(double atLatitude, double atLongitude) {
@@ -229,48 +229,44 @@ public class Terrain extends Shape {
         }
     }
 
-    /** Looked for when the first height is asked for. */
+    /** Loaded on the first elevation query. */
     private static final class Heights {
         static final GroundHeights ALL = ServiceLoader.load(GroundHeights.class, GroundHeights.class.getClassLoader()).findFirst()
             .orElseThrow(() -> new IllegalStateException("no org.SEAR.POJOs.GroundHeights on the class path: sear.jar is incomplete"));
     }
 
-    /** Whether {@link #setArea} has said which part of the map is used. */
+    /** Returns whether {@link #setArea} has selected a part of the map. */
     public boolean hasArea() {
         return latitude != null;
     }
 
-    /** Whether {@link #setSize} has said how large the map is. */
+    /** Returns whether {@link #setSize} has set the size of the map. */
     public boolean hasSize() {
         return lowest != null;
     }
 
-    /** Latitude of the area's middle, degrees; null without {@link #setArea}. */
     public Double getLatitude() {
         return latitude;
     }
 
-    /** Longitude of the area's middle, degrees; null without {@link #setArea}. */
     public Double getLongitude() {
         return longitude;
     }
 
-    /** Metres; null for all of a map that says its own. */
+    /** Returns the extent from north to south, metres; null for the whole of a map with its own extent. */
     public Double getNorthSouth() {
         return northSouth;
     }
 
-    /** Metres; null for all of a map that says its own. */
+    /** Returns the extent from east to west, metres; null for the whole of a map with its own extent. */
     public Double getEastWest() {
         return eastWest;
     }
 
-    /** Height of the map's lowest value, metres; null if the map says its heights. */
     public Double getLowest() {
         return lowest;
     }
 
-    /** Height of the map's highest value, metres; null if the map says its heights. */
     public Double getHighest() {
         return highest;
     }

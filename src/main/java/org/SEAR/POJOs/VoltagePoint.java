@@ -3,7 +3,7 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Param;
 
-/** One point of a triangulating infrared sensor's curve. Immutable, any thread. */
+/** One point of the voltage curve of a triangulating infrared sensor. Immutable, any thread. */
 @Described("one point of an infrared sensor's curve")
 public class VoltagePoint {
     @Param(doc = "distance of the object", unit = "m", max = 10000, required = true)
@@ -15,12 +15,10 @@ public class VoltagePoint {
     protected VoltagePoint() {
     }
 
-    /** Metres. */
     public double getDistance() {
         return distance;
     }
 
-    /** Volts. */
     public double getVolts() {
         return volts;
     }

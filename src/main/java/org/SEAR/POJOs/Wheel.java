@@ -11,8 +11,8 @@ import org.SEAR.grammar.ParameterTable;
 import org.SEAR.grammar.TextRule;
 
 /**
- * A wheel of a robot; its axle lies along x, its pose is in the body frame. It belongs to a robot ({@link SEARrobot#addWheel}) and then stands in
- * the robot's XML file; a wheel that was never added is reported when the project is read.
+ * A wheel of a robot; its axle lies along x, its pose is in the body frame. A wheel that was added to a robot ({@link
+ * SEARrobot#addWheel}) is stored in the robot's XML file. Reading the project reports a wheel that was never added.
  */
 @Described("a wheel of a robot, its axle along x; it stands in the robot's file")
 public class Wheel extends Shape {
@@ -20,9 +20,9 @@ public class Wheel extends Shape {
     public static final int IDLER = 0;
     /** Type of a wheel with a motor. */
     public static final int DRIVEN = 1;
-    /** Type of a wheel that rolls freely the way it points, and grips across. */
+    /** Type of a wheel that rolls freely in its own plane and grips sideways. */
     public static final int FREE = 2;
-    /** Nearer than this to the line about which the robot turns a wheel can't steer it, metres. */
+    /** Smallest distance from the robot's turning line at which a wheel can steer, metres. */
     private static final double MIN_LENGTH = 1e-3;
 
     @Param(doc = "radius", unit = "m", min = SMALL, max = 100, required = true, initial = "0.05")
@@ -53,7 +53,7 @@ public class Wheel extends Shape {
         this(name, radius, width, DRIVEN);
     }
 
-    /** @param type 1 driven, 0 idler, which rolls freely in every direction, 2 rolls freely the way it points */
+    /** @param type 1 driven; 0 idler, rolls freely in every direction; 2 rolls freely in its own plane */
     public Wheel(String name, double radius, double width, int type) {
         this(name, radius, width, type, 0, 0, 0);
     }
@@ -64,7 +64,7 @@ public class Wheel extends Shape {
     }
 
     /**
-     * With everything.
+     * With all parameters.
      *
      * @param image path below assets; null for the default picture
      */
@@ -138,56 +138,48 @@ public class Wheel extends Shape {
         return " is a wheel, legal: robot.addWheel(wheel)";
     }
 
-    /** Metres, before scaling. */
     public double getRadius() {
         return radius;
     }
 
-    /** Metres along the axle, before scaling. */
     public double getWidth() {
         return width;
     }
 
-    /** 1 driven, 0 idler, 2 free. */
     public int getType() {
         return type;
     }
 
-    /** Whether a motor turns it. */
     public boolean isDriven() {
         return type == DRIVEN;
     }
 
-    /** Whether it is steered. */
+    /** Returns whether the wheel is steered, directly or by a servo. */
     public boolean isSteered() {
         return steering != null || steeringServo != null;
     }
 
-    /** Greatest angle, degrees; null if it is not steered, or by a servo. */
     public Double getSteering() {
         return steering;
     }
 
-    /** Name of the servo that steers it; null if none does. */
     public String getSteeringServo() {
         return steeringServo;
     }
 
-    /** Metres; 0 for no caster. */
     public double getTrail() {
         return trail;
     }
 
-    /** Degrees; null for a wheel without rollers. */
     public Double getRollers() {
         return rollers;
     }
 
     /**
-     * Has it steer its robot.
+     * Makes the wheel steerable.
      *
-     * @param greatest angle, degrees, of a wheel in the middle
-     * @throws IllegalArgumentException if it is an idler, or has rollers
+     * @param greatest steering angle of a wheel in the middle, degrees
+     * @throws IllegalArgumentException if the wheel is an idler, or has rollers
      */
     public void setSteering(double greatest) {
         Double before = steering;
@@ -201,10 +193,10 @@ public class Wheel extends Shape {
     }
 
     /**
-     * Has a servo steer it, whose angle is that of a wheel in the middle.
+     * Lets a servo steer the wheel. The servo's angle is that of a wheel in the middle.
      *
      * @param servo of the same robot; the same for all its steered wheels
-     * @throws IllegalArgumentException if that is no servo, or the wheel is an idler, or has rollers
+     * @throws IllegalArgumentException if the object is no servo, or the wheel is an idler or has rollers
      */
     public void setSteering(SearObject servo) {
         if (servo == null || !servo.isServo()) {
@@ -222,10 +214,10 @@ public class Wheel extends Shape {
     }
 
     /**
-     * Makes an idler a caster, which turns freely about an upright axis.
+     * Makes an idler a caster, which turns freely about a vertical axis.
      *
-     * @param metres that it is behind the axis when the robot drives forward
-     * @throws IllegalArgumentException if it is no idler
+     * @param metres distance of the wheel behind the axis when the robot drives forward
+     * @throws IllegalArgumentException if the wheel is no idler
      */
     public void setTrail(double metres) {
         double before = trail;
@@ -234,11 +226,11 @@ public class Wheel extends Shape {
     }
 
     /**
-     * Puts rollers on it, on which it slides across their axes.
+     * Gives the wheel rollers, which let it slide across their axes.
      *
-     * @param degrees angle of the rollers' axes where they touch the ground to the way in which the wheel rolls, + to the left: 0 for an omni wheel,
-     *     45 or -45 for a mecanum wheel
-     * @throws IllegalArgumentException if it is an idler, or steered
+     * @param degrees angle from the rolling direction to the axis of the roller on the ground, seen from above, + to
+     *     the left: 0 for an omni wheel, 45 or -45 for a mecanum wheel
+     * @throws IllegalArgumentException if the wheel is an idler, or steered
      */
     public void setRollers(double degrees) {
         Double before = rollers;
@@ -257,8 +249,8 @@ public class Wheel extends Shape {
     }
 
     /**
-     * The line across a robot on which the point lies about which it turns: its z in the body frame, metres. It is that of the wheels that grip and
-     * are not steered; if all are steered, the middle between them.
+     * Returns z, in the body frame, metres, of the lateral line that contains the robot's centre of rotation. The line
+     * passes through the unsteered wheels that grip; if all wheels are steered, through the middle between them.
      *
      * @param wheels of a robot, some of which are steered
      */
@@ -270,10 +262,11 @@ public class Wheel extends Shape {
     }
 
     /**
-     * How far the wheels that steer are from that line, metres: the foremost if there are any before it, else those behind it.
+     * Returns the distance of the steered wheels from the turning line, metres: of the foremost ones if any are in
+     * front of it, otherwise of the rearmost ones.
      *
      * @param wheels of a robot, some of which are steered
-     * @return 0 if they stand on it and can't steer
+     * @return 0 if they lie on the line and can't steer
      */
     public static double steeringLength(List<Wheel> wheels) {
         double line = turningLine(wheels);

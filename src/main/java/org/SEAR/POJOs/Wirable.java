@@ -5,6 +5,6 @@ import org.SEAR.protocol.arduino.WireRole;
 
 /** A component that can be wired to the pins of an {@link Arduino}. */
 public interface Wirable {
-    /** What its wires may be for; the first is meant where nothing is said. */
+    /** Returns the possible roles of its wires; the first is the default. */
     List<WireRole> getWireRoles();
 }

@@ -5,7 +5,7 @@ import java.util.stream.Collectors;
 import org.SEAR.protocol.arduino.BoardModel;
 import org.SEAR.protocol.arduino.WireRole;
 
-/** Which wires a board takes, and in words which it would. Any thread. */
+/** Rules for the wires of a board, with their messages. Any thread. */
 public final class WireRules {
     private static final int FIRST_FREE = 2;
     private static final String KINDS = "a Bumper, Distance, Led, LineSensor, Motor or Servo";
@@ -14,9 +14,9 @@ public final class WireRules {
     }
 
     /**
-     * Why a pin can't take a wire, in words; null if it can.
+     * Returns why a pin can't take a wire, in words; null if it can.
      *
-     * @param others wires that are there already
+     * @param others the present wires
      */
     static String reason(BoardModel board, List<BoardWire> others, String pin, WireRole role) {
         int number = board.pinOf(pin);
@@ -30,7 +30,7 @@ public final class WireRules {
         return there == null ? null : "wired to " + there.getPart() + " (" + there.getRole().getWord() + ") already";
     }
 
-    /** The pins that can still take a wire. */
+    /** Returns the free pins for a role, in words. */
     static String legal(BoardModel board, List<BoardWire> others, WireRole role) {
         return board.pinsFor(role.getUse(), pin -> wireAt(board, others, pin) == null) + " for " + role.getWord();
     }
@@ -39,16 +39,16 @@ public final class WireRules {
         return wires.stream().filter(wire -> wire.getRole() != null && board.pinOf(wire.getPin()) == pin).findFirst().orElse(null);
     }
 
-    /** The wire of a component that is for the same already; null if there is none. */
+    /** Returns the wire of a component with the same role; null if there is none. */
     static BoardWire same(List<BoardWire> wires, String part, WireRole role) {
         return wires.stream().filter(wire -> part.equals(wire.getPart()) && wire.getRole() == role).findFirst().orElse(null);
     }
 
     /**
-     * Why a component can't have a wire.
+     * Checks whether a component can have a wire.
      *
-     * @param role null for the one that is meant where nothing is said
-     * @return what is wrong and what is legal; null if nothing is wrong
+     * @param role null for the component's default role
+     * @return the problem and the legal values; null if there is no problem
      */
     public static String problem(SearObject part, WireRole role) {
         if (!(part instanceof Wirable) || ((Wirable) part).getWireRoles().isEmpty()) {

@@ -1,7 +1,6 @@
 /**
- * The objects that a script or a file can say a world with. Uses {@link org.SEAR.grammar} and {@link org.SEAR.protocol.arduino}, and what these use.
- * Its objects find their store by {@link java.util.ServiceLoader}, and each service has a {@link
- * org.SEAR.POJOs.ScriptSession} where they are made. An
- * object belongs to the thread that makes it.
+ * The objects of a world, as scripts and files define them. Uses {@link org.SEAR.grammar} and
+ * {@link org.SEAR.protocol.arduino} and their dependencies. {@link java.util.ServiceLoader} finds the objects' store;
+ * each service has a {@link org.SEAR.POJOs.ScriptSession}. An object belongs to the thread that creates it.
  */
 package org.SEAR.POJOs;

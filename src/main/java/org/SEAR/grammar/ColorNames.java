@@ -8,8 +8,8 @@ import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
- * Colours that have a name: the 16 of HTML 4.01, section 6.5, and some more of those of CSS Color Module Level 4, section 6.1, with their values
- * there. In any capitals. Immutable, any thread.
+ * Named colours: the 16 of HTML 4.01, section 6.5, and a selection from CSS Color Module Level 4, section 6.1.
+ * Case-insensitive. Immutable, any thread.
  */
 public final class ColorNames {
     private static final Pattern HEX = Pattern.compile("#[0-9a-f]{6}");
@@ -33,16 +33,16 @@ public final class ColorNames {
         }
     }
 
-    /** The names, in the order in which they are told. */
+    /** Returns the names in the order in which messages list them. */
     public static Set<String> all() {
         return Collections.unmodifiableSet(NAMES.keySet());
     }
 
     /**
-     * A colour as numbers.
+     * Returns a colour as hexadecimal digits.
      *
      * @param color a name or #rrggbb
-     * @return #rrggbb in small letters; null if it is neither
+     * @return #rrggbb in lower case; null if the text is neither
      */
     public static String hex(String color) {
         String small = color.toLowerCase(Locale.ROOT);
@@ -50,7 +50,7 @@ public final class ColorNames {
     }
 
     /**
-     * The name of the colour that is nearest to one, by its parts of red, green and blue.
+     * Returns the name of the nearest colour by Euclidean distance in RGB.
      *
      * @param rgb 0xRRGGBB
      */

@@ -5,10 +5,12 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
-/** What a class of the grammar is, in one sentence without a full stop, for {@code docs/objects.md} and {@code sear sensors}. */
+/**
+ * Description of a class of the grammar: one sentence without a full stop, for {@code docs/objects.md} and
+ * {@code sear sensors}.
+ */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.TYPE)
 public @interface Described {
-    /** The sentence. */
     String value();
 }

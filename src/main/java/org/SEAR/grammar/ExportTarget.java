@@ -4,11 +4,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Where a project exports a port to: {@code ttySICK}, a link of that name in the folder SEARports, or {@code tcp:5001} or {@code rfc2217:5001}, a TCP
- * port of this computer. A project may come from anybody, so it can name neither a folder nor a port below 1024. Immutable, any thread.
+ * Target of a port export: {@code ttySICK}, a link of that name in the folder SEARports, or {@code tcp:5001} or
+ * {@code rfc2217:5001}, a TCP port of this computer. Projects are untrusted, so a target contains neither a folder nor
+ * a port below 1024. Immutable, any thread.
  */
 public final class ExportTarget {
-    /** What is legal, in words. */
     static final String LEGAL = "the name of a link in the folder SEARports (a file name, no path, for example ttySICK), or tcp:PORT or rfc2217:PORT"
         + " with PORT from 1024 to 65535";
     private static final int LOWEST_PORT = 1024;
@@ -26,7 +26,6 @@ public final class ExportTarget {
         this.number = number;
     }
 
-    /** Whether a text stands for a target. */
     static boolean isLegal(String text) {
         Matcher tcp = TCP.matcher(text);
         if (tcp.matches()) {
@@ -37,10 +36,10 @@ public final class ExportTarget {
     }
 
     /**
-     * Reads one.
+     * Parses a target.
      *
-     * @param text as it stands in the project
-     * @throws IllegalArgumentException that says what is legal
+     * @param text as written in the project
+     * @throws IllegalArgumentException with the legal forms
      */
     public static ExportTarget of(String text) {
         if (!isLegal(text)) {
@@ -51,22 +50,22 @@ public final class ExportTarget {
             : new ExportTarget(null, tcp.group(1).equals("rfc2217"), Integer.parseInt(tcp.group(2)));
     }
 
-    /** Whether it is a link to a pseudo-terminal. */
+    /** Returns whether the target is a link to a pseudo-terminal. */
     public boolean isLink() {
         return link != null;
     }
 
-    /** A plain file name; null if it is a TCP port. */
+    /** Returns the link's file name; null for a TCP port. */
     public String getLink() {
         return link;
     }
 
-    /** Whether the TCP port speaks RFC 2217. */
+    /** Returns whether the TCP port speaks RFC 2217. */
     public boolean isRfc2217() {
         return rfc2217;
     }
 
-    /** Of the TCP port, 1024 to 65535. */
+    /** Returns the TCP port, 1024 to 65535. */
     public int getNumber() {
         return number;
     }

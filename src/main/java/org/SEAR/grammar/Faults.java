@@ -1,12 +1,14 @@
 package org.SEAR.grammar;
 
-/** Takes what is wrong with an object beyond the legal range of a single parameter. */
+/** Collects the problems of an object that the legal range of a single parameter does not cover. */
 @FunctionalInterface
 public interface Faults {
     /**
+     * Adds a problem.
+     *
      * @param element the parameter to change; {@code wire#2} for an entry of a list, counted from 0
-     * @param value what it is
-     * @param legal what would be right, in words
+     * @param value the invalid value
+     * @param legal the legal values, in words
      */
     void add(String element, Object value, String legal);
 }

@@ -6,8 +6,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Makes the parameters of a field's class parameters of the object itself, in the field's place, for parameters that several classes share. The
- * field is never null, and its class has a {@link Param} at each parameter.
+ * Includes the parameters of a field's class among the parameters of the object, at the field's position. Several
+ * classes share parameters this way. The field is never null, and each parameter of its class has a {@link Param}.
  */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.FIELD)

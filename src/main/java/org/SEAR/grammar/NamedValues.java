@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 
-/** Parameters that are set by their names: what {@code SearObject.set} takes. One use. */
+/** Parameters that are set by name, as {@code SearObject.set} does. One use. */
 public final class NamedValues {
     private final Object object;
     private final String label;
@@ -15,8 +15,8 @@ public final class NamedValues {
     private final Map<Parameter, Object> before = new LinkedHashMap<>();
 
     /**
-     * @param label of the object, as problems name it
-     * @param fixed which parameters are never set
+     * @param label of the object, for error messages
+     * @param fixed selects the parameters that can't be set
      */
     public NamedValues(Object object, String label, Predicate<Parameter> fixed) {
         this.object = object;
@@ -26,9 +26,9 @@ public final class NamedValues {
     }
 
     /**
-     * Sets them, checked one by one but not together.
+     * Sets the values; each is checked by itself, combinations are not.
      *
-     * @throws IllegalArgumentException with the first that is wrong
+     * @throws IllegalArgumentException for the first invalid value
      */
     public void set(Map<?, ?> values) {
         for (Map.Entry<?, ?> entry : values.entrySet()) {
@@ -43,7 +43,7 @@ public final class NamedValues {
         }
     }
 
-    /** Everything as it was. */
+    /** Restores all values. */
     public void undo() {
         before.forEach((parameter, value) -> parameter.set(object, value));
     }

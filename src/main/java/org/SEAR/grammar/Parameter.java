@@ -9,9 +9,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/** The description of one parameter of a class of the grammar, taken from a field and its {@link Param}. Immutable, any thread. */
+/** One parameter of a class of the grammar, read from a field and its {@link Param}. Immutable, any thread. */
 public final class Parameter {
-    /** What kind of value a parameter has. */
+    /** Kind of value. */
     public enum Kind {
         /** A finite number. */
         NUMBER,
@@ -27,18 +27,21 @@ public final class Parameter {
 
     private static final Pattern PLAIN_NUMBER = Pattern.compile("[-+]?[0-9]*\\.?[0-9]+([eE][-+]?[0-9]+)?|[-+]?[0-9]+\\.");
 
-    /** So many decimal digits a double keeps whatever they are; a number that they write with no more than {@link #PLAIN} was meant so. */
+    /**
+     * Decimal digits that every double preserves. A number that needs at most {@link #PLAIN} of them is written
+     * rounded.
+     */
     private static final MathContext CERTAIN = new MathContext(15);
     private static final int PLAIN = 10;
 
-    /** Where an included group of parameters is kept; null for a parameter of the object's own. */
+    /** The {@link Included} field that holds the parameter; null for a field of the object itself. */
     private final Field group;
     private final Field field;
     private final Param param;
     private final Class<?> type;
     private final Kind kind;
 
-    /** @param group the {@link Included} field that the parameter comes with; null for one of the object's own */
+    /** @param group the {@link Included} field that holds the parameter; null for a field of the object itself */
     Parameter(Field group, Field field) {
         this.group = group;
         this.field = field;
@@ -64,103 +67,97 @@ public final class Parameter {
         return type == String.class ? Kind.TEXT : Kind.GROUP;
     }
 
-    /** Name of the XML element. */
+    /** Returns the name of the XML element. */
     public String getName() {
         return param.element().isEmpty() ? field.getName() : param.element();
     }
 
-    /** What it means. */
     public String getDoc() {
         return param.doc();
     }
 
-    /** Unit, may be empty. */
+    /** Returns the unit; may be empty. */
     public String getUnit() {
         return param.unit();
     }
 
-    /** What kind of value it has. */
     public Kind getKind() {
         return kind;
     }
 
-    /** Smallest legal number. */
     public double getMin() {
         return param.min();
     }
 
-    /** Largest legal number. */
     public double getMax() {
         return param.max();
     }
 
-    /** What a text has to look like. */
     public TextRule getTextRule() {
         return param.text();
     }
 
-    /** Whether there may be several. */
     public boolean isList() {
         return field.getType() == List.class;
     }
 
-    /** Most entries of a list; 1 for a single value. */
+    /** Returns the largest number of entries in a list; 1 for a single value. */
     public int getMaxEntries() {
         return param.maxEntries();
     }
 
-    /** Whether a file has to have it. */
+    /** Returns whether a file without the element is invalid. */
     public boolean isRequired() {
         return param.required();
     }
 
-    /** The only legal texts or whole numbers; empty if any that fits the rest is. */
+    /** Returns the only legal texts or whole numbers; empty for no such restriction. */
     public List<String> getValues() {
         return List.of(param.values());
     }
 
-    /** What each of the values means, in a word; empty where the values say it themselves. */
+    /** Returns one word of explanation for each of the values; empty if the values explain themselves. */
     public List<String> getWords() {
         return List.of(param.words());
     }
 
-    /** The class of the things of the same robot whose names it has; empty for none. */
+    /** Returns the class of the parts that the text names, see {@link Param#names}; empty if it names none. */
     public String getNamed() {
         return param.names() == void.class ? "" : param.names().getSimpleName();
     }
 
-    /** Whether its text may be the name of such a thing of the same robot. */
+    /** Returns whether the text may be the name of this part. */
     public boolean isNameOf(Object thing) {
         return param.names().isInstance(thing);
     }
 
-    /** Whether what has it can't be without any value of it, or is good for nothing then. */
+    /** Returns whether an object without any value of this parameter is invalid or useless. */
     public boolean isNeeded() {
         return param.required() || param.needed();
     }
 
-    /** Whether 0 is legal, too, where the smallest number is above it. */
+    /** Returns whether 0 is legal although it is below the smallest legal number. */
     public boolean isOrZero() {
         return param.orZero();
     }
 
     /**
-     * The text of the value with which an object begins that is made with nothing but its name, where that is not the default: of a required
-     * number that says none, the one nearest to 1 that is legal.
+     * Returns the value of an object that is created with a name only, as text. A required number without such a value
+     * starts with the legal number nearest to 1.
      *
-     * @return empty if it begins with the default, or somebody has to say it
+     * @return empty if the object starts with the default, or if the user has to give the value
      */
     public String getInitial() {
         boolean number = kind == Kind.NUMBER || kind == Kind.WHOLE;
         return param.initial().isEmpty() && param.required() && number ? format(Math.max(param.min(), Math.min(param.max(), 1))) : param.initial();
     }
 
-    /** The class of a group's parameters; for others the value's own type. */
+    /** Returns the class of a group's parameters; for other kinds the type of the value. */
     public Class<?> getType() {
         return type;
     }
 
-    /** What is legal, in words: {@code 0 to 1000000 kg}. */
+    /** Returns the legal values in words: {@code a number from 0 to 1000000 kg}. */
     public String legal() {
         if (param.values().length > 0) {
             return String.join(", ", param.values()) + (param.unit().isEmpty() ? "" : " " + param.unit());
@@ -183,7 +180,10 @@ public final class Parameter {
         return format(param.min()) + " to " + format(param.max()) + (param.unit().isEmpty() ? "" : " " + param.unit());
     }
 
-    /** Whether a single value (an entry of a list) is legal. Null is legal for an optional text, group, Double or Integer. */
+    /**
+     * Returns whether a single value (an entry of a list) is legal. Null is legal for an optional text, group, Double,
+     * Integer or Boolean.
+     */
     public boolean isLegal(Object value) {
         if (value == null) {
             return !param.required() && !type.isPrimitive();
@@ -205,9 +205,9 @@ public final class Parameter {
     }
 
     /**
-     * A value from its text in a file.
+     * Parses a value from its text in a file.
      *
-     * @throws IllegalArgumentException if it isn't of this kind, or not legal
+     * @throws IllegalArgumentException with the legal values, if the text is of another kind or not legal
      */
     public Object parse(String text) {
         String trimmed = text.trim();
@@ -235,7 +235,7 @@ public final class Parameter {
         return value;
     }
 
-    /** Java reads 1f, 0x1p3 and NaN as numbers; a file of ours has digits, sign, point and exponent only. */
+    /** Rejects 1f, 0x1p3 and NaN, which Java parses as numbers: a file has digits, sign, point and exponent only. */
     private String plainNumber(String text) {
         if (text.length() > 40 || !PLAIN_NUMBER.matcher(text).matches()) {
             throw new IllegalArgumentException(legal());
@@ -243,7 +243,7 @@ public final class Parameter {
         return text;
     }
 
-    /** The value in an object: a boxed number, Boolean, String, group, List, or null. */
+    /** Returns the value in an object: a boxed number, Boolean, String, group, List, or null. */
     public Object get(Object object) {
         try {
             return field.get(holder(object));
@@ -252,7 +252,7 @@ public final class Parameter {
         }
     }
 
-    /** Puts a value into an object without any check, as reading a file does. */
+    /** Sets the value in an object without a check. */
     public void set(Object object, Object value) {
         try {
             field.set(holder(object), value);
@@ -265,7 +265,7 @@ public final class Parameter {
         return group == null ? object : group.get(object);
     }
 
-    /** The values in an object as a list: the entries, or the one value, or nothing if that is null. */
+    /** Returns the values in an object as a list: the entries, the single value, or nothing for null. */
     public List<Object> values(Object object) {
         Object value = get(object);
         List<Object> values = new ArrayList<>();
@@ -278,8 +278,8 @@ public final class Parameter {
     }
 
     /**
-     * A value as text, as it stands in a file: {@code 0.25}, {@code 10}, {@code true}. What arithmetic with fractions leaves in the last digits is
-     * left out: {@code 6 * 0.8 + 1} is 5.8, not 5.800000000000001. All else reads back as the same number.
+     * Formats a value as in a file: {@code 0.25}, {@code 10}, {@code true}. Rounding errors in the last digits are
+     * dropped: {@code 6 * 0.8 + 1} is 5.8, not 5.800000000000001. Every other number reads back unchanged.
      */
     public static String format(Object value) {
         if (!(value instanceof Double)) {

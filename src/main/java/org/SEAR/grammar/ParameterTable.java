@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * All parameters of a class of the grammar, inherited ones first, in the order in which they stand in the class. Validation, XML, documentation,
- * {@code sear sensors} and the tabs all read this one table. Immutable, any thread.
+ * All parameters of a class of the grammar: inherited ones first, then in the order of the fields. Validation, XML,
+ * documentation, {@code sear sensors} and the tabs read this table. Immutable, any thread.
  */
 public final class ParameterTable {
     private static final ClassValue<ParameterTable> TABLES = new ClassValue<ParameterTable>() {
@@ -43,22 +43,20 @@ public final class ParameterTable {
         }
     }
 
-    /** The table of a class. */
     public static ParameterTable of(Class<?> type) {
         return TABLES.get(type);
     }
 
-    /** The parameters in order. */
     public List<Parameter> getParameters() {
         return parameters;
     }
 
-    /** Names of all elements, in order. */
+    /** Returns the names of all elements, in order. */
     public List<String> names() {
         return parameters.stream().map(Parameter::getName).collect(Collectors.toList());
     }
 
-    /** The parameter of an element, null if there is none. */
+    /** Returns the parameter of an element; null if there is none. */
     public Parameter find(String element) {
         for (Parameter parameter : parameters) {
             if (parameter.getName().equals(element)) {
@@ -69,9 +67,9 @@ public final class ParameterTable {
     }
 
     /**
-     * The parameter of an element.
+     * Returns the parameter of an element.
      *
-     * @throws IllegalArgumentException if the class has none of that name
+     * @throws IllegalArgumentException if the class has no such element
      */
     public Parameter get(String element) {
         Parameter parameter = find(element);
@@ -81,7 +79,10 @@ public final class ParameterTable {
         return parameter;
     }
 
-    /** A new object with all defaults, made with the class's constructor without arguments (which may be private) and belonging to no file. */
+    /**
+     * Creates an object with all defaults and without a file, by the class's constructor without arguments (which may
+     * be private).
+     */
     public Object newInstance() {
         try {
             Constructor<?> constructor = type.getDeclaredConstructor();
@@ -94,7 +95,7 @@ public final class ParameterTable {
         }
     }
 
-    /** The default of a parameter as text; empty if there is none. */
+    /** Returns the default of a parameter as text; empty for none. */
     public String defaultOf(Parameter parameter) {
         if (parameter.isRequired() || parameter.isList()) {
             return "";
@@ -106,7 +107,7 @@ public final class ParameterTable {
         return value == null ? "" : Parameter.format(value);
     }
 
-    /** Everything that is wrong with an object's values, in words; empty if it is valid. */
+    /** Returns all problems of an object's values, in words; empty if it is valid. */
     public List<String> problems(Object object, String path) {
         List<String> problems = new ArrayList<>();
         for (Parameter parameter : parameters) {

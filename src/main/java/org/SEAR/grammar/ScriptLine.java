@@ -7,24 +7,24 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /**
- * The line of a Python script that is being carried out. Jython's classes have wrong line numbers, its frames the right ones; they are asked by
- * reflection, since SEAR works without Jython, too. Any thread.
+ * Current line of a Python script. Jython's class files have wrong line numbers, but its frames have the right ones.
+ * They are read by reflection, because SEAR also runs without Jython. Any thread.
  */
 public final class ScriptLine {
-    /** What Jython names the classes that it makes of scripts. */
+    /** Prefix of the classes that Jython compiles scripts to. */
     private static final String SCRIPT = "org.python.pycode.";
     private static final String PY4J = "py4j.";
     private static final String JYTHON = "org.python.core.";
-    /** Code that Python brings along, and the line by which MyRobotLab calls a function of the script. */
+    /** Python's own library code, and the line by which MyRobotLab calls a function of the script. */
     private static final Predicate<String> OTHERS = file -> file.contains("__pyclasspath__") || file.contains("/Lib/") || file.equals("<callback>");
 
-    /** Set where a Python 3 program has Java in its process. */
+    /** Set if Java runs inside a Python 3 process. */
     private static final boolean IN_PYTHON = Boolean.getBoolean("sear.inPython");
 
     private ScriptLine() {
     }
 
-    /** Whether the calling thread carries out a script, of Python 2 or 3, which is told by what is thrown. */
+    /** Returns whether the calling thread runs a script of Python 2 or 3, which receives exceptions itself. */
     public static boolean isCalling() {
         List<String> classes = StackWalker.getInstance()
             .walk(frames -> frames.map(StackWalker.StackFrame::getClassName).collect(Collectors.toList()));
@@ -33,7 +33,7 @@ public final class ScriptLine {
     }
 
     /**
-     * That of the calling thread.
+     * Returns the script line of the calling thread.
      *
      * @return {@code line 7 of first.py}; empty if no script calls
      */
@@ -46,18 +46,18 @@ public final class ScriptLine {
             Object state = Class.forName(JYTHON + "Py").getMethod("getThreadState").invoke(null);
             return of(state.getClass().getField("frame").get(state));
         } catch (ReflectiveOperationException | LinkageError e) {
-            return ""; // another Jython than any so far
+            return ""; // an unknown version of Jython
         }
     }
 
-    /** The same of another thread; empty if it carries out no script. */
+    /** Returns the script line of another thread; empty if that thread runs no script. */
     public static String of(Thread thread) {
         try {
             Method frames = Class.forName(JYTHON + "ThreadStateMapping").getMethod("_current_frames");
             frames.setAccessible(true);
             return of(((Map<?, ?>) frames.invoke(null)).get(thread.getId()));
         } catch (ReflectiveOperationException | RuntimeException | LinkageError e) {
-            return ""; // another Jython than any so far
+            return ""; // an unknown version of Jython
         }
     }
 
@@ -73,7 +73,7 @@ public final class ScriptLine {
         return "";
     }
 
-    /** What is said, and behind it the line in brackets, unless there is none or the text names one. */
+    /** Appends a script line in brackets, unless it is empty or the text already names a line. */
     public static String added(String text, String line) {
         return line.isEmpty() || text.matches("(?s).*\\bline \\d+ of .*") ? text : text + " (" + line + ")";
     }

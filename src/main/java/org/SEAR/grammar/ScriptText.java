@@ -7,7 +7,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 
-/** Texts as a Python 2 script hands them over. Any thread. */
+/** Decoder of texts that a Python 2 script passes. Any thread. */
 public final class ScriptText {
     private static final int ASCII_END = 0x80;
     private static final int BYTE_END = 0x100;
@@ -16,8 +16,9 @@ public final class ScriptText {
     }
 
     /**
-     * The text that the script's author wrote. In Python 2 a plain {@code "Tür"} is a string of UTF-8 bytes, and Jython makes one character
-     * of each: such a string becomes the text that the bytes spell. All others, {@code u"Tür"} too, stay as they are.
+     * Returns the text as its author wrote it. A plain Python 2 {@code "Tür"} is a string of UTF-8 bytes, and Jython
+     * makes one character of each byte: such a string is decoded. Every other text, also {@code u"Tür"}, is returned
+     * unchanged.
      *
      * @param text may be null
      */
@@ -33,10 +34,10 @@ public final class ScriptText {
     }
 
     /**
-     * A path that a script names.
+     * Parses a path.
      *
-     * @param text of it, not null
-     * @throws IllegalArgumentException if no file of this system can be called so
+     * @param text not null
+     * @throws IllegalArgumentException if the text is no valid path on this system
      */
     public static Path path(String text) {
         try {

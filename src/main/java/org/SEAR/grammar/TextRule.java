@@ -7,16 +7,16 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import org.SEAR.protocol.lidar.LidarModel;
 
-/** What a text parameter may look like; each rule says in words what is legal. Immutable, any thread. */
+/** Syntax of a text parameter, with a description in words. Immutable, any thread. */
 public enum TextRule {
-    /** Any text in one line. */
+    /** Any single line. */
     ANY("one line of at most 200 characters") {
         @Override
         boolean allows(String text) {
             return true;
         }
     },
-    /** The name of an object, which is the name of its file on every system. */
+    /** The name of an object, usable as a file name on every system. */
     NAME("a name of 1 to 100 characters that can be a file name on every system: none of / \\ : * ? \" < > |, no dot or blank at either end,"
         + " not a device name such as CON") {
         @Override
@@ -28,7 +28,7 @@ public enum TextRule {
                 && !DEVICES.contains(stem);
         }
     },
-    /** The file of a robot's component: its name, or the robot's and its own with a slash between. */
+    /** The file of a robot's component: {@code name} or {@code robot/name}. */
     COMPONENT(NAME.legal + "; or robot/name, at most 190 characters, for a file in the robot's own folder") {
         @Override
         boolean allows(String text) {
@@ -53,28 +53,27 @@ public enum TextRule {
             return true;
         }
     },
-    /** Where a port is exported to. */
+    /** A port export, see {@link ExportTarget}. */
     EXPORT(ExportTarget.LEGAL) {
         @Override
         boolean allows(String text) {
             return ExportTarget.isLegal(text);
         }
     },
-    /** A colour. */
     COLOR("a colour: #rrggbb, or " + String.join(", ", ColorNames.all())) {
         @Override
         boolean allows(String text) {
             return ColorNames.hex(text) != null;
         }
     },
-    /** A GPS receiver, in whatever spelling: fv_m8 is an FV-M8. */
+    /** A GPS receiver; case and punctuation are ignored: fv_m8 is an FV-M8. */
     GPS_MODEL("MT3301 (also FV-M8, FV-M11), MT3329 or NEO-M8N (also u-blox)") {
         @Override
         boolean allows(String text) {
             return RECEIVERS.contains(plain(text));
         }
     },
-    /** A laser scanner, in whatever spelling: urg04lx is a URG-04LX. */
+    /** A laser scanner; case and punctuation are ignored: urg04lx is a URG-04LX. */
     LIDAR_MODEL(LidarModel.names()) {
         @Override
         boolean allows(String text) {
@@ -90,9 +89,9 @@ public enum TextRule {
     private static final Set<String> RECEIVERS = Set.of("MT3301", "MT3329", "FVM8", "FVM11", "NEOM8N", "UBLOX");
     private static final Set<String> UBLOX = Set.of("NEOM8N", "UBLOX");
     private static final int MAX_LENGTH = 200;
-    /** With {@code robot/} and {@code .xml} a path of a bundle. */
+    /** With {@code robot/} and {@code .xml} this is a path of a bundle. */
     private static final int MAX_COMPONENT = 190;
-    /** File systems end at 255 bytes, and a temporary file's name is a little longer. */
+    /** File systems allow 255 bytes; a temporary file's name is slightly longer than the file's. */
     private static final int MAX_BYTES = 200;
 
     private final String legal;
@@ -101,12 +100,15 @@ public enum TextRule {
         this.legal = legal;
     }
 
-    /** Whether a GPS receiver is one of u-blox. */
+    /** Returns whether a GPS receiver is one by u-blox. */
     public static boolean isUblox(String receiver) {
         return UBLOX.contains(plain(receiver));
     }
 
-    /** Two names or paths for which this is the same are one on some system: capitals do not count there, nor how an accent is spelt. */
+    /**
+     * Returns a key that is equal for names or paths that some system takes for the same file: case and Unicode
+     * composition are ignored.
+     */
     public static String onAnySystem(String name) {
         return Normalizer.normalize(name, Normalizer.Form.NFC).toUpperCase(Locale.ROOT).toLowerCase(Locale.ROOT);
     }
@@ -118,7 +120,7 @@ public enum TextRule {
     abstract boolean allows(String text);
 
     /**
-     * Whether a text is legal.
+     * Returns whether a text is legal.
      *
      * @param text not null
      */
@@ -126,12 +128,12 @@ public enum TextRule {
         return text.length() <= MAX_LENGTH && !LINE_BREAKS.matcher(text).find() && wellFormed(text) && allows(text);
     }
 
-    /** What is legal, in words. */
+    /** Returns the syntax in words. */
     public String legal() {
         return legal;
     }
 
-    /** Half of a surrogate pair can be written to no file. */
+    /** Returns whether the text has no unpaired surrogate, which no file can store. */
     private static boolean wellFormed(String text) {
         return text.codePoints().noneMatch(c -> c >= Character.MIN_SURROGATE && c <= Character.MAX_SURROGATE);
     }

@@ -1,5 +1,5 @@
 /**
- * How the parameters of objects are described, checked, read and documented: what stands at a field says all of it. Knows no object. Uses
- * {@link org.SEAR.protocol.lidar}, and what that uses. Any thread.
+ * Grammar of objects: annotations at the fields define the parameters' checks, file format and documentation. The
+ * package knows no particular object. Uses {@link org.SEAR.protocol.lidar} and its dependencies. Any thread.
  */
 package org.SEAR.grammar;

@@ -504,7 +504,7 @@ class Assembly(JavaObject):
 
 
 class Beam(JavaObject):
-    """a named beam, a file of the project's beams folder"""
+    """a named beam, a file in the project's beams folder"""
     def getAliases(self) -> List[Any]: ...
     def getCones(self) -> List[Any]: ...
     def getDescription(self) -> str: ...
@@ -575,7 +575,7 @@ class BrownLens(JavaObject):
 
 
 class Bumper(SensorObject):
-    """a switch that is pressed while a part of its robot touches anything that isn't the robot itself; its own place doesn't matter"""
+    """a switch that is pressed while a part of its robot touches another object; its own pose doesn't matter"""
     @overload
     def __init__(self, name: str) -> None: ...
     @overload
@@ -632,7 +632,7 @@ class Camera(SensorObject):
 
 
 class Chessboard(Board):
-    """a plate with a chessboard by which cameras are calibrated, upright, its front towards -z; the middle of the board is its origin"""
+    """a vertical plate with a chessboard for camera calibration, its front towards -z; its origin is the middle of the board"""
     @overload
     def __init__(self, name: str, columns: int, rows: int, square: float) -> None: ...
     @overload
@@ -658,7 +658,7 @@ class ColorSensor(SurfaceSensor):
 
 
 class Compass(SensorObject):
-    """angle of the forward axis to north, degrees clockwise; behind its ports an HMC6352 on a serial bridge"""
+    """angle from north to the forward axis, degrees clockwise; with ports also an HMC6352 on a serial bridge"""
     @overload
     def __init__(self, name: str) -> None: ...
     @overload
@@ -675,7 +675,7 @@ class Compass(SensorObject):
 
 
 class Cone(RoundShape):
-    """an upright cone about the y axis, its apex up"""
+    """a vertical cone about the y axis, its apex up"""
     @overload
     def __init__(self, name: str, radius: float, height: float) -> None: ...
     @overload
@@ -691,7 +691,7 @@ class Cone(RoundShape):
 
 
 class Cylinder(RoundShape):
-    """an upright cylinder about the y axis"""
+    """a vertical cylinder about the y axis"""
     @overload
     def __init__(self, name: str, radius: float, height: float) -> None: ...
     @overload
@@ -707,7 +707,7 @@ class Cylinder(RoundShape):
 
 
 class Distance(SensorObject):
-    """a distance sensor: nested cones of beams, of which the nearest hit counts"""
+    """a distance sensor: nested cones of rays; the nearest hit counts"""
     @overload
     def __init__(self, name: str) -> None: ...
     @overload
@@ -751,7 +751,7 @@ class Draft(JavaObject):
 
 
 class Dynamics(SearObject):
-    """mass, suspension and start pose of a robot (in the world, or from where the robot was moved to), and its serial port, which speaks the Roomba protocol. A start pose that lies on its back is set upright and turned by 180 degrees, with a warning"""
+    """mass, suspension and start pose of a robot, relative to the robot's own pose, and its serial port for the Roomba protocol. SEAR sets an upside-down start pose upright and turns it by 180 degrees, with a warning"""
     @overload
     def __init__(self, name: str, mass: float) -> None: ...
     @overload
@@ -794,7 +794,7 @@ class Floor(Shape):
 
 
 class GPS(SensorObject):
-    """where the robot is on Earth; behind its ports a receiver that sends NMEA 0183"""
+    """position of the robot on Earth; with ports also a receiver that sends NMEA 0183"""
     @overload
     def __init__(self, name: str) -> None: ...
     @overload
@@ -824,7 +824,7 @@ class GroundHeights(JavaObject):
 
 
 class Gyroscope(SensorObject):
-    """rates of turn about the three body axes, rad/s"""
+    """angular velocity about the three body axes, rad/s"""
     @overload
     def __init__(self, name: str) -> None: ...
     @overload
@@ -836,7 +836,7 @@ class Gyroscope(SensorObject):
 
 
 class IMU(SensorObject):
-    """yaw, pitch and roll, accelerations, rates of turn, magnetic field; behind its ports a Razor 9DOF"""
+    """yaw, pitch and roll, acceleration, angular velocity, magnetic field; with ports also a Razor 9DOF"""
     @overload
     def __init__(self, name: str) -> None: ...
     @overload
@@ -847,7 +847,7 @@ class IMU(SensorObject):
 
 
 class LIDAR(SensorObject):
-    """a plane of beams; behind its ports a SICK LMS200 or another model"""
+    """a fan of beams in one plane; with ports also a SICK LMS200 or another model"""
     @overload
     def __init__(self, name: str) -> None: ...
     @overload
@@ -875,7 +875,7 @@ class LIDAR(SensorObject):
 
 
 class Led(SearObject):
-    """a light-emitting diode on a robot: scripts and the pin of an Arduino switch it on and off, and dim it; no sensor sees it"""
+    """a light-emitting diode on a robot; scripts and the pin of an Arduino switch and dim it; sensors do not see it"""
     @overload
     def __init__(self, name: str) -> None: ...
     @overload
@@ -890,7 +890,7 @@ class Led(SearObject):
 
 
 class LineSensor(SurfaceSensor):
-    """how much light the surface below it throws back, percent: 0 for black or nothing, 100 for white"""
+    """light reflected by the surface below it, percent: 0 for black or no surface, 100 for white"""
     @overload
     def __init__(self, name: str) -> None: ...
     @overload
@@ -901,7 +901,7 @@ class LineSensor(SurfaceSensor):
 
 
 class Marker(Board):
-    """a plate with a marker of ArUco or AprilTag, upright, its front towards -z; the middle of the marker is its origin"""
+    """a vertical plate with an ArUco or AprilTag marker, its front towards -z; its origin is the middle of the marker"""
     @overload
     def __init__(self, name: str, dictionary: str, id: int, size: float) -> None: ...
     @overload
@@ -937,7 +937,7 @@ class Model(Shape):
 
 
 class Motor(SearObject):
-    """an electric motor with its gear, which turns wheels of its robot: torque = stallTorque (power - speed / noLoadSpeed); its wheels share the torque, each at its own speed"""
+    """an electric motor with a gear, which turns wheels of its robot: torque = stallTorque (power - speed / noLoadSpeed); the wheels share the torque, each at its own speed"""
     @overload
     def __init__(self, name: str, wheel: "Wheel") -> None: ...
     @overload
@@ -997,7 +997,7 @@ class ObjectTypes(JavaObject):
 
 
 class Odometer(SensorObject):
-    """path of the robot's centre in millimetres, 16 bit, cleared when it is read"""
+    """distance travelled by the robot's centre, millimetres, 16 bit; a reading clears it"""
     def __init__(self, name: str) -> None: ...
 
 
@@ -1016,7 +1016,7 @@ class OpenInterfaceBody(JavaObject):
 
 
 class Picture(Board):
-    """a plate with a picture of your own, upright, its front towards -z; the middle of the picture is its origin"""
+    """a vertical plate with a picture of your own, its front towards -z; its origin is the middle of the picture"""
     @overload
     def __init__(self, name: str, width: float, height: float) -> None: ...
     @overload
@@ -1079,7 +1079,7 @@ class RoundShape(Shape):
 
 
 class SEARrobot(PlacedObject):
-    """a robot: the names of its components, whose files lie beside its own, and its wheels; moving or turning it moves the start pose of its Dynamics with it"""
+    """a robot: its wheels, and the names of its components; its pose moves the start pose of its Dynamics"""
     def __init__(self, name: str) -> None: ...
     def addComponent(self, component: "SearObject") -> None: ...
     def addWheel(self, wheel: "Wheel") -> None: ...
@@ -1168,7 +1168,7 @@ class SerialParameters(JavaObject):
 
 
 class Servo(SearObject):
-    """a servo motor, which turns what is mounted on it about the servo's own y axis; what is mounted is written where it is with the servo at 0 degrees"""
+    """a servo motor, which turns the parts mounted on it about its own y axis; their poses are those with the servo at 0 degrees"""
     @overload
     def __init__(self, name: str) -> None: ...
     @overload
@@ -1227,7 +1227,7 @@ class Shape(PlacedObject):
 
 
 class Sphere(Shape):
-    """a sphere; scaled differently along its axes, an ellipsoid"""
+    """a sphere; non-uniform scaling makes it an ellipsoid"""
     @overload
     def __init__(self, name: str, radius: float) -> None: ...
     @overload
@@ -1252,7 +1252,7 @@ class SurfaceSensor(SensorObject):
 
 
 class Terrain(Shape):
-    """the ground from an elevation map; the middle of its area is the world's origin, so it is neither moved, turned nor scaled, and has no mass"""
+    """the ground from an elevation map; the middle of its area is the world's origin; it can't be moved, turned or scaled, and has no mass"""
     def __init__(self, name: str, path: str) -> None: ...
     def addTile(self, tile: str) -> None: ...
     def getEastWest(self) -> Any: ...
@@ -1278,7 +1278,7 @@ class VoltagePoint(JavaObject):
 
 
 class Wheel(Shape):
-    """a wheel of a robot, its axle along x; it stands in the robot's file"""
+    """a wheel of a robot, its axle along x; the robot's file contains it"""
     @overload
     def __init__(self, name: str, radius: float, width: float) -> None: ...
     @overload

@@ -6,9 +6,9 @@ import org.SEAR.grammar.Param;
 /** Acceleration along the body axes, m/s^2: the change of velocity over one period of the bandwidth. */
 @Described("acceleration along the three body axes, m/s^2")
 public class Accelerometer extends SensorObject {
-    @Param(doc = "readings a second that differ from each other", unit = "Hz", min = 0.01, max = 10000)
+    @Param(doc = "new readings a second", unit = "Hz", min = 0.01, max = 10000)
     private double bandwidth = 60;
-    @Param(doc = "whether gravity is part of the reading, as in the real thing")
+    @Param(doc = "whether the reading includes gravity, as a real one does")
     private boolean gravity;
 
     /** For reading from a file. */

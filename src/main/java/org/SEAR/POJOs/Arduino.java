@@ -26,7 +26,8 @@ public class Arduino extends SearObject implements SerialObject {
 
     @Param(doc = "kind of board", values = {"uno", "mega"})
     private String board = "uno";
-    @Param(doc = "program that runs on it: MyRobotLab's own, or Firmata 2.5 with encoders and echoes", values = {MRL_COMM, FIRMATA})
+    @Param(doc = "program on the board: MyRobotLab's own, or Firmata 2.5 with encoders and echoes",
+        values = {MRL_COMM, FIRMATA})
     private String firmware = MRL_COMM;
     @Included
     private final SerialParameters serial = new SerialParameters(this, MRL_COMM_BAUD);
@@ -72,7 +73,7 @@ public class Arduino extends SearObject implements SerialObject {
             if (reason != null) {
                 faults.add("wire#" + i, wire.getPin() + ", " + reason, WireRules.legal(getModel(), good, wire.getRole()));
             } else if (same != null) {
-                faults.add("wire#" + i, wire.getPin(), "one wire for " + wire.getRole().getWord() + " of " + wire.getPart() + ", which has pin "
+                faults.add("wire#" + i, wire.getPin(), "one wire for " + wire.getRole().getWord() + " of " + wire.getPart() + ", which is at pin "
                     + same.getPin());
             } else {
                 good.add(wire);
@@ -168,12 +169,12 @@ public class Arduino extends SearObject implements SerialObject {
             }
         }
         if (found.isEmpty()) {
-            throw new IllegalArgumentException(label() + ": what is wired is " + ParameterTable.quote(part) + ", legal: a component of the robot"
-                + (names.isEmpty() ? "; no robot has one to wire yet, addComponent(...) comes first" : ", " + String.join(", ", names)));
+            throw new IllegalArgumentException(label() + ": part is " + ParameterTable.quote(part) + ", legal: a component of the robot"
+                + (names.isEmpty() ? "; no robot has one to wire yet, call addComponent(...) first" : ", " + String.join(", ", names)));
         }
         if (found.size() > 1) {
-            throw new IllegalArgumentException(label() + ": " + ParameterTable.quote(part) + " is on several robots, legal: the one of "
-                + label() + "'s own, so robot.addComponent(...) puts it on its robot first");
+            throw new IllegalArgumentException(label() + ": " + ParameterTable.quote(part) + " is on several robots, legal: a part of "
+                + label() + "'s own robot; call robot.addComponent(...) first");
         }
         return found.get(0);
     }
@@ -190,7 +191,7 @@ public class Arduino extends SearObject implements SerialObject {
     public void wire(String pin, SearObject part, String role) {
         checkChangeable();
         if (part == null) {
-            throw new IllegalArgumentException(label() + ": what is wired to pin " + pin + " is missing (None), legal: a component of the robot");
+            throw new IllegalArgumentException(label() + ": the part for pin " + pin + " is missing (None), legal: a component of the robot");
         }
         WireRole wanted = role == null ? null : WireRole.of(role);
         String problem = WireRules.problem(part, wanted);
@@ -213,7 +214,7 @@ public class Arduino extends SearObject implements SerialObject {
         BoardWire same = WireRules.same(wires, part.getName(), role);
         if (same != null) {
             throw new IllegalArgumentException(label() + ": " + part + " has its " + role.getWord() + " at pin " + same.getPin()
-                + " already, legal: one pin for it; unwire(\"" + same.getPin() + "\") pulls the wire out");
+                + " already, legal: one pin for it; unwire(\"" + same.getPin() + "\") removes that wire");
         }
         wires.add(new BoardWire(getModel().nameOf(getModel().pinOf(pin)), part.getName(), role));
         changed();

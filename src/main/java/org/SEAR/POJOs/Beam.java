@@ -11,18 +11,18 @@ import org.SEAR.grammar.TextRule;
  * The beam of a kind of distance sensor, as data: a file {@code beams/NAME.xml} of the project, or a beam that comes
  * with SEAR. Immutable, any thread.
  */
-@Described("a named beam, a file of the project's beams folder")
+@Described("a named beam, a file in the project's beams folder")
 public class Beam {
     private static final int MAX_CONES = 100;
     private static final int MAX_POINTS = 200;
 
-    @Param(doc = "name of the beam, and of its file", text = TextRule.NAME, required = true)
+    @Param(doc = "name of the beam and of its file", text = TextRule.NAME, required = true)
     private String name;
     @Param(doc = "other names of the same product", text = TextRule.NAME, maxEntries = 20)
     private List<String> alias = new ArrayList<>();
-    @Param(doc = "what it is")
+    @Param(doc = "description")
     private String description;
-    @Param(doc = "nearest distance the product can tell; nearer things answer this", unit = "m", max = 10000)
+    @Param(doc = "smallest distance the product reports, also for nearer objects", unit = "m", max = 10000)
     private double minRange;
     @Param(doc = "a cone", maxEntries = MAX_CONES)
     private List<BeamCone> cone = new ArrayList<>();

@@ -18,17 +18,19 @@ public class BeamCone {
     public static final int MAX_LINES = 360;
     private static final String DEFAULT_COLOR = "#ffa500";
 
-    @Param(doc = "angle between axis and rim; 0 is a single line", unit = "deg", max = 90, required = true, initial = "15")
+    @Param(doc = "angle between axis and rim; 0 is a single ray", unit = "deg", max = 90, required = true,
+        initial = "15")
     private double halfAngle;
-    @Param(doc = "length of each line", unit = "m", min = 0.001, max = 10000, required = true, initial = "3")
+    @Param(doc = "length of each ray", unit = "m", min = 0.001, max = 10000, required = true, initial = "3")
     private double range;
-    @Param(doc = "colour of the lines", text = TextRule.COLOR)
+    @Param(doc = "colour of the rays", text = TextRule.COLOR)
     private String color = DEFAULT_COLOR;
-    @Param(doc = "number of lines", min = 1, max = MAX_LINES)
+    @Param(doc = "number of rays", min = 1, max = MAX_LINES)
     private int lines = DEFAULT_LINES;
-    @Param(doc = "direction of the cone's axis to the left of the sensor's, for side lobes", unit = "deg", min = -180, max = 180)
+    @Param(doc = "direction of the axis to the left of the sensor's, for side lobes", unit = "deg", min = -180,
+        max = 180)
     private double yaw;
-    @Param(doc = "direction of the cone's axis above the sensor's, for side lobes", unit = "deg", min = -90, max = 90)
+    @Param(doc = "direction of the axis above the sensor's, for side lobes", unit = "deg", min = -90, max = 90)
     private double pitch;
 
     /** For reading from a file. */
@@ -95,7 +97,7 @@ public class BeamCone {
             }
         }
         throw new IllegalArgumentException("cone is " + entry + ", legal: a BeamCone or [half-angle in degrees, range in metres, colour,"
-            + " lines, yaw, pitch], of which the first two are needed");
+            + " lines, yaw, pitch]; all but the first two are optional");
     }
 
     private static int whole(double number) {

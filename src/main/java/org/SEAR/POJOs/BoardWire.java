@@ -12,8 +12,9 @@ public class BoardWire {
     private String pin;
     @Param(doc = "name of the component", text = TextRule.NAME, names = SearObject.class, required = true)
     private String part;
-    @Param(doc = "what the wire is for", values = {"volts", "ping", "trigger", "echo", "pwm", "reverse", "direction", "encoderA", "encoderB",
-        "servo", "switch", "light"}, required = true)
+    @Param(doc = "role of the wire",
+        values = {"volts", "ping", "trigger", "echo", "pwm", "reverse", "direction", "encoderA", "encoderB", "servo", "switch", "light"},
+        required = true)
     private String role;
 
     /** For reading from a file. */

@@ -7,9 +7,9 @@ import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.arduino.WireRole;
 
 /** A switch that is pressed while one part of its robot, or any part, touches an object other than the robot. */
-@Described("a switch that is pressed while a part of its robot touches anything that isn't the robot itself; its own place doesn't matter")
+@Described("a switch that is pressed while a part of its robot touches another object; its own pose doesn't matter")
 public class Bumper extends SensorObject implements Wirable {
-    @Param(doc = "name of the part that presses it, a shape of the same robot; without it every part but the wheels does",
+    @Param(doc = "name of the shape of the same robot that presses it; default all parts but the wheels",
         text = TextRule.NAME, names = Shape.class)
     private String part;
 

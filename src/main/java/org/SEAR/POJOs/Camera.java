@@ -21,50 +21,51 @@ public class Camera extends SensorObject {
     /** Largest number of pixels, that of 1920 x 1080. A camera needs 60 bytes of memory per pixel. */
     public static final int MAX_PIXELS = 1920 * 1080;
 
-    private static final String WHOLE_LENS = "a lens that shows the corners of the picture; with these four it folds back before them";
+    private static final String WHOLE_LENS = "a lens that covers the corners of the picture; these four coefficients fold it back before them";
     private static final int LONGEST = 2048;
     /** Largest rate, Hz: one picture per simulation step. */
     private static final double FASTEST = 60;
 
-    @Param(doc = "what its pictures show", values = {COLOR, DEPTH, INFRARED})
+    @Param(doc = "kind of pictures", values = {COLOR, DEPTH, INFRARED})
     private String kind = COLOR;
-    @Param(doc = "pixels of a row", min = 1, max = LONGEST)
+    @Param(doc = "pixels per row", min = 1, max = LONGEST)
     private int width = 320;
     @Param(doc = "rows; 1 for a line camera", min = 1, max = LONGEST)
     private int height = 240;
-    @Param(doc = "angle between the left and the right edge, of a lens without distortion", unit = "deg", min = 0.1, max = 170)
+    @Param(doc = "angle between the left and the right edge, without distortion", unit = "deg", min = 0.1, max = 170)
     private double fieldOfView = 60;
     @Param(doc = "pictures a second", unit = "Hz", min = 0.001, max = FASTEST)
     private double rate = 10;
-    @Param(doc = "nothing nearer along the axis is seen", unit = "m", min = 0.001, max = 1000)
+    @Param(doc = "smallest visible distance along the axis", unit = "m", min = 0.001, max = 1000)
     private double near = 0.02;
-    @Param(doc = "nothing farther along the axis is seen", unit = "m", min = 0.01, max = 1000000)
+    @Param(doc = "largest visible distance along the axis", unit = "m", min = 0.01, max = 1000000)
     private double far = 10000;
-    @Param(doc = "radial distortion of the lens by Brown: share at the square of the distance from the axis", min = -10, max = 10)
+    @Param(doc = "radial distortion (Brown), second power of the distance from the axis", min = -10, max = 10)
     private double k1;
-    @Param(doc = "radial distortion at the fourth power", min = -10, max = 10)
+    @Param(doc = "radial distortion, fourth power", min = -10, max = 10)
     private double k2;
-    @Param(doc = "tangential distortion by Brown, of a lens that is not parallel to the picture", min = -1, max = 1)
+    @Param(doc = "tangential distortion (Brown), of a lens not parallel to the image", min = -1, max = 1)
     private double p1;
-    @Param(doc = "tangential distortion, across", min = -1, max = 1)
+    @Param(doc = "tangential distortion, horizontal", min = -1, max = 1)
     private double p2;
-    @Param(doc = "column that the axis meets, 0 the middle of the leftmost; without it the middle of the picture", unit = "px",
+    @Param(doc = "column of the optical axis, 0 the middle of the leftmost; default the image's middle", unit = "px",
         min = -LONGEST, max = 2 * LONGEST)
     private Double cx;
-    @Param(doc = "row that the axis meets, 0 the middle of the uppermost; without it the middle of the picture", unit = "px",
+    @Param(doc = "row of the optical axis, 0 the middle of the uppermost; default the image's middle", unit = "px",
         min = -LONGEST, max = 2 * LONGEST)
     private Double cy;
-    @Param(doc = "factor on the light of colours: 1 as the window shows them", min = 0.001, max = 1000)
+    @Param(doc = "factor on the light of colours; 1 as in the window", min = 0.001, max = 1000)
     private double exposure = 1;
-    @Param(doc = "electrons of a white pixel, whose number differs by its square root (shot noise); 0 for none", unit = "e-", max = 1e9)
+    @Param(doc = "electrons of a white pixel; their shot noise is the square root of the number; 0 for none",
+        unit = "e-", max = 1e9)
     private double fullWell;
-    @Param(doc = "standard deviation of the electrons that reading adds; counts with fullWell", unit = "e-")
+    @Param(doc = "standard deviation of the read noise; needs fullWell", unit = "e-")
     private double readNoise;
-    @Param(doc = "standard deviation of a depth of 1 m; it grows with the square of the depth", unit = "m", max = 10)
+    @Param(doc = "standard deviation at a depth of 1 m; grows with the square of the depth", unit = "m", max = 10)
     private double depthNoise;
     @Param(doc = "noise equivalent temperature difference: standard deviation of a temperature", unit = "K", max = 100)
     private double netd;
-    @Param(doc = "whether it sees parts of the own robot")
+    @Param(doc = "whether it sees parts of its own robot")
     private boolean seesOwnRobot;
 
     /** For reading from a file. */
@@ -102,7 +103,7 @@ public class Camera extends SensorObject {
             faults.add("near", near, "less than far, " + Parameter.format(far) + " m");
         }
         if (readNoise > 0 && fullWell == 0) {
-            faults.add("readNoise", readNoise, "0 without fullWell, which says how many electrons are white");
+            faults.add("readNoise", readNoise, "0 without fullWell, the electrons of a white pixel");
         }
     }
 
@@ -341,7 +342,7 @@ public class Camera extends SensorObject {
         double checkedRead = checked("readNoise", newReadNoise);
         if (checkedRead > 0 && checkedWell == 0) {
             throw new IllegalArgumentException(label() + ": readNoise is " + Parameter.format(newReadNoise)
-                + ", legal: 0 without fullWell, which says how many electrons are white");
+                + ", legal: 0 without fullWell, the electrons of a white pixel");
         }
         fullWell = checkedWell;
         readNoise = checkedRead;

@@ -5,12 +5,12 @@ import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Param;
 
 /** A chessboard for camera calibration, with a white margin of one square's width. */
-@Described("a plate with a chessboard by which cameras are calibrated, upright, its front towards -z; the middle of the board is its origin")
+@Described("a vertical plate with a chessboard for camera calibration, its front towards -z; its origin is the middle of the board")
 public class Chessboard extends Board {
     /** Largest number of squares in a row or column. */
     private static final int MOST = 60;
 
-    @Param(doc = "squares in a row; OpenCV counts the corners between them, one less", min = 3, max = MOST)
+    @Param(doc = "squares in a row; OpenCV counts the inner corners, one less", min = 3, max = MOST)
     private int columns = 10;
     @Param(doc = "squares in a column", min = 3, max = MOST)
     private int rows = 7;

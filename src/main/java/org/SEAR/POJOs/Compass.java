@@ -7,15 +7,15 @@ import org.SEAR.grammar.Param;
 import org.SEAR.grammar.Parameter;
 
 /** Angle from north to the forward axis, degrees clockwise; with ports also an HMC6352 on a serial bridge. */
-@Described("angle of the forward axis to north, degrees clockwise; behind its ports an HMC6352 on a serial bridge")
+@Described("angle from north to the forward axis, degrees clockwise; with ports also an HMC6352 on a serial bridge")
 public class Compass extends SensorObject implements SerialObject {
     @Param(doc = "whether north is magnetic north at the robot's place and date")
     private boolean declination;
-    @Param(doc = "a point that lies in the north: x", unit = "m", min = -1e7, max = 1e7)
+    @Param(doc = "a point to the north: x", unit = "m", min = -1e7, max = 1e7)
     private double northX = 100000;
-    @Param(doc = "a point that lies in the north: y", unit = "m", min = -1e7, max = 1e7)
+    @Param(doc = "a point to the north: y", unit = "m", min = -1e7, max = 1e7)
     private double northY;
-    @Param(doc = "a point that lies in the north: z", unit = "m", min = -1e7, max = 1e7)
+    @Param(doc = "a point to the north: z", unit = "m", min = -1e7, max = 1e7)
     private double northZ;
     @Included
     private final SerialParameters serial = new SerialParameters(this, 9600);

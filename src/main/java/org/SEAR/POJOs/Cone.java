@@ -3,7 +3,7 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Described;
 
 /** A vertical cone about the y axis, its apex up, centred on its origin. Its default picture is a traffic cone. */
-@Described("an upright cone about the y axis, its apex up")
+@Described("a vertical cone about the y axis, its apex up")
 public class Cone extends RoundShape {
     /** For reading from a file. */
     protected Cone() {

@@ -3,7 +3,7 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Described;
 
 /** A vertical cylinder about the y axis, centred on its origin. Its default picture is a recycling bin. */
-@Described("an upright cylinder about the y axis")
+@Described("a vertical cylinder about the y axis")
 public class Cylinder extends RoundShape {
     /** For reading from a file. */
     protected Cylinder() {

@@ -14,21 +14,21 @@ import org.SEAR.protocol.arduino.WireRole;
  * A distance sensor with nested cones of rays; the nearest hit of all rays counts. The cones come from a named beam or
  * from the user.
  */
-@Described("a distance sensor: nested cones of beams, of which the nearest hit counts")
+@Described("a distance sensor: nested cones of rays; the nearest hit counts")
 public class Distance extends SensorObject implements Wirable {
     private static final String DEFAULT_BEAM = "ultrasonic";
     private static final int MAX_CONES = 100;
     private static final List<WireRole> VOLTS = List.of(WireRole.VOLTS);
     private static final List<WireRole> ECHO = List.of(WireRole.PING, WireRole.TRIGGER, WireRole.ECHO);
 
-    @Param(doc = "name of a beam that comes with SEAR or lies in the project's beams folder; not together with cones of its own",
+    @Param(doc = "name of a beam that comes with SEAR or lies in the project's beams folder; excludes cones",
         text = TextRule.NAME, initial = DEFAULT_BEAM)
     private String beam;
     @Param(doc = "a cone of its own", element = "cone", maxEntries = MAX_CONES)
     private List<BeamCone> cones = new ArrayList<>();
-    @Param(doc = "lines of each cone; 0 leaves each cone its own number", max = BeamCone.MAX_LINES)
+    @Param(doc = "rays of each cone; 0 keeps each cone's own number", max = BeamCone.MAX_LINES)
     private int lines;
-    @Param(doc = "whether its beams see parts of the own robot")
+    @Param(doc = "whether its beams hit parts of its own robot")
     private boolean seesOwnRobot;
     private Beam shape;
 

@@ -8,8 +8,8 @@ import org.SEAR.grammar.Param;
  * Mass, suspension and start pose of a robot, and its serial port for the Roomba protocol. The pose is relative to the
  * robot's.
  */
-@Described("mass, suspension and start pose of a robot (in the world, or from where the robot was moved to), and its serial port, which speaks the"
-    + " Roomba protocol. A start pose that lies on its back is set upright and turned by 180 degrees, with a warning")
+@Described("mass, suspension and start pose of a robot, relative to the robot's own pose, and its serial port for the Roomba protocol. SEAR sets an"
+    + " upside-down start pose upright and turns it by 180 degrees, with a warning")
 public class Dynamics extends SearObject implements SerialObject {
     private static final double COMPRESSION = 0.3;
     private static final double DAMPING = 0.4;
@@ -17,23 +17,25 @@ public class Dynamics extends SearObject implements SerialObject {
 
     @Param(doc = "mass of the whole robot", unit = "kg", min = 0.001, max = Shape.HEAVY, required = true, initial = "3")
     private double mass;
-    @Param(doc = "stiffness of the suspension, in Bullet's measure: a wheel's spring has so many N/m for each kg of the robot; without it each spring"
-        + " gives way by a tenth of the smallest wheel's radius, at most 1 cm, under what its wheel carries", unit = "1/s^2", max = 1e6)
+    @Param(doc = "spring rate of a wheel in N/m per kg of the robot; default: springs sag by a tenth of the smallest "
+        + "wheel's radius, at most 1 cm", unit = "1/s^2", max = 1e6)
     private Double stiffness;
-    @Param(doc = "damping while the suspension is compressed, as a share of the critical one")
+    @Param(doc = "damping ratio while the suspension is compressed")
     private double compression = COMPRESSION;
-    @Param(doc = "damping while the suspension is released, as a share of the critical one")
+    @Param(doc = "damping ratio while the suspension extends")
     private double damping = DAMPING;
-    @Param(doc = "largest force of a wheel's suspension; without a stiffness at least ten times what its wheel carries", unit = "N", max = 1e9)
+    @Param(doc = "largest force of a wheel's suspension; without stiffness at least ten times the wheel's load",
+        unit = "N", max = 1e9)
     private double maxSuspensionForce = MAX_FORCE;
-    @Param(doc = "length of the suspension when nothing presses it; without it as long as the robot needs to stand level and clear of the ground,"
-        + " or 0.1 where the stiffness is given", unit = "m", max = 100)
+    @Param(doc = "length of the unloaded suspension; default 0.1 with stiffness, otherwise so that the robot stands "
+        + "level and clear of the ground", unit = "m", max = 100)
     private Double restLength;
     @Included
     private final SerialParameters serial = new SerialParameters(this, 57600);
-    @Param(doc = "whose firmware answers at the port", values = {"roomba400", "create", "create2"})
+    @Param(doc = "firmware at the port", values = {"roomba400", "create", "create2"})
     private String model = "create";
-    @Param(doc = "whether the checksum of a sensor stream covers the header byte 19: true as in the Create 2 document, false as in the Create's")
+    @Param(doc = "whether the checksum of a sensor stream covers header byte 19: true as in the Create 2 document, "
+        + "false as in the Create's")
     private boolean streamHeaderSummed = true;
 
     /** For reading from a file. */

@@ -13,8 +13,8 @@ public class Floor extends Shape {
     private double length;
     @Param(doc = "size along z", unit = "m", min = SMALL, max = LARGE, required = true, initial = "10")
     private double width;
-    @Param(doc = "metres that the picture is wide and high, after which it is repeated; without it a picture of its own covers the floor once",
-        unit = "m", min = 0.01, max = LARGE)
+    @Param(doc = "width and height of one repetition of the picture; default: a picture of your own covers the floor "
+        + "once", unit = "m", min = 0.01, max = LARGE)
     private Double imageSize;
 
     /** For reading from a file. */

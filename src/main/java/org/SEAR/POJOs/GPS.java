@@ -11,25 +11,25 @@ import org.SEAR.grammar.TextRule;
  * longitude are those of the world's origin: degrees, metres, degrees, north and east positive. In a world with a
  * {@link Terrain} the default is that of its map.
  */
-@Described("where the robot is on Earth; behind its ports a receiver that sends NMEA 0183")
+@Described("position of the robot on Earth; with ports also a receiver that sends NMEA 0183")
 public class GPS extends SensorObject implements SerialObject {
     private static final int MEDIATEK_BAUD = 38400;
     private static final int UBLOX_BAUD = 9600;
 
-    @Param(doc = "latitude of the world's centre, north positive; without it, altitude and longitude the terrain says where it is", unit = "deg",
-        min = -90, max = 90, initial = "0")
+    @Param(doc = "latitude of the world's origin, north positive; without latitude, altitude and longitude the terrain "
+        + "defines it", unit = "deg", min = -90, max = 90, initial = "0")
     private Double latitude;
-    @Param(doc = "altitude of the world's centre", unit = "m", min = -12000, max = 100000, initial = "0")
+    @Param(doc = "altitude of the world's origin", unit = "m", min = -12000, max = 100000, initial = "0")
     private Double altitude;
-    @Param(doc = "longitude of the world's centre, east positive", unit = "deg", min = -180, max = 180, initial = "0")
+    @Param(doc = "longitude of the world's origin, east positive", unit = "deg", min = -180, max = 180, initial = "0")
     private Double longitude;
     @Included
     private final SerialParameters serial = new SerialParameters(this, MEDIATEK_BAUD);
-    @Param(doc = "receiver behind the ports", text = TextRule.GPS_MODEL)
+    @Param(doc = "receiver at the ports", text = TextRule.GPS_MODEL)
     private String model = "MT3301";
     @Param(doc = "fixes a second", unit = "Hz", min = 0.1, max = 5)
     private double rate = 1;
-    @Param(doc = "simulated seconds after power-on or a cold start without a fix", unit = "s", max = 1e6)
+    @Param(doc = "simulated time without a fix after power-on or a cold start", unit = "s", max = 1e6)
     private double timeToFix;
 
     /** For reading from a file. */
@@ -93,7 +93,7 @@ public class GPS extends SensorObject implements SerialObject {
         if ((latitude == null || altitude == null || longitude == null) && hasAny()) {
             faults.add(latitude != null ? "latitude" : altitude != null ? "altitude" : "longitude",
                 latitude != null ? latitude : altitude != null ? altitude : longitude,
-                "all of latitude, altitude and longitude, or none of them, for those of the terrain");
+                "all of latitude, altitude and longitude, or none to use the terrain's");
         }
     }
 

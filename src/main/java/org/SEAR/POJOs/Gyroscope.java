@@ -4,9 +4,9 @@ import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Param;
 
 /** Angular velocity about the body axes, rad/s. */
-@Described("rates of turn about the three body axes, rad/s")
+@Described("angular velocity about the three body axes, rad/s")
 public class Gyroscope extends SensorObject {
-    @Param(doc = "readings a second that differ from each other", unit = "Hz", min = 0.01, max = 10000)
+    @Param(doc = "new readings a second", unit = "Hz", min = 0.01, max = 10000)
     private double bandwidth = 60;
 
     /** For reading from a file. */

@@ -4,7 +4,7 @@ import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Included;
 
 /** Yaw, pitch and roll, acceleration, angular velocity and magnetic field; with ports also a Razor 9DOF. */
-@Described("yaw, pitch and roll, accelerations, rates of turn, magnetic field; behind its ports a Razor 9DOF")
+@Described("yaw, pitch and roll, acceleration, angular velocity, magnetic field; with ports also a Razor 9DOF")
 public class IMU extends SensorObject implements SerialObject {
     @Included
     private final SerialParameters serial = new SerialParameters(this, 57600);

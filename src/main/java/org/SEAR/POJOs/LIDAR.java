@@ -9,11 +9,11 @@ import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.lidar.LidarModel;
 
 /** A fan of beams in one plane; with ports and LMS(1) also a device of its model. */
-@Described("a plane of beams; behind its ports a SICK LMS200 or another model")
+@Described("a fan of beams in one plane; with ports also a SICK LMS200 or another model")
 public class LIDAR extends SensorObject implements SerialObject {
     private static final int MAX_BEAMS = 36001;
 
-    @Param(doc = "farthest distance", unit = "m", min = 0.01, max = 10000)
+    @Param(doc = "largest distance", unit = "m", min = 0.01, max = 10000)
     private double range = 8.191;
     @Param(doc = "angle from the rightmost to the leftmost beam", unit = "deg", min = 0.01, max = 360)
     private double spread = 180;
@@ -21,13 +21,13 @@ public class LIDAR extends SensorObject implements SerialObject {
     private double resolution = 1;
     @Included
     private final SerialParameters serial = new SerialParameters(this, 9600);
-    @Param(doc = "device behind the ports", text = TextRule.LIDAR_MODEL)
+    @Param(doc = "device at the ports", text = TextRule.LIDAR_MODEL)
     private String model = LidarModel.LMS200.getName();
-    @Param(doc = "whether there is a device behind the ports: 1 its model, 0 none", values = {"0", "1"}, max = 1)
+    @Param(doc = "1 for a device at the ports, 0 for none", values = {"0", "1"}, max = 1)
     private int lms = 1;
-    @Param(doc = "whether an LMS2xx obeys the baud telegrams with a wrong checksum that MyRobotLab's old driver sends")
+    @Param(doc = "whether an LMS2xx accepts the baud telegrams with a wrong checksum from MyRobotLab's old driver")
     private boolean lenient;
-    @Param(doc = "whether its beams see parts of the own robot")
+    @Param(doc = "whether its beams hit parts of its own robot")
     private boolean seesOwnRobot;
 
     /** For reading from a file. */
@@ -147,7 +147,7 @@ public class LIDAR extends SensorObject implements SerialObject {
     private String noSuchFan() {
         String able = LidarModel.namesWith(spread, resolution);
         return atItsPort() + ", and none has spread " + Parameter.format(spread) + " with resolution " + Parameter.format(resolution)
-            + " deg, legal: " + device().fans() + "; without setPorts every fan, read by sear.getLidarResult(\"" + getName() + "\")"
+            + " deg, legal: " + device().fans() + "; without setPorts every fan, read with sear.getLidarResult(\"" + getName() + "\")"
             + (able.isEmpty() ? "; no model has it" : "; setModel has it with " + able);
     }
 
@@ -166,7 +166,7 @@ public class LIDAR extends SensorObject implements SerialObject {
     private void fanChanged() {
         changed();
         if (hasDevice() && !device().hasFan(spread, resolution)) {
-            Notices.say(noSuchFan() + "; until that is changed its device starts with " + device().widestFan());
+            Notices.say(noSuchFan() + "; until then the device starts with " + device().widestFan());
         }
     }
 
@@ -179,8 +179,8 @@ public class LIDAR extends SensorObject implements SerialObject {
         range = checked("range", metres);
         changed();
         if (hasDevice() && range > device().getFarthest()) {
-            Notices.say(atItsPort() + ", which tells " + Parameter.format(device().getFarthest()) + " m at most, and the range is "
-                + Parameter.format(range) + " m: what is farther is read by sear.getLidarResult(\"" + getName() + "\") only");
+            Notices.say(atItsPort() + ", which reports at most " + Parameter.format(device().getFarthest()) + " m, but the range is "
+                + Parameter.format(range) + " m: read greater distances with sear.getLidarResult(\"" + getName() + "\")");
         }
     }
 

@@ -11,12 +11,12 @@ import org.SEAR.protocol.arduino.WireRole;
  * A light-emitting diode on a robot, which scripts and the pin of an Arduino switch and dim. It has no mass, and
  * sensors do not see it.
  */
-@Described("a light-emitting diode on a robot: scripts and the pin of an Arduino switch it on and off, and dim it; no sensor sees it")
+@Described("a light-emitting diode on a robot; scripts and the pin of an Arduino switch and dim it; sensors do not see it")
 public class Led extends SearObject implements Wirable {
     private static final String RED = "#ff0000";
     private static final double SIZE = 0.01;
 
-    @Param(doc = "colour of its light; red without it", text = TextRule.COLOR)
+    @Param(doc = "colour of its light; default red", text = TextRule.COLOR)
     private String color;
     @Param(doc = "diameter", unit = "m", min = 0.001, max = 1)
     private double size = SIZE;

@@ -8,7 +8,7 @@ import org.SEAR.protocol.arduino.WireRole;
  * Light reflected by the surface in front of the sensor, percent: 0 for black or no surface, 100 for white. The short
  * constructors point it straight down.
  */
-@Described("how much light the surface below it throws back, percent: 0 for black or nothing, 100 for white")
+@Described("light reflected by the surface below it, percent: 0 for black or no surface, 100 for white")
 public class LineSensor extends SurfaceSensor implements Wirable {
 
     /** For reading from a file. */

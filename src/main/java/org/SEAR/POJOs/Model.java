@@ -12,9 +12,10 @@ import org.SEAR.grammar.TextRule;
  */
 @Described("a model from a file: an obstacle, a part of a robot, or the terrain")
 public class Model extends Shape {
-    @Param(doc = "the model's file, below assets: .mesh.xml, .j3o, .obj, .gltf, .glb or .blend", text = TextRule.ASSET, required = true)
+    @Param(doc = "model file below assets: .mesh.xml, .j3o, .obj, .gltf, .glb or .blend", text = TextRule.ASSET,
+        required = true)
     private String path;
-    @Param(doc = "whether it is the terrain: fixed, its centre becomes the world's origin")
+    @Param(doc = "whether it is the terrain: fixed, its centre is the world's origin")
     private boolean terrain;
 
     /** For reading from a file. */

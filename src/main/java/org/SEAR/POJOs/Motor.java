@@ -14,24 +14,24 @@ import org.SEAR.protocol.arduino.WireRole;
  * speed: torque = stallTorque (power - speed / noLoadSpeed). The wheels share the torque, each at its own speed. The
  * SEAR service of the simulation commands the motor.
  */
-@Described("an electric motor with its gear, which turns wheels of its robot: torque = stallTorque (power - speed / noLoadSpeed); its wheels share"
-    + " the torque, each at its own speed")
+@Described("an electric motor with a gear, which turns wheels of its robot: torque = stallTorque (power - speed / noLoadSpeed); the wheels share the"
+    + " torque, each at its own speed")
 public class Motor extends SearObject implements Wirable {
     private static final int MAX_WHEELS = 100;
     private static final double STALL_TORQUE = 0.5;
     private static final double NO_LOAD_SPEED = 20;
     private static final int COUNTS = 360;
 
-    @Param(doc = "name of a driven wheel of the same robot, which it turns", element = "wheel", text = TextRule.NAME, names = Wheel.class,
-        needed = true, maxEntries = MAX_WHEELS)
+    @Param(doc = "name of a driven wheel of the same robot", element = "wheel", text = TextRule.NAME,
+        names = Wheel.class, needed = true, maxEntries = MAX_WHEELS)
     private List<String> wheelNames = new ArrayList<>();
-    @Param(doc = "torque of the motor's shaft when it stands still with full power", unit = "N m", min = 1e-6, max = 1e6)
+    @Param(doc = "torque of the motor's shaft at full power and standstill", unit = "N m", min = 1e-6, max = 1e6)
     private double stallTorque = STALL_TORQUE;
-    @Param(doc = "speed of the motor's shaft with full power and no load", unit = "rad/s", min = 0.001, max = 1e5)
+    @Param(doc = "speed of the motor's shaft at full power without load", unit = "rad/s", min = 0.001, max = 1e5)
     private double noLoadSpeed = NO_LOAD_SPEED;
-    @Param(doc = "turns of the motor's shaft for one turn of its wheels", min = 0.001, max = 1e5)
+    @Param(doc = "turns of the motor's shaft per turn of its wheels", min = 0.001, max = 1e5)
     private double gearRatio = 1;
-    @Param(doc = "counts of the encoder on the motor's shaft for one turn of that; 0 for a motor without one", max = 1e6)
+    @Param(doc = "encoder counts per turn of the motor's shaft; 0 for no encoder", max = 1e6)
     private int encoderCounts = COUNTS;
 
     /** For reading from a file. */
@@ -105,7 +105,7 @@ public class Motor extends SearObject implements Wirable {
         }
         SearObject other = wheel.getMover();
         if (other != null && !other.getName().equals(getName())) {
-            throw new IllegalArgumentException(label() + ": " + wheel.label() + " is turned by " + other.label() + ", legal: one motor a wheel;"
+            throw new IllegalArgumentException(label() + ": " + wheel.label() + " is turned by " + other.label() + ", legal: one motor per wheel;"
                 + " motor.addWheel(wheel) gives a motor several wheels");
         }
         if (robot() != null && wheel.robot() != null && robot() != wheel.robot()) {

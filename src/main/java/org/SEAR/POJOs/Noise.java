@@ -8,15 +8,15 @@ import org.SEAR.grammar.ParameterTable;
 /** Error model of a sensor, in the unit of its reading. All parameters default to 0. One thread at a time. */
 @Described("the error model of a sensor")
 public class Noise {
-    @Param(doc = "standard deviation of a new error at each reading", unit = "unit of the reading")
+    @Param(doc = "standard deviation of the white noise", unit = "unit of the reading")
     private double white;
     @Param(doc = "constant error", unit = "unit of the reading", min = -1e6)
     private double bias;
     @Param(doc = "random walk of the error", unit = "unit of the reading per square root of a second")
     private double drift;
-    @Param(doc = "smallest step of the reading; 0 for none", unit = "unit of the reading")
+    @Param(doc = "step size of the reading; 0 for none", unit = "unit of the reading")
     private double quantisation;
-    @Param(doc = "probability that a reading is missing", max = 1)
+    @Param(doc = "probability of a missing reading", max = 1)
     private double dropout;
     private SensorObject owner;
 

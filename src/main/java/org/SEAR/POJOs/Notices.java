@@ -24,7 +24,7 @@ final class Notices {
     static void made(String label, String name, boolean taken) {
         ScriptSession scriptSession = ScriptSessions.ALL.present();
         if (scriptSession != null && scriptSession.isSimulating()) {
-            say(label + " was made while a simulation runs: it will be there after the next startSimulation()");
+            say(label + " was made while a simulation runs: it appears at the next startSimulation()");
         }
         if (ScriptSessions.ALL.script().isAgain(name, taken)) {
             say(label + " has the name of an object that this script has made already, and replaces its file: a name means one object of the"
@@ -41,7 +41,7 @@ final class Notices {
      */
     static void changed(String label, String what, String instead, int madeAfter) {
         if (ScriptSessions.ALL.actsFor(madeAfter) != null) {
-            say(label + " was " + what + " while a simulation runs: its file says so, and the next startSimulation() finds it so" + instead);
+            say(label + " was " + what + " while a simulation runs: the change is in its file and takes effect at the next startSimulation()" + instead);
         }
     }
 
@@ -56,8 +56,8 @@ final class Notices {
         }
         String named = others.stream().limit(NAMED).map(name -> '"' + name + '"').collect(Collectors.joining(", "));
         String more = others.size() > NAMED ? " and " + (others.size() - NAMED) + " more" : "";
-        return "in the project, but not made by this script: " + named + more + " (of an earlier run or another script; with sear.newProject() at its"
-            + " beginning a script starts with an empty project)";
+        return "in the project, but not made by this script: " + named + more + " (from an earlier run or another script; call sear.newProject() first"
+            + " to start with an empty project)";
     }
 
     static void say(String text) {

@@ -3,7 +3,7 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Described;
 
 /** Distance travelled by the robot's centre, millimetres, 16 bit; a reading clears it. */
-@Described("path of the robot's centre in millimetres, 16 bit, cleared when it is read")
+@Described("distance travelled by the robot's centre, millimetres, 16 bit; a reading clears it")
 public class Odometer extends SensorObject {
 
     /** For reading from a file. */

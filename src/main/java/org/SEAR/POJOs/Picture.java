@@ -4,7 +4,7 @@ import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Param;
 
 /** A picture on a plate. The plate's edges and back have the colour of the picture's lower left corner. */
-@Described("a plate with a picture of your own, upright, its front towards -z; the middle of the picture is its origin")
+@Described("a vertical plate with a picture of your own, its front towards -z; its origin is the middle of the picture")
 public class Picture extends Board {
     @Param(doc = "size along x", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.6")
     private double width;

@@ -12,12 +12,12 @@ public abstract class PlacedObject extends SearObject {
     private static final String LATITUDE = "placeLatitude";
     private static final String LONGITUDE = "placeLongitude";
 
-    @Param(doc = "whether it stands on the ground at x and z, whatever y is: its lowest point touches the terrain, floor or model below it")
+    @Param(doc = "whether its lowest point touches the terrain, floor or model below x and z; y is ignored")
     private Boolean onGround;
-    @Param(doc = "latitude of where it stands on the ground, north positive; with placeLongitude instead of x, y and z", unit = "deg",
-        min = -90, max = 90)
+    @Param(doc = "latitude of its place on the ground, north positive; replaces x, y and z, needs placeLongitude",
+        unit = "deg", min = -90, max = 90)
     private Double placeLatitude;
-    @Param(doc = "longitude of where it stands on the ground, east positive", unit = "deg", min = -180, max = 180)
+    @Param(doc = "longitude of its place on the ground, east positive", unit = "deg", min = -180, max = 180)
     private Double placeLongitude;
 
     /** For reading from a file. */
@@ -91,7 +91,7 @@ public abstract class PlacedObject extends SearObject {
     private void checkNoPart() {
         if (robot() != null) {
             throw new IllegalArgumentException(label() + " is a part of " + robot().label() + " and can't be placed on the ground: its move(x, y, z)"
-                + " counts from the robot; place the robot");
+                + " is relative to the robot; place the robot");
         }
     }
 

@@ -4,7 +4,8 @@ import org.SEAR.grammar.Param;
 
 /** A shape with rotational symmetry about its y axis, centred on its origin. */
 public abstract class RoundShape extends Shape {
-    @Param(doc = "radius; of a cone, that of its base", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.1")
+    @Param(doc = "radius, of a cone at its base", unit = "m", min = SMALL, max = LARGE, required = true,
+        initial = "0.1")
     private double radius;
     @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.25")
     private double height;

@@ -19,20 +19,21 @@ import org.SEAR.grammar.TextRule;
  * file in {@code robot/} contains the wheels and the names of the components. Each component has its own file beside it
  * or in the folder {@code robot/ROBOT/}.
  */
-@Described("a robot: the names of its components, whose files lie beside its own, and its wheels; moving or turning it moves the start pose of its"
-    + " Dynamics with it")
+@Described("a robot: its wheels, and the names of its components; its pose moves the start pose of its Dynamics")
 public class SEARrobot extends PlacedObject {
     private static final int MAX_COMPONENTS = 1000;
     private static final int MAX_WHEELS = 100;
     private static final double MAX_ORDER = 1e9;
 
-    @Param(doc = "degrees clockwise from north in which it looks where it was placed on the ground; without it its rotation and its Dynamics' count",
+    @Param(doc = "heading on the ground, clockwise from north; otherwise the robot's and its Dynamics' rotations count",
         unit = "deg", min = -TURNS, max = TURNS)
     private Double placeHeading;
-    @Param(doc = "its place in the order in which the project's robots were made; robots without come first, by name", min = 1, max = MAX_ORDER)
+    @Param(doc = "position in the order of the project's robots; robots without it come first, by name", min = 1,
+        max = MAX_ORDER)
     private Integer order;
-    @Param(doc = "name of a component, whose file lies beside this one; ROBOT/NAME, with this robot's name, for one in the folder robot/ROBOT/,"
-        + " because another robot's component has the same name", element = "component", text = TextRule.COMPONENT, maxEntries = MAX_COMPONENTS)
+    @Param(doc = "name of a component with a file beside this one; ROBOT/NAME for a file in robot/ROBOT/, if another "
+        + "robot has a component of that name", element = "component", text = TextRule.COMPONENT,
+        maxEntries = MAX_COMPONENTS)
     private List<String> componentNames = new ArrayList<>();
     @Param(doc = "a wheel", element = "wheel", maxEntries = MAX_WHEELS)
     private List<Wheel> wheels = new ArrayList<>();
@@ -197,8 +198,8 @@ public class SEARrobot extends PlacedObject {
     private void checkAside(String component) {
         String aside = getName() + "/" + component;
         if (!TextRule.COMPONENT.isLegal(aside)) {
-            throw new IllegalArgumentException(label() + ": its part " + ParameterTable.quote(component) + " has a name that another robot's part is "
-                + "to have, too; legal: names of robot and part that are short enough for \"" + aside + "\" (190 characters), or a name of its own");
+            throw new IllegalArgumentException(label() + ": another robot's part is also named "
+                + ParameterTable.quote(component) + ", legal: names short enough for \"" + aside + "\" (190 characters), or a unique name");
         }
     }
 

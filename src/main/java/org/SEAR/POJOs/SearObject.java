@@ -28,17 +28,17 @@ public abstract class SearObject {
     /** Largest legal angle of a rotation, degrees. */
     static final double TURNS = 36000;
 
-    @Param(doc = "name of the object, and of its file", text = TextRule.NAME, required = true)
+    @Param(doc = "name of the object and of its file", text = TextRule.NAME, required = true)
     private String name;
-    @Param(doc = "position northwards; to the left on a robot", unit = "m", min = -FAR, max = FAR)
+    @Param(doc = "position northwards; on a robot to the left", unit = "m", min = -FAR, max = FAR)
     private double x;
     @Param(doc = "position upwards", unit = "m", min = -FAR, max = FAR)
     private double y;
-    @Param(doc = "position eastwards; forwards on a robot", unit = "m", min = -FAR, max = FAR)
+    @Param(doc = "position eastwards; on a robot forwards", unit = "m", min = -FAR, max = FAR)
     private double z;
     @Param(doc = "rotation about the x axis", unit = "deg", min = -TURNS, max = TURNS)
     private double rx;
-    @Param(doc = "rotation about the y axis, counter-clockwise seen from above", unit = "deg", min = -TURNS, max = TURNS)
+    @Param(doc = "rotation about the y axis, counter-clockwise from above", unit = "deg", min = -TURNS, max = TURNS)
     private double ry;
     @Param(doc = "rotation about the z axis", unit = "deg", min = -TURNS, max = TURNS)
     private double rz;
@@ -134,8 +134,8 @@ public abstract class SearObject {
     private void rewrite() {
         try {
             if (!isKept()) {
-                throw new IllegalStateException(label() + " is not in the project any more: it was deleted or renamed there, or another project was"
-                    + " opened, since this object was made; sear.edit({\"do\": \"set\", ...}) changes what the project has now, by its name");
+                throw new IllegalStateException(label() + " is not in the project: since this object was created it was deleted or renamed there, or"
+                    + " another project was opened; sear.edit({\"do\": \"set\", ...}) changes the project's present objects by name");
             }
             save();
         } catch (IOException e) {
@@ -146,7 +146,7 @@ public abstract class SearObject {
     private void moved() {
         if (life == Life.LIVE) {
             rewrite();
-            tell("moved", "; sear.edit({\"do\": \"set\", ...}) moves it at once");
+            tell("moved", "; sear.edit({\"do\": \"set\", ...}) moves it immediately");
         }
     }
 

@@ -4,7 +4,7 @@ import org.SEAR.grammar.Param;
 
 /** Parameters of a sensor. A sensor is a component of a robot; without rotation it faces forward. */
 public abstract class SensorObject extends SearObject {
-    @Param(doc = "error model; none by default")
+    @Param(doc = "error model; default none")
     private Noise noise;
 
     /** For reading from a file. */

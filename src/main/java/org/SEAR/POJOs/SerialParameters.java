@@ -16,9 +16,10 @@ public final class SerialParameters {
     private String uartPort;
     @Param(doc = "port that the user opens")
     private String userPort;
-    @Param(doc = "speed of the device's line at power-on", unit = "baud", min = 300, max = 1e8)
+    @Param(doc = "baud rate at power-on", unit = "baud", min = 300, max = 1e8)
     private int baud;
-    @Param(doc = "where other programs on this computer find the user's port, from the start of a simulation on", text = TextRule.EXPORT)
+    @Param(doc = "where other programs on this computer find the user's port, from a simulation's start on",
+        text = TextRule.EXPORT)
     private String export;
 
     /**

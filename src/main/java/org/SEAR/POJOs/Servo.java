@@ -14,11 +14,10 @@ import org.SEAR.protocol.arduino.WireRole;
  * A servo motor, which turns the parts mounted on it about the servo's own y axis: a sensor, a shape, another servo.
  * The pose of a mounted part on the robot is that with the servo at 0 degrees.
  */
-@Described("a servo motor, which turns what is mounted on it about the servo's own y axis; what is mounted is written where it is with the servo at"
-    + " 0 degrees")
+@Described("a servo motor, which turns the parts mounted on it about its own y axis; their poses are those with the servo at 0 degrees")
 public class Servo extends SearObject implements Wirable {
     /** Parts that a servo can turn, in words. */
-    public static final String TURNABLE = "a shape, a light, a distance sensor, a LIDAR, a compass or another servo";
+    public static final String TURNABLE = "a shape, a light, another servo, or a sensor except motion sensors and GPS";
     private static final int MAX_PARTS = 100;
     private static final double HALF_RANGE = 90;
     private static final double SPEED = 400;
@@ -27,11 +26,11 @@ public class Servo extends SearObject implements Wirable {
 
     @Param(doc = "smallest angle", unit = "deg", min = -360, max = 360)
     private double minAngle = -HALF_RANGE;
-    @Param(doc = "greatest angle, + counter-clockwise seen from above", unit = "deg", min = -360, max = 360)
+    @Param(doc = "greatest angle, + counter-clockwise from above", unit = "deg", min = -360, max = 360)
     private double maxAngle = HALF_RANGE;
-    @Param(doc = "how fast it turns without load", unit = "deg/s", min = 0.1, max = 36000)
+    @Param(doc = "speed without load", unit = "deg/s", min = 0.1, max = 36000)
     private double speed = SPEED;
-    @Param(doc = "torque with which it stalls; weights that it turns make it slower: torque = stallTorque (power - speed / no-load speed)",
+    @Param(doc = "stall torque; weight on the servo slows it: torque = stallTorque (power - speed / no-load speed)",
         unit = "N m", min = 1e-6, max = 1e6)
     private double stallTorque = STALL_TORQUE;
     @Param(doc = "name of a component of the same robot that it turns: " + TURNABLE,
@@ -84,7 +83,7 @@ public class Servo extends SearObject implements Wirable {
     /**
      * Mounts a component of the same robot.
      *
-     * @param part a shape, a light, a distance sensor, a LIDAR, a compass or another servo
+     * @param part a shape, a light, another servo, or a sensor except motion sensors and GPS
      * @throws IllegalArgumentException if the part can't be turned, another servo turns it, or it is on another robot
      */
     public void mount(SearObject part) {
@@ -95,11 +94,11 @@ public class Servo extends SearObject implements Wirable {
         }
         if (part.getMover() != null) {
             throw new IllegalArgumentException(label() + ": " + part.label() + " is mounted on " + part.getMover().label()
-                + ", legal: what no servo turns yet");
+                + ", legal: a part that no servo turns yet");
         }
         for (SearObject one = this; one != null; one = one.getMover()) {
             if (one == part) {
-                throw new IllegalArgumentException(label() + ": " + part.label() + " turns it, legal: what does not turn it");
+                throw new IllegalArgumentException(label() + ": " + part.label() + " turns it, legal: a part that does not turn it");
             }
         }
         if (robot() != null && part.robot() != null && robot() != part.robot()) {

@@ -32,43 +32,45 @@ public abstract class Shape extends PlacedObject {
 
     @Param(doc = "mass; 0 fixes the object in place", unit = "kg", min = LIGHT, orZero = true, max = HEAVY)
     private double mass;
-    @Param(doc = "picture wrapped around the surface: a file below assets; without it the default picture, or plain if it has a colour",
+    @Param(doc = "picture on the surface; otherwise the default picture, or plain if it has a colour",
         text = TextRule.ASSET)
     private String image;
-    @Param(doc = "colour of the surface where it has no picture, and in drawings", text = TextRule.COLOR)
+    @Param(doc = "colour of drawings, and of a surface without a picture", text = TextRule.COLOR)
     private String color;
-    @Param(doc = "factor on the size along x", min = 0.0001, max = 10000)
+    @Param(doc = "scale factor along x", min = 0.0001, max = 10000)
     private double scaleX = 1;
-    @Param(doc = "factor on the size along y", min = 0.0001, max = 10000)
+    @Param(doc = "scale factor along y", min = 0.0001, max = 10000)
     private double scaleY = 1;
-    @Param(doc = "factor on the size along z", min = 0.0001, max = 10000)
+    @Param(doc = "scale factor along z", min = 0.0001, max = 10000)
     private double scaleZ = 1;
-    @Param(doc = "whether beams of distance sensors and LIDARs see the object")
+    @Param(doc = "whether beams of distance sensors and LIDARs hit the object")
     private boolean visibleToSensors = true;
 
-    @Param(doc = "coefficient of friction; where two objects touch the product of both counts; without it 0.8, for parts of a robot 0.3, "
-        + "for its wheels 1.25", max = 10)
+    @Param(doc = "coefficient of friction; a contact uses the product of both; default 0.8 (robot parts 0.3, wheels "
+        + "1.25)", max = 10)
     private Double friction;
-    @Param(doc = "coefficient of restitution: 0 stays where it falls, 1 bounces back as high; where two objects touch the greater counts; "
-        + "without it 0", max = 1)
+    @Param(doc = "coefficient of restitution: 0 no bounce, 1 full bounce; a contact uses the greater; default 0",
+        max = 1)
     private Double restitution;
-    @Param(doc = "coefficient of rolling friction: the force that brakes what rolls, as a share of its weight; where two objects touch the sum "
-        + "of both counts; without it 0.001", max = 1)
+    @Param(doc = "coefficient of rolling friction: braking force divided by weight; a contact uses the sum of both; "
+        + "default 0.001", max = 1)
     private Double rollingFriction;
-    @Param(doc = "velocity of its centre of mass at the start, northwards; without it 0", unit = "m/s", min = -FAST, max = FAST)
+    @Param(doc = "initial velocity of its centre of mass, northwards; default 0", unit = "m/s", min = -FAST, max = FAST)
     private Double velocityX;
-    @Param(doc = "velocity of its centre of mass at the start, upwards; without it 0", unit = "m/s", min = -FAST, max = FAST)
+    @Param(doc = "initial velocity of its centre of mass, upwards; default 0", unit = "m/s", min = -FAST, max = FAST)
     private Double velocityY;
-    @Param(doc = "velocity of its centre of mass at the start, eastwards; without it 0", unit = "m/s", min = -FAST, max = FAST)
+    @Param(doc = "initial velocity of its centre of mass, eastwards; default 0", unit = "m/s", min = -FAST, max = FAST)
     private Double velocityZ;
-    @Param(doc = "speed of its turning at the start about the world's x; without it 0", unit = "deg/s", min = -TURNING, max = TURNING)
+    @Param(doc = "initial angular velocity about the world's x; default 0", unit = "deg/s", min = -TURNING,
+        max = TURNING)
     private Double spinX;
-    @Param(doc = "speed of its turning at the start about the world's y, counter-clockwise seen from above; without it 0",
+    @Param(doc = "initial angular velocity about the world's y, counter-clockwise from above; default 0",
         unit = "deg/s", min = -TURNING, max = TURNING)
     private Double spinY;
-    @Param(doc = "speed of its turning at the start about the world's z; without it 0", unit = "deg/s", min = -TURNING, max = TURNING)
+    @Param(doc = "initial angular velocity about the world's z; default 0", unit = "deg/s", min = -TURNING,
+        max = TURNING)
     private Double spinZ;
-    @Param(doc = "temperature of its surface, for infrared cameras; without it that of its surroundings, 20 degC", unit = "degC",
+    @Param(doc = "surface temperature for infrared cameras; default 20 degC, as its surroundings", unit = "degC",
         min = -273.15, max = 5000)
     private Double temperature;
     private final int madeAfter = ScriptSessions.ALL.starts();
@@ -162,7 +164,7 @@ public abstract class Shape extends PlacedObject {
     public void setMass(double kg) {
         double checkedMass = checked("mass", kg);
         if (checkedMass == 0 && isLaunched()) {
-            throw new IllegalArgumentException(label() + ": mass is 0, legal: more than 0 kg for a thing with a velocity or a spin");
+            throw new IllegalArgumentException(label() + ": mass is 0, legal: more than 0 kg for an object with a velocity or a spin");
         }
         mass = checkedMass;
         changed();
@@ -383,7 +385,7 @@ public abstract class Shape extends PlacedObject {
     protected void crossCheck(Faults faults) {
         super.crossCheck(faults);
         if (mass == 0) {
-            toFaultsOfLaunch(faults, "0 for what is fixed; with a mass above 0 kg it can have it");
+            toFaultsOfLaunch(faults, "0 for a fixed object; an object with a mass above 0 kg can move");
         }
     }
 }

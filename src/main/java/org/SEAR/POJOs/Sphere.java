@@ -4,7 +4,7 @@ import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Param;
 
 /** A sphere, centred on its origin; non-uniform scaling makes it an ellipsoid. Without a picture it is plain. */
-@Described("a sphere; scaled differently along its axes, an ellipsoid")
+@Described("a sphere; non-uniform scaling makes it an ellipsoid")
 public class Sphere extends Shape {
     @Param(doc = "radius", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.1")
     private double radius;

@@ -6,9 +6,9 @@ import org.SEAR.grammar.Param;
 public abstract class SurfaceSensor extends SensorObject {
     private static final double DOWN = 90;
 
-    @Param(doc = "diameter of the spot that it looks at", unit = "m", min = 0.0001, max = 1)
+    @Param(doc = "diameter of the measured spot", unit = "m", min = 0.0001, max = 1)
     private double spot = 0.006;
-    @Param(doc = "how far away a surface may be; farther ones are dark", unit = "m", min = 0.001, max = 10)
+    @Param(doc = "largest distance of a surface; beyond it is dark", unit = "m", min = 0.001, max = 10)
     private double range = 0.05;
 
     /** For reading from a file. */

@@ -17,8 +17,7 @@ import org.SEAR.grammar.TextRule;
  * middle of its area is the world's origin, at height 0, and the reference of GPS and compass. It is fixed in place; a
  * project has at most one.
  */
-@Described("the ground from an elevation map; the middle of its area is the world's origin, so it is neither moved, turned nor scaled, and has no"
-    + " mass")
+@Described("the ground from an elevation map; the middle of its area is the world's origin; it can't be moved, turned or scaled, and has no mass")
 public class Terrain extends Shape {
     /** Largest extent of an area, metres: a position is at most half of it from the origin. */
     static final double LARGEST = 2 * FAR;
@@ -28,23 +27,25 @@ public class Terrain extends Shape {
     static final double HIGHEST = 100000;
     private static final int MAX_TILES = 63;
 
-    @Param(doc = "the elevation map, below assets: .hgt, .hgt.zip, .tif, .tiff, .asc, or a grey picture .png, .jpg", text = TextRule.ASSET,
-        required = true)
+    @Param(doc = "elevation map below assets: .hgt, .hgt.zip, .tif, .tiff, .asc, or a grey picture .png, .jpg",
+        text = TextRule.ASSET, required = true)
     private String path;
-    @Param(doc = "another map beside or over the first, below assets", element = "tile", text = TextRule.ASSET, maxEntries = MAX_TILES)
+    @Param(doc = "another map beside or over the first", element = "tile", text = TextRule.ASSET,
+        maxEntries = MAX_TILES)
     private List<String> tiles = new ArrayList<>();
-    @Param(doc = "latitude of the middle of the area that is used, north positive; without it all of the map is", unit = "deg", min = -90, max = 90)
+    @Param(doc = "latitude of the middle of the used area, north positive; default the whole map", unit = "deg",
+        min = -90, max = 90)
     private Double latitude;
-    @Param(doc = "longitude of the middle of the area that is used, east positive", unit = "deg", min = -180, max = 180)
+    @Param(doc = "longitude of the middle of the used area, east positive", unit = "deg", min = -180, max = 180)
     private Double longitude;
-    @Param(doc = "extent from north to south: of the area, or of a map that doesn't say its own", unit = "m", min = 1, max = LARGEST)
+    @Param(doc = "extent from north to south of the area, or of a map without one", unit = "m", min = 1, max = LARGEST)
     private Double northSouth;
-    @Param(doc = "extent from east to west: of the area, or of a map that doesn't say its own", unit = "m", min = 1, max = LARGEST)
+    @Param(doc = "extent from east to west of the area, or of a map without one", unit = "m", min = 1, max = LARGEST)
     private Double eastWest;
-    @Param(doc = "height of the map's lowest value, black in a picture; for a map that doesn't say its heights", unit = "m", min = DEEPEST,
-        max = HIGHEST)
+    @Param(doc = "elevation of the map's lowest value, black in a picture; for a map without elevations", unit = "m",
+        min = DEEPEST, max = HIGHEST)
     private Double lowest;
-    @Param(doc = "height of the map's highest value, white in a picture", unit = "m", min = DEEPEST, max = HIGHEST)
+    @Param(doc = "elevation of the map's highest value, white in a picture", unit = "m", min = DEEPEST, max = HIGHEST)
     private Double highest;
 
     /** For reading from a file. */
@@ -69,7 +70,7 @@ public class Terrain extends Shape {
         boolean area = latitude != null || longitude != null;
         boolean size = lowest != null || highest != null;
         if (area && size) {
-            faults.add("lowest", lowest, "none with latitude and longitude: an area has heights of its own");
+            faults.add("lowest", lowest, "none with latitude and longitude: an area has its own elevations");
         }
         boolean extent = northSouth != null || eastWest != null;
         boolean whole = northSouth != null && eastWest != null;
@@ -113,7 +114,7 @@ public class Terrain extends Shape {
             case "scaleX":
             case "scaleY":
             case "scaleZ":
-                return "a terrain has its true size; setSize(northSouth, eastWest, lowest, highest) says that of a map that doesn't say its own";
+                return "a terrain has its true size; setSize(northSouth, eastWest, lowest, highest) sets it for a map without one";
             default:
                 if (Shape.isLaunching(parameter)) {
                     return "a terrain is fixed";
@@ -174,7 +175,7 @@ public class Terrain extends Shape {
         double checkedNorthSouth = checked("northSouth", newNorthSouth);
         double checkedEastWest = checked("eastWest", newEastWest);
         if (lowest != null) {
-            throw new IllegalArgumentException(label() + ": setSize has said that the map has no place on Earth, so it has no area by latitude and"
+            throw new IllegalArgumentException(label() + ": setSize was called for a map without georeference, which has no area by latitude and"
                 + " longitude, legal: setArea or setSize");
         }
         latitude = checkedLatitude;
@@ -202,7 +203,7 @@ public class Terrain extends Shape {
                 + Parameter.format(checkedHighest) + " m");
         }
         if (latitude != null) {
-            throw new IllegalArgumentException(label() + ": setArea has said where on Earth its area is, so the map has a size of its own, legal:"
+            throw new IllegalArgumentException(label() + ": setArea was called for a map with georeference, which has its own size, legal:"
                 + " setArea or setSize");
         }
         northSouth = checkedNorthSouth;

@@ -14,7 +14,7 @@ import org.SEAR.grammar.TextRule;
  * A wheel of a robot; its axle lies along x, its pose is in the body frame. A wheel that was added to a robot ({@link
  * SEARrobot#addWheel}) is stored in the robot's XML file. Reading the project reports a wheel that was never added.
  */
-@Described("a wheel of a robot, its axle along x; it stands in the robot's file")
+@Described("a wheel of a robot, its axle along x; the robot's file contains it")
 public class Wheel extends Shape {
     /** Type of a wheel that rolls freely in every direction. */
     public static final int IDLER = 0;
@@ -27,21 +27,22 @@ public class Wheel extends Shape {
 
     @Param(doc = "radius", unit = "m", min = SMALL, max = 100, required = true, initial = "0.05")
     private double radius;
-    @Param(doc = "size along its axle", unit = "m", min = SMALL, max = 100, required = true, initial = "0.03")
+    @Param(doc = "size along the axle", unit = "m", min = SMALL, max = 100, required = true, initial = "0.03")
     private double width;
-    @Param(doc = "1 for a driven wheel, 0 for an idler, which rolls freely in every direction, 2 for one that rolls freely the way it points",
+    @Param(doc = "0 idler, rolls freely in every direction; 1 driven; 2 rolls freely in its own plane",
         values = {"0", "1", "2"}, words = {"idler", "driven", "free"}, max = 2)
     private int type = DRIVEN;
-    @Param(doc = "greatest angle to which it is steered, of a wheel in the middle: the inner one of two turns farther, the outer one less; without it"
-        + " it isn't steered", unit = "deg", min = 0.1, max = 80)
+    @Param(doc = "greatest steering angle of a wheel in the middle; the inner one of a pair turns further, the outer "
+        + "one less; default not steered", unit = "deg", min = 0.1, max = 80)
     private Double steering;
-    @Param(doc = "name of the servo that steers it, instead of a greatest angle", text = TextRule.NAME, names = SearObject.class)
+    @Param(doc = "name of the servo that steers it, instead of a greatest angle", text = TextRule.NAME,
+        names = SearObject.class)
     private String steeringServo;
-    @Param(doc = "distance of a caster behind the upright axis about which it turns freely, which stands at its x and z; 0 for no caster", unit = "m",
+    @Param(doc = "distance of a caster behind its vertical axis, which is at its x and z; 0 for no caster", unit = "m",
         max = 10)
     private double trail;
-    @Param(doc = "angle of its rollers' axes where it touches the ground, seen from above, to the way in which it rolls, + to the left: 0 for an omni"
-        + " wheel, 45 or -45 for a mecanum wheel; without it it has no rollers", unit = "deg", min = -80, max = 80)
+    @Param(doc = "angle from its rolling direction to the axis of the roller on the ground, from above, + to the left: "
+        + "0 omni wheel, 45 or -45 mecanum wheel; default no rollers", unit = "deg", min = -80, max = 80)
     private Double rollers;
 
     /** For reading from a file. */
@@ -99,7 +100,7 @@ public class Wheel extends Shape {
     }
 
     private String whatSteers() {
-        return "none for an idler (type 0), which rolls in every direction; a wheel of type 1 or 2 can have it";
+        return "none for an idler (type 0), which rolls in every direction; use a wheel of type 1 or 2";
     }
 
     private String whatTrails() {

@@ -43,8 +43,8 @@ public final class ScriptText {
         try {
             return Paths.get(of(text));
         } catch (InvalidPathException e) {
-            throw new IllegalArgumentException("the path is \"" + of(text).replaceAll("\\p{Cntrl}", "?") + "\", legal: what a file can be called"
-                + " here (" + e.getReason() + ")", e);
+            throw new IllegalArgumentException("the path is \"" + of(text).replaceAll("\\p{Cntrl}", "?") + "\", legal: a valid file name"
+                + " on this system (" + e.getReason() + ")", e);
         }
     }
 }

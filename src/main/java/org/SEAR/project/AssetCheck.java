@@ -16,7 +16,7 @@ import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.terrain.AerialPicture;
 
-/** Checks that the pictures and models that objects name are there: a missing picture is a warning, a missing model a problem. */
+/** Checks that the pictures and models of objects exist: a missing picture is a warning, a missing model a problem. */
 final class AssetCheck {
     private final Assets assets;
     private final ProblemList problems;
@@ -56,7 +56,10 @@ final class AssetCheck {
         }
     }
 
-    /** A thing with a broken picture is shown plain, with a warning; an aerial picture is part of the ground, and a sensor may look at it. */
+    /**
+     * Reports an unreadable picture: a warning for an object, which is then shown plain; a problem for a terrain, since
+     * sensors may read its aerial picture.
+     */
     private void checkPicture(ParsedObject parsed, Shape shape) {
         try {
             assets.checkPicture(shape.getImage());
@@ -69,12 +72,14 @@ final class AssetCheck {
         }
     }
 
-    /** A GeoTIFF over the terrain is read as its maps are, and looked at as they are: when the world is made. */
+    /**
+     * Returns whether the picture is a GeoTIFF on the terrain, which is checked with the maps, when the world is built.
+     */
     private static boolean isAerial(Shape shape) {
         return shape instanceof Terrain && AerialPicture.canSayItsPlace(shape.getImage());
     }
 
-    /** What is in the maps is looked at when the world is made: they may be large. */
+    /** Checks that the maps exist. Their content, which may be large, is checked when the world is built. */
     private void checkMaps(ParsedObject parsed, Terrain terrain) {
         int index = 0;
         for (String path : terrain.getPaths()) {

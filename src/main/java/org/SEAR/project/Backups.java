@@ -20,19 +20,19 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The backups beside a project, {@code SEARproject.backup-N}, as they were when somebody looked; the highest number is the newest. One thread, which
- * holds the lock of {@link ProjectSwap}.
+ * The backups beside a project, {@code SEARproject.backup-N}, at the time of listing; the highest number is the newest.
+ * One thread, which holds the lock of {@link ProjectSwap}.
  */
 final class Backups {
     private static final String ENDING = ".backup-";
     private static final int MOST = 10;
-    /** Of all of them together. */
+    /** Largest size of all backups together. */
     private static final long MAX_BYTES = 1L << 30;
     private static final int PIECE = 65536;
-    /** In the place of a size: a folder, and whatever is no plain file, which is never the same. */
+    /** Replaces the size of a folder, and of an entry that is no plain file; the latter never equals another. */
     private static final long FOLDER = -1;
     private static final long OTHER = -2;
-    /** What is kept, for messages. */
+    /** Limits of the backups, for messages. */
     static final String LIMITS = "of a project the last " + MOST + " backups are kept, with " + (MAX_BYTES >> 20) + " MB all told at most";
 
     private final Path folder;
@@ -42,7 +42,7 @@ final class Backups {
         this.folder = folder;
     }
 
-    /** Looks at what there is. */
+    /** Lists the backups of a project. */
     static Backups of(Path folder) throws IOException {
         Backups backups = new Backups(folder);
         String start = folder.getFileName() + ENDING;
@@ -57,12 +57,12 @@ final class Backups {
         return backups;
     }
 
-    /** Where the next one goes. */
+    /** Returns the path of the next backup. */
     Path next() {
         return folder.resolveSibling(folder.getFileName() + ENDING + (byNumber.isEmpty() ? 1 : byNumber.lastKey() + 1));
     }
 
-    /** Those with the same files as a folder. */
+    /** Returns the backups with the same files as a folder. */
     List<Path> same(Path other) throws IOException {
         List<Path> same = new ArrayList<>();
         for (Path backup : byNumber.values()) {
@@ -73,7 +73,7 @@ final class Backups {
         return same;
     }
 
-    /** Those that are too many, or with which the newer ones are too large, the oldest first; never the newest. */
+    /** Returns the backups beyond the limits of number and size, the oldest first; never the newest. */
     List<Path> surplus() throws IOException {
         List<Path> surplus = new ArrayList<>();
         int kept = 0;
@@ -89,7 +89,7 @@ final class Backups {
         return surplus;
     }
 
-    /** Whether two folders hold the same files with the same bytes. Looks at sizes first. */
+    /** Returns whether two folders contain the same files with the same bytes. Compares the sizes first. */
     private static boolean areSame(Path one, Path other) throws IOException {
         Map<String, Long> sizes = sizes(one);
         if (sizes.containsValue(OTHER) || !sizes.equals(sizes(other))) {
@@ -103,12 +103,12 @@ final class Backups {
         return true;
     }
 
-    /** Of all files in a folder. */
+    /** Returns the total size of the files in a folder. */
     private static long bytes(Path folder) throws IOException {
         return sizes(folder).values().stream().mapToLong(size -> Math.max(0, size)).sum();
     }
 
-    /** By path below the folder. */
+    /** Returns the sizes by path below the folder. */
     private static Map<String, Long> sizes(Path folder) throws IOException {
         Map<String, Long> sizes = new TreeMap<>();
         Files.walkFileTree(folder, new SimpleFileVisitor<Path>() {
@@ -127,7 +127,9 @@ final class Backups {
         return sizes;
     }
 
-    /** A number in letters that is another one when any file of a folder is; empty for one with other things than plain files in it. */
+    /**
+     * Returns a digest of all files of a folder, as text; empty if the folder contains entries other than plain files.
+     */
     static String digest(Path folder) throws IOException {
         Map<String, Long> sizes = sizes(folder);
         if (sizes.containsValue(OTHER)) {

@@ -20,7 +20,10 @@ import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.project.xml.Xml;
 
-/** The named beams of a project: the files of its {@code beams/} folder, which go before those that come with SEAR. */
+/**
+ * The named beams of a project: the files of its {@code beams/} folder, which take precedence, and the beams that come
+ * with SEAR.
+ */
 public final class BeamLibrary {
     private static final String INDEX = "beams/index.txt";
     private static final Map<String, Beam> BUILT_IN = builtIn();
@@ -78,9 +81,10 @@ public final class BeamLibrary {
     }
 
     /**
-     * A beam by its name, or by another name of the same product, in capitals or not; exactly as written goes first.
+     * Returns a beam by its name, or by another name of the same product. An exact match takes precedence over a
+     * case-insensitive one.
      *
-     * @throws IllegalArgumentException that names the beams there are, or says what is wrong with the project's file
+     * @throws IllegalArgumentException with the names of the beams, or with the problem of the project's file
      */
     public Beam get(String name) {
         ProblemList problems = new ProblemList();
@@ -99,7 +103,7 @@ public final class BeamLibrary {
         return beams.stream().filter(beam -> isIt.test(beam.getName()) || beam.getAliases().stream().anyMatch(isIt)).findFirst().orElse(null);
     }
 
-    /** Names of all beams, in order, with the other names of the same products. */
+    /** Returns the names of all beams, in order, including the other names of the same products. */
     public List<String> names() {
         TreeSet<String> names = new TreeSet<>(own(new ProblemList()).keySet());
         for (Beam beam : BUILT_IN.values()) {
@@ -109,12 +113,12 @@ public final class BeamLibrary {
         return new ArrayList<>(names);
     }
 
-    /** The beams that come with SEAR, in the order of the documentation. */
+    /** Returns the beams that come with SEAR, in the order of the documentation. */
     public static List<Beam> comeWithSear() {
         return new ArrayList<>(BUILT_IN.values());
     }
 
-    /** The project's own beams by name; broken files are reported and left out. */
+    /** Returns the project's own beams by name; invalid files are reported and left out. */
     Map<String, Beam> own(ProblemList problems) {
         Map<String, Beam> beams = new TreeMap<>();
         for (Path file : files(problems)) {

@@ -19,15 +19,15 @@ import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.xml.Xml;
 
 /**
- * Keeps objects as XML files of the present SEARproject folder. Each file is written beside its place and then moved there: whole or not at all.
- * Any thread; waits while the project is replaced.
+ * Stores objects as XML files of the current SEARproject folder. A write is atomic: a temporary file beside the target
+ * is moved into place. Any thread; waits while the project is being replaced.
  */
 public final class FileStore implements ObjectStore {
-    /** Keeps the temporary files of two programs that work on one project apart. */
+    /** Makes temporary files of two programs in one project distinct. */
     private static final long PROCESS = ProcessHandle.current().pid();
 
     private final PartPlaces places = new PartPlaces();
-    /** Of {@link #whole}; nothing outside of it. */
+    /** Changes since the start of {@link #whole}; null outside of it. */
     private final ThreadLocal<Undo> undo = new ThreadLocal<>();
 
     @Override
@@ -43,7 +43,7 @@ public final class FileStore implements ObjectStore {
         });
     }
 
-    /** @param bytes null to remove it */
+    /** @param bytes null to remove the file */
     private void put(Path file, byte[] bytes) throws IOException {
         Undo log = undo.get();
         if (log != null) {
@@ -95,7 +95,7 @@ public final class FileStore implements ObjectStore {
         return taken || file != null && FiledRobots.read(file) != null ? robot + " " + part : part;
     }
 
-    /** The file of a name in whatever capitals; null if there is none. */
+    /** Returns the file of a name, case-insensitive; null if there is none. */
     private static Path isThere(Path folder, String name) throws IOException {
         if (!Files.isDirectory(folder)) {
             return null;
@@ -122,9 +122,9 @@ public final class FileStore implements ObjectStore {
     }
 
     /**
-     * Writes a file beside its place and moves it there: whole or not at all.
+     * Writes a file atomically, by a temporary file beside it.
      *
-     * @throws IOException if it can't be written; the old one is whole then
+     * @throws IOException if the file can't be written; the old file stays complete
      */
     public static void writeAtomically(Path file, byte[] bytes) throws IOException {
         Path temporary = file.resolveSibling("." + file.getFileName() + "." + PROCESS + ProjectFolder.TEMPORARY);

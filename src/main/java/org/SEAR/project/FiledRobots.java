@@ -18,27 +18,27 @@ import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.project.xml.Xml;
 
 /**
- * The robots of a project as their files have them: of a project that was opened, or of an earlier run. Gives robots their place in the order in
- * which they are made. Any thread.
+ * Robots of a project as read from their files, which may come from an opened project or an earlier run. Assigns new
+ * robots their position in the order of creation. Any thread.
  */
 final class FiledRobots {
     private static final byte[] ROOT = ("<" + SEARrobot.class.getSimpleName()).getBytes(StandardCharsets.UTF_8);
-    /** The root element is within so many bytes: behind the header and, at most, a comment. */
+    /** The root element starts within this number of bytes, after the header and at most a comment. */
     private static final int HEAD = 1000;
 
-    /** The place of a robot that has no number. */
+    /** Position of a robot without a number. */
     private static final int FIRST = 1;
 
     private FiledRobots() {
     }
 
-    /** Takes a change of a file. */
+    /** A change of a file. */
     interface Writer {
-        /** @param bytes null to remove it */
+        /** @param bytes null to remove the file */
         void write(Path file, byte[] bytes) throws IOException;
     }
 
-    /** The files in {@code robot/} of a project, in no order. */
+    /** Returns the files in {@code robot/} of a project, unordered. */
     static List<Path> files(Path project) throws IOException {
         List<Path> all = new ArrayList<>();
         Path folder = project.resolve(ProjectFolder.ROBOT);
@@ -52,7 +52,7 @@ final class FiledRobots {
         return all;
     }
 
-    /** The robot in a file; null if none can be read from it. */
+    /** Reads the robot of a file; null if the file contains no valid robot. */
     static SEARrobot read(Path file) throws IOException {
         if (!Files.isRegularFile(file) || Files.size(file) > Xml.MAX_BYTES) {
             return null;
@@ -75,9 +75,9 @@ final class FiledRobots {
     }
 
     /**
-     * The place of a robot that is made now: that of the robot whose file it replaces, else behind all others.
+     * Returns the position of a new robot: that of the robot whose file it replaces, otherwise behind all others.
      *
-     * @return null for the first one of the folder
+     * @return null for the first robot of the folder
      */
     static Integer nextPlace(Path project, String name) {
         int others = 0;
@@ -95,7 +95,7 @@ final class FiledRobots {
         return others == 0 ? null : Integer.valueOf(others + 1);
     }
 
-    /** The place of the robot in a file; 0 if none can be read from it. */
+    /** Returns the position of the robot in a file; 0 if the file contains no valid robot. */
     private static int place(Path file) throws IOException {
         SEARrobot robot = read(file);
         Integer order = robot == null ? Integer.valueOf(0) : robot.getOrder();
@@ -103,8 +103,8 @@ final class FiledRobots {
     }
 
     /**
-     * Makes the plain place of a name free: the part that has it moves into the folder of the robot whose file names it. The project is whole after
-     * each step.
+     * Frees the plain file of a name: the part that has it moves into the folder of the robot whose file names it. The
+     * project is consistent after each step.
      *
      * @throws IllegalArgumentException if the names are too long for that
      */

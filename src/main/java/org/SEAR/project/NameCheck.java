@@ -14,9 +14,9 @@ import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 
 /**
- * Scripts ask by name, so environment objects and robots have names that nothing else of the project has, and each robot's parts have names that no
- * other part of it has; some systems take capitals for small letters. A part may have the name of another robot's: then both are asked for with their
- * robots, which this tells them. One use.
+ * Checks that names are unique, since scripts address objects by name. Names of environment objects and robots are
+ * unique in the project, and names of parts in their robot, case-insensitively, because some file systems ignore case.
+ * Parts of two robots with the same name get a full name with their robot's. One use.
  */
 final class NameCheck {
     private final Map<String, ParsedObject> environment;
@@ -72,7 +72,7 @@ final class NameCheck {
         }
     }
 
-    /** What two robots may have they may not have in one folder. */
+    /** Checks that parts of two robots with the same name do not share a file. */
     private void checkFiles() {
         Map<String, ParsedObject> seen = new LinkedHashMap<>();
         for (ParsedObject parsed : parts.values()) {

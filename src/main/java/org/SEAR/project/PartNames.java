@@ -7,16 +7,15 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
- * Parts of robots by what users call them: {@code robot/part} is always legal, the part's name alone where only one of these robots has it. Any
- * thread once it is filled.
+ * Lookup of parts of robots by name: {@code robot/part} is always legal, the part's name alone if only one robot has
+ * such a part. Any thread after it is filled.
  *
- * @param <T> what the names stand for
+ * @param <T> value of a name
  */
 public final class PartNames<T> {
     private final Map<String, T> things = new HashMap<>();
     private final Map<String, List<String>> robots = new HashMap<>();
 
-    /** Adds a part. */
     public void add(String robot, String part, T thing) {
         things.putIfAbsent(part, thing);
         things.putIfAbsent(robot + "/" + part, thing);
@@ -24,10 +23,10 @@ public final class PartNames<T> {
     }
 
     /**
-     * A part.
+     * Returns a part.
      *
      * @return null if there is none of that name
-     * @throws IllegalArgumentException that names the choices if several robots have one of that name
+     * @throws IllegalArgumentException with the choices if several robots have a part of that name
      */
     public T find(String name) {
         List<String> owners = robots.get(name);

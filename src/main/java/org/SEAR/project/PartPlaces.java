@@ -17,25 +17,25 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.xml.Xml;
 
 /**
- * Which of the parts and robots that this program made has the file {@code robot/NAME.xml} of its name. What comes after a robot's part has the
- * place, and that part moves into the folder of its robot, {@code robot/ROBOT/NAME.xml}: so the last robot's part is where a part of a name of its
- * own is, however often a script runs. Remembers the last {@value #MOST} names. Any thread.
+ * Tracks which part or robot of this program owns the file {@code robot/NAME.xml}. A new part or robot takes the file
+ * over, and the former robot's part moves to {@code robot/ROBOT/NAME.xml}. The result is the same however often a
+ * script runs. Remembers the last {@value #MOST} names. Any thread.
  */
 final class PartPlaces {
     private static final int MOST = 10000;
 
     private final Map<String, SearObject> holders = new LinkedHashMap<>();
-    /** Those that moved since {@link #begin}, and who had which place then. */
+    /** Parts moved since {@link #begin}, and the owners at that time. */
     private final List<SearObject> moved = new ArrayList<>();
     private Map<String, SearObject> before = Map.of();
 
-    /** Something that may fail halfway begins. */
+    /** Starts a unit of changes that {@link #putBack} can undo. */
     synchronized void begin() {
         moved.clear();
         before = new LinkedHashMap<>(holders);
     }
 
-    /** It has failed: their files are where they were. */
+    /** Undoes the changes since {@link #begin}, except for the files. */
     synchronized void putBack() {
         moved.forEach(Assembly::forgetAside);
         holders.clear();
@@ -43,9 +43,9 @@ final class PartPlaces {
     }
 
     /**
-     * Makes the plain place free for a part or robot that is about to be written there.
+     * Frees the plain file for a part or robot that is about to be written there.
      *
-     * @param writer changes the files of robots that this program did not make
+     * @param writer changes the files of robots that this program did not create
      */
     synchronized void take(SearObject part, FiledRobots.Writer writer) throws IOException {
         SearObject holder = holders.get(key(part));
@@ -65,12 +65,12 @@ final class PartPlaces {
         }
     }
 
-    /** Whether this was the last to be written to the plain place of its name. */
+    /** Returns whether this part was the last one written to the plain file of its name. */
     synchronized boolean has(SearObject part) {
         return holders.get(key(part)) == part;
     }
 
-    /** Whether the part in the plain place of a name moves aside for another. */
+    /** Returns whether the part in the plain file of a name moves aside for another. */
     synchronized boolean givesWay(String name) throws IOException {
         return isOnRobot(holders.get(key(name)));
     }
@@ -80,7 +80,10 @@ final class PartPlaces {
         return robot != null && holder.getFileName().equals(holder.getName()) && isInProject(robot);
     }
 
-    /** Whether the present project has the robot as it is: it was not made again, and no other project has come. */
+    /**
+     * Returns whether the current project contains the robot unchanged: it was neither created again nor has another
+     * project been opened.
+     */
     private static boolean isInProject(SEARrobot robot) throws IOException {
         Path file = ProjectFolder.file(ProjectFolder.present(), true, robot.getName());
         return Files.isRegularFile(file) && Arrays.equals(Files.readAllBytes(file), Xml.write(robot).getBytes(StandardCharsets.UTF_8));

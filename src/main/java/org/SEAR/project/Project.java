@@ -18,7 +18,7 @@ import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.terrain.Ground;
 
-/** A SEARproject folder that was read whole and found valid. Immutable: nobody changes its objects afterwards. */
+/** A SEARproject folder that was read completely and found valid. Immutable, and so are its objects. */
 public final class Project {
     private final Path folder;
     private final List<SearObject> environment;
@@ -28,7 +28,7 @@ public final class Project {
 
     private final TerrainGround terrain;
 
-    /** @param terrain null if it has none */
+    /** @param terrain null if there is none */
     Project(Path folder, List<SearObject> environment, List<SEARrobot> robots, List<String> warnings, ParsedObject terrain) {
         this.folder = folder;
         this.environment = List.copyOf(environment);
@@ -48,44 +48,52 @@ public final class Project {
     }
 
     /**
-     * Reads and validates a folder as it would be with some of its files changed.
+     * Reads and validates a folder as if some of its files were changed.
      *
-     * @param changes bytes by absolute path; null for a file that is to be deleted
+     * @param changes bytes by absolute path; null for a deleted file
      * @throws ProjectException with every problem found
      */
     public static Project read(Path folder, Map<Path, byte[]> changes) throws ProjectException {
         return ProjectSwap.undisturbed(() -> new ProjectReader(folder, changes).read());
     }
 
-    /** The folder of this program: {@code SEARproject} in the working folder, or what the system property {@code sear.project} says. */
+    /**
+     * Returns the program's folder: {@code SEARproject} in the working folder, or the system property
+     * {@code sear.project}.
+     */
     public static Path presentFolder() {
         return ProjectFolder.present();
     }
 
-    /** The SEARproject folder. */
     public Path getFolder() {
         return folder;
     }
 
-    /** All environment objects, ordered by name. */
+    /** Returns all environment objects, ordered by name. */
     public List<SearObject> getEnvironment() {
         return environment;
     }
 
-    /** All robots with their components in place, in the order in which they were made; those that don't know it come first, by name. */
+    /**
+     * Returns all robots with their components, in the order of creation; robots without an order come first, by name.
+     */
     public List<SEARrobot> getRobots() {
         return robots;
     }
 
-    /** What is legal but probably not meant: a file in {@code robot/} that is no robot's part, a picture that isn't there. */
+    /**
+     * Returns warnings about legal but probably unintended data: a file in {@code robot/} that is no robot's part, a
+     * missing picture.
+     */
     public List<String> getWarnings() {
         return warnings;
     }
 
     /**
-     * Loads each model once, and looks at the heads of the elevation maps: {@link #read} only looks whether their files are there.
+     * Loads each model once and checks the headers of the elevation maps; {@link #read} only checks that these files
+     * exist.
      *
-     * @throws ProjectException with every model that can't be loaded and every map that can't be used
+     * @throws ProjectException with every unreadable model and every unusable map
      */
     public void checkFiles() throws ProjectException {
         List<Problem> problems = new ArrayList<>(terrain == null ? List.of() : terrain.brokenMaps());
@@ -111,14 +119,14 @@ public final class Project {
         return all;
     }
 
-    /** A model of the project that can't be loaded. */
+    /** Returns the problem of a model that can't be loaded. */
     public Problem problem(Model model, IOException why) {
         String file = (environment.contains(model) ? "environment/" : "robot/") + model.getFileName() + ".xml";
         return new Problem(file, 0, "path", model.getPath(), "a model that can be loaded (" + why.getMessage() + ")");
     }
 
     /**
-     * The ground that the terrain's elevation maps make; loaded when it is asked for first.
+     * Returns the ground of the terrain's elevation maps, loaded on first use.
      *
      * @return null without a Terrain
      * @throws ProjectException if a map can't be read
@@ -128,9 +136,9 @@ public final class Project {
     }
 
     /**
-     * Reads the picture that lies over the terrain, as far as {@link #read} has not: a GeoTIFF.
+     * Reads the terrain's picture if it is a GeoTIFF, which {@link #read} does not read.
      *
-     * @throws ProjectException if it, or a map, can't be read
+     * @throws ProjectException if the picture or a map can't be read
      */
     public void checkGroundPicture() throws ProjectException {
         if (terrain != null) {
@@ -139,9 +147,9 @@ public final class Project {
     }
 
     /**
-     * Where on Earth the world's origin lies, as the terrain's map has it.
+     * Returns the geographic position of the world's origin according to the terrain's map.
      *
-     * @return null without a Terrain, and for a map without a place on Earth
+     * @return null without a Terrain, and for a map without georeference
      * @throws ProjectException if a map can't be read
      */
     public GeoOrigin getOrigin() throws ProjectException {
@@ -149,21 +157,22 @@ public final class Project {
     }
 
     /**
-     * The part of the terrain's maps that is used, as one GeoTIFF that gives the same ground.
+     * Returns the used part of the terrain's maps as one GeoTIFF with the same ground.
      *
-     * @return null without a Terrain, if all of its maps is used, or if their coordinate system has no number by which a file could name it
+     * @return null without a Terrain, if its maps are used completely, or if their coordinate system has no code for a
+     *     GeoTIFF
      * @throws ProjectException if a map can't be read
      */
     public byte[] cutMap() throws ProjectException {
         return terrain == null ? null : terrain.cut();
     }
 
-    /** Pictures and models: the project's own, else those that come with SEAR. */
+    /** Returns the pictures and models: the project's own, and those that come with SEAR. */
     public Assets getAssets() {
         return assets;
     }
 
-    /** The triangles of a model or the bytes of a picture live below {@code assets}: the file for a path as written in an object. */
+    /** Returns the file of an asset path as written in an object. */
     public Path asset(String path) {
         return folder.resolve("assets").resolve(path).normalize();
     }

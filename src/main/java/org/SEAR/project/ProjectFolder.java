@@ -4,25 +4,25 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 
-/** The layout of a SEARproject folder. */
+/** Layout of a SEARproject folder. */
 public final class ProjectFolder {
     public static final String ENVIRONMENT = "environment";
     public static final String ROBOT = "robot";
     public static final String ASSETS = "assets";
     public static final String BEAMS = "beams";
     public static final String XML = ".xml";
-    /** Names of files that are being written: {@code .NAME.xml.PROCESS.tmp}. */
+    /** Ending of temporary files: {@code .NAME.xml.PROCESS.tmp}. */
     public static final String TEMPORARY = ".tmp";
 
     private ProjectFolder() {
     }
 
-    /** The folder of this program: SEARproject in the working folder, or what the system property {@code sear.project} says. */
+    /** Returns the program's folder: SEARproject in the working folder, or the system property {@code sear.project}. */
     public static Path present() {
         return Paths.get(System.getProperty("sear.project", "SEARproject")).toAbsolutePath().normalize();
     }
 
-    /** The file of an object. */
+    /** Returns the file of an object. */
     public static Path file(Path folder, boolean part, String name) {
         try {
             return folder.resolve(part ? ROBOT : ENVIRONMENT).resolve(name + XML);

@@ -22,7 +22,7 @@ import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.wiring.WiringCheck;
 import org.SEAR.project.xml.ParsedObject;
 
-/** Puts components to their robots and checks what the objects of a project are to each other. One use. */
+/** Links components to their robots and checks the relations between the objects of a project. One use. */
 final class ProjectLinker {
     private final Map<String, ParsedObject> environment;
     private final Map<String, ParsedObject> parts;
@@ -140,12 +140,12 @@ final class ProjectLinker {
         }
     }
 
-    /** The element that makes an object the terrain; null for any other object. */
+    /** Returns the element that makes an object the terrain; null for any other object. */
     private static String terrainElement(Object object) {
         return object instanceof Terrain ? "path" : object instanceof Model && ((Model) object).isTerrain() ? "terrain" : null;
     }
 
-    /** A GPS that doesn't say where the world lies needs a terrain that does. */
+    /** Checks that a GPS has a geographic reference of its own or from the terrain. */
     private void checkReferences() {
         boolean terrain = environment.values().stream().anyMatch(parsed -> parsed.isBroken() || parsed.object instanceof Terrain
             && !((Terrain) parsed.object).hasSize());
@@ -157,7 +157,7 @@ final class ProjectLinker {
         }
     }
 
-    /** What is fixed to a robot stands where the robot does. */
+    /** Checks that parts of a robot have neither a place on the ground nor a velocity of their own. */
     private void checkPlaced() {
         for (ParsedObject parsed : owners.keySet()) {
             checkPlaced(parsed, parsed.object);
@@ -189,12 +189,12 @@ final class ProjectLinker {
         return objects;
     }
 
-    /** The Terrain; null if there is none. */
+    /** Returns the Terrain; null if there is none. */
     ParsedObject terrain() {
         return environment.values().stream().filter(parsed -> parsed.object instanceof Terrain).findFirst().orElse(null);
     }
 
-    /** In the order in which they were made; parts come by the names of their files. */
+    /** Returns the robots in the order of their creation; the parts are ordered by file name. */
     List<SEARrobot> robots() {
         List<SEARrobot> robots = new ArrayList<>();
         parts.values().stream().filter(p -> p.object instanceof SEARrobot).forEach(p -> robots.add((SEARrobot) p.object));
@@ -202,7 +202,7 @@ final class ProjectLinker {
         return robots;
     }
 
-    /** Everything that will be part of the project. */
+    /** Returns all valid objects of the project. */
     List<ParsedObject> all() {
         List<ParsedObject> all = new ArrayList<>(environment.values());
         parts.values().stream().filter(p -> p.object instanceof SEARrobot).forEach(all::add);

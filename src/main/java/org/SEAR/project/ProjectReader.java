@@ -31,20 +31,20 @@ import org.SEAR.project.xml.ObjectClasses;
 import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.project.xml.Xml;
 
-/** Reads a SEARproject folder: first each file for itself, then what the objects are to each other. One use. */
+/** Reads a SEARproject folder: first each file by itself, then the relations between the objects. One use. */
 final class ProjectReader {
     private static final int MAX_FILES = 10000;
-    /** So many files are read at the same time, and their problems kept, before the next ones are. */
+    /** Number of files that are read in parallel before their problems are collected. */
     private static final int BATCH = 256;
 
     private final Path folder;
-    /** What is read in the place of the files on the disk: their bytes, null for a file that counts as missing. */
+    /** Replacements of files on disk: their bytes, or null for a deleted file. */
     private final Map<Path, byte[]> changes;
     private final ProblemList problems = new ProblemList();
     private final List<String> warnings = new ArrayList<>();
     private final ObjectClasses classes = ObjectClasses.find();
 
-    /** @param changes bytes by absolute path of files that are read in the place of those on the disk; null for one that counts as missing */
+    /** @param changes bytes by absolute path that replace files on disk; null for a deleted file */
     ProjectReader(Path folder, Map<Path, byte[]> changes) {
         this.folder = folder.toAbsolutePath().normalize();
         this.changes = changes;
@@ -78,7 +78,7 @@ final class ProjectReader {
         return new Project(folder, linker.environment(), linker.robots(), warnings, linker.terrain());
     }
 
-    /** The dissertation has both spellings. */
+    /** Warns about a folder with the alternative spelling; the dissertation has both. */
     private void warnOfOtherSpelling(String other, String right) {
         if (Files.isDirectory(folder.resolve(other))) {
             warnings.add("the folder " + other + "/ of the project is not read: its objects belong into " + right + "/");
@@ -91,7 +91,7 @@ final class ProjectReader {
         return objects;
     }
 
-    /** The parts of a robot that lie in a folder of its own. Only those that the robot names: what else is there is kept as it is. */
+    /** Reads the parts in a robot's own folder that the robot names; other files there are ignored. */
     private void readOwnFolder(SEARrobot robot, Map<String, ParsedObject> parts) {
         String name = ProjectFolder.ROBOT + "/" + robot.getName();
         Set<String> named = new HashSet<>(robot.getComponentNames());
@@ -127,14 +127,14 @@ final class ProjectReader {
         return fileName.substring(0, fileName.length() - ProjectFolder.XML.length());
     }
 
-    /** One file and what is wrong with it. Made on any thread, because a project may have thousands. */
+    /** One file and its problems. Created on any thread, because a project may have thousands of files. */
     private static final class ReadFile {
         final String name;
         final String stem;
         final ProblemList problems = new ProblemList();
         final ParsedObject parsed;
 
-        /** @param bytes what counts in the place of the file; null for the file itself */
+        /** @param bytes replacement of the file's content; null to read the file */
         ReadFile(Path file, byte[] bytes, String folder, Map<String, Class<? extends SearObject>> roots) {
             name = folder + "/" + file.getFileName();
             stem = stem(file);
@@ -151,7 +151,10 @@ final class ProjectReader {
             problems.add(parsed.file, parsed.line(element), element.replaceAll("#.*", ""), Parameter.format(value), legal));
     }
 
-    /** What may stand in a folder: in environment what has a place of its own, in robot all but floors and terrains, in a robot's own no robots. */
+    /**
+     * Returns the classes that a folder may contain: environment has shapes but wheels, robot all but floors and
+     * terrains, a robot's own folder no robots either.
+     */
     private Map<String, Class<? extends SearObject>> roots(String name) {
         Map<String, Class<? extends SearObject>> roots = new TreeMap<>();
         for (Class<? extends SearObject> type : classes.all()) {
@@ -205,7 +208,7 @@ final class ProjectReader {
         return xml && !name.startsWith(".") && !isOwnFolder(file, folderName);
     }
 
-    /** The folder of a robot whose name ends like a file's. */
+    /** Returns whether the path is the folder of a robot whose name ends like a file's. */
     private static boolean isOwnFolder(Path file, String folderName) {
         return folderName.equals(ProjectFolder.ROBOT) && Files.isDirectory(file)
             && Files.isRegularFile(file.resolveSibling(file.getFileName() + ProjectFolder.XML));

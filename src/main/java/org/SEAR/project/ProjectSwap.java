@@ -16,21 +16,24 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 
 /**
- * Puts a whole new project in the place of the present one, so that after a crash at any moment either the old or the new one is there.
+ * Replaces a project so that a crash at any moment leaves either the old or the new one.
  *
- * <p>The new project is made ready beside the old one as {@code SEARproject.loading}, then renamed to {@code SEARproject.next}: from then on it
- * counts as soon as {@code SEARproject} is missing. The old one is renamed to {@code SEARproject.backup-N}, then the new one to {@code SEARproject}.
- * An old backup is renamed before it is deleted, so that
- * none is ever half there. A crash between these two is mended by {@link #recover}, which everything that opens a project calls
- * first. The lock keeps two programs apart.
+ * <p>The new project is prepared beside the old one as {@code SEARproject.loading}, then renamed to
+ * {@code SEARproject.next}: from then on it is valid if {@code SEARproject} is missing. The old project is renamed to
+ * {@code SEARproject.backup-N}, then the new one to {@code SEARproject}. An old backup is renamed before it is deleted,
+ * so no backup is ever incomplete. After a crash between the two renames, {@link #recover} finishes the swap;
+ * everything that opens a project calls it first. The lock excludes other programs.
  */
 public final class ProjectSwap implements AutoCloseable {
     private static final String LOADING = ".loading";
     private static final String NEXT = ".next";
     private static final String DELETING = ".deleting";
-    /** A file with the digest of the example that was loaded last. */
+    /** File with the digest of the example that was loaded last. */
     private static final String EXAMPLE = ".example";
-    /** Whoever replaces a project in this program, writes to it or reads it. Files' locks keep other programs out, not threads. */
+    /**
+     * Excludes other threads of this program while one replaces, writes or reads a project; file locks only exclude
+     * other programs.
+     */
     private static final ReentrantLock CHANGING = new ReentrantLock();
 
     private final Path folder;
@@ -43,12 +46,15 @@ public final class ProjectSwap implements AutoCloseable {
         this.lock = lock;
     }
 
-    /** Something that changes files of the present project. */
+    /** A change of files of the current project. */
     public interface Change {
         void make() throws IOException;
     }
 
-    /** Changes files of a project: waits while this program replaces it, and finishes what a crash left halfway. */
+    /**
+     * Changes files of a project. Waits while this program replaces it, and first finishes a swap that a crash
+     * interrupted.
+     */
     public static void change(Path folder, Change change) throws IOException {
         CHANGING.lock();
         try {
@@ -60,24 +66,24 @@ public final class ProjectSwap implements AutoCloseable {
     }
 
     /**
-     * Until the same thread calls {@link #letGo}, other threads of this program that replace a project or write to it wait: what is read of it
-     * meanwhile belongs together. May be nested.
+     * Blocks other threads of this program that replace a project or write to it, until the same thread calls
+     * {@link #letGo}: data read meanwhile is consistent. May be nested.
      */
     public static void hold() {
         CHANGING.lock();
     }
 
-    /** The end of {@link #hold}. */
+    /** Ends {@link #hold}. */
     public static void letGo() {
         CHANGING.unlock();
     }
 
-    /** A look at a project. */
+    /** A read access to a project. */
     public interface Look<T, E extends Exception> {
         T look() throws E;
     }
 
-    /** Looks at a project while it is {@link #hold held}. */
+    /** Reads a project while it is {@link #hold held}. */
     public static <T, E extends Exception> T undisturbed(Look<T, E> look) throws E {
         hold();
         try {
@@ -88,8 +94,8 @@ public final class ProjectSwap implements AutoCloseable {
     }
 
     /**
-     * Locks a project folder against other loads and cleans up after a crash. Waits for other threads of this program that replace a project or
-     * write to it. The same thread closes it.
+     * Locks a project folder against other loads and cleans up after a crash. Waits for other threads of this program
+     * that replace a project or write to it. The same thread has to close the lock.
      *
      * @throws IOException if another program has the lock
      */
@@ -138,7 +144,10 @@ public final class ProjectSwap implements AutoCloseable {
         }
     }
 
-    /** Finishes what a crash left halfway, or waits for who is just doing it. Cheap when there is nothing to do. */
+    /**
+     * Finishes a swap that a crash interrupted, or waits for another program that is swapping. Cheap if there is
+     * nothing to do.
+     */
     static void recover(Path folder) throws IOException {
         if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS) && Files.exists(beside(folder, NEXT), LinkOption.NOFOLLOW_LINKS)) {
             lock(folder, true).close();
@@ -162,13 +171,13 @@ public final class ProjectSwap implements AutoCloseable {
         delete(beside(folder, DELETING));
     }
 
-    /** An empty folder to make the new project ready in. */
+    /** Creates an empty folder for the new project. */
     public Path staging() throws IOException {
         return Files.createDirectory(beside(folder, LOADING));
     }
 
     /**
-     * Puts the staged project in the place of the present one.
+     * Replaces the current project by the staged one.
      *
      * @param reported as for {@link #retire}
      */
@@ -180,11 +189,12 @@ public final class ProjectSwap implements AutoCloseable {
     }
 
     /**
-     * Renames the present project to a backup, unless it is an example as it came. A backup of the same files goes, so that ten runs of one script
-     * leave the others alone; others go, the oldest first, where they are too many or too large.
+     * Renames the current project to a backup, unless it is an unchanged example. An older backup with the same files
+     * is removed, so repeated runs of a script do not push out other backups. Backups beyond the limits are removed,
+     * the oldest first.
      *
-     * @param reported hears which others have gone
-     * @return the backup; null if there was no project, or only an example that can be had again
+     * @param reported receives messages about removed backups
+     * @return the backup; null if there was no project, or only an unchanged example
      */
     public Path retire(Consumer<String> reported) throws IOException {
         if (!Files.isDirectory(folder)) {
@@ -209,7 +219,7 @@ public final class ProjectSwap implements AutoCloseable {
         return backup;
     }
 
-    /** The project that is in its place is an example, which can be had again: it needs no backup, unless somebody changes it. */
+    /** Marks the current project as an example, which needs no backup unless the user changes it. */
     public void keepAsExample() throws IOException {
         Files.writeString(beside(folder, EXAMPLE), Backups.digest(folder));
     }
@@ -227,7 +237,7 @@ public final class ProjectSwap implements AutoCloseable {
         delete(doomed);
     }
 
-    /** Removes a folder with everything in it; what links point to stays. */
+    /** Removes a folder with its content; targets of links stay. */
     public static void delete(Path root) throws IOException {
         if (!Files.exists(root, LinkOption.NOFOLLOW_LINKS)) {
             return;
@@ -250,7 +260,7 @@ public final class ProjectSwap implements AutoCloseable {
         });
     }
 
-    /** Removes what is left of a load that failed, and lets go of the lock. */
+    /** Removes the remains of a failed load, and releases the lock. */
     @Override
     public void close() throws IOException {
         try {

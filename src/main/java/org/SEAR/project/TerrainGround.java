@@ -16,7 +16,7 @@ import org.SEAR.terrain.TerrainColors;
 import org.SEAR.terrain.TerrainLoader;
 import org.SEAR.terrain.format.ElevationMaps;
 
-/** The ground that a project's terrain makes: loaded when somebody asks, and kept as long as the project is. Any thread. */
+/** The ground of a project's terrain, loaded on first use and kept with the project. Any thread. */
 final class TerrainGround {
     private static final String USABLE = "an elevation map that can be used (";
 
@@ -31,9 +31,9 @@ final class TerrainGround {
     }
 
     /**
-     * The ground of a terrain.
+     * Loads the ground of a terrain.
      *
-     * @throws IOException that names the map, what is wrong in it and what is legal
+     * @throws IOException that names the map, its problem and what is legal
      */
     static Ground load(Terrain terrain, Assets assets) throws IOException {
         return TerrainLoader.load(area(terrain), assets);
@@ -50,7 +50,7 @@ final class TerrainGround {
         return area;
     }
 
-    /** @throws ProjectException if the map can't be read */
+    /** @throws ProjectException if a map can't be read */
     synchronized Ground get() throws ProjectException {
         if (ground == null) {
             Terrain terrain = (Terrain) parsed.object;
@@ -63,7 +63,7 @@ final class TerrainGround {
         return ground;
     }
 
-    /** Each map whose head says that it can't be used; what lies behind the heads is not read. */
+    /** Returns the problems of maps with an unusable header; the data behind the headers is not read. */
     List<Problem> brokenMaps() {
         List<Problem> broken = new ArrayList<>();
         List<String> paths = ((Terrain) parsed.object).getPaths();
@@ -78,7 +78,7 @@ final class TerrainGround {
         return broken;
     }
 
-    /** @throws ProjectException if a GeoTIFF that lies over the ground can't be shown */
+    /** @throws ProjectException if a GeoTIFF on the ground can't be shown */
     void checkPicture() throws ProjectException {
         Terrain terrain = (Terrain) parsed.object;
         try {
@@ -90,9 +90,9 @@ final class TerrainGround {
     }
 
     /**
-     * The part of the maps that is used, as one file.
+     * Returns the used part of the maps as one file.
      *
-     * @return null if all of them is, or it can't be written
+     * @return null if the maps are used completely, or if the file can't be written
      * @throws ProjectException if a map can't be read
      */
     byte[] cut() throws ProjectException {

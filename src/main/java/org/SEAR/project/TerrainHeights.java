@@ -10,7 +10,10 @@ import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.terrain.Ground;
 
-/** Heights of the present project's terrain. What was loaded last is kept while memory lasts, because scripts ask again and again. Any thread. */
+/**
+ * Elevations of the current project's terrain. The last ground is soft-referenced, because scripts query it repeatedly.
+ * Any thread.
+ */
 public final class TerrainHeights implements GroundHeights {
     private SoftReference<Ground> last = new SoftReference<>(null);
 
@@ -36,7 +39,7 @@ public final class TerrainHeights implements GroundHeights {
         }
     }
 
-    /** {@code latitude 36.476 to 36.494, longitude -84.242 to -84.2197}, in its middle. */
+    /** Returns the extent through the middle: {@code latitude 36.476 to 36.494, longitude -84.242 to -84.2197}. */
     private static String extent(Ground ground) {
         GeoOrigin.GeoPoint south = ground.origin.at(ground.field.lowX, 0, 0);
         GeoOrigin.GeoPoint north = ground.origin.at(ground.field.x(ground.field.rows - 1), 0, 0);

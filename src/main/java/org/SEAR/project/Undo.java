@@ -6,19 +6,19 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** How files were before something that may fail halfway changed them. One thread. */
+/** Original contents of files that a unit of changes has modified. One thread. */
 final class Undo {
-    /** Bytes by file; null for one that was not there. */
+    /** Bytes by file; null for a file that did not exist. */
     private final Map<Path, byte[]> before = new LinkedHashMap<>();
 
-    /** A file is about to be changed. */
+    /** Notes the content of a file before it is changed. */
     void note(Path file) throws IOException {
         if (!before.containsKey(file)) {
             before.put(file, Files.isRegularFile(file) ? Files.readAllBytes(file) : null);
         }
     }
 
-    /** Has all files as they were, and removes the folders that hold none then. */
+    /** Restores all files, and removes folders that are empty afterwards. */
     void putBack() throws IOException {
         for (Map.Entry<Path, byte[]> entry : before.entrySet()) {
             Path file = entry.getKey();

@@ -15,12 +15,14 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 
-/** Checks what motors are to the wheels of their robots, servos to what is mounted on them, bumpers to the parts that press them. One use. */
+/**
+ * Checks the relations of motors to wheels, servos to mounted parts, and bumpers to the parts that press them. One use.
+ */
 final class VehicleCheck {
     private final Map<String, ParsedObject> parts;
     private final Map<ParsedObject, SEARrobot> owners;
     private final ProblemList problems;
-    /** What turns a wheel or part already, by robot/part. */
+    /** File of the motor or servo that turns a wheel or part, by robot/part. */
     private final Map<String, String> turned = new HashMap<>();
 
     VehicleCheck(Map<String, ParsedObject> parts, Map<ParsedObject, SEARrobot> owners, ProblemList problems) {
@@ -118,7 +120,7 @@ final class VehicleCheck {
         }
     }
 
-    /** Whether servos turn each other in a circle. */
+    /** Returns whether servos turn each other in a circle. */
     private static boolean turnsItself(Servo servo, SEARrobot robot) {
         Servo on = servo;
         for (int i = 0; i <= robot.getComponents().size() && on != null; i++) {

@@ -1,6 +1,6 @@
 /**
- * SEARproject on disk: its folder's layout, reading it whole, writing single objects, replacing it so that no crash loses it, the named beams. Uses
- * {@link org.SEAR.project.models}, {@link org.SEAR.project.wiring} and {@link org.SEAR.terrain}, and what these use. Any thread; what replaces a
- * project holds a lock on its folder.
+ * The SEARproject folder on disk: its layout, reading and validation, writing of single objects, crash-safe
+ * replacement, and the named beams. Uses {@link org.SEAR.project.models}, {@link org.SEAR.project.wiring} and
+ * {@link org.SEAR.terrain} and their dependencies. Any thread; replacing a project locks its folder.
  */
 package org.SEAR.project;

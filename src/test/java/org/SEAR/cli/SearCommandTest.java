@@ -377,7 +377,7 @@ public class SearCommandTest {
             "Odometer"}) {
             assertTrue(out, out.contains(type + ": "));
         }
-        assertTrue(out, out.contains("bandwidth: readings a second that differ from each other. Legal: a number from 0.01 to 10000 Hz; default 60"));
+        assertTrue(out, out.contains("bandwidth: new readings a second. Legal: a number from 0.01 to 10000 Hz; default 60"));
     }
 
     @Test

@@ -11,7 +11,7 @@ import org.junit.function.ThrowingRunnable;
 
 /** A camera's parameters: models by name, and what is said of illegal ones. */
 public class CameraObjectTest {
-    private static final String FOLDS = ", legal: a lens that shows the corners of the picture; with these four it folds back before them";
+    private static final String FOLDS = ", legal: a lens that covers the corners of the picture; these four coefficients fold it back before them";
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -59,7 +59,7 @@ public class CameraObjectTest {
         refuses("Camera \"eye\": fieldOfView is 180, legal: a number from 0.1 to 170 deg", () -> camera.setFieldOfView(180));
         refuses("Camera \"eye\": rate is 100, legal: a number from 0.001 to 60 Hz", () -> camera.setRate(100));
         refuses("Camera \"eye\": near is 5, legal: less than far, 4 m", () -> camera.setRange(5, 4));
-        refuses("Camera \"eye\": readNoise is 5, legal: 0 without fullWell, which says how many electrons are white",
+        refuses("Camera \"eye\": readNoise is 5, legal: 0 without fullWell, the electrons of a white pixel",
             () -> camera.setShotNoise(0, 5));
         assertEquals("nothing has changed", 320, camera.getWidth());
     }

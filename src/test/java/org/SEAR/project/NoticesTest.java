@@ -48,7 +48,7 @@ public class NoticesTest {
     public void anObjectMadeWhileASimulationRuns() {
         grammar.bench.begin(null, () -> true);
         new Box("late", 1, 1, 1, 0);
-        assertEquals("[Box \"late\" was made while a simulation runs: it will be there after the next startSimulation()]", said.toString());
+        assertEquals("[Box \"late\" was made while a simulation runs: it appears at the next startSimulation()]", said.toString());
     }
 
     @Test
@@ -64,7 +64,7 @@ public class NoticesTest {
         assertEquals(said.toString(), 1, said.size());
         assertTrue(said.get(0), said.get(0).startsWith("LIDAR \"scanner\": at a port there is an LMS200, and none has spread 270 with resolution 0.5"
             + " deg, legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5; without setPorts"));
-        assertTrue(said.get(0), said.get(0).endsWith("until that is changed its device starts with 180 and 0.5"));
+        assertTrue(said.get(0), said.get(0).endsWith("until then the device starts with 180 and 0.5"));
         lidar.setSpread(180);
         lidar.setResolution(0.25);
         assertEquals(said.toString(), 2, said.size());
@@ -82,13 +82,13 @@ public class NoticesTest {
         lidar.setRange(10);
         assertEquals("[]", said.toString());
         lidar.setRange(11);
-        assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, which tells 10 m at most, and the range is 11 m: what is farther is read by"
-            + " sear.getLidarResult(\"scanner\") only]", said.toString());
+        assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, which reports at most 10 m, but the range is 11 m: read greater distances"
+            + " with sear.getLidarResult(\"scanner\")]", said.toString());
         said.clear();
         lidar.setResolution(0.25);
         assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, and none has spread 180 with resolution 0.25 deg, legal: up to 270 with"
-            + " 0.3333333; without setPorts every fan, read by sear.getLidarResult(\"scanner\"); setModel has it with LMS111, UTM-30LX, RPLIDAR-A1,"
-            + " CoLa; until that is changed its device starts with 270 and 0.3333333]", said.toString());
+            + " 0.3333333; without setPorts every fan, read with sear.getLidarResult(\"scanner\"); setModel has it with LMS111, UTM-30LX, RPLIDAR-A1,"
+            + " CoLa; until then the device starts with 270 and 0.3333333]", said.toString());
         said.clear();
         lidar.setModel("LMS111");
         assertEquals("[]", said.toString());
@@ -120,10 +120,10 @@ public class NoticesTest {
     @Test
     public void whatAScriptThatBuildsDidNotMakeIsNamedInOneLine() {
         String answer = ofOthers("Box('new name', 1, 1, 1, 0)", "new name", "old name");
-        assertEquals("in the project, but not made by this script: \"old name\" (of an earlier run or another script; with sear.newProject() at its"
-            + " beginning a script starts with an empty project)", answer);
+        assertEquals("in the project, but not made by this script: \"old name\" (from an earlier run or another script; call"
+            + " sear.newProject() first to start with an empty project)", answer);
         answer = ofOthers("Box('new name', 1, 1, 1, 0)", "a", "b", "c", "d", "e", "f", "g");
-        assertTrue(answer, answer.contains("\"a\", \"b\", \"c\", \"d\", \"e\" and 2 more (of"));
+        assertTrue(answer, answer.contains("\"a\", \"b\", \"c\", \"d\", \"e\" and 2 more (from"));
     }
 
     @Test

@@ -55,14 +55,14 @@ public class PartsByNameTest {
     public void whatIsNotThereIsAnsweredWithWhatIs() {
         Arduino uno = new Arduino("uno");
         String nothing = refused(() -> uno.wire(9, "leftMotor"));
-        assertEquals("Arduino \"uno\": what is wired is \"leftMotor\", legal: a component of the robot; no robot has one to wire yet,"
-            + " addComponent(...) comes first", nothing);
+        assertEquals("Arduino \"uno\": part is \"leftMotor\", legal: a component of the robot; no robot has one to wire yet,"
+            + " call addComponent(...) first", nothing);
         Robots.rover("rover");
-        assertEquals("Arduino \"uno\": what is wired is \"engine\", legal: a component of the robot, leftMotor, rightMotor",
+        assertEquals("Arduino \"uno\": part is \"engine\", legal: a component of the robot, leftMotor, rightMotor",
             refused(() -> uno.wire(9, "engine")));
-        assertEquals("Arduino \"uno\": what is wired to pin 9 is missing (None), legal: a component of the robot",
+        assertEquals("Arduino \"uno\": the part for pin 9 is missing (None), legal: a component of the robot",
             refused(() -> uno.wire(9, (SearObject) null)));
-        assertEquals("Arduino \"uno\": what is wired to pin 9 is missing (None), legal: a component of the robot",
+        assertEquals("Arduino \"uno\": the part for pin 9 is missing (None), legal: a component of the robot",
             refused(() -> uno.wire(9, (String) null)));
     }
 
@@ -71,8 +71,8 @@ public class PartsByNameTest {
         Robots.rover("scout");
         SEARrobot rover = Robots.rover("rover");
         Arduino uno = new Arduino("uno");
-        assertEquals("Arduino \"uno\": \"leftMotor\" is on several robots, legal: the one of Arduino \"uno\"'s own, so robot.addComponent(...) puts"
-            + " it on its robot first", refused(() -> uno.wire(9, "leftMotor")));
+        assertEquals("Arduino \"uno\": \"leftMotor\" is on several robots, legal: a part of Arduino \"uno\"'s own robot;"
+            + " call robot.addComponent(...) first", refused(() -> uno.wire(9, "leftMotor")));
         rover.addComponent(uno);
         uno.wire(9, "leftMotor");
         assertEquals("9 leftMotor pwm", wires(uno));

@@ -15,7 +15,7 @@ import org.junit.Test;
 
 /** Of two services of a program only that hears of an object where it is made. */
 public class ScriptSessionTest {
-    private static final String LATE = " was made while a simulation runs: it will be there after the next startSimulation()";
+    private static final String LATE = " was made while a simulation runs: it appears at the next startSimulation()";
 
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -349,7 +349,7 @@ public class SearServiceTest {
         assertFails("there is no robot \"nobody\"", () -> sear.drive("nobody", 1, 1));
         assertFails("speed is 0.0, legal: 0.001 or more", () -> sear.setSpeed(0));
         assertFails("speed is 1.0E-9, legal: 0.001 or more", () -> sear.setSpeed(1e-9));
-        assertFails("the path is \"a?b.searlog\", legal: what a file can be called here (Nul character not allowed)", () -> sear.recordRun("a\0b"));
+        assertFails("the path is \"a?b.searlog\", legal: a valid file name on this system (Nul character not allowed)", () -> sear.recordRun("a\0b"));
         assertFails("simSleep of -1", () -> sear.simSleep(-1));
         assertFails("newProject needs the simulation to be stopped", sear::newProject);
         assertFails("there is no template \"mine.py\"", () -> sear.copyTemplate("mine.py", "."));

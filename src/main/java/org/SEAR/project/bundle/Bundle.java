@@ -15,23 +15,25 @@ import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 
 /**
- * A whole project in one file, {@code NAME.sear}: a zip file with {@code sear-version.txt} first, then the files of SEARproject in the order of their
- * names. Whatever goes wrong, what was there before stays as it was. Nothing of a bundle is ever run. Any thread; one at a time for a folder.
+ * A project in one file, {@code NAME.sear}: a zip file with {@code sear-version.txt} first, then the files of
+ * SEARproject, ordered by name. A failed operation leaves the existing files unchanged. Nothing in a bundle is
+ * executed. Any thread; one operation at a time per folder.
  */
 public final class Bundle {
     private Bundle() {
     }
 
-    /** As {@link #save(Path, Path, Progress)}, telling nobody. */
+    /** Saves without progress messages, see {@link #save(Path, Path, Progress)}. */
     public static void save(Path folder, Path file) throws IOException, ProjectException {
         save(folder, file, Progress.NONE);
     }
 
     /**
-     * Saves a project; the same files give the same bytes. A bundle of that name is replaced when the new one is whole. Who replaces the project
-     * meanwhile waits.
+     * Saves a project; the same files give the same bytes. A complete new bundle replaces an existing one. Replacing
+     * the project has to wait meanwhile.
      *
-     * @throws ProjectException if the project is not valid, or has what no bundle may hold (links, archives, more than 1 GiB)
+     * @throws ProjectException if the project is invalid, or contains files that are not allowed in a bundle (links,
+     *     archives, more than 1 GiB)
      * @throws IOException if the file can't be written, or is a link, a pipe or a device
      */
     public static void save(Path folder, Path file, Progress progress) throws IOException, ProjectException {
@@ -44,10 +46,11 @@ public final class Bundle {
     }
 
     /**
-     * Saves a project as {@link #save(Path, Path, Progress)} does, but of the terrain's maps only the area that is used, in one map. The project
-     * stays as it is.
+     * Saves a project like {@link #save(Path, Path, Progress)}, with only the used area of the terrain's maps, in one
+     * map. The project stays unchanged.
      *
-     * @return whether there was anything to cut: a Terrain with an area, of maps whose coordinate system has a number
+     * @return whether the map was cut: the project has a Terrain with an area, and the maps' coordinate system has a
+     *     code
      */
     public static boolean saveCut(Path folder, Path file, Progress progress) throws IOException, ProjectException {
         Path temporary = Files.createTempDirectory("sear-cut");
@@ -85,28 +88,28 @@ public final class Bundle {
         }
     }
 
-    /** As {@link #load(Path, Path, Progress)}, telling nobody. */
+    /** Loads without progress messages, see {@link #load(Path, Path, Progress)}. */
     public static Project load(Path file, Path folder) throws IOException, ProjectException {
         return load(file, folder, Progress.NONE);
     }
 
     /**
-     * Loads a bundle, or a copy of a folder, in the place of the project in a folder, once it has been read whole and found valid. The
-     * old project becomes a backup beside it
-     * ({@code SEARproject.backup-N}; the last ten are kept, and less where they are large).
+     * Replaces the project in a folder by a bundle, or by a copy of a folder, after reading and validating it
+     * completely. The old project becomes a backup beside it, {@code SEARproject.backup-N}; SEAR keeps the last ten, or
+     * fewer large ones.
      *
      * @return the new project
-     * @throws ProjectException with everything that is wrong with the bundle or its objects; the old project stays
-     * @throws IOException if it can't be read or written; the old project stays
+     * @throws ProjectException with all problems of the bundle or its objects; the old project stays
+     * @throws IOException if a file can't be read or written; the old project stays
      */
     public static Project load(Path file, Path folder, Progress progress) throws IOException, ProjectException {
         return load(file, folder, false, progress);
     }
 
     /**
-     * The same.
+     * Loads as {@link #load(Path, Path, Progress)} does.
      *
-     * @param example whether the bundle comes with SEAR: while nobody changes the project, it needs no backup
+     * @param example whether the bundle comes with SEAR: an unchanged example needs no backup
      */
     public static Project load(Path file, Path folder, boolean example, Progress progress) throws IOException, ProjectException {
         Path project = folder.toAbsolutePath().normalize();
@@ -122,7 +125,7 @@ public final class Bundle {
         }
     }
 
-    /** Unpacks a bundle; a project folder, or the folder that it lies in, is treated as if it had been saved first. */
+    /** Unpacks a bundle. A project folder, or the folder that contains it, is first saved as a temporary bundle. */
     private static void unpack(Path source, Path folder, Progress progress) throws IOException, ProjectException {
         if (!Files.isDirectory(source)) {
             new BundleReader(source, progress).unpack(folder);
@@ -140,21 +143,22 @@ public final class Bundle {
     }
 
     /**
-     * Adds a robot of a bundle or folder to a project. Names, ports, beams and assets that are taken there get a number.
+     * Adds a robot of a bundle or folder to a project. Names, ports, beams and assets that the project already has get
+     * a number.
      *
-     * @param robot its name in the bundle; null or empty if that has one robot only
-     * @param progress hears of backups that have gone
-     * @return new names by the old ones; the robot's is the first
-     * @throws ProjectException with everything that is wrong with either, or would be then; the project stays as it was
+     * @param robot its name in the bundle; null or empty for the only robot
+     * @param progress receives messages about removed backups
+     * @return new names by old names; the robot's comes first
+     * @throws ProjectException with all problems of either project, or of the result; the project stays unchanged
      */
     public static Map<String, String> importRobot(Path file, Path folder, String robot, Progress progress) throws IOException, ProjectException {
         return add(file, folder, progress, (source, to) -> to.robot(find(source, robot, file)));
     }
 
     /**
-     * Adds all of the environment of a bundle or folder to a project, as {@link #importRobot} does a robot.
+     * Adds the whole environment of a bundle or folder to a project, see {@link #importRobot}.
      *
-     * @return new names by the old ones
+     * @return new names by old names
      */
     public static Map<String, String> importEnvironment(Path file, Path folder, Progress progress) throws IOException, ProjectException {
         return add(file, folder, progress, (source, to) -> to.environment());
@@ -168,7 +172,7 @@ public final class Bundle {
                 + robots.stream().map(SEARrobot::getName).collect(Collectors.toList())));
     }
 
-    /** What is taken of another project. */
+    /** Selects the objects to import. */
     private interface Choice {
         Map<String, String> of(Project source, Import to) throws IOException;
     }
@@ -195,25 +199,25 @@ public final class Bundle {
         }
     }
 
-    /** What somebody wants to see of a project that was found valid. */
+    /** A check of a project that was found valid. */
     public interface Look {
         /**
          * @return warnings, empty if there are none
-         * @throws ProjectException with everything that is wrong
+         * @throws ProjectException with all problems
          */
         List<String> at(Project project) throws ProjectException;
     }
 
-    /** As {@link #check(Path, Progress, Look)}, of what stands in the files only, telling nobody. */
+    /** Checks the files only, without progress messages, see {@link #check(Path, Progress, Look)}. */
     public static List<String> check(Path file) throws IOException, ProjectException {
         return check(file, Progress.NONE, Project::getWarnings);
     }
 
     /**
-     * Checks a bundle without keeping anything of it.
+     * Checks a bundle, and deletes the unpacked files afterwards.
      *
      * @return warnings, empty if there are none
-     * @throws ProjectException with everything that is wrong
+     * @throws ProjectException with all problems
      */
     public static List<String> check(Path file, Progress progress, Look look) throws IOException, ProjectException {
         Path temporary = Files.createTempDirectory("sear-check");
@@ -226,9 +230,9 @@ public final class Bundle {
     }
 
     /**
-     * Starts with no project at all; the present one becomes a backup beside it.
+     * Removes the current project, which becomes a backup beside the folder.
      *
-     * @param progress hears of backups that have gone
+     * @param progress receives messages about removed backups
      * @return the backup; null if there was no project
      */
     public static Path newProject(Path folder, Progress progress) throws IOException {

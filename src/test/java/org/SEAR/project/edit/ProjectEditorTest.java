@@ -43,8 +43,8 @@ public class ProjectEditorTest extends EditedProject {
         for (ThrowingRunnable change : List.<ThrowingRunnable>of(() -> crate.move(0, 1, 0), () -> crate.setMass(2), () -> rover.move(0, 1, 0),
             () -> rover.getWheels().get(0).setRollers(45))) {
             String said = assertThrows(IllegalStateException.class, change).getMessage();
-            assertTrue(said, said.matches("(Box \"crate\"|SEARrobot \"rover\"|Wheel \".*\") is not in the project any more: it was deleted or renamed"
-                + " there, or another project was opened, since this object was made; sear\\.edit.*"));
+            assertTrue(said, said.matches("(Box \"crate\"|SEARrobot \"rover\"|Wheel \".*\") is not in the project: since this object was created it was deleted or"
+                + " renamed there, or another project was opened; sear\\.edit.*"));
         }
         assertEquals(before, objects());
     }

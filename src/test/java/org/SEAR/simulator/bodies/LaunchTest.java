@@ -186,12 +186,12 @@ public class LaunchTest {
         refused("spinX is NaN", () -> box.setSpin(Double.NaN, 0, 0));
         refused("\"lost\": velocityX can't be set: a wheel belongs to a robot", () -> new Wheel("lost", 0.1, 0.05).setVelocity(1, 0, 0));
         box.setSpin(0, 0, 10);
-        refused("mass is 0, legal: more than 0 kg for a thing with a velocity or a spin", () -> box.setMass(0));
+        refused("mass is 0, legal: more than 0 kg for an object with a velocity or a spin", () -> box.setMass(0));
         SEARrobot robot = new SEARrobot("robot");
         robot.addComponent(new Dynamics("drive", 4));
         refused("has a velocity or a spin, which a component can't have", () -> robot.addComponent(box));
         robot.addWheel(new Wheel("wheel", 0.1, 0.05));
-        refused("velocityX is 2, legal: 0 for what is fixed", () -> SearObject.make(Box.class,
+        refused("velocityX is 2, legal: 0 for a fixed object", () -> SearObject.make(Box.class,
             Map.of("name", "other", "length", 1, "width", 1, "height", 1, "velocityX", 2)));
         try (Simulation simulation = Worlds.start(project)) {
             refused("wall is fixed", () -> simulation.order(new BodyOrder(Kind.PUSH, "wall", 1, 0, 0, 1)));
@@ -210,7 +210,7 @@ public class LaunchTest {
     public void filesThatSayWhatCannotBeAreRefused() throws Exception {
         project.put("environment/box.xml", "<Box><name>box</name><length>1</length><width>1</width><height>1</height><spinY>30</spinY></Box>");
         String message = problem();
-        assertTrue(message, message.contains("environment/box.xml") && message.contains("spinY") && message.contains("0 for what is fixed"));
+        assertTrue(message, message.contains("environment/box.xml") && message.contains("spinY") && message.contains("0 for a fixed object"));
         project.put("environment/box.xml", "<Box><name>box</name><length>1</length><width>1</width><height>1</height><mass>1</mass></Box>");
         SEARrobot robot = new SEARrobot("robot");
         robot.addComponent(new Dynamics("drive", 4, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, 0, 0, 0, 0));

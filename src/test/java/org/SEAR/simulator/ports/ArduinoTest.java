@@ -359,7 +359,7 @@ public class ArduinoTest {
         refused("Arduino \"uno\": pin A9 is no pin of an Uno, legal: A0 to A5 for volts", () -> uno.wire("A9", sharp));
         refused("Arduino \"uno\": pin 7 is not an analog input of an Uno, legal: A0 to A5 for volts", () -> uno.wire(7, sharp));
         uno.wire(7, ping);
-        refused("Arduino \"uno\": Distance \"ping\" has its ping at pin 7 already, legal: one pin for it; unwire(\"7\") pulls the wire out",
+        refused("Arduino \"uno\": Distance \"ping\" has its ping at pin 7 already, legal: one pin for it; unwire(\"7\") removes that wire",
             () -> uno.wire(8, ping));
         refused("Arduino \"uno\": pin D7 is wired to ping (ping) already, legal: 2 to 6, 8 to 13, A0 to A5 for ping",
             () -> uno.wire("D7", new Distance("other")));

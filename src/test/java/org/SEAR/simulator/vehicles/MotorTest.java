@@ -157,7 +157,7 @@ public class MotorTest {
         said("Motor \"m\": wheel is missing (None), legal: a driven wheel (type 1)", () -> new Motor("m", null));
         said("Motor \"m\": stallTorque is -1, legal: a number from 0.000001 to 1000000 N m", () -> new Motor("m", left, -1, 5));
         Motor motor = new Motor("engine", left);
-        said("Motor \"m\": Wheel \"cartLeft0\" is turned by Motor \"engine\", legal: one motor a wheel; motor.addWheel(wheel) gives a motor several"
+        said("Motor \"m\": Wheel \"cartLeft0\" is turned by Motor \"engine\", legal: one motor per wheel; motor.addWheel(wheel) gives a motor several"
             + " wheels", () -> new Motor("m", left));
         robot.addComponent(motor);
         said("Motor \"engine\": Wheel \"otherLeft0\" is a wheel of SEARrobot \"other\", legal: a wheel of SEARrobot \"cart\"",

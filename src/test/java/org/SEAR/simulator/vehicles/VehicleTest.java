@@ -347,7 +347,7 @@ public class VehicleTest {
 
     @Test
     public void wrongWheelsAreRefused() throws Exception {
-        String idler = "legal: none for an idler (type 0), which rolls in every direction; a wheel of type 1 or 2 can have it";
+        String idler = "legal: none for an idler (type 0), which rolls in every direction; use a wheel of type 1 or 2";
         Wheel caster = new Wheel("caster", RADIUS, 0.02, 0);
         said("Wheel \"caster\": steering is 30, " + idler, () -> caster.setSteering(30));
         said("Wheel \"caster\": rollers is 45, " + idler, () -> caster.setRollers(45));

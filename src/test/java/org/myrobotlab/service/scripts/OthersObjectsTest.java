@@ -18,7 +18,7 @@ import org.myrobotlab.service.TestWorld;
 public class OthersObjectsTest {
     private static final String BUILD = "from org.SEAR.POJOs import Box\nsear = Runtime.start('othersSear', 'SEAR')\n";
     private static final String START = "Box('mine', 1, 1, 1, 0).move(9, 0.5, 9)\nsear.startSimulation()\n";
-    private static final String NAMED = "in the project, but not made by this script: \"floor\", \"wall\", \"roomba\" (of";
+    private static final String NAMED = "in the project, but not made by this script: \"floor\", \"wall\", \"roomba\" (from";
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();

@@ -7,21 +7,22 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Which entry of a bundle is which file of the project. A bundle that saveProject made has its version at the top, and its names are meant as they
- * stand. Every other one is taken for a SEARproject that somebody zipped and renamed, as section 5.1 of the dissertation says: with all of it below
- * one folder {@code SEARproject/} or without that, and with what the zip programs of other systems add or write differently.
+ * Mapping of bundle entries to files of the project. A bundle by saveProject has its version at the top, and its names
+ * are used as they are. Any other zip file is taken for a zipped and renamed SEARproject (dissertation, section 5.1):
+ * its files lie at the top or below one folder {@code SEARproject/}, and may include additions and name variants of
+ * other systems' zip programs.
  */
 final class BundleLayout {
     private static final String FOLDER = "SEARproject/";
-    /** Where macOS keeps what other systems' files don't have: {@code __MACOSX/SEARproject/._robot}. */
+    /** Folder of macOS for data that other systems don't have: {@code __MACOSX/SEARproject/._robot}. */
     private static final String MAC = "__macosx";
-    /** Files that Windows puts to folders by itself. */
+    /** Files that Windows adds to folders. */
     private static final Set<String> WINDOWS = Set.of("thumbs.db", "desktop.ini");
 
     private final boolean own;
     private final List<ZipDirectory.Entry> entries = new ArrayList<>();
 
-    /** Gives the entries of a foreign zip file the names that they have in the project. */
+    /** Renames the entries of a foreign zip file to their names in the project. */
     BundleLayout(List<ZipDirectory.Entry> all) {
         own = all.stream().anyMatch(entry -> entry.name.equals(BundleRules.VERSION_ENTRY));
         if (own) {
@@ -40,13 +41,16 @@ final class BundleLayout {
         }
     }
 
-    /** Some of Windows' programs separate folders by backslashes; macOS spells an accented letter as two characters. */
+    /**
+     * Returns the normalised name: some Windows programs separate folders by backslashes, and macOS writes an accented
+     * letter as two characters.
+     */
     private static String name(ZipDirectory.Entry entry) {
         boolean windows = entry.isFromWindows() && entry.name.indexOf('/') < 0;
         return Normalizer.normalize(windows ? entry.name.replace('\\', '/') : entry.name, Normalizer.Form.NFC);
     }
 
-    /** Whether a file belongs to a system or a tool and not to the project; saveProject leaves such files out, too. */
+    /** Returns whether a file belongs to a system or a tool, not to the project; saveProject also skips such files. */
     private static boolean isSystems(String name) {
         String[] parts = name.toLowerCase(Locale.ROOT).split("/");
         for (String part : parts) {
@@ -57,17 +61,17 @@ final class BundleLayout {
         return parts.length > 0 && (parts[0].equals(MAC) || WINDOWS.contains(parts[parts.length - 1]));
     }
 
-    /** Whether saveProject made the bundle. */
+    /** Returns whether saveProject created the bundle. */
     boolean isOwn() {
         return own;
     }
 
-    /** All that belongs to the project, folders and the version entry as well. */
+    /** Returns all entries of the project, including folders and the version entry. */
     List<ZipDirectory.Entry> entries() {
         return entries;
     }
 
-    /** The entry with the format's version; null if there is none, which is the dissertation's format. */
+    /** Returns the entry with the format's version; null for the dissertation's format, which has none. */
     ZipDirectory.Entry version() {
         return entries.stream().filter(entry -> entry.name.equals(BundleRules.VERSION_ENTRY)).findFirst().orElse(null);
     }

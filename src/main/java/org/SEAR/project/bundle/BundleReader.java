@@ -17,7 +17,7 @@ import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.problems.ProjectException;
 
-/** Unpacks a bundle into an empty folder, after its whole directory was found harmless. One use. */
+/** Unpacks a bundle into an empty folder, after checking its whole directory. One use. */
 final class BundleReader {
     private static final int BLOCK = 1 << 16;
     private static final int LONGEST_VERSION = 20;
@@ -78,7 +78,10 @@ final class BundleReader {
         }
     }
 
-    /** Who zips a project by hand easily has all of it in one folder more, and would open an empty world; so would any other zip file. */
+    /**
+     * Rejects a zip file without objects at the top, which would open as an empty world: a project zipped with one more
+     * folder, or another kind of zip file.
+     */
     private void checkPlace(List<ZipDirectory.Entry> entries, boolean hasVersion) {
         ZipDirectory.Entry inner = null;
         for (ZipDirectory.Entry entry : entries) {
@@ -119,7 +122,7 @@ final class BundleReader {
         progress.at(entry.name, done, rules.total());
     }
 
-    /** Copies an entry's content; stops at once where it has more than it said. */
+    /** Copies an entry's content; stops as soon as the content exceeds the declared size. */
     private void copy(FileChannel channel, ZipDirectory.Entry entry, OutputStream out) throws IOException {
         Content content = new Content(entry, out);
         Inflater inflater = new Inflater(true);
@@ -163,7 +166,7 @@ final class BundleReader {
         problems.add(name, 0, "entry", entry.name, legal);
     }
 
-    /** The content of one entry on its way out. */
+    /** Checks the content of one entry while it is written. */
     private final class Content {
         private final ZipDirectory.Entry entry;
         private final OutputStream out;

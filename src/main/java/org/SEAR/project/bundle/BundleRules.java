@@ -8,19 +8,19 @@ import org.SEAR.grammar.TextRule;
 import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.problems.ProblemList;
 
-/** What a bundle may hold: the same rules when it is saved and when it is loaded, so that what was saved can be loaded everywhere. */
+/** Rules for the content of a bundle. They are the same for saving and loading, so every saved bundle can be loaded. */
 final class BundleRules {
-    /** The entry that makes a zip file a bundle. */
+    /** The entry that marks a zip file as a bundle. */
     static final String VERSION_ENTRY = "sear-version.txt";
-    /** The format that this program writes; it reads all up to this. */
+    /** Version of the format that this program writes; it reads all versions up to this one. */
     static final int VERSION = 1;
     static final int MAX_ENTRIES = 20000;
     static final long MAX_FILE = 512L << 20;
     static final long MAX_TOTAL = 1L << 30;
-    /** Compression beyond this is no model or picture but a bomb; checked for files above {@link #RATIO_FREE}. */
+    /** Largest compression ratio of an entry larger than {@link #RATIO_FREE}; a higher one indicates a zip bomb. */
     static final int MAX_RATIO = 200;
     static final long RATIO_FREE = 1 << 20;
-    /** So many first bytes tell an archive. */
+    /** Number of leading bytes that identify an archive. */
     static final int HEAD = 262;
     private static final int MAX_PATH = 200;
     private static final int MAX_DEPTH = 16;
@@ -78,7 +78,7 @@ final class BundleRules {
         }
     }
 
-    /** All bytes so far. */
+    /** Returns the total bytes of all files so far. */
     long total() {
         return total;
     }
@@ -100,7 +100,7 @@ final class BundleRules {
         return file.substring(0, file.length() - ProjectFolder.XML.length());
     }
 
-    /** Two names that any file system takes for one, or a file where others need a folder. */
+    /** Rejects two names that some file system takes for the same, and a file whose name is also a folder. */
     private void place(String name) {
         String key = TextRule.onAnySystem(name);
         String twin = files.putIfAbsent(key, name);
@@ -114,7 +114,7 @@ final class BundleRules {
     }
 
     /**
-     * The folders that a path goes through.
+     * Checks the folders of a path.
      *
      * @param name of the entry that needs them
      */
@@ -132,8 +132,8 @@ final class BundleRules {
     }
 
     /**
-     * Checks the first bytes of a file: an archive inside could hide anything. Blender packs its own files with gzip or zstd, and elevation maps
-     * come zipped; what reads them has limits of its own.
+     * Rejects an archive by its first bytes, since its content would not be checked. Exceptions are Blender files
+     * packed by gzip or zstd and zipped elevation maps, whose readers have their own limits.
      */
     void head(String name, byte[] head, int length) {
         String start = new String(head, 0, length, StandardCharsets.ISO_8859_1);

@@ -21,9 +21,9 @@ import java.util.zip.ZipOutputStream;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.problems.ProjectException;
 
-/** Packs a project folder: the same files give the same bytes, wherever and whenever. One use. */
+/** Packs a project folder; the same files always give the same bytes. One use. */
 final class BundleWriter {
-    /** The time of every entry: the first that a zip file knows. */
+    /** Time of every entry: the earliest that a zip file can represent. */
     private static final LocalDateTime EPOCH = LocalDateTime.of(1980, 1, 1, 0, 0);
     private static final int BLOCK = 1 << 16;
 
@@ -42,9 +42,9 @@ final class BundleWriter {
     }
 
     /**
-     * Takes other files than the folder's.
+     * Replaces files of the folder.
      *
-     * @param others by their names in the bundle; null for a file that is left out
+     * @param others files by their names in the bundle; null to leave a file out
      */
     BundleWriter with(Map<String, Path> others) {
         instead.putAll(others);
@@ -74,7 +74,7 @@ final class BundleWriter {
         }
     }
 
-    /** All files but hidden ones, which belong to the system or the user's tools. */
+    /** Collects all files except hidden ones, which belong to the system or to tools. */
     private void collect() throws IOException {
         Files.walkFileTree(folder, new SimpleFileVisitor<Path>() {
             @Override
@@ -108,7 +108,7 @@ final class BundleWriter {
         }
     }
 
-    /** Who has unpacked a bundle by hand has its version in the folder. Every bundle gets one of its own. */
+    /** Skips the version file of a bundle that was unpacked by hand; every bundle gets its own. */
     private void addVersion(String name, Path file) throws IOException {
         try (InputStream in = Files.newInputStream(file)) {
             String text = new String(in.readNBytes(BundleRules.HEAD), StandardCharsets.US_ASCII).trim();
@@ -151,7 +151,7 @@ final class BundleWriter {
         progress.at(name, done, rules.total());
     }
 
-    /** Whether reading would take the packed file for a bomb. */
+    /** Returns whether the reader would take the packed file for a zip bomb. */
     private static boolean packsTooWell(Path file) throws IOException {
         long size = Files.size(file);
         if (size <= BundleRules.RATIO_FREE) {

@@ -30,8 +30,8 @@ import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.xml.Xml;
 
 /**
- * Puts objects of one project into the folder of another: names and ports that are taken there get a number, and so do assets and beams that have
- * another content there. One use, one thread.
+ * Copies objects of one project into the folder of another. Names and ports that exist there get a number, and so do
+ * assets and beams that exist with different content. One use, one thread.
  */
 final class Import {
     private static final List<String> ASSETS = Arrays.asList("path", "tile", "image");
@@ -40,13 +40,13 @@ final class Import {
     private final Project source;
     private final Path target;
     private final Set<String> names = new HashSet<>();
-    /** Names of the present robots' parts. */
+    /** Names of the parts of the target's robots. */
     private final Set<String> parts = new HashSet<>();
     private final Set<String> ports = new HashSet<>();
-    /** Place of the last robot in the order in which they were made; 0 if there is none. */
+    /** Position of the last robot in the order of robots; 0 if there is none. */
     private int lastRobot;
 
-    /** @param present the project that the target folder holds; null if that is empty */
+    /** @param present the project in the target folder; null if the folder is empty */
     Import(Project source, Project present, Path target) {
         this.source = source;
         this.target = target;
@@ -78,9 +78,9 @@ final class Import {
     }
 
     /**
-     * All of the environment.
+     * Copies the whole environment.
      *
-     * @return new names by the old ones
+     * @return new names by old names
      */
     Map<String, String> environment() throws IOException {
         Map<String, String> renamed = new LinkedHashMap<>();
@@ -96,9 +96,10 @@ final class Import {
     }
 
     /**
-     * A robot with all its parts, the last of the target's robots. Its parts may have the names of other robots' parts.
+     * Copies a robot with all its parts, as the last of the target's robots. Its parts may have the same names as other
+     * robots' parts.
      *
-     * @return new names by the old ones; the robot's is the first
+     * @return new names by old names; the robot's comes first
      */
     Map<String, String> robot(SEARrobot robot) throws IOException {
         List<SearObject> components = List.copyOf(robot.getComponents());
@@ -130,13 +131,13 @@ final class Import {
         return renamed;
     }
 
-    /** Whether another part or the robot itself has the file in {@code robot/}. */
+    /** Returns whether another part or the robot itself uses the file in {@code robot/}. */
     private boolean isPlaceTaken(String name, String robot) {
         return parts.contains(key(name)) || name.equalsIgnoreCase(robot)
             || Files.exists(target.resolve(ProjectFolder.ROBOT).resolve(name + ProjectFolder.XML));
     }
 
-    /** The name itself, or with the first number that makes it new: {@code rover}, {@code rover_2}. */
+    /** Returns the name, with the first free number if it is taken: {@code rover}, {@code rover_2}. */
     private static String unique(String name, Predicate<String> taken) {
         String free = name;
         for (int number = 2; taken.test(key(free)); number++) {
@@ -187,9 +188,9 @@ final class Import {
     }
 
     /**
-     * Copies all assets: to the same paths if nothing else is there, else all of them to a new folder.
+     * Copies all assets: to the same paths if no different file exists there, otherwise to a new folder.
      *
-     * @return what comes before their paths then
+     * @return prefix of the new paths
      */
     private String copyAssets() throws IOException {
         Path from = source.getAssets().getFolder();
@@ -226,7 +227,9 @@ final class Import {
         return Files.isRegularFile(b) && Files.size(a) == Files.size(b) && Arrays.equals(Files.readAllBytes(a), Files.readAllBytes(b));
     }
 
-    /** A beam of the source's own goes along; one of that name and another content there gets a number. */
+    /**
+     * Copies the source's own beam of a sensor; if the target has another beam of that name, the copy gets a number.
+     */
     private void copyBeam(SearObject object) throws IOException {
         Parameter parameter = ParameterTable.of(object.getClass()).find("beam");
         if (parameter == null || parameter.get(object) == null) {

@@ -5,11 +5,11 @@ import java.util.Locale;
 import java.util.function.Consumer;
 
 /**
- * Tells somebody in words how far saving or loading is: {@code loading robot.sear: 40 % of 120 MB (assets/hall.glb)}, every tenth of the way. Small
- * projects are done before anybody could read it, so they are silent.
+ * Reports the progress of saving or loading in words, at every tenth:
+ * {@code loading robot.sear: 40 % of 120 MB (assets/hall.glb)}. Small projects are too fast for a report.
  */
 public final class PercentProgress implements Progress {
-    /** Projects smaller than this are silent, bytes. */
+    /** Projects smaller than this are not reported, bytes. */
     static final long LARGE = 8 << 20;
     private static final int TENTHS = 10;
     private static final double MEGABYTE = 1 << 20;
@@ -19,7 +19,7 @@ public final class PercentProgress implements Progress {
     private long reported;
 
     /**
-     * @param what is done, for example "loading"
+     * @param what the operation, for example "loading"
      * @param listener called on the thread that saves or loads
      */
     public PercentProgress(String what, Path bundle, Consumer<String> listener) {

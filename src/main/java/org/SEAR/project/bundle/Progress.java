@@ -1,9 +1,12 @@
 package org.SEAR.project.bundle;
 
-/** Hears how far saving or loading a bundle is. Called on the caller's thread, at least once a file and every few megabytes of a large one. */
+/**
+ * Listener for the progress of saving or loading a bundle. Called on the caller's thread, at least once per file and
+ * every few megabytes of a large file.
+ */
 @FunctionalInterface
 public interface Progress {
-    /** Tells nobody. */
+    /** Ignores the progress. */
     Progress NONE = (file, done, total) -> { };
 
     /**
@@ -13,8 +16,8 @@ public interface Progress {
      */
     void at(String file, long done, long total);
 
-    /** Something that happened on the way and that the user should know, in words. */
+    /** Receives a message for the user. */
     default void said(String line) {
-        // who asks for the progress only need not know
+        // ignored by listeners that only want the progress
     }
 }

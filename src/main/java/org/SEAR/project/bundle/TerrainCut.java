@@ -20,13 +20,13 @@ import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.xml.Xml;
 
 /**
- * What a bundle has instead of a project's files, so that of the terrain's maps only the area that is used goes along: one cut map, and the terrain's
- * file that names it. The project itself stays as it is. One use.
+ * Replacement files for a bundle that contains only the used area of the terrain's maps: one cut map, and the terrain's
+ * file that names it. The project stays unchanged. One use.
  */
 final class TerrainCut {
     private final Project project;
     private final Path temporary;
-    /** Files of the bundle by their names in it; null where a file of the project is left out. */
+    /** Files by their names in the bundle; null for a file of the project that is left out. */
     private final Map<String, Path> instead = new HashMap<>();
 
     /** @param temporary a folder for the files */
@@ -38,7 +38,7 @@ final class TerrainCut {
     /**
      * Cuts the map.
      *
-     * @return files by their names in the bundle, null for those that are left out; empty if there is nothing to cut
+     * @return files by their names in the bundle, null for those left out; empty if there is nothing to cut
      */
     Map<String, Path> make() throws IOException, ProjectException {
         for (SearObject object : project.getEnvironment()) {
@@ -81,7 +81,7 @@ final class TerrainCut {
         return path.replaceFirst("^(\\./)+", "");
     }
 
-    /** What is a picture, too, such as that of the terrain itself. */
+    /** Returns the assets that are also used as pictures, for example that of the terrain. */
     private Set<String> pictures() {
         List<SearObject> all = new ArrayList<>(project.getEnvironment());
         for (SEARrobot robot : project.getRobots()) {

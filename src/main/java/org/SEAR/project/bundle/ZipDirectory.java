@@ -14,8 +14,9 @@ import java.util.List;
 import org.SEAR.project.problems.ProblemList;
 
 /**
- * The directory of a zip file, read without trust: both its records of each entry have to agree, entries may not overlap, be links or encrypted,
- * and the file has to start with the first entry and end with the directory. Numbers and layout: PKWARE's APPNOTE 6.3, sections 4.3 and 4.4.
+ * Reader of the directory of an untrusted zip file. Both records of each entry have to agree. Entries must not overlap,
+ * be links or be encrypted. The file has to start with the first entry and end with the directory. Numbers and layout:
+ * PKWARE's APPNOTE 6.3, sections 4.3 and 4.4.
  */
 final class ZipDirectory {
     static final int STORED = 0;
@@ -29,10 +30,10 @@ final class ZipDirectory {
     /** Flag bits: encrypted, strongly encrypted, masked header. */
     private static final int ENCRYPTED = 0x0001 | 0x0040 | 0x2000;
     private static final int UTF8 = 0x0800;
-    /** Systems that made an entry, the upper byte of "version made by": MS-DOS, which Windows' own programs write, and Windows NTFS. */
+    /** Systems in the upper byte of "version made by": MS-DOS, which Windows programs write, and Windows NTFS. */
     private static final int DOS = 0;
     private static final int NTFS = 10;
-    /** The code page of names that are not marked as UTF-8: APPNOTE, appendix D. */
+    /** Code page of names without the UTF-8 flag (APPNOTE, appendix D). */
     private static final String DOS_LETTERS = "IBM437";
     private static final int UNIX_TYPE = 0xf000;
     private static final int UNIX_FILE = 0x8000;
@@ -41,7 +42,7 @@ final class ZipDirectory {
     private static final int UNICODE_PATH = 0x7075;
     private static final int UNICODE_PATH_HEAD = 5;
 
-    /** One file of the zip. */
+    /** One entry of the zip file. */
     static final class Entry {
         String name;
         byte[] nameBytes;
@@ -63,7 +64,7 @@ final class ZipDirectory {
             return madeBy == DOS || madeBy == NTFS;
         }
 
-        /** Whether the name has other letters than ASCII's and doesn't say that they are UTF-8. */
+        /** Returns whether the name has characters other than ASCII but no UTF-8 flag. */
         boolean isNameUnmarked() {
             return (flags & UTF8) == 0 && name.chars().anyMatch(c -> c > 0x7f);
         }
@@ -79,7 +80,7 @@ final class ZipDirectory {
         this.problems = problems;
     }
 
-    /** The entries in the directory's order; if anything is wrong, problems have been added. */
+    /** Returns the entries in the directory's order; adds problems if the directory is invalid. */
     List<Entry> read() throws IOException {
         List<Entry> entries = new ArrayList<>();
         long length = channel.size();
@@ -148,7 +149,7 @@ final class ZipDirectory {
         return entry;
     }
 
-    /** A name as its bytes say: macOS writes UTF-8 without saying so, and Windows the letters of MS-DOS. */
+    /** Decodes a name: macOS writes UTF-8 without the flag, and Windows uses the MS-DOS code page. */
     private String decode(Entry entry) {
         byte[] name = entry.nameBytes;
         try {
@@ -176,7 +177,10 @@ final class ZipDirectory {
         }
     }
 
-    /** Whether a record with a name in UTF-8, which some programs add, repeats the name: version, CRC and the name's bytes. */
+    /**
+     * Returns whether a UTF-8 name record, which some programs add, repeats the name: version, CRC and the name's
+     * bytes.
+     */
     private static boolean isSameName(Entry entry, ByteBuffer in, int at, int length) {
         if (length != UNICODE_PATH_HEAD + entry.nameBytes.length || at + length > in.limit()) {
             return false;

@@ -1,5 +1,5 @@
 /**
- * Projects in one file, {@code NAME.sear}: what a bundle may hold, reading it without trust, writing it. Uses {@link org.SEAR.project}, and what
- * that uses. Any thread, one at a time for a folder.
+ * Projects in one file, {@code NAME.sear}: rules for the content, reading of untrusted bundles, and writing. Uses
+ * {@link org.SEAR.project} and its dependencies. Any thread, one operation at a time per folder.
  */
 package org.SEAR.project.bundle;

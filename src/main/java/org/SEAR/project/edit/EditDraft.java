@@ -21,7 +21,10 @@ import org.SEAR.project.xml.ObjectClasses;
 import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.project.xml.Xml;
 
-/** A project as it would be after an edit: its files, and what the edit puts into their place. One use, whoever holds the project's lock. */
+/**
+ * A project with the changes of an edit: the project's files, and the files that the edit replaces. One use, guarded by
+ * the project lock.
+ */
 final class EditDraft {
     private final ObjectFiles files;
     private final Map<String, byte[]> changes = new LinkedHashMap<>();
@@ -41,10 +44,10 @@ final class EditDraft {
     }
 
     /**
-     * An object of its own of what a file holds.
+     * Returns a new object with the content of a file.
      *
      * @return null if there is no such file
-     * @throws ProjectException if no object can be read from it
+     * @throws ProjectException if the file has no valid object
      */
     SearObject read(String path) throws IOException, ProjectException {
         byte[] bytes = bytes(path);
@@ -57,7 +60,7 @@ final class EditDraft {
         return (SearObject) parsed.object;
     }
 
-    /** The same; null for a file that can't be read, too, as far as that is somebody else's affair. */
+    /** Reads an object as {@link #read} does, but returns null also for an invalid file. */
     SearObject readIfWhole(String path) throws IOException {
         try {
             return read(path);
@@ -74,12 +77,15 @@ final class EditDraft {
         changes.put(path, null);
     }
 
-    /** The classes that there are, by the names of their elements. */
+    /** Returns the available classes, by the names of their elements. */
     Map<String, Class<? extends SearObject>> classes() {
         return classes;
     }
 
-    /** Paths of the files in {@code environment/} or {@code robot/}, in order; without those in robots' own folders. */
+    /**
+     * Returns the paths of the files in {@code environment/} or {@code robot/}, in order, without those in robots' own
+     * folders.
+     */
     List<String> list(boolean part) throws IOException {
         String folder = part ? ProjectFolder.ROBOT : ProjectFolder.ENVIRONMENT;
         TreeSet<String> paths = new TreeSet<>();
@@ -104,14 +110,14 @@ final class EditDraft {
         return new ArrayList<>(paths);
     }
 
-    /** What is to be read in the place of the files. */
+    /** Returns the replacements of files on disk. */
     Map<Path, byte[]> overlay() {
         Map<Path, byte[]> overlay = new HashMap<>();
         changes.forEach((path, bytes) -> overlay.put(files.file(path), bytes));
         return overlay;
     }
 
-    /** What the edit changes; empty if everything is so already. */
+    /** Returns the changes of the edit; empty if it changes nothing. */
     List<FileChange> changes() throws IOException {
         List<FileChange> all = new ArrayList<>();
         for (Map.Entry<String, byte[]> change : changes.entrySet()) {

@@ -16,14 +16,13 @@ import java.util.regex.Pattern;
 import org.SEAR.project.FileStore;
 
 /**
- * The steps of a project that can be undone and done again, each in a file of its own in the folder {@code .edits}, and how many of them are done.
- * Before files change it is written down which step is on its way, so that a crash in the middle loses that step and nothing else. Whoever holds the
- * project's lock.
+ * Undo and redo steps of a project, each in a file of the folder {@code .edits}, and the number of steps done. The
+ * journal records a step before its files change, so that a crash loses only that step. Guarded by the project lock.
  */
 final class EditJournal {
-    /** Most steps; older ones can't be undone any more. */
+    /** Largest number of steps; older ones can't be undone. */
     static final int MAX_STEPS = 500;
-    /** Most bytes of all steps together. */
+    /** Largest size of all steps together, bytes. */
     static final long MAX_BYTES = 16L << 20;
     private static final String FOLDER = ".edits";
     private static final String STATE = "state";
@@ -32,9 +31,9 @@ final class EditJournal {
 
     private final ObjectFiles files;
     private final Path folder;
-    /** By number. */
+    /** Steps by number. */
     private final TreeMap<Integer, UndoStep> steps = new TreeMap<>();
-    /** Number of the last step that is done. */
+    /** Number of the last step done. */
     private int done;
 
     private EditJournal(ObjectFiles files) {
@@ -43,7 +42,7 @@ final class EditJournal {
     }
 
     /**
-     * Reads the journal of a project and takes back what a crash left half done.
+     * Reads the journal of a project and reverts a step that a crash interrupted.
      *
      * @throws IOException if it can't be read
      */
@@ -77,7 +76,7 @@ final class EditJournal {
         }
     }
 
-    /** A step was on its way when the program ended: what it had changed is as before again. */
+    /** Reverts the changes of an interrupted step. */
     private void revert(int number) throws IOException {
         UndoStep step = steps.get(number);
         boolean undoing = number == done;
@@ -95,20 +94,20 @@ final class EditJournal {
         FileStore.writeAtomically(folder.resolve(STATE), text.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** What undo would take back; null for nothing. */
+    /** Returns the step that undo reverts; null for none. */
     UndoStep undoable() {
         return steps.get(done);
     }
 
-    /** What redo would do again; null for nothing. */
+    /** Returns the step that redo repeats; null for none. */
     UndoStep redoable() {
         return steps.get(done + 1);
     }
 
     /**
-     * Does a step: its files are written, and those that could be done again are forgotten.
+     * Does a step: writes its files and removes the redo steps.
      *
-     * @throws IOException if a file can't be written; all is as before then
+     * @throws IOException if a file can't be written; nothing has changed then
      */
     void add(UndoStep step) throws IOException {
         write(step);
@@ -116,7 +115,7 @@ final class EditJournal {
         forgetOldest();
     }
 
-    /** Notes a step that somebody else has done already. */
+    /** Adds a step that was done outside of the journal. */
     void note(UndoStep step) throws IOException {
         write(step);
         done++;
@@ -138,12 +137,12 @@ final class EditJournal {
         return folder.resolve(number + ".step");
     }
 
-    /** Takes back the last step. */
+    /** Reverts the last step. */
     void undo() throws IOException {
         apply(steps.get(done), done, false);
     }
 
-    /** Does the next step again. */
+    /** Repeats the next step. */
     void redo() throws IOException {
         apply(steps.get(done + 1), done + 1, true);
     }
@@ -179,7 +178,7 @@ final class EditJournal {
         }
     }
 
-    /** What scripts, editors and hands have changed since in the files that the steps know; empty for nothing. */
+    /** Returns the changes that scripts and other programs have made to the files of the steps; empty for none. */
     List<FileChange> changedOutside() throws IOException {
         Map<String, byte[]> expected = new LinkedHashMap<>();
         for (Map.Entry<Integer, UndoStep> step : steps.entrySet()) {

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 
-/** What an edit asks for, as it came from a page or a script. Immutable as long as nobody changes the map, any thread. */
+/** An edit as a page or script sends it. Immutable as long as the map is not changed, any thread. */
 final class EditRequest {
     private final Map<?, ?> map;
 
@@ -16,9 +16,9 @@ final class EditRequest {
     }
 
     /**
-     * A text that has to be there.
+     * Returns a required text.
      *
-     * @throws ProjectException if it is not
+     * @throws ProjectException if it is missing
      */
     String text(String key) throws ProjectException {
         String text = textOrNull(key);
@@ -28,17 +28,17 @@ final class EditRequest {
         return text;
     }
 
-    /** A text; null if it is not there. */
+    /** Returns a text; null if it is missing. */
     String textOrNull(String key) {
         Object value = map.get(key);
         return value == null ? null : value.toString();
     }
 
     /**
-     * Values by their names.
+     * Returns values by their names.
      *
-     * @return empty if it is not there
-     * @throws ProjectException if it is something else
+     * @return empty if they are missing
+     * @throws ProjectException if the entry is of another kind
      */
     Map<?, ?> values(String key) throws ProjectException {
         Object value = map.get(key);
@@ -52,9 +52,9 @@ final class EditRequest {
     }
 
     /**
-     * Several requests.
+     * Returns a list of requests.
      *
-     * @throws ProjectException if it is something else
+     * @throws ProjectException if an entry is of another kind
      */
     List<Map<?, ?>> list(String key) throws ProjectException {
         List<Map<?, ?>> all = new ArrayList<>();

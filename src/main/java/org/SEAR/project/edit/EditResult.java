@@ -3,15 +3,15 @@ package org.SEAR.project.edit;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** What an edit has done. Immutable, any thread. */
+/** Result of an edit. Immutable, any thread. */
 final class EditResult {
     private static final int MAX_REPORTED = 5;
 
-    /** As in "undo: move crate". */
+    /** Description, as in "undo: move crate". */
     final String words;
-    /** What edits call its object from then on; null if that is gone. */
+    /** Address of the edited object; null if it was deleted. */
     final String object;
-    /** What has become of other objects by it, as "motor left was deleted with wheel leftWheel". */
+    /** Effects on other objects, such as "motor left was deleted with wheel leftWheel". */
     final List<String> besides;
 
     EditResult(String words, String object) {
@@ -24,7 +24,7 @@ final class EditResult {
         this.besides = List.copyOf(besides);
     }
 
-    /** What has become of other objects, in one line; null if nothing. */
+    /** Returns the effects on other objects in one line; null for none. */
     String note() {
         if (besides.isEmpty()) {
             return null;

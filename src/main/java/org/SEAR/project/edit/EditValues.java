@@ -10,20 +10,21 @@ import org.SEAR.grammar.ParameterTable;
 import org.SEAR.project.problems.ProblemList;
 
 /**
- * Values of parameters as pages and scripts have them: a text (or number, or True and False) for a value, a map for a group, a list for a list, null
- * or an empty text for the default. Goes on after a problem, so that all are reported at once. One use.
+ * Values of parameters from pages and scripts: a text (or number, or True and False) for a value, a map for a group, a
+ * list for a list, null or an empty text for the default. Continues after a problem, so that all problems are reported.
+ * One use.
  */
 final class EditValues {
     private final String file;
     private final ProblemList problems;
 
-    /** @param file as problems name it */
+    /** @param file its name in problems */
     EditValues(String file, ProblemList problems) {
         this.file = file;
         this.problems = problems;
     }
 
-    /** The values of an object or group, by the names of their elements: texts as they stand in its file; what has none is not there. */
+    /** Returns the values of an object or group by element, as texts like in its file; unset parameters are absent. */
     static Map<String, Object> of(Object object) {
         Map<String, Object> values = new LinkedHashMap<>();
         for (Parameter parameter : ParameterTable.of(object.getClass()).getParameters()) {
@@ -44,7 +45,7 @@ final class EditValues {
     /**
      * Sets parameters of an object or group.
      *
-     * @param path what stands before their names in problems
+     * @param path prefix of their names in problems
      */
     void set(Object object, Map<?, ?> values, String path) {
         ParameterTable table = ParameterTable.of(object.getClass());
@@ -98,7 +99,7 @@ final class EditValues {
         parameter.set(object, values);
     }
 
-    /** A single value; null if it is not legal, which is reported then. */
+    /** Parses a single value; reports an invalid one and returns null. */
     private Object value(Parameter parameter, Object wanted, String path) {
         if (parameter.getKind() == Parameter.Kind.GROUP) {
             if (!(wanted instanceof Map)) {
@@ -126,7 +127,7 @@ final class EditValues {
         }
     }
 
-    /** As it would stand in a file: 1.0 is 1, Python's True is true. */
+    /** Returns the text of a value in a file: 1.0 is 1, Python's True is true. */
     private static String text(Object value) {
         if (value instanceof Float) {
             return Parameter.format(Double.parseDouble(value.toString()));
@@ -135,9 +136,9 @@ final class EditValues {
     }
 
     /**
-     * Reports each parameter that is to be set and that somebody else has changed since the asker looked.
+     * Reports each parameter that the request sets although its value has changed since the client read it.
      *
-     * @param was what the asker has seen, of those that it knows
+     * @param was the values that the client has read
      */
     void refuseStale(Object object, Map<?, ?> wanted, Map<?, ?> was) {
         Map<String, Object> now = of(object);

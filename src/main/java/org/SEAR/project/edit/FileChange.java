@@ -2,16 +2,16 @@ package org.SEAR.project.edit;
 
 import java.util.Arrays;
 
-/** What an edit does to one file of a project. Immutable, any thread. */
+/** Change of one file of a project. Immutable, any thread. */
 final class FileChange {
-    /** Below the project's folder, with forward slashes. */
+    /** Path below the project's folder, with forward slashes. */
     final String path;
     private final byte[] before;
     private final byte[] after;
 
     /**
-     * @param before what was in the file; null if there was none
-     * @param after what is in it then; null if it is deleted
+     * @param before content before the change; null if the file did not exist
+     * @param after content after the change; null if the file is deleted
      */
     FileChange(String path, byte[] before, byte[] after) {
         this.path = path;
@@ -19,12 +19,12 @@ final class FileChange {
         this.after = after == null ? null : after.clone();
     }
 
-    /** What was in the file; null if there was none. */
+    /** Returns the content before the change; null if the file did not exist. */
     byte[] before() {
         return before;
     }
 
-    /** What is in the file afterwards; null if it is deleted. */
+    /** Returns the content after the change; null if the file is deleted. */
     byte[] after() {
         return after;
     }
@@ -33,7 +33,7 @@ final class FileChange {
         return !Arrays.equals(before, after);
     }
 
-    /** Bytes that it keeps. */
+    /** Returns the bytes in memory. */
     int size() {
         return (before == null ? 0 : before.length) + (after == null ? 0 : after.length);
     }

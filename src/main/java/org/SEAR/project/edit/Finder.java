@@ -14,7 +14,10 @@ import org.SEAR.grammar.TextRule;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 
-/** Finds the objects of a project by what edits call them: {@code crate}, {@code rover}, {@code rover/ping}. Whoever holds the project's lock. */
+/**
+ * Finds the objects of a project by their addresses in edits: {@code crate}, {@code rover}, {@code rover/ping}. Guarded
+ * by the project lock.
+ */
 final class Finder {
     private final EditDraft draft;
 
@@ -23,10 +26,11 @@ final class Finder {
     }
 
     /**
-     * An object.
+     * Finds an object.
      *
-     * @param name of a thing of the environment or a robot; of a part with its robot's before it, or alone where only one has a part of that name
-     * @throws ProjectException that says what there is
+     * @param name of an environment object or a robot; or of a part, with its robot's name in front unless only one
+     *     robot has such a part
+     * @throws ProjectException with the choices
      */
     ObjectLocation find(String name) throws IOException, ProjectException {
         List<ObjectLocation> found = new ArrayList<>();
@@ -54,9 +58,9 @@ final class Finder {
     }
 
     /**
-     * Whether a name is that of another object, or differs from it only by capitals, so that it can't be had.
+     * Returns whether another object has the name, case-insensitive.
      *
-     * @param robot whose part is to have it; null for a thing of the environment and a robot
+     * @param robot the robot of a part; null for an environment object or a robot
      */
     boolean isTaken(String name, SEARrobot robot) throws IOException {
         List<String> names = new ArrayList<>();
@@ -70,7 +74,7 @@ final class Finder {
         return names.stream().anyMatch(name::equalsIgnoreCase);
     }
 
-    /** The names of what is no robot's part, and more. */
+    /** Returns the names of environment objects and robots, and more names. */
     List<String> wholes(String... more) throws IOException {
         List<String> names = new ArrayList<>(List.of(more));
         draft.list(false).forEach(path -> names.add(ObjectFiles.stem(path)));
@@ -79,7 +83,7 @@ final class Finder {
     }
 
     /**
-     * A robot.
+     * Returns a robot.
      *
      * @throws ProjectException if there is none of that name
      */
@@ -92,7 +96,7 @@ final class Finder {
         return (SEARrobot) object;
     }
 
-    /** Names of all robots whose files can be read. */
+    /** Returns the names of all robots with valid files. */
     List<String> robots() throws IOException {
         List<String> names = new ArrayList<>();
         for (String path : draft.list(true)) {
@@ -113,7 +117,7 @@ final class Finder {
         }
     }
 
-    /** What lies in {@code robot/} and is no robot's. */
+    /** Adds an object in {@code robot/} that belongs to no robot. */
     private void addLoose(List<ObjectLocation> found, String name) throws IOException, ProjectException {
         String path = ObjectFiles.path(true, name);
         SearObject object = draft.read(path);
@@ -149,7 +153,7 @@ final class Finder {
         return new ProjectException(List.of(new Problem("project", 0, "object", name, legal)));
     }
 
-    /** The names of everything, in small letters. */
+    /** Returns the names of all objects, in lower case. */
     private Set<String> taken() throws IOException {
         Set<String> names = new HashSet<>();
         for (boolean part : new boolean[] {false, true}) {
@@ -166,7 +170,7 @@ final class Finder {
         return names;
     }
 
-    /** A name that nothing has: the wanted one with the first number that makes it new, counted on from a number that it ends in. */
+    /** Returns a free name: the wanted one with the first free number, counted from a number at its end. */
     String free(String wanted) throws IOException {
         Set<String> taken = taken();
         String stem = wanted.replaceFirst("(?<=.)[0-9]{1,6}$", "");
@@ -177,7 +181,9 @@ final class Finder {
         return stem + number;
     }
 
-    /** The file of a new part of a robot: in {@code robot/}, or in the robot's own folder if another has that name. */
+    /**
+     * Returns the file of a new part of a robot: in {@code robot/}, or in the robot's own folder if the file exists.
+     */
     String partFile(String robot, String name) throws IOException {
         return draft.has(ObjectFiles.path(true, name)) ? robot + "/" + name : name;
     }

@@ -18,14 +18,15 @@ import org.SEAR.project.ObjectDocs;
 import org.SEAR.project.xml.ObjectClasses;
 
 /**
- * The object grammar as maps, lists, texts and numbers for JSON, made from the very classes that read and check the files. Any thread.
+ * The object grammar as maps, lists, texts and numbers for JSON, from the classes that read and check the files. Any
+ * thread.
  *
  * <pre>
- * [{"type": "Box", "doc": "a box: ..", "kind": "shape" ("sensor", "robot" or "part"), "environment": true, "robot": true (where it may stand),
+ * [{"type": "Box", "doc": "a box: ..", "kind": "shape" ("sensor", "robot" or "part"), "environment": true, "robot": true (where it is legal),
  *   "parameters": [{"name": "length", "doc": "size along x", "unit": "m", "kind": "number" ("whole", "switch", "text", "group"),
- *                   "legal": "a number from ..", "min": 0.0001, "max": 100000, "orZero": false, "values": [], "words": [] (what each value means),
- *                   "names": "" ("Wheel": whose names of the same robot it has), "required": true,
- *                   "list": false, "most": 1, "default": "", "initial": "0.5" (with which one begins that is made by mouse),
+ *                   "legal": "a number from ..", "min": 0.0001, "max": 100000, "orZero": false, "values": [], "words": [] (meanings of the values),
+ *                   "names": "" ("Wheel": class of the part of the same robot that it names), "required": true,
+ *                   "list": false, "most": 1, "default": "", "initial": "0.5" (for an object that is created with the mouse),
  *                   "parameters": [..] (of a group)}, ..]}, ..]
  * </pre>
  */
@@ -33,7 +34,7 @@ public final class Grammar {
     private Grammar() {
     }
 
-    /** All classes of which objects may be made, shapes first. */
+    /** Returns all classes of which objects can be created, shapes first. */
     public static List<Map<String, Object>> types() {
         List<Map<String, Object>> types = new ArrayList<>();
         for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
@@ -56,12 +57,12 @@ public final class Grammar {
         return SensorObject.class.isAssignableFrom(type) ? "sensor" : Shape.class.isAssignableFrom(type) && type != Wheel.class ? "shape" : "part";
     }
 
-    /** Whether an object of a class may stand in the world by itself. */
+    /** Returns whether an object of a class may be part of the environment. */
     static boolean standsInEnvironment(Class<? extends SearObject> type) {
         return Shape.class.isAssignableFrom(type) && type != Wheel.class;
     }
 
-    /** Whether an object of a class may be a part of a robot. */
+    /** Returns whether an object of a class may be a part of a robot. */
     static boolean standsOnRobot(Class<? extends SearObject> type) {
         return type != Floor.class && type != Terrain.class && type != SEARrobot.class;
     }

@@ -9,7 +9,7 @@ import org.SEAR.project.FileStore;
 import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.xml.Xml;
 
-/** The files of objects of one project, by their paths below its folder. Whoever holds the project's lock. */
+/** The object files of one project, by their paths below its folder. Guarded by the project lock. */
 final class ObjectFiles {
     final Path folder;
 
@@ -22,10 +22,10 @@ final class ObjectFiles {
     }
 
     /**
-     * What is in a file.
+     * Reads a file.
      *
-     * @return null if there is none
-     * @throws IOException if it is no ordinary file, or larger than any object's
+     * @return null if it does not exist
+     * @throws IOException if it is no ordinary file, or larger than an object's file may be
      */
     byte[] read(String path) throws IOException {
         Path file = file(path);
@@ -38,7 +38,7 @@ final class ObjectFiles {
         return Files.readAllBytes(file);
     }
 
-    /** Writes a file, whole or not at all; null deletes it, and its robot's own folder when that is empty then. */
+    /** Writes a file atomically; null deletes it, and its robot's own folder if that becomes empty. */
     void write(String path, byte[] content) throws IOException {
         Path file = file(path);
         if (content != null) {
@@ -60,7 +60,7 @@ final class ObjectFiles {
     }
 
     /**
-     * The path of an object's file.
+     * Returns the path of an object's file.
      *
      * @param stem as {@code SearObject.getFileName}
      */
@@ -68,7 +68,7 @@ final class ObjectFiles {
         return (part ? ProjectFolder.ROBOT : ProjectFolder.ENVIRONMENT) + "/" + stem + ProjectFolder.XML;
     }
 
-    /** The path without folder and ending. */
+    /** Returns the path without folder and ending. */
     static String stem(String path) {
         return path.substring(path.indexOf('/') + 1, path.length() - ProjectFolder.XML.length());
     }

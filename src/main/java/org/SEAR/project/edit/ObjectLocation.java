@@ -4,13 +4,13 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Wheel;
 
-/** An object of a project, the file that it stands in, and the robot that it is a part of. Whoever holds the project's lock. */
+/** An object of a project, its file, and the robot that it belongs to. Guarded by the project lock. */
 final class ObjectLocation {
-    /** The object; nobody else has it. */
+    /** The object, which is not shared. */
     final SearObject object;
-    /** The file's path below the project's folder. */
+    /** Path of the file below the project's folder. */
     final String path;
-    /** The robot that it is a part of, from its own file; null if none. */
+    /** Robot of a part, from its own file; null for no part. */
     final SEARrobot robot;
 
     ObjectLocation(SearObject object, String path, SEARrobot robot) {
@@ -19,7 +19,7 @@ final class ObjectLocation {
         this.robot = robot;
     }
 
-    /** What the file holds: the object itself, or the robot in whose file a wheel stands. */
+    /** Returns the root object of the file: the object itself, or the robot of a wheel. */
     SearObject root() {
         return isWheel() ? robot : object;
     }
@@ -28,12 +28,12 @@ final class ObjectLocation {
         return object instanceof Wheel && robot != null;
     }
 
-    /** The path of the robot's file. */
+    /** Returns the path of the robot's file. */
     String robotPath() {
         return ObjectFiles.path(true, robot.getName());
     }
 
-    /** What edits call it: its name, with its robot's before it if it is a part. */
+    /** Returns the address in edits: the name, for a part with its robot's name in front. */
     String address() {
         return robot == null ? object.getName() : robot.getName() + "/" + object.getName();
     }

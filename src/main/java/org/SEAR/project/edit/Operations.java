@@ -18,9 +18,9 @@ import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.problems.ProjectException;
 
-/** What edits do to a draft. One use, whoever holds the project's lock. */
+/** The edits of a draft. One use, guarded by the project lock. */
 final class Operations {
-    /** A robot's parts: other edits than {@code set} see to them. */
+    /** Parameters for a robot's parts, which {@code set} does not change. */
     private static final List<String> LINKS = List.of("component", "wheel");
     private static final List<String> PORTS = List.of("uartPort", "userPort", "export");
 
@@ -36,7 +36,7 @@ final class Operations {
 
     // ---- add, set ------------------------------------------------------------------------------------------------------
 
-    /** {@code type}, {@code name} (or a free one), {@code to} a robot, {@code set} parameters. */
+    /** Adds an object: {@code type}, {@code name} (or a free one), {@code to} a robot, {@code set} parameters. */
     EditResult add(EditRequest edit) throws IOException, ProjectException {
         String type = edit.text("type");
         Class<? extends SearObject> found = draft.classes().get(type);
@@ -70,14 +70,14 @@ final class Operations {
         return new EditResult("add " + name, place.address());
     }
 
-    /** Sensible from the class: box1, lidar1, robot1. */
+    /** Returns the default name of a class: box, lidar, robot. */
     private static String defaultName(String type) {
         String plain = type.startsWith("SEAR") ? type.substring(4) : type;
         boolean capitals = plain.equals(plain.toUpperCase(Locale.ROOT));
         return capitals ? plain.toLowerCase(Locale.ROOT) : Character.toLowerCase(plain.charAt(0)) + plain.substring(1);
     }
 
-    /** @param robot whose part is to have the name; null for a thing of the environment and a robot */
+    /** @param robot the robot of a part; null for an environment object or a robot */
     private String newName(EditRequest edit, String proposed, SEARrobot robot) throws IOException, ProjectException {
         String name = edit.textOrNull("name");
         if (name == null || name.isEmpty()) {
@@ -96,7 +96,7 @@ final class Operations {
         }
     }
 
-    /** The place of a robot that is made now in the order of the project's robots; null for the first. */
+    /** Returns the position of a new robot in the order of the project's robots; null for the first. */
     private Integer order() throws IOException, ProjectException {
         int last = 0;
         for (String robot : finder.robots()) {
@@ -106,7 +106,7 @@ final class Operations {
         return last == 0 ? null : Integer.valueOf(last + 1);
     }
 
-    /** Joins an object to the environment, or to a robot, without writing it. */
+    /** Adds an object to the environment or a robot, without writing the object. */
     @SuppressWarnings("unchecked")
     private ObjectLocation put(SearObject object, SEARrobot robot, String name) throws IOException {
         if (robot == null) {
@@ -126,7 +126,7 @@ final class Operations {
         draft.write(place.path, place.root());
     }
 
-    /** {@code object}, {@code set} parameters, {@code was} what the asker has seen of them. */
+    /** Sets parameters: {@code object}, {@code set} parameters, {@code was} the values that the client has read. */
     EditResult set(EditRequest edit) throws IOException, ProjectException {
         ObjectLocation place = finder.find(edit.text("object"));
         Map<?, ?> values = edit.values("set");
@@ -157,7 +157,10 @@ final class Operations {
         }
     }
 
-    /** As the calls move and rotate of scripts do it: what is put to a height no longer stands on the ground. */
+    /**
+     * Clears the placement on the ground like the scripts' calls move and rotate: an object with a new height is not
+     * placed on the ground.
+     */
     private static void standWherePut(SearObject object, Map<?, ?> values) {
         if (values.containsKey("y") && !values.containsKey("onGround")) {
             assign(object, "onGround", null);
@@ -185,7 +188,7 @@ final class Operations {
         return (List<Object>) parameter(robot, "component").get(robot);
     }
 
-    /** {@code template}, {@code name} (or a free one), {@code set} parameters of the robot. */
+    /** Adds a ready robot: {@code template}, {@code name} (or a free one), {@code set} parameters of the robot. */
     EditResult robot(EditRequest edit) throws IOException, ProjectException {
         String template = edit.text("template");
         String name = newName(edit, template, null);
@@ -205,7 +208,7 @@ final class Operations {
 
     // ---- rename, delete, duplicate -----------------------------------------------------------------------------------------
 
-    /** {@code object}, {@code name}. */
+    /** Renames an object: {@code object}, {@code name}. */
     EditResult rename(EditRequest edit) throws IOException, ProjectException {
         ObjectLocation place = finder.find(edit.text("object"));
         String old = place.object.getName();
@@ -236,7 +239,7 @@ final class Operations {
         return new EditResult("rename " + old + " to " + name, place.address());
     }
 
-    /** The parts in a robot's own folder go with its new name. */
+    /** Moves the parts in a robot's own folder when the robot is renamed. */
     private void moveOwnFolder(SEARrobot robot, String old) throws IOException, ProjectException {
         for (String file : List.copyOf(robot.getComponentNames())) {
             if (file.startsWith(old + "/")) {
@@ -251,7 +254,7 @@ final class Operations {
         }
     }
 
-    /** {@code object}; a robot goes with all of its parts, a part with what can't be without it. */
+    /** Deletes an {@code object}; a robot with all of its parts, a part with the parts that need it. */
     EditResult delete(EditRequest edit) throws IOException, ProjectException {
         ObjectLocation place = finder.find(edit.text("object"));
         References others = leave(place);
@@ -263,7 +266,7 @@ final class Operations {
         return new EditResult("delete " + place.object.getName() + with, null, besides(others, place, " was deleted with "));
     }
 
-    /** What has become of others because an object left its robot. */
+    /** Returns the effects on other objects of an object's leaving its robot. */
     private static List<String> besides(References others, ObjectLocation place, String why) {
         List<String> besides = new ArrayList<>();
         others.deleted().forEach(object -> besides.add(References.called(object) + why + References.called(place.object)));
@@ -271,7 +274,7 @@ final class Operations {
         return besides;
     }
 
-    /** Takes an object away from where it is, and its name from the other parts of its robot. */
+    /** Removes an object from its place, and its name from the other parts of its robot. */
     private References leave(ObjectLocation place) throws IOException, ProjectException {
         takeAway(place);
         References others = new References(draft, place.robot);
@@ -281,7 +284,7 @@ final class Operations {
         return others;
     }
 
-    /** Takes an object away from where it is. */
+    /** Removes an object from its place. */
     @SuppressWarnings("unchecked")
     private void takeAway(ObjectLocation place) throws IOException, ProjectException {
         if (place.isWheel()) {
@@ -296,7 +299,10 @@ final class Operations {
         }
     }
 
-    /** {@code object}, {@code name} (or a free one), {@code set} parameters of the copy; without ports, which belong to one device only. */
+    /**
+     * Duplicates an object: {@code object}, {@code name} (or a free one), {@code set} parameters of the copy. The copy
+     * has no ports, since ports belong to one device.
+     */
     EditResult duplicate(EditRequest edit) throws IOException, ProjectException {
         ObjectLocation place = finder.find(edit.text("object"));
         String old = place.object.getName();
@@ -314,7 +320,7 @@ final class Operations {
         return new EditResult("duplicate " + old, to.address());
     }
 
-    /** Another object of the same values. */
+    /** Returns a copy of the object. */
     private SearObject copy(ObjectLocation place) throws IOException, ProjectException {
         if (place.isWheel()) {
             SEARrobot again = (SEARrobot) draft.read(place.path);
@@ -345,7 +351,7 @@ final class Operations {
 
     // ---- mount, unmount ------------------------------------------------------------------------------------------------
 
-    /** {@code object}, {@code to} a robot, {@code set} parameters, which count in the robot's frame then. */
+    /** Mounts an object: {@code object}, {@code to} a robot, {@code set} parameters in the robot's frame. */
     EditResult mount(EditRequest edit) throws IOException, ProjectException {
         ObjectLocation place = finder.find(edit.text("object"));
         String to = edit.text("to");
@@ -367,7 +373,7 @@ final class Operations {
         return new EditResult("mount " + place.object.getName() + " on " + to, there.address(), besides);
     }
 
-    /** {@code object}, {@code set} parameters, which count in the world then; only what may stand there by itself. */
+    /** Unmounts a shape: {@code object}, {@code set} parameters in the world frame. */
     EditResult unmount(EditRequest edit) throws IOException, ProjectException {
         ObjectLocation place = finder.find(edit.text("object"));
         if (place.robot == null) {

@@ -5,23 +5,26 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** What an edit, an undo or a redo has come to. Immutable, any thread. */
+/** Result of an edit, an undo or a redo. Immutable, any thread. */
 public final class Outcome {
-    /** What was done, as {@code "move crate"}; empty if everything was so already. */
+    /** Description, such as {@code "move crate"}; empty if nothing changed. */
     public final String words;
-    /** What edits call the object from then on; null if it is gone, or for undo and redo. */
+    /** Address of the edited object; null if it was deleted, and for undo and redo. */
     public final String object;
-    /** What else there is to say; null for nothing. */
+    /** Note for the user; null for none. */
     public final String note;
-    /** Paths of the files that changed. */
+    /** Paths of the changed files. */
     public final Set<String> files;
-    /** Names of the things of the environment and robots that stand elsewhere; of robots' Dynamics, the components as robots' files name them. */
+    /**
+     * Names of the environment objects and robots with a changed pose; for the Dynamics of robots, the component's name
+     * in the robot's file.
+     */
     public final Set<String> moved;
-    /** Whether anything else has changed than where things and robots stand. */
+    /** Whether anything other than poses has changed. */
     public final boolean more;
-    /** What undo would take back; null for nothing. */
+    /** Description of the step that undo reverts; null for none. */
     public final String undo;
-    /** What redo would do again; null for nothing. */
+    /** Description of the step that redo repeats; null for none. */
     public final String redo;
 
     Outcome(String words, String object, String note, List<FileChange> changes, EditJournal journal) {

@@ -15,14 +15,16 @@ import org.SEAR.project.xml.ObjectClasses;
 import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.project.xml.Xml;
 
-/** Which things and robots an edit puts elsewhere, and whether it does anything besides. Immutable, any thread. */
+/** Objects and robots whose pose an edit changes, and whether it changes anything else. Immutable, any thread. */
 final class PoseChanges {
     private static final List<String> PLACING = List.of("x", "y", "z", "rx", "ry", "rz", "onGround", "placeLatitude", "placeLongitude",
         "placeHeading");
 
-    /** Names of things of the environment and robots; of robots' Dynamics, the components as the robots' files name them. */
+    /**
+     * Names of environment objects and robots; for the Dynamics of robots, the component's name in the robot's file.
+     */
     final Set<String> moved;
-    /** Whether something else has changed, too. */
+    /** Whether anything other than poses has changed. */
     final boolean more;
 
     private PoseChanges(Set<String> moved, boolean more) {

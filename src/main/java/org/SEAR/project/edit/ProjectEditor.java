@@ -13,9 +13,10 @@ import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 
 /**
- * Edits one project, for pages and scripts. An edit is a map: {@code do} says what, the rest stands at {@link Operations}. It is checked as the files
- * that it makes would be, all of its files are written or none, and it becomes a step that {@link #undo} takes back. What a script, an editor or a
- * hand changes in the same files becomes a step of its own, so nothing of it is lost.
+ * Editor of one project, for pages and scripts. An edit is a map: {@code do} is the operation, {@link Operations}
+ * describes the other entries. The editor checks the resulting files and writes all of them or none. Each edit is a
+ * step that {@link #undo} reverts. Changes of the same files by scripts or other programs become steps of their own, so
+ * nothing is lost.
  *
  * <pre>
  * {"do": "add", "type": "Box", "set": {"x": 1, "mass": 2}}     {"do": "robot", "template": "create2"}
@@ -32,7 +33,7 @@ public final class ProjectEditor {
 
     private final Path folder;
 
-    /** @param folder the SEARproject folder; the first edit makes it */
+    /** @param folder the SEARproject folder; the first edit creates it */
     public ProjectEditor(Path folder) {
         this.folder = folder.toAbsolutePath().normalize();
     }
@@ -41,7 +42,7 @@ public final class ProjectEditor {
         T run(ObjectFiles files) throws IOException, ProjectException;
     }
 
-    /** Does something while nobody else changes the project. */
+    /** Runs work while the project is locked. */
     private <T> T locked(Work<T> work) throws IOException, ProjectException {
         List<T> result = new ArrayList<>();
         List<ProjectException> refused = new ArrayList<>();
@@ -61,7 +62,7 @@ public final class ProjectEditor {
     /**
      * Does an edit.
      *
-     * @throws ProjectException with everything that is wrong with it; nothing has changed then
+     * @throws ProjectException with all its problems; nothing has changed then
      * @throws IOException if a file can't be read or written; nothing has changed then
      */
     public Outcome apply(Map<?, ?> edit) throws IOException, ProjectException {
@@ -123,7 +124,7 @@ public final class ProjectEditor {
             besides);
     }
 
-    /** Refuses what makes problems that the project has not had before. */
+    /** Throws the problems of the draft that the project does not already have. */
     private void check(EditDraft draft) throws ProjectException {
         List<Problem> after = problems(draft.overlay());
         if (!after.isEmpty()) {
@@ -148,7 +149,7 @@ public final class ProjectEditor {
         return String.join("\n", problem.file, problem.field, problem.value, problem.legal);
     }
 
-    /** What others have changed becomes a step; null if nothing. */
+    /** Records outside changes as a step, and returns it; null if there are none. */
     private static UndoStep noteOutside(EditJournal journal) throws IOException {
         List<FileChange> outside = journal.changedOutside();
         if (outside.isEmpty()) {
@@ -161,7 +162,7 @@ public final class ProjectEditor {
     }
 
     /**
-     * Takes back the last step. What a script or a hand has changed since in files of the steps is a step of its own, the last one.
+     * Reverts the last step. Outside changes of the steps' files since then are a step of their own, the last one.
      *
      * @throws IllegalStateException if there is none
      */
@@ -182,7 +183,7 @@ public final class ProjectEditor {
     }
 
     /**
-     * Does again what undo has taken back last.
+     * Repeats the step that undo reverted last.
      *
      * @throws IllegalStateException if there is none
      */
@@ -200,17 +201,17 @@ public final class ProjectEditor {
         });
     }
 
-    /** What undo and redo would do now; nothing changes. */
+    /** Returns what undo and redo would do; changes nothing. */
     public Outcome state() throws IOException, ProjectException {
         return locked(files -> new Outcome("", null, null, List.of(), EditJournal.open(files)));
     }
 
     /**
-     * An object as pages show it.
+     * Returns an object as pages show it.
      *
      * <pre>
-     * {"object": "rover/ping" (what edits call it), "name": "ping", "type": "Distance", "robot": "rover" or null, "file": "robot/ping.xml",
-     *  "values": {"name": "ping", "x": "0.1", .., "cone": [{"halfAngle": "15", ..}]}} texts as they stand in the file
+     * {"object": "rover/ping" (its address), "name": "ping", "type": "Distance", "robot": "rover" or null, "file": "robot/ping.xml",
+     *  "values": {"name": "ping", "x": "0.1", .., "cone": [{"halfAngle": "15", ..}]}} texts as in the file
      * </pre>
      *
      * @throws ProjectException if there is none of that name, or its file can't be read

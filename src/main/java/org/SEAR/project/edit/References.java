@@ -15,35 +15,35 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
 
 /**
- * The names by which parts of a robot know each other: a motor its wheels, a servo what it turns, a wheel its servo, a bumper what presses it, an
- * Arduino what is wired to it. The grammar says which parameters these are, and what can't be without them. One use for one part that gets another
- * name or leaves its robot; whoever holds the project's lock.
+ * References by name between the parts of a robot: from a motor to its wheels, a servo to the mounted parts, a wheel to
+ * its servo, a bumper to the part that presses it, an Arduino to the wired parts. The grammar marks these parameters,
+ * and the parts that need them. One use for one part that is renamed or leaves its robot. Guarded by the project lock.
  */
 final class References {
-    /** What has become of an object or group that may have had the name; the later one counts. */
+    /** Effect on an object or group, in ascending order. */
     private enum Effect { NONE, CHANGED, USELESS }
 
     private static final String LOST = " lost its ";
 
     private final EditDraft draft;
     private final SEARrobot robot;
-    /** Parts that have left, whose names are still to be forgotten. */
+    /** Parts that have left and whose names still have to be removed. */
     private final Deque<SearObject> left = new ArrayDeque<>();
     private final List<SearObject> deleted = new ArrayList<>();
     private final Set<String> lost = new LinkedHashSet<>();
     private SearObject part;
     private String old;
-    /** What stands in the old name's place; null for nothing. */
+    /** Replacement of the old name; null to remove it. */
     private String now;
 
-    /** @param robot as it is to be, with the part's new name or without it */
+    /** @param robot the result: with the part's new name, or without the part */
     References(EditDraft draft, SEARrobot robot) {
         this.draft = draft;
         this.robot = robot;
     }
 
     /**
-     * Has the names in the robot's file and in those of its parts follow a part that has another name now.
+     * Replaces a part's old name in the files of the robot and its parts.
      *
      * @param renamed with its new name
      * @param oldName the part's name before
@@ -55,7 +55,10 @@ final class References {
         replaceEverywhere();
     }
 
-    /** Takes a part's name away from the robot's file and those of its parts. What can't be without it is deleted, and forgotten likewise. */
+    /**
+     * Removes a part's name from the files of the robot and its parts. Parts that need it are deleted, and their names
+     * removed likewise.
+     */
     void forget(SearObject gone) throws IOException {
         left.add(gone);
         while (!left.isEmpty()) {
@@ -66,12 +69,12 @@ final class References {
         }
     }
 
-    /** What was deleted because it can't be without what was forgotten. */
+    /** Returns the parts that were deleted because they need the removed one. */
     List<SearObject> deleted() {
         return deleted;
     }
 
-    /** What other objects had of it and have no more, as "servo pan lost its part eye". */
+    /** Returns the references that other objects lost, such as "servo pan lost its part eye". */
     Set<String> lost() {
         return lost;
     }
@@ -142,7 +145,7 @@ final class References {
         return useless.isEmpty() ? effect : take(holder, parameter, groups, useless);
     }
 
-    /** Takes values away from a parameter. */
+    /** Removes values from a parameter. */
     private Effect take(Object holder, Parameter parameter, List<Object> values, List<?> taken) {
         values.removeAll(taken);
         Object none = ParameterTable.of(holder.getClass()).newInstance();
@@ -158,7 +161,7 @@ final class References {
         return values.isEmpty() && parameter.isNeeded() ? Effect.USELESS : Effect.CHANGED;
     }
 
-    /** {@code motor left}, {@code LIDAR front}. */
+    /** Returns class and name: {@code motor left}, {@code LIDAR front}. */
     static String called(SearObject object) {
         String type = object.getClass().getSimpleName();
         boolean capitals = type.equals(type.toUpperCase(Locale.ROOT));

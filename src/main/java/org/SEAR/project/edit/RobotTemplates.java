@@ -10,7 +10,7 @@ import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.project.problems.ProjectException;
 
-/** The robots that {@link Robots} makes, without their files. Any thread. */
+/** The robots of {@link Robots}, created without files. Any thread. */
 public final class RobotTemplates {
     private static final Map<String, Function<String, SEARrobot>> ALL = new LinkedHashMap<>();
 
@@ -27,16 +27,16 @@ public final class RobotTemplates {
     private RobotTemplates() {
     }
 
-    /** Their names, as those of the calls of {@link Robots}. */
+    /** Returns the template names, which are the names of the calls of {@link Robots}. */
     public static List<String> names() {
         return List.copyOf(ALL.keySet());
     }
 
     /**
-     * A new robot with its parts.
+     * Creates a robot with its parts.
      *
-     * @param taken names of what the project has besides parts of robots
-     * @throws ProjectException that says which there are
+     * @param taken names in the project other than those of robots' parts
+     * @throws ProjectException with the names of the templates
      */
     static SEARrobot make(String template, String name, Collection<String> taken) throws ProjectException {
         Function<String, SEARrobot> maker = ALL.get(template);

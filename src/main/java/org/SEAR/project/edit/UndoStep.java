@@ -12,15 +12,15 @@ import org.SEAR.grammar.TextRule;
 import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.xml.Xml;
 
-/** What is undone and done again at once: some files and what is said of it. Immutable, any thread. */
+/** A step of undo and redo: file changes and their description. Immutable, any thread. */
 final class UndoStep {
     private static final String FORMAT = "SEAR edit 1";
     private static final int NONE = -1;
-    /** A robot and all of its parts. */
+    /** Enough for a robot and all of its parts. */
     private static final int MAX_FILES = 20000;
     private static final Pattern FOLDERS = Pattern.compile(ProjectFolder.ENVIRONMENT + "/[^/]+|" + ProjectFolder.ROBOT + "/([^/]+/)?[^/]+");
 
-    /** As in "undo: move crate". */
+    /** Description, as in "undo: move crate". */
     final String words;
     final List<FileChange> changes;
 
@@ -29,7 +29,7 @@ final class UndoStep {
         this.changes = List.copyOf(changes);
     }
 
-    /** Bytes that it keeps. */
+    /** Returns the bytes in memory. */
     long size() {
         return changes.stream().mapToLong(FileChange::size).sum();
     }
@@ -57,9 +57,9 @@ final class UndoStep {
     }
 
     /**
-     * Reads what {@link #toBytes} wrote. A project may come from anybody: only files of objects are ever written.
+     * Reads the bytes of {@link #toBytes}. Projects are untrusted, so a step may only contain files of objects.
      *
-     * @throws IOException if it is something else
+     * @throws IOException if the bytes are no valid step
      */
     static UndoStep of(byte[] bytes) throws IOException {
         DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes));

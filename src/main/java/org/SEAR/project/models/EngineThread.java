@@ -5,21 +5,21 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 
 /**
- * Runs one piece of work of jMonkeyEngine's loaders on a thread of its own and waits for it. The loaders keep scratch variables for each thread and
- * don't give them back when they fail, and a thread has only five; here they go with the thread. Its stack has the same size wherever it is called
- * from, so that a file is too deep everywhere or nowhere; so has its class loader, by which they find files that come with SEAR and which threads of
- * other languages don't have. Any thread may call it.
+ * Runs one task of jMonkeyEngine's loaders on a new thread and waits for it. The loaders use thread-local scratch
+ * variables, at most five per thread, and do not release them on failure; here they end with the thread. The stack size
+ * is the same for every caller, so a deeply nested file always gives the same result. The class loader, by which the
+ * loaders find files that come with SEAR, is set too, since threads of other languages lack it. Any thread may call it.
  */
 final class EngineThread {
-    /** Bytes of stack. */
+    /** Stack size, bytes. */
     static final long STACK = 1 << 20;
 
     private EngineThread() { }
 
     /**
-     * What the work returns. An interrupted caller waits on and stays interrupted.
+     * Returns the result of the work. An interrupted caller keeps waiting and stays interrupted.
      *
-     * @throws ExecutionException with what the work has thrown, errors too
+     * @throws ExecutionException with the exception or error of the work
      */
     static <T> T call(Callable<T> work) throws ExecutionException {
         FutureTask<T> task = new FutureTask<>(work);

@@ -13,19 +13,19 @@ import java.util.TreeSet;
 import org.SEAR.files.FileLimits;
 
 /**
- * Looks through the JSON of a glTF 2.0 file before a loader follows its numbers: nodes form a tree, each reference leads to something, and each
- * accessor lies in its view, each view in its buffer, each buffer in what the file holds. One use.
+ * Checks the JSON of a glTF 2.0 file before a loader uses it: nodes form a tree, each reference is valid, and each
+ * accessor lies in its view, each view in its buffer, each buffer in the file. One use.
  */
 final class GltfCheck {
     private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4, "MAT2", 4, "MAT3", 9, "MAT4", 16);
     private static final Map<Integer, Integer> BYTES = Map.of(5120, 1, 5121, 1, 5122, 2, 5123, 2, 5125, 4, 5126, 4);
 
-    /** What jMonkeyEngine's reader knows. */
+    /** Extensions that jMonkeyEngine's reader supports. */
     private static final Set<String> EXTENSIONS = Set.of("KHR_materials_pbrSpecularGlossiness", "KHR_lights_punctual", "KHR_materials_unlit",
         "KHR_texture_transform");
     private static final Map<String, Integer> PLACE = Map.of("matrix", 16, "translation", 3, "rotation", 4, "scale", 3);
 
-    /** How long a buffer's file is. */
+    /** Sizes of the files of buffers. */
     interface Files {
         /**
          * @return bytes
@@ -69,7 +69,10 @@ final class GltfCheck {
         }
     }
 
-    /** Who goes on without an extension that the file says is needed reads another shape than what was drawn: packed corners all lie in one point. */
+    /**
+     * Rejects required extensions that the reader does not support: without them the shape is wrong, for example all
+     * compressed vertices lie in one point.
+     */
     private void checkExtensions() throws IOException {
         for (JsonElement needed : list(root, "extensionsRequired")) {
             if (!EXTENSIONS.contains(needed.getAsString())) {
@@ -188,7 +191,7 @@ final class GltfCheck {
         }
     }
 
-    /** How many elements fit. */
+    /** Returns the number of elements that fit. */
     private static long room(long bytes, long size, long stride) {
         return bytes < size ? 0 : (bytes - size) / stride + 1;
     }

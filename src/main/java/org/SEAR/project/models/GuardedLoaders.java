@@ -40,29 +40,30 @@ import java.util.zip.GZIPInputStream;
 import org.SEAR.files.FileLimits;
 
 /**
- * jMonkeyEngine's loaders trust their files: OGRE XML may read other files through entities, a .j3o names the Java classes to be made, a
- * .blend links to files anywhere. A shared project must not be able to do any of this, so these look first. jMonkeyEngine keeps a loader for each
- * thread as long as the thread lives, and its own ones keep what they loaded last: these have a fresh one of those load, and keep nothing.
+ * Guarded versions of jMonkeyEngine's loaders, which trust their files: OGRE XML can read other files through entities,
+ * a .j3o names the Java classes to create, a .blend links to arbitrary files. Projects are untrusted, so these loaders
+ * check each file first. jMonkeyEngine keeps one loader per thread, and its own loaders keep the last file; a guarded
+ * loader creates a new one per file and keeps nothing.
  */
 final class GuardedLoaders {
     private static final int GLB_MARK = 0x46546c67;
     private static final int JSON_CHUNK = 0x4e4f534a;
-    /** Where the JSON of a .glb starts. */
+    /** Offset of the JSON of a .glb, bytes. */
     private static final int GLB_DATA = 20;
     private static final int PIECE = 1 << 16;
     private static final byte[] GZIP = {0x1f, (byte) 0x8b};
-    /** Numbers of elements that OGRE's reader makes room for before it has read them. */
+    /** Element counts for which OGRE's reader allocates memory before it reads the elements. */
     private static final Pattern COUNT = Pattern.compile("\\b(?:vertex)?count\\s*=\\s*[\"'](\\d+)", Pattern.CASE_INSENSITIVE);
-    /** An element of OGRE's XML is never shorter. */
+    /** Shortest element of OGRE's XML, bytes. */
     private static final int SHORTEST = 10;
 
     private GuardedLoaders() {
     }
 
     /**
-     * Puts them in the place of the unguarded ones.
+     * Replaces the unguarded loaders.
      *
-     * @param pixels whether anybody will look at the pictures
+     * @param pixels whether the pictures are needed
      */
     static void register(AssetManager manager, boolean pixels) {
         manager.unregisterLoader(SceneLoader.class);
@@ -82,8 +83,8 @@ final class GuardedLoaders {
     }
 
     /**
-     * Wavefront models. jMonkeyEngine's reader logs each line that has nothing to do with triangles, a million for some files, and normals that
-     * the window makes itself.
+     * Wavefront models. jMonkeyEngine's reader logs each line without triangles, a million for some files, and missing
+     * normals, which the window computes itself.
      */
     public static final class Obj implements AssetLoader {
         private static final Logger LINES = Logger.getLogger(OBJLoader.class.getName());
@@ -98,7 +99,6 @@ final class GuardedLoaders {
         }
     }
 
-    /** Materials of Wavefront models. */
     public static final class Mtl implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
@@ -106,7 +106,6 @@ final class GuardedLoaders {
         }
     }
 
-    /** Materials of OGRE meshes. */
     public static final class OgreMaterial implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
@@ -114,7 +113,6 @@ final class GuardedLoaders {
         }
     }
 
-    /** jMonkeyEngine's own materials. */
     public static final class EngineMaterial implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
@@ -122,7 +120,7 @@ final class GuardedLoaders {
         }
     }
 
-    /** glTF whose numbers lead somewhere. */
+    /** glTF with valid references. */
     public static final class Gltf implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
@@ -137,18 +135,21 @@ final class GuardedLoaders {
         }
     }
 
-    /** A texture may have its picture by an extension that jMonkeyEngine's reader doesn't know, and none for others. */
+    /**
+     * Returns whether a texture has no plain picture, only one by an extension that jMonkeyEngine's reader does not
+     * support.
+     */
     private static boolean lacksPicture(GltfLoader loader, JsonObject texture) {
         return texture != null && !loader.getDocRoot().getAsJsonArray("textures").get(texture.get("index").getAsInt()).getAsJsonObject()
             .has("source");
     }
 
-    /** As where a picture is not in its file's place. */
+    /** Returns the replacement texture for a missing picture. */
     private static Texture2D missing(AssetInfo model, JsonObject texture) {
         return (Texture2D) model.getManager().loadTexture(new TextureKey("textures[" + texture.get("index") + "] without a source"));
     }
 
-    /** Binary glTF: a head of 12 bytes, a chunk of JSON, a chunk of data, each with its length and kind before it. */
+    /** Binary glTF: a header of 12 bytes, a JSON chunk and a data chunk, each after its length and kind. */
     public static final class Glb implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
@@ -180,7 +181,7 @@ final class GuardedLoaders {
         }
     }
 
-    /** The size of a file beside a model, up to the limit. */
+    /** Returns the size of a file beside a model, up to the limit. */
     private static long size(AssetInfo model, String uri) throws IOException {
         for (String name : new String[] {uri, URLDecoder.decode(uri.replace("+", "%2B"), StandardCharsets.UTF_8)}) {
             AssetInfo found = model.getManager().locateAsset(new AssetKey<>(model.getKey().getFolder() + name));
@@ -209,7 +210,7 @@ final class GuardedLoaders {
         }
     }
 
-    /** jMonkeyEngine's own format, with classes of scenes only. */
+    /** jMonkeyEngine's own format, with scene classes only. */
     public static final class Binary implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
@@ -241,7 +242,7 @@ final class GuardedLoaders {
             }
         }
 
-        /** Without keeping what is unpacked, and not much further than the limit. */
+        /** Returns the unpacked size without keeping the data; stops soon after the limit. */
         private static int unpackedSize(byte[] packed) throws IOException {
             byte[] piece = new byte[PIECE];
             int size = 0;
@@ -254,9 +255,9 @@ final class GuardedLoaders {
         }
     }
 
-    /** Blender files that link to no others, which may lie anywhere on the disk. */
+    /** Blender files without links to other files, which could lie anywhere on the disk. */
     private static final class Unlinked extends BlenderLoader {
-        /** The structure that holds the path of another file; jMonkeyEngine does not know its block's code. */
+        /** Structure with the path of another file; jMonkeyEngine does not know its block code. */
         private static final String LIBRARY = "Library";
 
         @Override
@@ -276,7 +277,7 @@ final class GuardedLoaders {
 
         @Override
         protected void clear(AssetInfo info) {
-            // the locator of linked files is gone already
+            // setup has already removed the locator of linked files
         }
     }
 
@@ -304,7 +305,7 @@ final class GuardedLoaders {
         }
     }
 
-    /** A file that was looked through. */
+    /** A file that was checked. */
     static final class Checked extends AssetInfo {
         private final byte[] bytes;
 

@@ -8,8 +8,9 @@ import java.util.List;
 import org.SEAR.files.FileLimits;
 
 /**
- * Looks through the head of a .j3o before jMonkeyEngine's BinaryImporter does, which makes an object of any class that the head names, and past the
- * file's end reads on for as long as a count says. The head: the classes, each with an alias, versions, name and fields; then where each object lies.
+ * Checks the header of a .j3o before jMonkeyEngine's BinaryImporter reads it. The importer creates an object of any
+ * class in the header, and reads past the end of the file if a count is too large. The header contains the classes,
+ * each with alias, versions, name and fields, then the location of each object.
  */
 final class J3oCheck {
     private static final List<String> SCENE_CLASSES = List.of("com.jme3.scene.", "com.jme3.material.", "com.jme3.math.", "com.jme3.texture.",
@@ -17,7 +18,7 @@ final class J3oCheck {
         "com.jme3.collision.",
         "com.jme3.util.", "com.jme3.effect.");
     private static final int MARK = 0x4a4d4533;
-    /** Bytes of an object's number and place. */
+    /** Bytes of an object's number and location. */
     private static final int LOCATION = 8;
 
     private final String file;
@@ -28,7 +29,10 @@ final class J3oCheck {
         this.in = ByteBuffer.wrap(bytes);
     }
 
-    /** @throws IOException if the file is cut off, wants a class that is no part of a scene, or counts more objects than it holds */
+    /**
+     * @throws IOException if the file is truncated, names a class that is no part of a scene, or counts more objects
+     *     than it contains
+     */
     void check() throws IOException {
         try {
             classes();

@@ -22,8 +22,8 @@ import org.SEAR.files.Assets;
 import org.SEAR.geometry.Triangles;
 
 /**
- * The triangles of the models of one project, the last, kept while memory lasts: who loads a project looks at its models, and the start needs them.
- * As soon as any file of the assets is another they are loaded anew, since a model may be of several files. Any thread.
+ * Soft-referenced cache of the triangles of the last project's models, which both loading and starting need. A change
+ * of any file in the assets clears it, since a model may consist of several files. Any thread.
  */
 final class KnownModels {
     private static SoftReference<KnownModels> last = new SoftReference<>(null);
@@ -35,13 +35,13 @@ final class KnownModels {
         this.files = files;
     }
 
-    /** Those of a project, as its files are now. */
+    /** Returns the cache of a project's current files. */
     static synchronized KnownModels of(Assets assets) {
         String files;
         try {
             files = files(assets.getFolder());
         } catch (IOException | UncheckedIOException e) {
-            return new KnownModels("");         // who can't look at all files does not know whether they are others: it is of no use to the next
+            return new KnownModels("");         // without a list of all files a change can't be detected, so the cache is not shared
         }
         KnownModels known = last.get();
         if (known == null || !known.files.equals(files)) {
@@ -51,7 +51,10 @@ final class KnownModels {
         return known;
     }
 
-    /** Without the folder's own name: a project that was found valid is renamed. */
+    /**
+     * Returns a text that changes with any file. It does not contain the folder's name, since a project is renamed
+     * after validation.
+     */
     private static String files(Path folder) throws IOException {
         if (!Files.isDirectory(folder)) {
             return "";
@@ -66,7 +69,10 @@ final class KnownModels {
         }
     }
 
-    /** What a model's triangles depend on beside those files: some file systems have times of two seconds, so its bytes count, too. */
+    /**
+     * Returns the cache key of a model. It contains a checksum, since some file systems have a time resolution of two
+     * seconds.
+     */
     static String key(Model model, Assets assets) throws IOException {
         CRC32 sum = new CRC32();
         try (InputStream in = assets.open(model.getPath())) {
@@ -75,7 +81,7 @@ final class KnownModels {
         return model.getPath() + " " + sum.getValue() + " " + model.isTerrain();
     }
 
-    /** Null if it isn't known. */
+    /** Returns a model; null if it is not in the cache. */
     Known get(String key) {
         return models.get(key);
     }
@@ -84,10 +90,10 @@ final class KnownModels {
         models.put(key, model);
     }
 
-    /** A model that was loaded. */
+    /** A loaded model. */
     static final class Known {
         final Triangles triangles;
-        /** What of it can't be shown. */
+        /** Warnings about parts that can't be shown. */
         final List<String> leftOut;
 
         Known(Triangles triangles, List<String> leftOut) {

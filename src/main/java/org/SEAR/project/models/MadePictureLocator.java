@@ -10,11 +10,11 @@ import java.io.IOException;
 import java.io.InputStream;
 import org.SEAR.files.MadePictures;
 
-/** Finds pictures that no file has. Any thread. */
+/** Locates generated pictures. Any thread. */
 public final class MadePictureLocator implements AssetLocator {
     @Override
     public void setRootPath(String rootPath) {
-        // They lie in no folder.
+        // Generated pictures have no folder.
     }
 
     @Override

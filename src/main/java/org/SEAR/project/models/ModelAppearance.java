@@ -18,26 +18,26 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What a model's file says of the look of its triangles, which are those of {@link ModelLoader#triangles} in their order: normals and places in
- * pictures of its vertices, and of each triangle the material. Immutable, any thread.
+ * Appearance of a model's triangles, in the order of {@link ModelLoader#triangles}: normals and texture coordinates of
+ * the vertices, and the material of each triangle. Immutable, any thread.
  */
 public final class ModelAppearance {
     private static final int FULL = 255;
     private static final String[] COLORS = {"Diffuse", "BaseColor", "Color"};
     private static final String[] MAPS = {"DiffuseMap", "BaseColorMap", "ColorMap"};
 
-    /** x, y and z of each vertex' normal. */
+    /** x, y and z of each vertex's normal. */
     public final float[] normals;
-    /** u and v of each vertex. */
+    /** Texture coordinates u and v of each vertex. */
     public final float[] places;
-    /** The number of each triangle's material. */
+    /** Index of each triangle's material. */
     public final short[] materialOf;
     /** All materials. */
     public final List<Surface> materials;
 
     /** A material: a picture, or a colour alone. Immutable, any thread. */
     public static final class Surface {
-        /** Pixels of a row; 0 without a picture. */
+        /** Pixels per row; 0 without a picture. */
         public final int width;
         /** Rows. */
         public final int height;
@@ -58,7 +58,7 @@ public final class ModelAppearance {
         this.materials = List.copyOf(materials);
     }
 
-    /** @param solids the geometries that have the triangles, in their order */
+    /** @param solids the geometries of the triangles, in their order */
     static ModelAppearance of(List<Geometry> solids) {
         int vertices = solids.stream().mapToInt(solid -> solid.getMesh().getVertexCount()).sum();
         int triangles = solids.stream().mapToInt(solid -> solid.getMesh().getTriangleCount()).sum();
@@ -135,7 +135,7 @@ public final class ModelAppearance {
         return param != null && Boolean.TRUE.equals(param.getValue());
     }
 
-    /** Null for a picture of a form that can't be looked into, such as a compressed one. */
+    /** Returns null for a picture whose pixels can't be read, such as a compressed one. */
     private static Surface pixels(Image image, ColorRGBA color) {
         try {
             ImageRaster raster = ImageRaster.create(image);

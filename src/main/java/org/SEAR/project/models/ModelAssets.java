@@ -18,8 +18,8 @@ import java.util.function.Supplier;
 import org.SEAR.files.UnreadablePicture;
 
 /**
- * Finds what models name. Many a model is handed on without its pictures: where one isn't there or can't be shown, the model is plain, as an object
- * of the grammar is then. What is beyond a limit is refused as ever. One thread at a time.
+ * Asset manager for models that may lack pictures: a model without a readable picture is plain, like an object of the
+ * grammar. Files beyond a limit are errors. One thread at a time.
  */
 final class ModelAssets extends DesktopAssetManager {
     private static final String MATERIALS = "mtl";
@@ -31,7 +31,7 @@ final class ModelAssets extends DesktopAssetManager {
         super(loaders);
     }
 
-    /** What could not be shown since this was asked last, each with the reason. */
+    /** Returns and clears the list of parts that can't be shown, each with the reason. */
     List<String> takeLeftOut() {
         List<String> taken = leftOut;
         leftOut = new ArrayList<>();
@@ -51,7 +51,7 @@ final class ModelAssets extends DesktopAssetManager {
         } catch (AssetNotFoundException | NoSuchElementException e) {
             boolean missing = e instanceof AssetNotFoundException;
             leftOut.add("its materials " + key.getName() + " are left out: " + (missing ? MISSING : "a line lacks a number"));
-            throw missing ? e : new AssetNotFoundException(key.getName());      // then jMonkeyEngine's reader goes on without them
+            throw missing ? e : new AssetNotFoundException(key.getName());      // makes jMonkeyEngine's reader continue without materials
         }
     }
 

@@ -1,18 +1,21 @@
 package org.SEAR.project.models;
 
-/** How large models may be; docs/projects.md has the same numbers. Generous for what people draw, and far below what stops a program. */
+/**
+ * Limits of models, also listed in docs/projects.md: above realistic models, and far below the size that stops a
+ * program.
+ */
 final class ModelLimits {
     /** Bytes of a model's file. */
     static final long MAX_FILE = 256L << 20;
-    /** Bytes of a .blend that is packed with gzip, when unpacked. */
+    /** Unpacked bytes of a .blend packed with gzip. */
     static final int MAX_BLEND = 64 << 20;
     /** Nodes of a model's scene. */
     static final int MAX_NODES = 10_000;
-    /** How deep nodes may be nested. */
+    /** Depth of nested nodes. */
     static final int MAX_DEPTH = 100;
-    /** Triangles and vertices of a model, each; a mesh that several nodes show counts each time. */
+    /** Triangles and vertices of a model, each; a mesh counts once per node that shows it. */
     static final int MAX_TRIANGLES = 4_000_000;
-    /** Metres from the model's origin in each direction, before the object's scale. */
+    /** Distance from the model's origin along each axis before scaling, metres. */
     static final float MAX_COORDINATE = 1e6f;
 
     private ModelLimits() {

@@ -19,11 +19,11 @@ import org.SEAR.files.Assets;
 import org.SEAR.geometry.Triangles;
 
 /**
- * Loads models with jMonkeyEngine's loaders, without a display. The geometry that the physics and the beams get and the scene that a window shows
- * come from the same file and stand in the same frame. One thread at a time.
+ * Loads models with jMonkeyEngine's loaders, without a display. The geometry for physics and beams and the scene for a
+ * window come from the same file and have the same frame. One thread at a time.
  */
 public final class ModelLoader {
-    /** The endings of the files that can be loaded. */
+    /** Endings of the supported files. */
     public static final List<String> ENDINGS = List.of(".mesh.xml", ".j3o", ".obj", ".gltf", ".glb", ".blend");
 
     private final Assets assets;
@@ -31,7 +31,7 @@ public final class ModelLoader {
     private final boolean pixels;
     private final Consumer<String> warnings;
 
-    /** For the models of a project, with their pictures. */
+    /** Creates a loader for the models of a project, with their pictures. */
     public ModelLoader(Assets assets) {
         this(assets, true, unheard -> { });
     }
@@ -45,21 +45,24 @@ public final class ModelLoader {
     }
 
     /**
-     * For who wants triangles only: pictures are checked, but take no memory.
+     * Creates a loader for triangles only, which checks pictures but does not unpack them.
      *
-     * @param warnings takes, with the model's file, what of it can't be shown
+     * @param warnings receives messages about parts that can't be shown
      */
     public static ModelLoader withoutPictures(Assets assets, Consumer<String> warnings) {
         return new ModelLoader(assets, false, warnings);
     }
 
-    /** Whether a path names a model by its ending. */
+    /** Returns whether the path has the ending of a model. */
     public static boolean isModel(String path) {
         String lower = path.toLowerCase(Locale.ROOT);
         return ENDINGS.stream().anyMatch(lower::endsWith);
     }
 
-    /** Lets an asset manager find the project's assets and those that come with SEAR, and load models without trusting them. */
+    /**
+     * Prepares an asset manager: it finds the project's assets and those that come with SEAR, and loads models without
+     * trusting them.
+     */
     public static void prepare(AssetManager manager, Assets assets) {
         prepare(manager, assets, true);
     }
@@ -74,9 +77,10 @@ public final class ModelLoader {
     }
 
     /**
-     * The scene of a model in its own frame, metres, before the object's scale and pose. A terrain is moved so that its centre is the origin.
+     * Returns the scene of a model in its own frame, metres, before the object's scale and pose. The centre of a
+     * terrain is moved to the origin.
      *
-     * @throws IOException that names the object, the file and what is wrong with it
+     * @throws IOException that names the object, the file and the problem
      */
     public Spatial spatial(Model model) throws IOException {
         Spatial loaded = load(model);
@@ -90,10 +94,11 @@ public final class ModelLoader {
     }
 
     /**
-     * The triangles of a model in its own frame, with the transforms of its nodes applied: metres, before the object's scale and pose. A terrain is
-     * moved so that its centre is the origin. Those of a loader without pictures are kept while memory lasts.
+     * Returns the triangles of a model in its own frame with the transforms of its nodes applied, metres, before the
+     * object's scale and pose. The centre of a terrain is moved to the origin. A loader without pictures caches the
+     * triangles.
      *
-     * @throws IOException that names the object, the file and what is wrong with it
+     * @throws IOException that names the object, the file and the problem
      */
     public Triangles triangles(Model model) throws IOException {
         if (pixels) {
@@ -121,9 +126,9 @@ public final class ModelLoader {
     }
 
     /**
-     * What the model's triangles look like; of a loader that was made with pictures.
+     * Returns the appearance of the model's triangles; for a loader with pictures.
      *
-     * @throws IOException that names the object, the file and what is wrong with it
+     * @throws IOException that names the object, the file and the problem
      */
     public ModelAppearance look(Model model) throws IOException {
         Spatial scene = spatial(model);
@@ -149,7 +154,7 @@ public final class ModelLoader {
     }
 
     private static IOException failure(Model model, Throwable e) {
-        Throwable reported = e instanceof AssetLoadException && e.getCause() instanceof IOException ? e.getCause() : e;    // which names the file
+        Throwable reported = e instanceof AssetLoadException && e.getCause() instanceof IOException ? e.getCause() : e;    // names the file
         return new IOException(model + ": " + model.getPath() + " can't be loaded: " + reasons(reported), e);
     }
 

@@ -15,16 +15,17 @@ import java.util.regex.Pattern;
 import org.SEAR.files.FileLimits;
 
 /**
- * A Wavefront model as jMonkeyEngine reads it: that leaves out faces of more than four corners, such as the end of a cylinder, and takes neither a
- * line that goes on on the next one nor a byte order mark. Such faces become triangles here: a convex one those from its first corner to the others,
- * any other by its ears (Meisters, "Polygons have ears", 1975). Numbers of corners that lead nowhere are told with their line.
+ * Converts a Wavefront model for jMonkeyEngine's reader, which drops faces with more than four corners and supports
+ * neither continued lines nor a byte order mark. Such faces are split into triangles: a convex face into a fan from its
+ * first corner, any other by ear clipping (Meisters, "Polygons have ears", 1975). Invalid corner indices are reported
+ * with their line.
  */
 final class ObjText {
-    /** Corners of a face that jMonkeyEngine takes. */
+    /** Largest number of corners of a face that jMonkeyEngine supports. */
     private static final int TAKEN = 4;
-    /** Corners of a face that is not convex: finding its ears takes a time that grows by their cube. */
+    /** Largest number of corners of a non-convex face: ear clipping takes cubic time. */
     private static final int MAX_CORNERS = 100;
-    /** Words of a line with a corner; behind them, some programs write its colour. */
+    /** Words of a vertex line; some programs append a colour. */
     private static final int COLORED = 4;
     private static final Pattern NUMBERS = Pattern.compile("(?:v[tn]?|f)\\s");
     private static final String MARK = "\ufeff";
@@ -32,7 +33,7 @@ final class ObjText {
     private final String name;
     private double[] at = new double[3 << 6];
     private int corners;
-    /** Lines with places in the picture. */
+    /** Number of lines with texture coordinates. */
     private int pictured;
     private int normals;
     private int line;
@@ -41,7 +42,7 @@ final class ObjText {
         this.name = name;
     }
 
-    /** The same model in lines that jMonkeyEngine reads whole. */
+    /** Returns the same model in lines that jMonkeyEngine reads completely. */
     byte[] read(byte[] bytes) throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream(bytes.length);
         try (BufferedReader in = new BufferedReader(new InputStreamReader(new ByteArrayInputStream(bytes), StandardCharsets.ISO_8859_1));
@@ -54,7 +55,7 @@ final class ObjText {
         return out.toByteArray();
     }
 
-    /** A line, with those on which it goes on. */
+    /** Returns a line with its continuations. */
     private String next(BufferedReader in) throws IOException {
         line++;
         String text = in.readLine();
@@ -114,7 +115,10 @@ final class ObjText {
         corners++;
     }
 
-    /** The number of a face's corner, from 0; behind it may stand those of a place in the picture and of a normal: 1/2/3, 1//3. */
+    /**
+     * Returns the index of a face's corner, from 0; indices of texture coordinates and of a normal may follow: 1/2/3,
+     * 1//3.
+     */
     private int corner(String word) throws IOException {
         String[] numbers = word.split("/", 3);
         if (numbers.length > 1 && !numbers[1].isEmpty()) {
@@ -141,7 +145,7 @@ final class ObjText {
         return value;
     }
 
-    /** Places in a face of the corners of each of its triangles. */
+    /** Returns the triangles of a face, as indices into its corners. */
     private List<int[]> triangles(int[] face) throws IOException {
         double[] normal = normal(face);
         List<Integer> left = new ArrayList<>();
@@ -164,7 +168,10 @@ final class ObjText {
         return made;
     }
 
-    /** A corner that can be cut off: the triangle with its neighbours turns as the face does and holds no other corner. */
+    /**
+     * Returns an ear: a corner whose triangle with its neighbours has the face's orientation and contains no other
+     * corner.
+     */
     private int ear(int[] face, List<Integer> left, double[] normal) {
         int size = left.size();
         for (int i = 0; i < size; i++) {
@@ -183,7 +190,7 @@ final class ObjText {
         return 0;
     }
 
-    /** At right angles to a face (Newell), as long as twice its area. */
+    /** Returns the normal of a face (Newell), with a length of twice its area. */
     private double[] normal(int[] face) {
         double[] n = new double[3];
         for (int i = 0; i < face.length; i++) {
@@ -198,7 +205,7 @@ final class ObjText {
         return n;
     }
 
-    /** Twice the area of a triangle of corners, as seen along a normal; negative if it turns the other way. */
+    /** Returns twice the signed area of a triangle, seen along a normal. */
     private double area(double[] normal, int a, int b, int c) {
         double sum = 0;
         for (int axis = 0; axis < 3; axis++) {

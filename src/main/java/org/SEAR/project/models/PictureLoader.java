@@ -18,7 +18,7 @@ import java.util.Locale;
 import org.SEAR.files.FileLimits;
 import org.SEAR.files.PictureSize;
 
-/** Loads pictures whose size was looked at first: a few kilobytes may unpack to gigabytes. */
+/** Loads pictures after checking their size: a few kilobytes may unpack to gigabytes. */
 final class PictureLoader {
     private static final String[] ENDINGS = {"png", "jpg", "jpeg", "gif", "bmp", "tga", "dds", "hdr"};
 
@@ -26,9 +26,9 @@ final class PictureLoader {
     }
 
     /**
-     * Puts the guarded loaders in the place of the others.
+     * Replaces the unguarded loaders.
      *
-     * @param pixels whether anybody will look at the pictures
+     * @param pixels whether the pictures are needed
      */
     static void register(AssetManager manager, boolean pixels) {
         manager.unregisterLoader(PFMLoader.class);
@@ -49,7 +49,7 @@ final class PictureLoader {
         return info.getKey().getExtension().toLowerCase(Locale.ROOT);
     }
 
-    /** Pictures with their pixels. */
+    /** Loader of pictures with their pixels. */
     public static final class Guarded implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
@@ -67,7 +67,7 @@ final class PictureLoader {
         }
     }
 
-    /** For physics and beams, which see no pictures: they are checked but not unpacked. */
+    /** Loader for physics and beams, which checks pictures but does not unpack them. */
     public static final class Unseen implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {

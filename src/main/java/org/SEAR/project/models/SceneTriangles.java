@@ -16,7 +16,7 @@ import java.util.List;
 import org.SEAR.files.FileLimits;
 import org.SEAR.geometry.Triangles;
 
-/** The triangles of a loaded scene, checked: numbers of vertices that there are, finite coordinates within the limits. One use. */
+/** Triangles of a loaded scene, checked: valid vertex indices, finite coordinates within the limits. One use. */
 final class SceneTriangles {
     private final String file;
     private final List<Geometry> solids = new ArrayList<>();
@@ -31,9 +31,9 @@ final class SceneTriangles {
     }
 
     /**
-     * All triangles with the transforms of their nodes applied.
+     * Returns all triangles with the transforms of their nodes applied.
      *
-     * @param file how errors name the model's file
+     * @param file name of the model's file in errors
      * @throws IOException that names the mesh, the value and the limit
      */
     static Triangles of(Spatial scene, String file) throws IOException {
@@ -41,9 +41,9 @@ final class SceneTriangles {
     }
 
     /**
-     * The geometries that have the triangles, in their order.
+     * Returns the geometries of the triangles, in their order.
      *
-     * @param file how errors name the model's file
+     * @param file name of the model's file in errors
      */
     static List<Geometry> solids(Spatial scene, String file) throws IOException {
         SceneTriangles triangles = new SceneTriangles(file);

@@ -3,12 +3,12 @@ package org.SEAR.project.models;
 import com.jme3.math.Vector3f;
 import org.SEAR.geometry.Triangles;
 
-/** Where the centre of a terrain is: in the middle of its extent in x and z, on its highest surface there. */
+/** Centre of a terrain model: the middle of its extent in x and z, on its highest surface there. */
 final class TerrainCentre {
     private TerrainCentre() {
     }
 
-    /** The move that brings the centre to the origin, metres. */
+    /** Returns the translation that moves the centre to the origin, metres. */
     static Vector3f toOrigin(Triangles terrain) {
         float[] low = {Float.MAX_VALUE, Float.MAX_VALUE, Float.MAX_VALUE};
         float[] high = {-Float.MAX_VALUE, -Float.MAX_VALUE, -Float.MAX_VALUE};
@@ -24,7 +24,7 @@ final class TerrainCentre {
         return new Vector3f(-x, -height(terrain, x, z, low[1]), -z);
     }
 
-    /** The highest surface at (x, z); {@code otherwise} where there is none. */
+    /** Returns the highest surface at (x, z); {@code otherwise} if there is none. */
     private static float height(Triangles terrain, float x, float z, float otherwise) {
         double highest = Double.NEGATIVE_INFINITY;
         for (int t = 0; t < terrain.size(); t++) {

@@ -6,12 +6,12 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 
-/** Java's file errors in words: the message of many of them is the file's path and nothing else. Any thread. */
+/** Messages for Java's file exceptions, many of which only contain the path. Any thread. */
 public final class FileReasons {
     private FileReasons() {
     }
 
-    /** What went wrong, with the file where it is known: {@code /x/robot.sear: permission denied}. */
+    /** Returns the reason, with the file if it is known: {@code /x/robot.sear: permission denied}. */
     public static String of(Exception e) {
         if (e instanceof FileSystemException && ((FileSystemException) e).getReason() == null) {
             return ((FileSystemException) e).getFile() + ": " + kind((FileSystemException) e);

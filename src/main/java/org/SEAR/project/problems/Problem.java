@@ -1,6 +1,6 @@
 package org.SEAR.project.problems;
 
-/** One thing that is wrong with a project: where, what, and what is legal. Immutable. */
+/** One problem of a project: location, value and legal values. Immutable. */
 public final class Problem {
     public final String file;
     public final int line;
@@ -12,7 +12,7 @@ public final class Problem {
      * @param file relative to the project
      * @param line from 1, 0 if unknown
      * @param field may be empty
-     * @param legal what would have been right
+     * @param legal the legal values, in words
      */
     public Problem(String file, int line, String field, String value, String legal) {
         this.file = file;
@@ -22,7 +22,7 @@ public final class Problem {
         this.legal = legal;
     }
 
-    /** {@code environment/Box1.xml:4: mass is "-1", legal: 0 to 1e6 kg}. */
+    /** Returns the message: {@code environment/Box1.xml:4: mass is "-1", legal: 0 to 1e6 kg}. */
     @Override
     public String toString() {
         return file + (line > 0 ? ":" + line : "") + ": " + (field.isEmpty() ? value : field + " is \"" + value + "\"") + ", legal: " + legal;

@@ -7,19 +7,19 @@ import java.util.stream.Collectors;
 /** Collects the problems of a project, file by file. */
 public final class ProblemList {
     private static final int LONGEST_VALUE = 80;
-    /** So many problems that more would help nobody. */
+    /** Largest number of problems; further ones are dropped. */
     private static final int MOST = 1000;
 
     private final List<Problem> problems = new ArrayList<>();
 
-    /** Adds one, with its value shortened. The parameters are those of {@link Problem}. */
+    /** Adds a problem, with its value shortened. The parameters are those of {@link Problem}. */
     public void add(String file, int line, String field, Object value, String legal) {
         if (!isFull()) {
             problems.add(new Problem(file, line, field, shortened(String.valueOf(value)), legal));
         }
     }
 
-    /** Takes over what another list has, as far as there is room. */
+    /** Adds the problems of another list up to the limit. */
     public void addAll(ProblemList others) {
         problems.addAll(others.problems.subList(0, Math.min(others.size(), MOST - size())));
     }
@@ -30,17 +30,15 @@ public final class ProblemList {
         return value.length() > LONGEST_VALUE ? text + "..." : text.toString();
     }
 
-    /** How many there are. */
     public int size() {
         return problems.size();
     }
 
-    /** Whether no more problems are taken, so that nobody needs to look for them. */
+    /** Returns whether the list drops further problems, so checks can stop. */
     public boolean isFull() {
         return problems.size() >= MOST;
     }
 
-    /** Whether nothing is wrong so far. */
     public boolean isEmpty() {
         return problems.isEmpty();
     }
@@ -51,9 +49,9 @@ public final class ProblemList {
     }
 
     /**
-     * Does nothing if nothing is wrong.
+     * Throws the problems, if there are any.
      *
-     * @throws ProjectException with all of them
+     * @throws ProjectException with all problems
      */
     public void throwIfAny() throws ProjectException {
         if (!problems.isEmpty()) {

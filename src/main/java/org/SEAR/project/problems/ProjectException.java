@@ -3,7 +3,7 @@ package org.SEAR.project.problems;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** A project, object or bundle that can't be used; names every problem at once. */
+/** Thrown for an invalid project, object or bundle, with all its problems. */
 public class ProjectException extends Exception {
     private static final long serialVersionUID = 1L;
     private final transient List<Problem> problems;
@@ -13,7 +13,7 @@ public class ProjectException extends Exception {
         this.problems = List.copyOf(problems);
     }
 
-    /** All problems, at least one. */
+    /** Returns all problems, at least one. */
     public List<Problem> getProblems() {
         return problems;
     }

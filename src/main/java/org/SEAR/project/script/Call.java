@@ -14,9 +14,9 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
 
 /**
- * A public constructor or method of a class of the grammar and the parameters that its arguments have the names of: {@code newX} stands for
- * {@code x}, {@code user} for {@code userPort}; of a setter {@code setMass} the method's own name counts. Whether it really sets those is found out
- * by calling it. Immutable, any thread.
+ * A public constructor or method of a class of the grammar, with the parameters that its argument names match:
+ * {@code newX} stands for {@code x}, {@code user} for {@code userPort}; for a setter {@code setMass} the method's name
+ * counts. Calling it shows whether it sets these parameters. Immutable, any thread.
  */
 final class Call {
     private static final ClassValue<List<Call>> CONSTRUCTORS = new ClassValue<List<Call>>() {
@@ -42,12 +42,12 @@ final class Call {
         this.arguments = arguments;
     }
 
-    /** Those of which each argument is a parameter; the shortest first. */
+    /** Returns the constructors whose arguments are all parameters; the shortest first. */
     static List<Call> constructors(Class<?> type) {
         return CONSTRUCTORS.get(type);
     }
 
-    /** As {@link #constructors}. */
+    /** Returns the methods whose arguments are all parameters; the shortest first. */
     static List<Call> methods(Class<?> type) {
         return METHODS.get(type);
     }
@@ -116,16 +116,16 @@ final class Call {
         }
     }
 
-    /** Whether it adds one entry of a list at a time. */
+    /** Returns whether the call adds a single entry to a list. */
     boolean isAdding() {
         return arguments.size() == 1 && arguments.get(0).isList() && target.getParameterTypes()[0] != List.class;
     }
 
     /**
-     * Calls it.
+     * Calls the constructor or method.
      *
      * @param object null for a constructor
-     * @return what was made; the object itself for a method; null if it refuses these values
+     * @return the new object; the object itself for a method; null if the values are rejected
      */
     Object run(Object object, Object[] values) {
         Class<?>[] types = target.getParameterTypes();

@@ -14,12 +14,12 @@ import org.SEAR.grammar.ParameterTable;
 import org.SEAR.grammar.ScriptText;
 
 /**
- * The constructor and calls that make one object, or one group of parameters. They are found by making drafts: of all constructors with those calls
- * that bring a draft nearer to the object the shortest ones count, and {@code set} does what no method does. One use, within a
- * {@link org.SEAR.POJOs.Draft}.
+ * Finds the constructor and calls that create one object, or one group of parameters, by trying them on drafts. It
+ * combines each constructor with the methods that bring the draft nearer to the object, and takes the shortest result;
+ * {@code set} covers parameters without a method. One use, within a {@link org.SEAR.POJOs.Draft}.
  */
 final class ObjectScript {
-    /** How much longer a call makes a script than an argument, and a call by names than others. */
+    /** Length of a call compared to that of an argument, and of a call with names. */
     private static final int CALL = 2;
     private static final int BY_NAME = 6;
 
@@ -40,7 +40,7 @@ final class ObjectScript {
         classes.add(wanted.getClass());
     }
 
-    /** For a class without a constructor that takes values alone. */
+    /** Uses {@code SearObject.make} for a class without a suitable constructor. */
     private void makeByNames() {
         Map<String, Object> named = new LinkedHashMap<>();
         ScriptValues.differences(wanted, ParameterTable.of(wanted.getClass()).newInstance())
@@ -56,22 +56,22 @@ final class ObjectScript {
         }
     }
 
-    /** Whether there is a way. */
+    /** Returns whether a script was found. */
     boolean isPossible() {
         return expression != null;
     }
 
-    /** {@code Box("crate", 1, 2, 3)}. */
+    /** Returns the constructor call: {@code Box("crate", 1, 2, 3)}. */
     String expression() {
         return expression;
     }
 
-    /** {@code setColor("red")}, in order. */
+    /** Returns the method calls in order: {@code setColor("red")}. */
     List<String> calls() {
         return calls;
     }
 
-    /** The classes that the words name. */
+    /** Returns the classes that the script names. */
     Set<Class<?>> classes() {
         return classes;
     }
@@ -99,7 +99,7 @@ final class ObjectScript {
         }
     }
 
-    /** Calls methods as long as they help. */
+    /** Calls methods as long as they reduce the differences; returns the length of the calls. */
     private int change(Object draft, List<String> found) {
         int size = 0;
         List<Parameter> rest = ScriptValues.differences(wanted, draft);
@@ -170,12 +170,12 @@ final class ObjectScript {
         }).toArray();
     }
 
-    /** The text that a script has to say for a name: one that looks like the bytes of another is said in bytes. */
+    /** Returns the text by which a script writes a name: a name that looks like UTF-8 bytes is written as bytes. */
     private static String asWritten(String name) {
         return name.equals(ScriptText.of(name)) ? name : new String(name.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
     }
 
-    /** {@code name(1, 2)}; null if one of the values can't be written so. */
+    /** Returns the call {@code name(1, 2)}; null if a value can't be written as an argument. */
     private String words(String name, Call call, Object[] values) {
         List<String> words = new ArrayList<>();
         for (int i = 0; i < values.length; i++) {

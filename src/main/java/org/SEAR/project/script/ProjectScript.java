@@ -20,22 +20,25 @@ import org.SEAR.project.BeamLibrary;
 import org.SEAR.project.Project;
 
 /**
- * Writes the Python script that makes a project's objects: run by MyRobotLab's service {@code python}, it gives the same XML files to the byte, as
- * SEAR writes them. Pictures, models, maps and beams are files of the project already, and stay. One use, one thread.
+ * Writes the Python script that creates a project's objects. Run by MyRobotLab's service {@code python}, it reproduces
+ * the XML files byte by byte, as SEAR writes them. Pictures, models, maps and beams stay in the project as files. One
+ * use, one thread.
  */
 public final class ProjectScript {
-    /** Jython makes a method of each block, and Java's methods end at 64 kilobytes: so many lines fit for sure. */
+    /**
+     * Safe number of lines per block: Jython compiles each block to a method, and Java limits a method to 64 kilobytes.
+     */
     private static final int LINES_OF_BLOCK = 120;
 
     private final Project project;
     private final Set<Class<?>> classes = new TreeSet<>(Comparator.comparing(Class::getName));
     private final List<Unit> units = new ArrayList<>();
-    /** What stands in {@code robot/NAME.xml}, by name in small letters, as the script goes on. */
+    /** Owner of {@code robot/NAME.xml}, by name in lower case, while the script proceeds. */
     private final Map<String, SearObject> places = new HashMap<>();
     private final Map<SearObject, Boolean> aside = new LinkedHashMap<>();
     private final PythonText.Variables variables;
 
-    /** What belongs together, and the variables that later ones use. */
+    /** Lines that belong together, and their variables for later units. */
     private static final class Unit {
         final List<String> lines = new ArrayList<>();
         final List<String> variables = new ArrayList<>();
@@ -49,9 +52,9 @@ public final class ProjectScript {
     }
 
     /**
-     * The script of a project.
+     * Returns the script of a project.
      *
-     * @throws IllegalStateException if there is an object that no call can make
+     * @throws IllegalStateException if there is an object that no call can create
      */
     public static String of(Project project) {
         return Draft.of(new BeamLibrary(project.getFolder()).names(), () -> new ProjectScript(project).write());
@@ -121,7 +124,7 @@ public final class ProjectScript {
         return variable;
     }
 
-    /** What a part that comes later does to one of the same name that came before: that moves aside. */
+    /** Makes a part or robot the owner of its plain file; an earlier robot's part of the same name moves aside. */
     private void take(SearObject part) {
         SearObject holder = places.put(part.getName().toLowerCase(Locale.ROOT), part);
         if (holder != null && aside.containsKey(holder)) {
@@ -132,7 +135,7 @@ public final class ProjectScript {
         }
     }
 
-    /** Files that lie elsewhere than running the script would have put them. */
+    /** Adds calls for files whose location differs from the result of the script. */
     private void putInPlace(Map<SEARrobot, String> robots, boolean wanted) {
         Unit unit = new Unit();
         robots.forEach((robot, variable) -> {
@@ -161,7 +164,7 @@ public final class ProjectScript {
         return text.toString();
     }
 
-    /** A long script in functions; robots are everybody's. */
+    /** Splits a long script into functions; robots are global variables. */
     private void blocks(StringBuilder text) {
         int number = 0;
         for (int from = 0; from < units.size();) {

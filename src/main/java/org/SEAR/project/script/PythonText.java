@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.SEAR.grammar.Parameter;
 
-/** Values as Python 2.7 writes them: ASCII only, whatever is in them, so that no text of a project can become code. Any thread. */
+/** Python 2.7 literals in ASCII, escaped so that no text of a project can become code. Any thread. */
 final class PythonText {
     private static final Set<String> TAKEN = Set.of("and", "as", "assert", "break", "class", "continue", "def", "del", "elif", "else", "except",
         "exec", "finally", "for", "from", "global", "if", "import", "in",
@@ -22,7 +22,7 @@ final class PythonText {
     private PythonText() {
     }
 
-    /** A text, number, truth value, None, list or dictionary; the numbers as files write them. */
+    /** Returns the literal of a text, number, truth value, None, list or dictionary; numbers as in files. */
     static String literal(Object value) {
         if (value == null) {
             return "None";
@@ -43,7 +43,7 @@ final class PythonText {
         return value instanceof Integer ? value.toString() : text(value.toString());
     }
 
-    /** Plain digits where Python reads them as a small whole number or a fraction, else with an exponent. */
+    /** Returns plain digits if Python reads them as a small whole number or a fraction, otherwise an exponent. */
     private static String number(double value) {
         return value == Math.rint(value) && Math.abs(value) >= EXACT ? Double.toString(value) : Parameter.format(value);
     }
@@ -67,7 +67,7 @@ final class PythonText {
         return (plain ? "\"" : "u\"") + out + '"';
     }
 
-    /** Names of variables, none of them twice and none that means something already. */
+    /** Unique variable names that avoid names with another meaning. */
     static final class Variables {
         private final Set<String> given = new HashSet<>();
 
@@ -75,7 +75,7 @@ final class PythonText {
             given.addAll(imported);
         }
 
-        /** A free one that looks like the object's name. */
+        /** Returns a free name similar to the object's name. */
         String of(String name, String type) {
             String letters = name.replaceAll("[^A-Za-z0-9]+", "_").replaceAll("^_+|_+$", "");
             String start = letters.isEmpty() ? decapitalised(type) : letters;
@@ -94,7 +94,7 @@ final class PythonText {
         }
     }
 
-    /** The words that make up an import. */
+    /** Returns the import statements. */
     static List<String> imports(Map<String, ? extends Collection<String>> classesByPackage) {
         return classesByPackage.entrySet().stream().map(e -> "from " + e.getKey() + " import " + e.getValue().stream().sorted()
             .collect(Collectors.joining(", "))).collect(Collectors.toList());

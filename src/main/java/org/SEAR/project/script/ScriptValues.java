@@ -9,7 +9,7 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
 import org.SEAR.grammar.TextRule;
 
-/** The values of an object's parameters, but for what it is made of: a robot's components and wheels. Any thread. */
+/** Values of an object's parameters, without its parts: a robot's components and wheels. Any thread. */
 final class ScriptValues {
     private ScriptValues() {
     }
@@ -18,7 +18,7 @@ final class ScriptValues {
         return parameter.getTextRule() == TextRule.COMPONENT || SearObject.class.isAssignableFrom(parameter.getType());
     }
 
-    /** Which parameters of two objects of one class differ, in order. */
+    /** Returns the parameters in which two objects of one class differ, in order. */
     static List<Parameter> differences(Object one, Object other) {
         List<Parameter> different = new ArrayList<>();
         for (Parameter parameter : ParameterTable.of(one.getClass()).getParameters()) {
@@ -45,7 +45,7 @@ final class ScriptValues {
         return parameter.getKind() == Parameter.Kind.GROUP ? differences(one, other).isEmpty() : one.equals(other);
     }
 
-    /** All of them, to be put back. */
+    /** Returns a copy of all values, for {@link #restore}. */
     static Map<Parameter, Object> copy(Object object) {
         Map<Parameter, Object> values = new LinkedHashMap<>();
         for (Parameter parameter : ParameterTable.of(object.getClass()).getParameters()) {
@@ -55,12 +55,12 @@ final class ScriptValues {
         return values;
     }
 
-    /** Puts back what {@link #copy} took. */
+    /** Restores the values of {@link #copy}. */
     static void restore(Object object, Map<Parameter, Object> values) {
         values.forEach((parameter, value) -> parameter.set(object, value));
     }
 
-    /** A value as what a script may hand to {@code set}: groups are dictionaries. */
+    /** Returns a value as a script passes it to {@code set}: groups are dictionaries. */
     static Object plain(Object value) {
         if (value instanceof List) {
             List<Object> entries = new ArrayList<>();

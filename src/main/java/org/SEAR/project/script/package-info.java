@@ -1,5 +1,5 @@
 /**
- * A project as the Python script that makes it, from the parameters of the grammar alone. Uses {@link org.SEAR.project}, and what that uses. Reads
- * projects; no threads of its own.
+ * Python scripts that reproduce a project, generated from the parameters of the grammar. Uses {@link org.SEAR.project}
+ * and its dependencies. Reads projects; no threads of its own.
  */
 package org.SEAR.project.script;

@@ -12,20 +12,22 @@ import org.SEAR.POJOs.WireRules;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 
-/** Checks that wires end at components of their robot that have such wires, and that no two boards have the same one. One use. */
+/**
+ * Checks that wires lead to suitable components of their robot, and that no two boards share the same wire. One use.
+ */
 public final class WiringCheck {
     private final Map<ParsedObject, SEARrobot> owners;
     private final ProblemList problems;
-    /** Boards by robot, component and role. */
+    /** Files of boards by robot, component and role. */
     private final Map<String, String> wired = new HashMap<>();
 
-    /** @param owners the parts of robots with their robots, which have all their components */
+    /** @param owners the parts and their robots, which have all their components */
     public WiringCheck(Map<ParsedObject, SEARrobot> owners, ProblemList problems) {
         this.owners = owners;
         this.problems = problems;
     }
 
-    /** Adds what is wrong. */
+    /** Adds the problems of all boards. */
     public void check() {
         owners.forEach((parsed, robot) -> {
             if (parsed.object instanceof Arduino) {

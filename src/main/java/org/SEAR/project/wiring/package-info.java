@@ -1,2 +1,5 @@
-/** What the wires of boards are to the components of their robots. Uses {@link org.SEAR.project.xml}, and what that uses. One thread at a time. */
+/**
+ * Check of the wires between boards and components of robots. Uses {@link org.SEAR.project.xml} and its dependencies.
+ * One thread at a time.
+ */
 package org.SEAR.project.wiring;

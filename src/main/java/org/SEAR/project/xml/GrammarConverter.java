@@ -8,7 +8,7 @@ import com.thoughtworks.xstream.io.HierarchicalStreamWriter;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
 
-/** Turns objects into elements and back by their {@link ParameterTable}. Immutable, any thread. */
+/** Converts objects to XML elements and back by their {@link ParameterTable}. Immutable, any thread. */
 final class GrammarConverter implements Converter {
     @Override
     public boolean canConvert(@SuppressWarnings("rawtypes") Class type) {

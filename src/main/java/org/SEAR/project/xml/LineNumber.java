@@ -5,7 +5,7 @@ import com.thoughtworks.xstream.io.HierarchicalStreamReader;
 import java.util.Collections;
 import java.util.Iterator;
 
-/** Asks an XStream reader for its line, which it only tells to those who report errors. */
+/** Reads the line number of an XStream reader, which only reports it to an {@link ErrorWriter}. */
 final class LineNumber implements ErrorWriter {
     private static final String LINE = "line number";
     private String line;
@@ -13,7 +13,7 @@ final class LineNumber implements ErrorWriter {
     private LineNumber() {
     }
 
-    /** The line on which the present element starts (its tag ends, if that has several lines); 0 if unknown. */
+    /** Returns the line where the current element's tag ends; 0 if unknown. */
     static int line(HierarchicalStreamReader reader) {
         LineNumber position = new LineNumber();
         reader.appendErrors(position);

@@ -16,11 +16,11 @@ import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Shape;
 
 /**
- * All classes that may stand as root element in an object's file: a robot and its drive, and those that shapes ({@code physics.solid.Solids}), kinds
- * of sensors and kinds of devices register, SEAR's own and those of other jars. Immutable, any thread.
+ * All classes that may be the root element of an object's file: a robot and its drive, and the classes that shapes
+ * ({@code physics.solid.Solids}), sensors and devices of SEAR and of other jars register. Immutable, any thread.
  */
 public final class ObjectClasses {
-    /** A robot and what moves it. All else is registered by what makes something of it: shapes, sensors, devices. */
+    /** The robot and its drives; all other classes are registered with shapes, sensors and devices. */
     private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class, Servo.class, Led.class);
 
     private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();
@@ -39,7 +39,7 @@ public final class ObjectClasses {
         registered.forEach(this::add);
     }
 
-    /** The classes that there are now; looks at the class path again each time. */
+    /** Finds the classes; searches the class path on each call. */
     public static ObjectClasses find() {
         return new ObjectClasses();
     }
@@ -54,7 +54,10 @@ public final class ObjectClasses {
         }
     }
 
-    /** All classes: shapes, robots and what moves them, sensors, devices that are nothing else, each kind in the order in which it is registered. */
+    /**
+     * Returns all classes: shapes, robots and their drives, sensors, devices. Each group is in the order of
+     * registration.
+     */
     public List<Class<? extends SearObject>> all() {
         return Collections.unmodifiableList(inOrder);
     }

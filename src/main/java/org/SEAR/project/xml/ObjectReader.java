@@ -11,7 +11,10 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
 import org.SEAR.project.problems.ProblemList;
 
-/** Makes an object from the elements of one file by its {@link ParameterTable}; goes on after a problem, so that all are reported at once. */
+/**
+ * Creates an object from the elements of one file by its {@link ParameterTable}. Continues after a problem, so that all
+ * problems are reported.
+ */
 final class ObjectReader {
     private final String file;
     private final ProblemList problems;
@@ -22,7 +25,7 @@ final class ObjectReader {
         this.problems = problems;
     }
 
-    /** The line of each element, by its path. */
+    /** Returns the line of each element, by its path. */
     Map<String, Integer> lines() {
         return lines;
     }
@@ -99,7 +102,7 @@ final class ObjectReader {
         }
     }
 
-    /** No element of the grammar has attributes. */
+    /** Reports attributes, which no element of the grammar has. */
     static void reportAttributes(HierarchicalStreamReader reader, String file, int line, ProblemList problems) {
         Set<String> seen = new HashSet<>();
         for (int i = 0; i < reader.getAttributeCount(); i++) {

@@ -2,11 +2,11 @@ package org.SEAR.project.xml;
 
 import java.util.Map;
 
-/** An object as it was read, with the lines on which its elements stand. Immutable. */
+/** An object that was read, with the line numbers of its elements. Immutable. */
 public final class ParsedObject {
-    /** The object; null if it is broken. */
+    /** The object; null if it is invalid. */
     public final Object object;
-    /** As problems name it. */
+    /** Name of the file in problems. */
     public final String file;
     private final int rootLine;
     private final Map<String, Integer> lines;
@@ -18,17 +18,20 @@ public final class ParsedObject {
         this.lines = lines;
     }
 
-    /** A file whose problems have been reported. */
+    /** Returns the result for an invalid file, whose problems have been reported. */
     public static ParsedObject broken(String file, int rootLine) {
         return new ParsedObject(null, file, rootLine, Map.of());
     }
 
-    /** Whether its problems have been reported. */
+    /** Returns whether the file was invalid; its problems have been reported. */
     public boolean isBroken() {
         return object == null;
     }
 
-    /** Line of an element, else of the root element. Entries of a list are {@code component#2}, counted from 0. */
+    /**
+     * Returns the line of an element, or that of the root element if unknown. Entries of a list are
+     * {@code component#2}, counted from 0.
+     */
     public int line(String element) {
         return lines.getOrDefault(element, rootLine);
     }

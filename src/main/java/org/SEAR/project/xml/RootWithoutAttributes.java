@@ -5,7 +5,8 @@ import com.thoughtworks.xstream.io.ReaderWrapper;
 import org.SEAR.project.problems.ProblemList;
 
 /**
- * Hides all attributes from XStream, so that none can name a class or a reference, and reports those of the root element.
+ * Hides all attributes from XStream, so that none can name a class or a reference, and reports those of the root
+ * element.
  */
 final class RootWithoutAttributes extends ReaderWrapper {
 

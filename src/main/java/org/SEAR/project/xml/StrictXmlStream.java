@@ -5,7 +5,7 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
 import javax.xml.stream.util.StreamReaderDelegate;
 
-/** Stops at once at what no object's file has: a document type, an entity, deep nesting. */
+/** Rejects XML features that objects' files don't use: a document type, an entity, deep nesting. */
 final class StrictXmlStream extends StreamReaderDelegate {
     private static final int MAX_DEPTH = 16;
     private int depth;
@@ -41,7 +41,7 @@ final class StrictXmlStream extends StreamReaderDelegate {
         return event == XMLStreamConstants.CHARACTERS || event == XMLStreamConstants.CDATA;
     }
 
-    /** Reads to the end: a second root element is an error too. */
+    /** Reads to the end, where a second root element is an error. */
     void finish() throws XMLStreamException {
         while (hasNext()) {
             next();

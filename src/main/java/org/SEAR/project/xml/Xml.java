@@ -32,27 +32,27 @@ import javax.xml.stream.XMLStreamException;
 import org.SEAR.project.problems.ProblemList;
 
 /**
- * One object, one XML file: an element named like the class, in it an element for each parameter. Reading allows the named classes only, no
- * attributes, references, entities or document types, and reports everything that is wrong.
+ * XML files of single objects: an element named like the class contains an element for each parameter. Reading allows
+ * the named classes only, and no attributes, references, entities or document types. It reports all problems.
  */
 public final class Xml {
-    /** A hand-written object has a few kilobytes; nothing legal comes near this. */
+    /** Largest legal size of a file, bytes; a hand-written object has a few kilobytes. */
     public static final int MAX_BYTES = 1 << 20;
     private static final String HEADER = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 
-    /** Making one takes longer than reading a file with it. The keys are the classes that one may make. */
+    /** XStream by the classes that it may create; creating one takes longer than reading a file. */
     private static final Map<Set<Class<?>>, XStream> XSTREAMS = new ConcurrentHashMap<>();
 
-    /** Each thread reads many files with its own, for it promises nothing to several. */
+    /** Factory of each thread, since the factory is not thread-safe. */
     private static final ThreadLocal<XMLInputFactory> FACTORIES = ThreadLocal.withInitial(Xml::inputFactory);
 
     private Xml() {
     }
 
     /**
-     * XStream without what it has for other classes. Its converters took a quarter of the time in which a fresh JVM opens a thousand objects; and who
-     * asks it for a way to fields has it try the whole JVM, whether Java knows UTC for example, which loads the names of all time zones: that was a
-     * twentieth of all processor time to a script's first reading.
+     * XStream without its built-in converters and reflection. The converters took a quarter of the time in which a
+     * fresh JVM opens a thousand objects. The reflection provider probes the JVM and thereby loads the names of all
+     * time zones, a twentieth of the processor time until a script's first reading.
      */
     private static final class GrammarStream extends XStream {
         GrammarStream() {
@@ -66,7 +66,7 @@ public final class Xml {
 
         @Override
         protected void setupSecurity() {
-            // nothing is allowed but the grammar's classes
+            // only the grammar's classes are allowed
         }
 
         @Override
@@ -76,12 +76,12 @@ public final class Xml {
 
         @Override
         protected void setupAliases() {
-            // each of the grammar's classes gets its own
+            // each class of the grammar gets its own alias
         }
 
         @Override
         protected void setupDefaultImplementations() {
-            // the grammar names no interfaces
+            // the grammar has no interfaces
         }
 
         @Override
@@ -105,7 +105,7 @@ public final class Xml {
         return xstream;
     }
 
-    /** The text of an object's file; the same object gives the same bytes. */
+    /** Returns the text of an object's file; the same object gives the same bytes. */
     public static String write(Object object) {
         StringWriter text = new StringWriter();
         text.write(HEADER);
@@ -119,9 +119,9 @@ public final class Xml {
     /**
      * Reads a file.
      *
-     * @param name how problems name the file
-     * @param classes what may be the root element
-     * @return null if it could not be read; {@code problems} say why
+     * @param name of the file in problems
+     * @param classes the legal root elements
+     * @return null if the file can't be read; {@code problems} has the reason
      */
     public static ParsedObject read(Path file, String name, Map<String, ? extends Class<?>> classes, ProblemList problems) {
         try {
@@ -142,9 +142,9 @@ public final class Xml {
     }
 
     /**
-     * As {@link #read}, of bytes.
+     * Reads an object from bytes, see {@link #read}.
      *
-     * @return null if they could not be read; {@code problems} say why
+     * @return null if the bytes can't be read; {@code problems} has the reason
      */
     public static ParsedObject parse(byte[] bytes, String name, Map<String, ? extends Class<?>> classes, ProblemList problems) {
         String text;
@@ -225,7 +225,10 @@ public final class Xml {
         problems.add(name, line, "", message < 0 ? said : said.substring(message + "Message: ".length()), "well-formed XML without document type");
     }
 
-    /** Whether the parser stopped because nothing more came: JDK's parser says so in one of many ways, always at the end of the text. */
+    /**
+     * Returns whether the parser stopped because the text is incomplete. The JDK's parser has many messages for this
+     * case, always with a position at the end of the text.
+     */
     private static boolean isCutOff(String text, XMLStreamException e, String said) {
         boolean atEnd = e.getLocation() != null && e.getLocation().getCharacterOffset() >= text.length();
         return atEnd && !text.trim().endsWith(">") || said.contains("must start and end within the same entity");

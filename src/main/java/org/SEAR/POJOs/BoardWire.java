@@ -13,7 +13,8 @@ public class BoardWire {
     @Param(doc = "name of the component", text = TextRule.NAME, names = SearObject.class, required = true)
     private String part;
     @Param(doc = "role of the wire",
-        values = {"volts", "ping", "trigger", "echo", "pwm", "reverse", "direction", "encoderA", "encoderB", "servo", "switch", "light"},
+        values = {"volts", "ping", "trigger", "echo", "pwm", "reverse", "direction", "encoderA", "encoderB",
+            "servo", "switch", "light"},
         required = true)
     private String role;
 

@@ -16,8 +16,9 @@ public class Marker extends Board {
     /** Cells of the black border on two opposite sides; the white margin adds as many. */
     private static final int EDGES = 2;
 
-    @Param(doc = "OpenCV's name of the dictionary",
-        values = {"DICT_4X4_50", "DICT_4X4_100", "DICT_4X4_250", "DICT_4X4_1000", "DICT_5X5_50", "DICT_5X5_100", "DICT_5X5_250", "DICT_5X5_1000", "DICT_6X6_50", "DICT_6X6_100", "DICT_6X6_250", "DICT_6X6_1000", "DICT_7X7_50", "DICT_7X7_100", "DICT_7X7_250", "DICT_7X7_1000", APRILTAG})
+    @Param(doc = "OpenCV's name of the dictionary", values = {"DICT_4X4_50", "DICT_4X4_100", "DICT_4X4_250",
+        "DICT_4X4_1000", "DICT_5X5_50", "DICT_5X5_100", "DICT_5X5_250", "DICT_5X5_1000", "DICT_6X6_50", "DICT_6X6_100",
+        "DICT_6X6_250", "DICT_6X6_1000", "DICT_7X7_50", "DICT_7X7_100", "DICT_7X7_250", "DICT_7X7_1000", APRILTAG})
     private String dictionary = "DICT_4X4_50";
     @Param(doc = "number in the dictionary", max = 999)
     private int id;

@@ -41,7 +41,8 @@ final class Notices {
      */
     static void changed(String label, String what, String instead, int madeAfter) {
         if (ScriptSessions.ALL.actsFor(madeAfter) != null) {
-            say(label + " was " + what + " while a simulation runs: the change is in its file and takes effect at the next startSimulation()" + instead);
+            say(label + " was " + what + " while a simulation runs: the change is in its file and takes effect at the next"
+                + " startSimulation()" + instead);
         }
     }
 
@@ -56,8 +57,8 @@ final class Notices {
         }
         String named = others.stream().limit(NAMED).map(name -> '"' + name + '"').collect(Collectors.joining(", "));
         String more = others.size() > NAMED ? " and " + (others.size() - NAMED) + " more" : "";
-        return "in the project, but not made by this script: " + named + more + " (from an earlier run or another script; call sear.newProject() first"
-            + " to start with an empty project)";
+        return "in the project, but not made by this script: " + named + more + " (from an earlier run or another script;"
+            + " call sear.newProject() first to start with an empty project)";
     }
 
     static void say(String text) {

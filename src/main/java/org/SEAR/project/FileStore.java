@@ -83,7 +83,7 @@ public final class FileStore implements ObjectStore {
             change(log::putBack);
             places.putBack();
         } catch (IOException e) {
-            throw new UncheckedIOException("the project in " + ProjectFolder.present() + " could not be put back: " + e.getMessage(), e);
+            throw new UncheckedIOException("the project in " + ProjectFolder.present() + " could not be restored: " + e.getMessage(), e);
         }
     }
 

@@ -44,8 +44,8 @@ public final class ObjectDocs {
     private static final String HEAD = "# Objects and their XML files\n\n"
         + "`gradle objectDocs` writes this page from the classes that read and check the files; do not edit it.\n\n"
         + "Each object is one file: an element named like the class contains an element for each parameter, in any order. An element is\n"
-        + "optional unless its default is \"required\". Positions are metres, angles degrees. The world's x points north, y up, z east; a robot's z points forward,\n"
-        + "x to the left, y up. [projects.md](projects.md) describes the folders.\n\n"
+        + "optional unless its default is \"required\". Positions are metres, angles degrees. The world's x points north, y up,\n"
+        + "z east; a robot's z points forward, x to the left, y up. [projects.md](projects.md) describes the folders.\n\n"
         + "A box, by a script and as a file:\n\n```python\nfrom org.SEAR.POJOs import Box\nbox = Box(\"crate\", 0.5, 0.4, 0.3, 2)\n"
         + "box.move(1, 0.15, 0)\n"
         + "```\n\n```xml\n<Box>\n  <name>crate</name>\n"
@@ -116,8 +116,8 @@ public final class ObjectDocs {
             + "`frontRight`, `rearLeft`, `rearRight` | `engine` |\n"
             + "| Robots.chassis(name) | 2 kg, a body for your own wheels and motors | none | none |\n\nTheir other parts are `drive` and "
             + "`body`; [vehicles.md](vehicles.md) explains motors, casters and steered wheels.\n"
-            + "`getPart` returns a part of any robot by its name: `rover.getPart(\"body\").setColor(\"red\")`. Part names are unique: next to wheels\n"
-            + "`left` and `right` call a sensor `leftEye` or `rightPing`.\n");
+            + "`getPart` returns a part of any robot by its name: `rover.getPart(\"body\").setColor(\"red\")`. Part names are unique: next to\n"
+            + "wheels `left` and `right` call a sensor `leftEye` or `rightPing`.\n");
     }
 
     /** Returns the page, in Markdown. */

@@ -31,7 +31,7 @@ public final class PartNames<T> {
     public T find(String name) {
         List<String> owners = robots.get(name);
         if (owners != null && owners.size() > 1) {
-            throw new IllegalArgumentException('"' + name + "\" is on " + joined(owners, "and") + ": say "
+            throw new IllegalArgumentException('"' + name + "\" is on " + joined(owners, "and") + ": use "
                 + joined(owners.stream().map(robot -> '"' + robot + "/" + name + '"').collect(Collectors.toList()), "or"));
         }
         return things.get(name);

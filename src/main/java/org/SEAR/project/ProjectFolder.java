@@ -27,8 +27,8 @@ public final class ProjectFolder {
         try {
             return folder.resolve(part ? ROBOT : ENVIRONMENT).resolve(name + XML);
         } catch (InvalidPathException e) {
-            throw new IllegalArgumentException("name is \"" + name + "\", legal: a name in the letters that Java can write to file names here ("
-                + System.getProperty("sun.jnu.encoding") + "); with LC_ALL=C.UTF-8 in its environment it can write all", e);
+            throw new IllegalArgumentException("name is \"" + name + "\", legal: a name that Java can encode in file names on this system ("
+                + System.getProperty("sun.jnu.encoding") + "); with LC_ALL=C.UTF-8 in the environment every name is legal", e);
         }
     }
 }

@@ -22,8 +22,8 @@ public final class TerrainHeights implements GroundHeights {
         Ground ground = TerrainGround.load(terrain, new Assets(ProjectFolder.present().resolve(ProjectFolder.ASSETS)));
         keep(ground);
         if (ground.origin == null) {
-            throw new IllegalArgumentException(terrain + " has no place on Earth, so it has no heights by latitude and longitude, legal: a map that"
-                + " says where it lies; sear.getGroundHeight(x, z) works for every map");
+            throw new IllegalArgumentException(terrain + " has no georeference, so it has no elevation by latitude and longitude, legal: a map with"
+                + " georeference; sear.getGroundHeight(x, z) works for every map");
         }
         double height = ground.height(latitude, longitude);
         if (Double.isNaN(height)) {

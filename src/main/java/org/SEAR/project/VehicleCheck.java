@@ -57,7 +57,7 @@ final class VehicleCheck {
             Assembly.crossCheck(wheel, (element, value, legal) ->
                 problems.add(parsed.file, line, wheel.getName() + "." + element, Parameter.format(value), legal));
             if (wheel.isSteered() && wheel.getType() != Wheel.IDLER && Wheel.steeringLength(wheels) == 0) {
-                problems.add(parsed.file, line, wheel.getName() + ".steering", steeredBy(wheel), "a steered wheel before or behind the axle of"
+                problems.add(parsed.file, line, wheel.getName() + ".steering", steeredBy(wheel), "a steered wheel in front of or behind the axle of"
                     + " those that aren't steered");
                 return;
             }
@@ -87,7 +87,7 @@ final class VehicleCheck {
                 problems.add(parsed.file, line, "wheel", name, "a driven wheel (type 1) of the motor's robot " + robot.getName() + ": "
                     + driven(robot));
             } else if (!wheel.isDriven()) {
-                problems.add(parsed.file, line, "wheel", name, "a driven wheel (type 1), and this one has type " + wheel.getType());
+                problems.add(parsed.file, line, "wheel", name, "a driven wheel (type 1); this one has type " + wheel.getType());
             } else if (other != null) {
                 problems.add(parsed.file, line, "wheel", name, "a wheel that nothing turns yet; " + other + " turns it");
             }
@@ -106,7 +106,7 @@ final class VehicleCheck {
             } else if (other != null) {
                 problems.add(parsed.file, line, "part", name, "a part that nothing turns yet; " + other + " turns it");
             } else if (turnsItself(servo, robot)) {
-                problems.add(parsed.file, line, "part", name, "what does not turn the servo itself");
+                problems.add(parsed.file, line, "part", name, "a part that does not turn the servo itself");
             }
         }
     }

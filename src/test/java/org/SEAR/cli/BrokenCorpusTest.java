@@ -91,7 +91,7 @@ public class BrokenCorpusTest {
         put(folder("huge", "environment/o.xml", "at most 1048576 bytes"), "environment/o.xml", "<Box>" + " ".repeat(Xml.MAX_BYTES) + "</Box>");
         put(folder("laughs", "environment/o.xml", "document type"), "environment/o.xml",
             "<!DOCTYPE Box [<!ENTITY a \"aaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;&a;\">]><Box><name>&b;</name></Box>");
-        put(folder("many", "environment/o.xml", "<x> is there once too often"), "environment/o.xml", "<Box>" + "<x>a</x>".repeat(100_000) + "</Box>");
+        put(folder("many", "environment/o.xml", "<x> occurs once too often"), "environment/o.xml", "<Box>" + "<x>a</x>".repeat(100_000) + "</Box>");
         put(folder("wide", "environment/o.xml"), "environment/o.xml", "<Box " + "a=\"1\" ".repeat(1000) + "/>");
         Files.createSymbolicLink(folder("endless", "environment/o.xml", "neither a link nor a folder").resolve("environment/o.xml"),
             Path.of("/dev/zero"));

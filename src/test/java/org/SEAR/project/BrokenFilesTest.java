@@ -102,7 +102,7 @@ public class BrokenFilesTest {
         expected.put("huge", "at most 1048576 bytes");
         expected.put("laughs", "document type");
         expected.put("endless", "neither a link nor a folder");
-        expected.put("many", "<x> is there once too often");
+        expected.put("many", "<x> occurs once too often");
         expected.forEach((file, text) -> {
             if (messages.stream().noneMatch(m -> m.startsWith("environment/" + file + ".xml") && m.contains(text))) {
                 fail(file + ": " + messages.stream().filter(m -> m.contains(file)).findFirst().orElse("no message"));

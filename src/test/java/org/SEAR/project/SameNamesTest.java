@@ -110,10 +110,10 @@ public class SameNamesTest {
             assertEquals(0.2, world.getPose("rover/ping").z - world.getPose("rover").z, 0.01);
             assertEquals(4.12, world.getPose("scout/left").x, 0.01);
             assertEquals(world.getPose("tug").toString(), world.getPose("tug/drive").toString());
-            String choices = "\"ping\" is on rover and scout: say \"rover/ping\" or \"scout/ping\"";
+            String choices = "\"ping\" is on rover and scout: use \"rover/ping\" or \"scout/ping\"";
             assertEquals(choices, assertThrows(IllegalArgumentException.class, () -> world.read("ping")).getMessage());
             assertEquals(choices, assertThrows(IllegalArgumentException.class, () -> world.watch("ping", true)).getMessage());
-            assertEquals("\"body\" is on rover, scout and tug: say \"rover/body\", \"scout/body\" or \"tug/body\"",
+            assertEquals("\"body\" is on rover, scout and tug: use \"rover/body\", \"scout/body\" or \"tug/body\"",
                 assertThrows(IllegalArgumentException.class, () -> world.getPose("body")).getMessage());
             assertEquals("no sensor is called \"tug/ping\", legal: rover/ping, scout/ping",
                 assertThrows(IllegalArgumentException.class, () -> world.read("tug/ping")).getMessage());

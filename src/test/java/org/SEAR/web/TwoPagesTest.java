@@ -110,7 +110,7 @@ public class TwoPagesTest {
         two.browser.script("var rows = angular.element(document.querySelector(\"[data-field='x']\")).scope().inspector.rows;"
             + "rows.filter(function(row) { return row.p.name === 'x' })[0].was = '1'");
         two.type("x", "5");
-        two.browser.seeText("[data-field='x'] .sear-wrong", "a value set by somebody who has seen that it is 3 now, since another page");
+        two.browser.seeText("[data-field='x'] .sear-wrong", "a value based on the present one, 3, since another page");
         assertTrue(crate(), crate().contains("<x>3</x>"));
         two.type("x", "6");
         one.waitFor("x", "6");

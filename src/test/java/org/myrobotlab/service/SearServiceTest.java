@@ -456,7 +456,7 @@ public class SearServiceTest {
             }
             assertTrue(Files.isDirectory(Path.of(sear.newProject())));
         }
-        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("was removed: of a project the last 10 backups are kept, with 1024 MB"));
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("was removed: SEAR keeps the last 10 backups of a project, at most 1024 MB"));
     }
 
     @Test
@@ -471,7 +471,7 @@ public class SearServiceTest {
         assertEquals(sear.getReading("roomba_2/ping"), sear.getDistanceResult("roomba_2/ping"));
         assertEquals("m", sear.getSensorUnit("roomba/ping"));
         assertEquals(6, sear.getPose("roomba_2/drive").length);
-        String choices = "\"ping\" is on roomba and roomba_2: say \"roomba/ping\" or \"roomba_2/ping\"";
+        String choices = "\"ping\" is on roomba and roomba_2: use \"roomba/ping\" or \"roomba_2/ping\"";
         assertFails(choices, () -> sear.getReading("ping"));
         assertFails(choices, () -> sear.getPose("ping"));
         assertFails(choices, () -> sear.startPublishing("ping", 10));

@@ -70,7 +70,7 @@ public final class Bundle {
         Path project = read.getFolder();
         Path target = file.toAbsolutePath().normalize();
         if (target.startsWith(project)) {
-            throw new IOException(target + " lies in the project that it is to hold; choose a place outside of " + project);
+            throw new IOException(target + " lies inside the project to save; choose a place outside of " + project);
         }
         if (Files.isDirectory(target)) {
             throw new IOException(target + " is a folder; choose the name of a file, such as " + target.resolve("project.sear"));

@@ -188,7 +188,7 @@ final class BundleReader {
         void add(byte[] bytes, int length) throws IOException {
             size += length;
             if (size > entry.size) {
-                refuse(entry, "no more than the " + entry.size + " bytes that the directory says");
+                refuse(entry, "at most the " + entry.size + " bytes of the directory's record");
                 good = false;
                 return;
             }

@@ -110,7 +110,7 @@ final class ZipDirectory {
             entries.add(entry);
         }
         if (directory.hasRemaining()) {
-            refuse("its directory has more than it says", "a whole zip file");
+            refuse("its directory has additional data", "a whole zip file");
         }
         if (problems.isEmpty()) {
             checkLayout(entries, directoryStart);

@@ -63,8 +63,8 @@ final class EditJournal {
                 }
             }
         } catch (IOException e) {
-            throw new IOException("the steps that could be undone, in " + folder + ", can't be read (" + e.getMessage() + "): delete that folder to"
-                + " go on without them", e);
+            throw new IOException("the undo steps in " + folder + " can't be read (" + e.getMessage() + "): delete that folder to"
+                + " continue without them", e);
         }
         Path state = folder.resolve(STATE);
         Matcher text = STATE_TEXT.matcher(Files.exists(state) ? new String(Files.readAllBytes(state), StandardCharsets.UTF_8) : "");

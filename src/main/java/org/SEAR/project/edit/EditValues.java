@@ -146,8 +146,8 @@ final class EditValues {
             String name = String.valueOf(seen.getKey());
             Object present = now.get(name);
             if (wanted.containsKey(seen.getKey()) && !same(present, seen.getValue()) && !same(present, wanted.get(seen.getKey()))) {
-                problems.add(file, 0, name, text(wanted.get(seen.getKey())), "a value set by somebody who has seen that it is " + text(present)
-                    + " now, since another page or a script has changed it meanwhile");
+                problems.add(file, 0, name, text(wanted.get(seen.getKey())), "a value based on the present one, " + text(present)
+                    + ", since another page or a script has changed it meanwhile");
             }
         }
     }

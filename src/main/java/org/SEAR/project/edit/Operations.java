@@ -24,7 +24,7 @@ final class Operations {
     private static final List<String> LINKS = List.of("component", "wheel");
     private static final List<String> PORTS = List.of("uartPort", "userPort", "export");
 
-    private static final String LEFT = " was deleted, since it can't be without ";
+    private static final String LEFT = " was deleted, since it needs ";
 
     private final EditDraft draft;
     private final Finder finder;
@@ -92,7 +92,7 @@ final class Operations {
             throw EditRequest.refused("name", name, TextRule.NAME.legal());
         }
         if (finder.isTaken(name, robot)) {
-            throw EditRequest.refused("name", name, "a name that no other object has, not even with other capitals, such as " + finder.free(name));
+            throw EditRequest.refused("name", name, "a name that no other object has, case-insensitively, such as " + finder.free(name));
         }
     }
 
@@ -145,7 +145,7 @@ final class Operations {
         for (Map.Entry<?, ?> value : values.entrySet()) {
             String link = String.valueOf(value.getKey());
             if (link.equals("name") || object instanceof SEARrobot && LINKS.contains(link)) {
-                problems.add(file, 0, link, String.valueOf(value.getValue()), "nothing here: rename, add, mount and unmount are edits of their own");
+                problems.add(file, 0, link, String.valueOf(value.getValue()), "nothing here: use the edits rename, add, mount and unmount");
             }
         }
         EditValues setting = new EditValues(file, problems);

@@ -156,7 +156,7 @@ public final class ProjectEditor {
             return null;
         }
         String names = outside.stream().limit(3).map(change -> change.path).collect(Collectors.joining(", "));
-        UndoStep step = new UndoStep("what a script or a hand has changed in " + names + (outside.size() > 3 ? " ..." : ""), outside);
+        UndoStep step = new UndoStep("changes by a script or another program in " + names + (outside.size() > 3 ? " ..." : ""), outside);
         journal.note(step);
         return step;
     }
@@ -172,12 +172,12 @@ public final class ProjectEditor {
             UndoStep outside = noteOutside(journal);
             UndoStep step = journal.undoable();
             if (step == null) {
-                throw new IllegalStateException("there is nothing to undo: no edit of this project is known (the last " + EditJournal.MAX_STEPS
-                    + " are kept; opening another project, or a new one, begins anew)");
+                throw new IllegalStateException("there is nothing to undo: SEAR keeps the last " + EditJournal.MAX_STEPS
+                    + " edits of a project until another one is opened");
             }
             journal.undo();
             return new Outcome(step.words, null, outside == null ? null : "only " + outside.words
-                + " was taken back, since it came last; undo once more takes back what was edited before, redo brings it back", step.changes,
+                + " was undone, since it came last; undo again reverts the edit before, redo restores the changes", step.changes,
                 journal);
         });
     }
@@ -193,8 +193,8 @@ public final class ProjectEditor {
             UndoStep outside = noteOutside(journal);
             UndoStep step = journal.redoable();
             if (step == null) {
-                throw new IllegalStateException(outside == null ? "there is nothing to redo" : "there is nothing to redo any more: " + outside.words
-                    + " came after what was undone");
+                throw new IllegalStateException(outside == null ? "there is nothing to redo" : "there is nothing to redo: " + outside.words
+                    + " came after the undo");
             }
             journal.redo();
             return new Outcome(step.words, null, null, step.changes, journal);

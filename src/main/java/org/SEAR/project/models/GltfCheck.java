@@ -65,7 +65,7 @@ final class GltfCheck {
             checkPictures();
             checkAnimations();
         } catch (IllegalStateException | ClassCastException | UnsupportedOperationException | NumberFormatException e) {
-            throw new IOException(file + ": something has another kind than glTF 2.0 wants there (" + e.getMessage() + ")", e);
+            throw new IOException(file + ": a value has another type than glTF 2.0 requires (" + e.getMessage() + ")", e);
         }
     }
 
@@ -76,7 +76,7 @@ final class GltfCheck {
     private void checkExtensions() throws IOException {
         for (JsonElement needed : list(root, "extensionsRequired")) {
             if (!EXTENSIONS.contains(needed.getAsString())) {
-                throw FileLimits.wrong(file, "an extension that it needs", needed.getAsString(), "one of "
+                throw FileLimits.wrong(file, "a required extension", needed.getAsString(), "one of "
                     + String.join(", ", new TreeSet<>(EXTENSIONS)) + ": export it without compression and other extensions");
             }
         }

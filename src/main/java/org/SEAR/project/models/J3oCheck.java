@@ -69,7 +69,7 @@ final class J3oCheck {
         in.get(name);
         String className = new String(name, StandardCharsets.UTF_8);
         if (SCENE_CLASSES.stream().noneMatch(className::startsWith)) {
-            throw new IOException(file + " wants a " + className + "; a model may hold scenes, meshes and materials only");
+            throw new IOException(file + " contains a " + className + "; a model may only contain scenes, meshes and materials");
         }
     }
 

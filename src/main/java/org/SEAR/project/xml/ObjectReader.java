@@ -67,7 +67,7 @@ final class ObjectReader {
         lines.putIfAbsent(path + element, line);
         lines.put(path + element + "#" + values.size(), line);
         if (values.size() == parameter.getMaxEntries()) {
-            problems.add(file, line, "", "<" + path + element + "> is there once too often", "at most " + parameter.getMaxEntries());
+            problems.add(file, line, "", "<" + path + element + "> occurs once too often", "at most " + parameter.getMaxEntries());
         }
         if (values.size() < parameter.getMaxEntries()) {
             values.add(parameter.getKind() == Parameter.Kind.GROUP

@@ -29,7 +29,7 @@ final class StrictXmlStream extends StreamReaderDelegate {
             throw new XMLStreamException("a document type or entity is not allowed", getLocation());
         }
         if (behindElement && isText(event) && !getText().trim().isEmpty()) {
-            throw new XMLStreamException("text stands between elements: " + getText().trim(), getLocation());
+            throw new XMLStreamException("there is text between elements: " + getText().trim(), getLocation());
         }
         if (depth > MAX_DEPTH) {
             throw new XMLStreamException("elements are nested more than " + MAX_DEPTH + " deep", getLocation());

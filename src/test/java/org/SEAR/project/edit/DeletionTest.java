@@ -143,7 +143,7 @@ public class DeletionTest extends EditedProject {
         assertEquals("motor engine lost its wheel rearLeft; Undo brings back both", edit("do", "delete", "object", "rearLeft").note);
         assertEquals(List.of("rearRight"), value("rover/engine", "wheel"));
         String refused = assertThrows(ProjectException.class, () -> edit("do", "delete", "object", "rearRight")).getMessage();
-        assertTrue(refused, refused.contains("legal: a steered wheel before or behind the axle of those that aren't steered"));
+        assertTrue(refused, refused.contains("legal: a steered wheel in front of or behind the axle of those that aren't steered"));
     }
 
     @Test
@@ -184,7 +184,7 @@ public class DeletionTest extends EditedProject {
         editor.undo();
         assertEquals(before, objects());
         edit("do", "robot", "template", "fourWheeled", "name", "other");
-        assertEquals("motor leftMotor was deleted, since it can't be without wheel left; Undo brings back both",
+        assertEquals("motor leftMotor was deleted, since it needs wheel left; Undo brings back both",
             edit("do", "mount", "object", "rover/left", "to", "other", "set", map("x", 0.3)).note);
     }
 

@@ -43,8 +43,8 @@ public class ProjectEditorTest extends EditedProject {
         for (ThrowingRunnable change : List.<ThrowingRunnable>of(() -> crate.move(0, 1, 0), () -> crate.setMass(2), () -> rover.move(0, 1, 0),
             () -> rover.getWheels().get(0).setRollers(45))) {
             String said = assertThrows(IllegalStateException.class, change).getMessage();
-            assertTrue(said, said.matches("(Box \"crate\"|SEARrobot \"rover\"|Wheel \".*\") is not in the project: since this object was created it was deleted or"
-                + " renamed there, or another project was opened; sear\\.edit.*"));
+            assertTrue(said, said.matches("(Box \"crate\"|SEARrobot \"rover\"|Wheel \".*\") is not in the project: since this object was created it"
+                + " was deleted or renamed there, or another project was opened; sear\\.edit.*"));
         }
         assertEquals(before, objects());
     }
@@ -185,7 +185,7 @@ public class ProjectEditorTest extends EditedProject {
         assertTrue(refusal("do", "set", "object", "crate", "set", map("name", "x")).contains("rename"));
         assertTrue(refusal("do", "rename", "object", "crate", "name", "a/b").contains("name is \"a/b\", legal: a name of 1 to 100"));
         assertTrue(refusal("do", "add", "type", "Box", "name", "crate")
-            .contains("a name that no other object has, not even with other capitals, such as crate1"));
+            .contains("a name that no other object has, case-insensitively, such as crate1"));
         assertTrue(refusal("do", "add", "type", "Box", "name", "CRATE").contains("name is \"CRATE\", legal: a name that no other"));
         assertTrue(refusal("do", "add", "type", "Bax").contains("type is \"Bax\", legal: Accelerometer, "));
         assertTrue(refusal("do", "add", "type", "Compass").contains("the name of a robot: a Compass is a part of one"));
@@ -213,7 +213,7 @@ public class ProjectEditorTest extends EditedProject {
         edit("do", "set", "object", "crate", "set", map("x", 1), "was", map("x", "0"));
         edit("do", "set", "object", "crate", "set", map("z", 2), "was", map("z", "0"));
         String refusal = refusal("do", "set", "object", "crate", "set", map("x", 5), "was", map("x", "0"));
-        assertTrue(refusal, refusal.contains("x is \"5\", legal: a value set by somebody who has seen that it is 1 now"));
+        assertTrue(refusal, refusal.contains("x is \"5\", legal: a value based on the present one, 1"));
         assertEquals("nothing is done that was done already", "", edit("do", "set", "object", "crate", "set", map("x", 1), "was", map("x", 0)).words);
         edit("do", "set", "object", "crate", "set", map("color", "red"), "was", map("color", ""));
         assertEquals("1", value("crate", "x"));
@@ -257,7 +257,7 @@ public class ProjectEditorTest extends EditedProject {
         String hand = project.text("environment/crate.xml").replace("<x>1</x>", "<x>7</x>");
         project.put("environment/crate.xml", hand);
         Outcome first = editor.undo();
-        assertTrue(first.note, first.note.contains("what a script or a hand has changed in environment/crate.xml"));
+        assertTrue(first.note, first.note.contains("changes by a script or another program in environment/crate.xml"));
         assertEquals("1", value("crate", "x"));
         editor.redo();
         assertEquals(hand, project.text("environment/crate.xml"));

@@ -127,7 +127,7 @@ public final class BrokenModels {
         put("no-such-scene.gltf", gltf("\"scene\":0", "\"scene\":-1"), "scene is -1, legal: 0 to 0");
         put("nan-place.gltf", gltf("\"translation\":[1.0", "\"translation\":[\"NaN\""), "legal: a finite number");
         put("far-place.gltf", gltf("\"translation\":[1.0", "\"translation\":[1e12"), "legal: a finite number");
-        put("text-for-a-list.gltf", gltf("\"nodes\":[0]", "\"nodes\":\"0\""), "another kind than glTF 2.0 wants");
+        put("text-for-a-list.gltf", gltf("\"nodes\":[0]", "\"nodes\":\"0\""), "another type than glTF 2.0 requires");
     }
 
     private void gltfBuffers() throws IOException {
@@ -153,7 +153,7 @@ public final class BrokenModels {
         put("no-attributes.gltf", gltf("\"attributes\":{\"POSITION\":0},", ""), "meshes[0].primitives.attributes is missing");
         String material = "\"asset\"";
         for (String packed : new String[] {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"}) {
-            put(packed + ".gltf", gltf(material, "\"extensionsRequired\":[\"" + packed + "\"],\"asset\""), "an extension that it needs is " + packed
+            put(packed + ".gltf", gltf(material, "\"extensionsRequired\":[\"" + packed + "\"],\"asset\""), "a required extension is " + packed
                 + ", legal: one of KHR_lights_punctual, KHR_materials_pbrSpecularGlossiness, KHR_materials_unlit, KHR_texture_transform: export it"
                 + " without compression");
         }

@@ -369,7 +369,7 @@ public class VehicleTest {
         SEARrobot other = chassis(2);
         wheel(other, "left", 1, 0.1, 0);
         wheel(other, "right", 1, -0.1, 0).setSteering(20);
-        problem("right.steering is \"20\", legal: a steered wheel before or behind the axle of those that aren't steered");
+        problem("right.steering is \"20\", legal: a steered wheel in front of or behind the axle of those that aren't steered");
         SEARrobot plain = chassis(2);
         wheel(plain, "left", 1, 0.1, 0);
         Simulation without = Worlds.start(project);

@@ -265,7 +265,7 @@ public class ProjectEditorTest extends EditedProject {
         editor.undo();
         assertEquals("0", value("crate", "x"));
         project.put("environment/crate.xml", hand);
-        assertTrue(assertThrows(IllegalStateException.class, editor::redo).getMessage().contains("came after what was undone"));
+        assertTrue(assertThrows(IllegalStateException.class, editor::redo).getMessage().contains("came after the undo"));
         edit("do", "set", "object", "crate", "set", map("z", 1));
         editor.undo();
         assertEquals(hand, project.text("environment/crate.xml"));

@@ -159,7 +159,7 @@ public class HostileBundleTest {
         bundle("bomb", bomb, "compressed at most 200 times");
         RawZip liar = RawZip.bundle();
         liar.deflated("assets/zeros", new byte[1 << 20]).size(1000);
-        bundle("bomb that says it is small", liar, "no more than the 1000 bytes");
+        bundle("bomb that says it is small", liar, "at most the 1000 bytes");
         RawZip huge = RawZip.bundle();
         huge.deflated("assets/huge", new byte[1000]).size(3L << 30);
         bundle("says it is huge", huge, "compressed at most 200 times");

@@ -78,356 +78,356 @@ class Runtime:
 
 
 class _SEAR(JavaObject):
-    """SEAR, the Simulation Environment for Autonomous Robots, as a MyRobotLab service: starts the world that the objects of `org.SEAR.POJOs` have described, and answers for its sensors."""
+    """SEAR, the Simulation Environment for Autonomous Robots, as a MyRobotLab service. It simulates the project that the objects of `org.SEAR.POJOs` describe and returns the readings of its sensors."""
     @overload
     def startSimulation(self) -> None:
-        """Starts the world of the project folder, `SEARproject` in MyRobotLab's working folder."""
+        """Starts the project in the folder `SEARproject` of MyRobotLab's working folder."""
     @overload
     def startSimulation(self, debugShapes: bool) -> None:
-        """The same, with a look at the physics."""
+        """Starts the project and optionally draws its physics."""
     def stopSimulation(self) -> None:
-        """Ends the simulation; ports, window and thread go away."""
+        """Stops the simulation and closes its ports and window."""
     def isSimulating(self) -> bool:
-        """Whether a simulation runs (a paused one too)."""
+        """Returns whether a simulation runs, paused or not."""
     def setGroundVisible(self, on: bool) -> None:
-        """Whether beams of all sensors see floors and terrain in the next simulations; true unless set. False: they pass through all of them, as a real ultrasonic beam glances off a smooth floor. A single one is hidden by its object, `floor.setVisibleToSensors(False)`."""
+        """Sets whether sensors see floors and terrain in later simulations; default True. False lets beams through, as ultrasound glances off smooth floors. `floor.setVisibleToSensors(False)` hides a single floor."""
     def setThreads(self, number: int) -> None:
-        """On how many threads, that of the simulation included, sensors and cameras measure, in this and later simulations; as many as the computer has processors unless set, here or with `sear --threads`. What they measure does not depend on it."""
+        """Sets the number of threads that measure sensors and cameras, including the simulation's. Default: `sear --threads`, otherwise all processors. Readings stay the same."""
     def simSleep(self, seconds: float) -> None:
-        """Waits so many simulated seconds; in lock-step it makes them pass."""
+        """Waits for simulated seconds. In lock-step the call advances time itself."""
     def getTime(self) -> float:
-        """Simulated seconds since start or reset."""
+        """Returns simulated seconds since start or reset."""
     def pause(self) -> None:
-        """Time stands still until `resume`."""
+        """Stops simulated time until `resume`."""
     def resume(self) -> None:
         """Ends `pause`."""
     def isPaused(self) -> bool:
-        """Whether the simulation is paused."""
+        """Returns whether the simulation is paused."""
     def step(self, n: int) -> None:
-        """Advances by so many steps of 1/60 s; pauses a simulation whose time runs by itself."""
+        """Advances time by steps of 1/60 s. Pauses a simulation that runs by itself."""
     def reset(self) -> None:
-        """Everything back to the start, as a fresh start with the same seed."""
+        """Returns everything to the start, with the same random seed."""
     def setSpeed(self, factor: float) -> None:
-        """How fast time passes, in this and later simulations."""
+        """Sets the speed of time, also in later simulations."""
     def setLockStep(self, on: bool) -> None:
-        """Whether simulated time advances only inside `simSleep` and `step`; holds for later simulations too."""
+        """Sets lock-step, also for later simulations: time advances only inside `simSleep` and `step`."""
     def isLockStep(self) -> bool:
-        """Whether a simulation runs whose time advances only inside `simSleep` and `step`."""
+        """Returns whether a simulation runs in lock-step."""
     def power(self, name: str, on: bool) -> None:
-        """Switches the power of a serial device, as its user does when a driver has left it in a state that the next one does not expect. Off: it is silent, what it moves stands still, what comes for it is gone. On: as at power-on, with its first baud rate, no mode, no stream. A Create 2 says its boot message, a GPS receiver its own, an LMS200 starts for 5 simulated seconds and then sends its power-on telegram; its written configuration and a permanent baud rate stay."""
+        """Switches a serial device off or on, for example to clear an earlier driver's state. Off: it is silent, stops its actuators and drops incoming bytes. On: it restarts at its power-on baud rate, without mode or stream. A Create 2 or GPS receiver sends its boot message. An LMS200 boots for 5 simulated seconds, then sends its power-on telegram. Written configuration and permanent baud rate remain."""
     @overload
     def driveStraight(self, speed: float) -> None:
-        """Drives the first robot straight on, until the next command."""
+        """Drives the first robot straight until the next command."""
     @overload
     def driveStraight(self, robot: str, speed: float) -> None:
-        """Drives a robot straight on, until the next command."""
+        """Drives a robot straight until the next command."""
     @overload
     def spin(self, degPerSecond: float) -> None:
-        """Turns the first robot in place, until the next command."""
+        """Turns the first robot in place until the next command."""
     @overload
     def spin(self, robot: str, degPerSecond: float) -> None:
-        """Turns a robot in place, until the next command."""
+        """Turns a robot in place until the next command."""
     @overload
     def setWheelSpeeds(self, left: float, right: float) -> None:
-        """Sets the wheels of the first robot, until the next command."""
+        """Sets the wheel speeds of the first robot until the next command."""
     @overload
     def setWheelSpeeds(self, robot: str, left: float, right: float) -> None:
-        """Sets the wheels of a robot, until the next command."""
+        """Sets the wheel speeds of a robot until the next command."""
     @overload
     def drive(self, speed: float, radius: float) -> None:
-        """Drives the first robot along a circle, as the Roomba's own command does, until the next command. One with steered wheels steers to it, at radius 0 as far as they turn."""
+        """Drives the first robot along a circle until the next command. Steered wheels follow the circle, at radius 0 to their limit."""
     @overload
     def drive(self, robot: str, speed: float, radius: float) -> None:
-        """Drives a robot along a circle. One with steered wheels steers to it, at radius 0 as far as they turn."""
+        """Drives a robot along a circle until the next command. Steered wheels follow the circle, at radius 0 to their limit."""
     @overload
     def setSteering(self, degrees: float) -> None:
-        """Steers the first robot by its steered wheels, until the next order."""
+        """Steers the first robot until the next command."""
     @overload
     def setSteering(self, robot: str, degrees: float) -> None:
-        """Steers a robot by its steered wheels, until the next order."""
+        """Steers a robot until the next command."""
     def setMotorPower(self, name: str, power: float) -> None:
-        """Gives a motor power, until the next order for it or for its robot. Its torque is stallTorque (power - speed / noLoadSpeed)."""
+        """Powers a motor until the next command for it or its robot. Torque = stallTorque (power - speed / noLoadSpeed)."""
     def setMotorSpeed(self, name: str, speed: float) -> None:
-        """Has a motor's controller hold a speed, as far as its torque goes, until the next order for it or for its robot."""
+        """Holds a motor's speed, within its torque, until the next command for it or its robot."""
     def getMotorSpeed(self, name: str) -> float:
-        """How fast a motor's wheels turn now, rad/s, + forward; the mean of several."""
+        """Returns the present speed of a motor's wheels, rad/s, + forward. Several wheels are averaged."""
     def getEncoder(self, name: str) -> int:
-        """What a motor's encoder has counted since start or reset, + forward; 0 for a motor without one."""
+        """Returns encoder counts since start or reset, + forward; 0 without an encoder."""
     def setServo(self, name: str, degrees: float) -> None:
-        """Has a servo turn to an angle, as fast as it can, and with it what is mounted on it."""
+        """Turns a servo and its parts to an angle at full speed."""
     def getServo(self, name: str) -> float:
-        """Where a servo is now, degrees, + counter-clockwise seen from above."""
+        """Returns a servo's present angle, degrees, + counter-clockwise from above."""
     def setLed(self, name: str, brightness: float) -> None:
-        """Has a light shine, until the next order for it; one that is wired to an Arduino, until the board writes to its pin."""
+        """Sets a light's brightness until the next command, or until an Arduino writes to its pin."""
     def getLed(self, name: str) -> float:
-        """How bright a light shines now, 0 to 1."""
+        """Returns a light's present brightness, 0 to 1."""
     def push(self, name: str, force: Sequence[Any], seconds: float) -> None:
-        """Pushes a thing or a robot at its centre of mass with a force, from the next step on, whatever direction it looks in. The call returns at once. Several pushes add up; what slept wakes."""
+        """Applies a force at the centre of mass from the next step and returns immediately. Forces add up and wake sleeping objects."""
     def setVelocity(self, name: str, x: float, y: float, z: float) -> None:
-        """Gives a thing or a robot a velocity at once, between two steps. Files and the next start stay as they are: `crate.setVelocity(x, y, z)` before the start says what a thing starts with."""
+        """Sets the velocity of the centre of mass between two steps. Changes no file; `crate.setVelocity(x, y, z)` before the start sets the initial velocity."""
     def setSpin(self, name: str, x: float, y: float, z: float) -> None:
-        """Has a thing or a robot turn about its centre of mass at once, between two steps."""
+        """Sets the angular velocity about the centre of mass between two steps."""
     def hold(self, name: str, way: Sequence[Any]) -> None:
-        """Pulls a thing or a robot by a spring, as the mouse does in SEAR's tab: with at most five times its weight. It lets go when this is not called again within 1.5 s of the clock, or by `letGo`."""
+        """Pulls an object with a spring, like the tab's mouse, with at most five times its weight. It lets go after `letGo`, or 1.5 s of real time without another call."""
     def letGo(self, name: str) -> None:
-        """Lets go what `hold` holds; of what is not held nothing happens."""
+        """Releases what `hold` holds, if anything."""
     def getSensorNames(self) -> List[str]:
-        """Names of all sensors, as the calls below take them. Where several robots have a sensor of one name it is `"robot/sensor"`, for example `"rover/ping"`, which is legal for every other sensor and part, too."""
+        """Returns all sensor names. Ambiguous names have the form `"robot/sensor"`, for example `"rover/ping"`. This form is legal for every sensor and part."""
     def getReading(self, name: str) -> Any:
-        """What any sensor reads now, one from another jar, too: what the call for its kind answers, which is named below. An odometer is not cleared by it."""
+        """Returns any sensor's reading, also of another jar, like the call for its kind below. Does not reset an odometer."""
     def getSensorUnit(self, name: str) -> str:
-        """The unit of a sensor's reading, for example `m`, `deg`, `m/s2`, `rad/s`; `deg, deg, m` for a GPS; empty if it has none."""
+        """Returns a sensor's unit, for example `m`, `deg`, `m/s2` or `rad/s`. A GPS has `deg, deg, m`. Empty without a unit."""
     def getDistanceResult(self, name: str) -> float:
-        """Metres to the nearest hit of a distance sensor; its range where nothing was hit."""
+        """Returns metres to the nearest hit of a distance sensor; without a hit, its range."""
     def getLidarResult(self, name: str) -> np.ndarray:
-        """Metres of a LIDAR's beams, right to left; its range where nothing was hit."""
+        """Returns a LIDAR's distances, metres, right to left; without a hit, its range."""
     def getLidarAngles(self, name: str) -> np.ndarray:
-        """Where the beams of a LIDAR point, in the order of its ranges."""
+        """Returns the angles of a LIDAR's beams, in the order of its distances."""
     def getGpsResult(self, name: str) -> np.ndarray:
-        """[latitude, longitude, altitude] of a GPS sensor: degrees, + north; degrees, + east; metres."""
+        """Returns a GPS sensor's [latitude, longitude, altitude]: degrees, + north; degrees, + east; metres."""
     def getCompassResult(self, name: str) -> float:
-        """Degrees of a compass, clockwise from north, (-180, 180]."""
+        """Returns a compass heading, degrees clockwise from north, (-180, 180]."""
     def getAccelResult(self, name: str) -> str:
-        """"x,y,z" of an accelerometer, m/s^2, in the sensor's axes: x left, y up, z forward unless it is turned."""
+        """Returns an accelerometer's "x,y,z", m/s^2, in its own axes: x left, y up, z forward unless rotated."""
     def getGyroResult(self, name: str) -> str:
-        """"x,y,z" of a gyroscope, rad/s, in the sensor's axes as for an accelerometer; a turn to the left is + y."""
+        """Returns a gyroscope's "x,y,z", rad/s, in an accelerometer's axes; + y turns left."""
     @overload
     def getOdomResult(self) -> float:
-        """Signed path of the first robot's centre, metres: since the last call if it has an Odometer object (which counts to 32.767 m, as a Roomba's), else since start or reset."""
+        """Returns the first robot's signed distance travelled, metres. An Odometer object counts from the last call to 32.767 m, like a Roomba. Without one, the distance counts from start or reset."""
     @overload
     def getOdomResult(self, robot: str) -> float:
-        """The same of a robot by name."""
+        """Returns the same distance of a robot."""
     def getImage(self, name: str) -> bytes:
-        """The last picture of a camera as a PNG file: colours, or 16 bits of grey that are millimetres of depths (0: no return) or hundredths of a kelvin of temperatures. A picture is taken at the camera's rate; this is the last one that was due."""
+        """Returns a camera's last due picture as PNG. Depths and temperatures are 16-bit grey: millimetres (0 = no return) or hundredths of a kelvin."""
     def getPixels(self, name: str) -> np.ndarray:
-        """The pixels of a camera's last picture, row by row from the top left: each one number, 0xRRGGBB (sRGB). Depths and temperatures are in false colours, from red, near or warm, to blue."""
+        """Returns the last picture's pixels by rows from the top left, 0xRRGGBB (sRGB). Depths and temperatures have false colours, from red (near or warm) to blue."""
     def getDepth(self, name: str) -> np.ndarray:
-        """The depths of a depth camera's last picture, row by row from the top left: metres along its axis, infinite where nothing came back."""
+        """Returns the last depth picture by rows from the top left: metres along the camera's axis, infinite without a return."""
     def getTemperatures(self, name: str) -> np.ndarray:
-        """The temperatures of an infrared camera's last picture, row by row from the top left: degrees Celsius."""
+        """Returns the last infrared picture by rows from the top left, degrees Celsius."""
     @overload
     def getPointCloud(self, name: str) -> np.ndarray:
-        """The points at which a depth camera's last picture ends, in its own frame: x, y, z of each, metres to the left, up and ahead. Pixels without a return have no point."""
+        """Returns the last depth picture's points in the camera's frame: x, y, z of each, metres left, up and ahead. Omits pixels without a return."""
     @overload
     def getPointCloud(self, name: str, world: bool) -> np.ndarray:
-        """The same in the frame of the camera or of the world."""
+        """Returns these points in the camera or world frame."""
     def getBlobs(self, name: str, color: str) -> List[Any]:
-        """What has the hue of a colour in a camera's last picture, as a Pixy tells it: a list of [x, y, width, height, area], the largest first. x and y are the middle of the box around it, pixels from the top left; area is how many pixels it has. The light hardly matters."""
+        """Finds regions of a colour's hue in the last picture, largest first, like a Pixy. Each is [x, y, width, height, area]: box centre from the top left, box size and area, in pixels. Brightness hardly matters."""
     def saveImage(self, name: str, path: str) -> None:
-        """Writes a camera's last picture into a file, as `getImage` answers it. Folders on the way are made."""
+        """Writes the picture of `getImage` to a file and creates its folders."""
     def getPose(self, name: str) -> np.ndarray:
-        """[x, y, z, rx, ry, rz] in the world of a robot, part, sensor or object: metres north, up and east, degrees about the three axes. The heading of what stands upright is 90 - ry."""
+        """Returns [x, y, z, rx, ry, rz] in the world: metres north, up and east, and degrees about these axes. Heading is 90 - ry when upright."""
     def getGroundHeight(self, x: float, z: float) -> float:
-        """The ground's height at a point of the world: its y, metres. Ground is the terrain, a floor, or a model that is the terrain; where one lies over the other, the highest. While no simulation runs it is that of the project as it is."""
+        """Returns the ground's y, metres: the highest terrain, floor or terrain model there. Needs no simulation."""
     @overload
     def getPlan(self) -> str:
-        """The plan of the world as a picture: from above, north upwards, with the names of things, robots as arrows that say their headings, the beams of distance sensors and LIDARs up to what they meet, a scale, and the time. Before the start, of the project as it is."""
+        """Returns a plan of the world, north up, as SVG: names, robot headings, beams of distance sensors and LIDARs, scale and time. Needs no simulation."""
     @overload
     def getPlan(self, beams: bool) -> str:
-        """The same with or without beams."""
+        """Returns the plan with or without beams."""
     def savePlan(self, picture: str) -> None:
-        """Draws the plan into a file."""
+        """Writes the plan to a file."""
     def publishReading(self, reading: Any) -> Any:
-        """Comes with each reading: its name, time (simulated seconds) and value, which is what `getReading` answers."""
+        """Publishes each reading: its name, time (simulated seconds) and value, as `getReading` returns it."""
     def publishImage(self, image: Any) -> Any:
-        """Comes with each picture of a camera that `startPublishing` was called for, as MyRobotLab's services hand pictures on: `name` is the camera, `src` an address that a page shows, `data:image/png;base64,...`."""
+        """Publishes pictures of cameras after `startPublishing`, in MyRobotLab's form. `name` is the camera, `src` a URL, `data:image/png;base64,...`."""
     def startPublishing(self, sensor: str, rate: float) -> None:
-        """Publishes a sensor's readings again and again, for those who subscribe to publishReading."""
+        """Publishes a sensor's readings repeatedly."""
     def stopPublishing(self, sensor: str) -> None:
         """Ends `startPublishing`."""
     def newProject(self) -> str:
-        """Begins an empty project; the present one is kept."""
+        """Begins an empty project and backs up the present one."""
     @overload
     def saveProject(self, path: str) -> None:
-        """Saves the project as a bundle. A file of that name is replaced."""
+        """Saves the project as a bundle, overwriting an existing file."""
     @overload
     def saveProject(self, path: str, cutTerrain: bool) -> None:
-        """Saves the project as a bundle, and of the terrain's elevation maps only the area that is used, so that it is small. The project stays as it is."""
+        """Saves a bundle, optionally with only the used area of elevation maps. The project stays unchanged."""
     def loadProject(self, path: str) -> None:
-        """Replaces the project by a bundle's, or a copy of a project folder, once that is read whole and valid; the present one is kept as backup."""
+        """Backs up the project and replaces it with a valid bundle or folder."""
     def importRobot(self, path: str, name: str) -> str:
-        """Adds a robot of a bundle or project folder to the present project, which is kept as backup. Names and ports that are taken get a number; parts keep their names, and where another robot has one of that name both are `"robot/part"`."""
+        """Adds a robot from a bundle or folder and backs up the present project. Names and ports in use get a number. Parts keep their names; ambiguous ones become `"robot/part"`."""
     def importEnvironment(self, path: str) -> List[str]:
-        """Adds the environment of a bundle or project folder to the present project, as `importRobot` a robot."""
+        """Adds the environment of a bundle or folder, like `importRobot`."""
     def getProblems(self) -> List[Any]:
-        """What is wrong with the project: file, line, field, value, what is legal; empty if nothing."""
+        """Returns the project's problems: file, line, field, value and what is legal. Empty if valid."""
     def checkProject(self) -> Dict[str, Any]:
-        """Checks the project as `sear check` does: builds its world, and takes a step in it, apart from any simulation that runs."""
+        """Checks the project like `sear check`: takes one step in a separate world."""
     def getScript(self) -> str:
-        """The Python script that makes the project's objects. Run in another project with the same assets and beams, or in this one, it gives the same files to the byte."""
+        """Returns the Python script that creates the project's objects. Same assets and beams give identical files."""
     def copyTemplate(self, name: str, folder: str) -> str:
-        """Copies a template into a folder."""
+        """Copies a template to a folder."""
     def getExampleScripts(self) -> List[str]:
-        """Names of the example scripts that drive a robot, each with its project."""
+        """Returns the example scripts that drive a robot, each with its project."""
     def getExampleScript(self, name: str) -> str:
-        """The text of an example script."""
+        """Returns the text of an example script."""
     @overload
     def recordRun(self, path: str) -> str:
-        """Records a run into a file: poses, readings, commands and the bytes of every port, until `endRecord`, stopSimulation or 512 MB. If nothing runs, from the next start on. Only a record from the start of its run, or from a reset, can be run again."""
+        """Records poses, readings, commands and port bytes until `endRecord`, stopSimulation or 512 MB. Without a simulation it begins at the next start. Only a record from a start or reset can be rerun."""
     @overload
     def recordRun(self, path: str, megabytes: float) -> str:
-        """The same up to another size."""
+        """Records a run up to another size."""
     @overload
     def recordRun(self, path: str, megabytes: float, pictures: float) -> str:
-        """The same with the pictures of all cameras, which a replay in the tab shows."""
+        """Records a run with all cameras' pictures, for replay in the tab."""
     def endRecord(self) -> float:
-        """Ends the record that is being written."""
+        """Ends the record in progress."""
     def rerunRecord(self, path: str) -> Dict[str, Any]:
-        """Gives the commands of a record to a fresh world of the present project, apart from any simulation that runs, and compares what comes out."""
+        """Reruns a record's commands in a separate, fresh world and compares the results."""
     def getRecordNames(self, path: str) -> List[str]:
-        """Names of the values over time in a record: places and speeds of robots, places of objects, numbers of readings, commands, bytes so far."""
+        """Returns the names of a record's values: poses, speeds, positions, readings, commands, byte counts."""
     def getRecordValues(self, path: str, names: Sequence[str]) -> Dict[str, Any]:
-        """Values of a record over time, 30 a second, or so much fewer that there are at most 4000."""
+        """Returns a record's values over time, at most 30 per second and 4000 in all."""
     def saveRecordCsv(self, path: str, names: Sequence[str], csv: str) -> None:
-        """Writes values of a record as a table, 30 lines a second, at most 200000."""
+        """Writes a record's values as a table, 30 lines per second, at most 200000."""
     def saveRecordPlot(self, path: str, names: Sequence[str], picture: str) -> None:
-        """Draws values of a record over time as a picture; those of one unit share an axis."""
+        """Plots a record's values over time; values of one unit share an axis."""
     @overload
     def savePlot(self, picture: str, xTitle: str, xs: Sequence[Any], yTitle: str, ys: Sequence[Any]) -> None:
-        """Draws a list of numbers over another as a picture. A unit in brackets stands behind the names of both axes. No simulation has to run."""
+        """Plots one list of numbers over another. Axis titles end in a unit in brackets. Needs no simulation."""
     @overload
     def savePlot(self, picture: str, xTitle: str, xs: Sequence[Any], lines: Dict[str, Any]) -> None:
-        """The same with several lines; those whose names end in the same unit share an axis."""
+        """Plots several lines; those with the same unit share an axis."""
     @overload
     def exportPort(self, userPort: str) -> str:
-        """Lets any program on this computer open a virtual port, as a pseudo-terminal (Linux, macOS). An export belongs to the port's name: it may be made before the start, and stays when the simulation stops, silent until one with such a port runs again. Asked for again, it is the same one."""
+        """Exports a virtual port to local programs as a pseudo-terminal (Linux, macOS). The export may precede the start and outlives the simulation. Without a simulation it is silent. Repeated calls return the same export."""
     @overload
     def exportPort(self, userPort: str, link: str) -> str:
-        """The same, by a path that stays."""
+        """Exports a port through a symbolic link, whose name stays the same."""
     def exportTcp(self, userPort: str, number: int) -> int:
-        """The same as a TCP server on the loopback address, raw bytes, on every system. It has no baud rate: the device's own holds."""
+        """Exports a port as a local TCP server, on every system: raw bytes at the device's own baud rate."""
     def exportRfc2217(self, userPort: str, number: int) -> int:
-        """The same as a TCP server that speaks RFC 2217, by which a program sets the baud rate: pyserial's `rfc2217://localhost:5002`."""
+        """Exports a port as an RFC 2217 server, where programs set the baud rate: pyserial's `rfc2217://localhost:5002`."""
     def getExports(self) -> Dict[str, Any]:
-        """The exports that there are: the names of ports and cameras, each with what programs open in words, those of `setExport` too."""
+        """Returns all ports and cameras exported, also by `setExport`, with their addresses as text."""
     def endExport(self, userPort: str) -> None:
         """Ends all exports of a port."""
     @overload
     def exportCamera(self, name: str, number: int) -> int:
-        """Makes a camera a network camera: programs on this computer find MJPEG at `http://localhost:PORT/stream.mjpg` and a picture at `/image.jpg`, and depths as 16-bit PNG at `/depth.png`; docs/cameras.md lists the addresses. As with ports it may be made before the start, and stays when the simulation stops, silent, until one with such a camera runs again."""
+        """Serves a camera to local programs: MJPEG at `http://localhost:PORT/stream.mjpg`, pictures at `/image.jpg`, 16-bit depths at `/depth.png`. See docs/cameras.md. The export may precede the start and outlives the simulation."""
     @overload
     def exportCamera(self, name: str, number: int, product: str) -> int:
-        """The same, with the addresses of a product beside its own, so that programs for that one find them."""
+        """Serves a camera also at a product's addresses, for programs made for it."""
     def stopExportCamera(self, name: str) -> None:
-        """Ends all exports of a camera, with the connections of those who look."""
+        """Ends all exports of a camera and closes their connections."""
     def getParameter(self, name: str, standard: Any) -> Any:
-        """What this run of the script is to be made with: `sear SCRIPT.py --set speed=0.2` gives it, and `sear sweep` each value in turn."""
+        """Returns a parameter from `sear SCRIPT.py --set speed=0.2` or `sear sweep`, see docs/sweeps.md."""
     def setResult(self, name: str, value: Any) -> None:
-        """Says what has come of this run: a column in the table of `sear sweep`. Without a sweep it is printed."""
+        """Reports a result: a column in the table of `sear sweep`, otherwise printed."""
     @overload
     def startPython3(self) -> int:
-        """Lets Python 3 programs on this computer in: `sear.connect()` of the package `sear`, docs/python3.md. They can do what a script can. The token that they show stands in the file `.sear/gateway-PORT` of the user's home folder, which only that user can read."""
+        """Admits local Python 3 programs: `sear.connect()`, see docs/python3.md. They can call what scripts can. Their token is in `.sear/gateway-PORT` in the home folder, readable only by its user."""
     @overload
     def startPython3(self, port: int) -> int:
-        """The same at another port: `sear.connect(PORT)`."""
+        """Admits Python 3 programs at another port: `sear.connect(PORT)`."""
     def stopPython3(self) -> None:
-        """Lets no more Python 3 programs in, and ends the connections of those that are."""
+        """Closes the port and connections of Python 3 programs."""
     def edit(self, edit: Dict[str, Any]) -> Dict[str, Any]:
-        """Changes the project as the tab does: an object is added, set, renamed, duplicated, deleted, mounted on a robot or taken off. It is checked as its file would be, written at once, and can be undone. While a simulation runs, what gets another place moves; all else takes effect at the next start. docs/building.md lists the edits."""
+        """Adds, sets, renames, duplicates, deletes, mounts or unmounts an object, like the tab. SEAR checks the edit like a file and writes it immediately. A running simulation applies only new positions, the next start everything else. docs/building.md lists the edits."""
     def undo(self) -> Dict[str, Any]:
-        """Takes back the last edit of the project, by whomever; the last 500 can be taken back, also after a crash."""
+        """Undoes the last edit, by any user or script. It can undo 500 edits, even after a crash."""
     def redo(self) -> Dict[str, Any]:
-        """Does again what `undo` took back last."""
+        """Repeats the edit that `undo` undid last."""
     def getGrammar(self) -> Dict[str, Any]:
-        """What edits can make: `types` with their parameters, units, legal ranges and documentation, and `templates` of robots."""
+        """Returns what edits can create: `types` with parameters, units, ranges and documentation; robot `templates`."""
 
 
 class _LIDAR(JavaObject):
-    """Driver for a SICK LMS200 (and its sisters), a Hokuyo URG-04LX or UTM-30LX or a Slamtec RPLIDAR A1, real or simulated, on any port of MyRobotLab's Serial service."""
+    """Drives a real or simulated SICK LMS2xx, Hokuyo URG-04LX or UTM-30LX, or Slamtec RPLIDAR A1 through MyRobotLab's Serial service."""
     @overload
     def connect(self, port: str) -> None:
-        """Connects to the port the LIDAR is on, at the configured baud rate, that of the model after power-on unless set: 9600 for an LMS200. If it answers at another rate, the port follows."""
+        """Connects to the LIDAR's port at the configured baud rate. Default: the model's power-on rate, 9600 for an LMS200. If the device answers at another rate, the port follows."""
     @overload
     def connect(self, port: str, baud: int) -> None:
-        """Connects to the port the LIDAR is on, and asks the device for its unit and its modes. If it answers at another rate, the port follows."""
+        """Connects to the LIDAR's port and queries unit and modes. If it answers at another rate, the port follows."""
     def reconnectSerial(self) -> None:
-        """Connects again to the port last used, for example after a cable came loose. A simulated port that comes back, and one of a restored configuration, needs no such call."""
+        """Reconnects to the last port. Returning simulated ports and restored configurations reconnect automatically."""
     def disconnect(self) -> None:
-        """Closes the port; what was not answered is forgotten."""
+        """Closes the port and drops unanswered requests."""
     def setModel(self, model: str) -> None:
-        """The device's type, before connecting. With one that talks otherwise the baud rate becomes that which it has at power-on."""
+        """Sets the device's type before connecting. A model with another protocol also sets its power-on baud rate."""
     def getModels(self) -> List[Any]:
-        """The models there are, with the baud rates and common scan modes of each; published to the panel."""
+        """Returns the models with their baud rates and common scan modes, also published to the panel."""
     def setBaud(self, baud: int) -> None:
-        """Tells the device to talk at another rate, and follows it there; not connected: the rate of the next `connect`."""
+        """Changes the baud rate of the device and port, or of the next `connect`."""
     def setScanMode(self, spread: int, resolution: float) -> None:
-        """Sets the width of the fan and the angle between its beams, degrees. A device with steps of its own takes the nearest that it has, see `getSpread` and `getResolution`."""
+        """Sets the scan's angular range and resolution, degrees. Some devices round them, see `getSpread` and `getResolution`."""
     def setToCM(self) -> None:
-        """Values in centimetres, up to 81.83 m. Only an LMS can. The service remembers it: it tells a device that it finds with another unit."""
+        """Sets centimetres, up to 81.83 m; only for LMS models. The service remembers the unit and sets it after connecting."""
     def setToMM(self) -> None:
-        """Values in millimetres, of an LMS200 up to 8.183 m. Remembered as `setToCM`."""
+        """Sets millimetres, for an LMS200 up to 8.183 m; remembered like `setToCM`."""
     def singleScan(self) -> None:
-        """Asks for one scan; it comes to whoever listens to publishLidarData or publishScan."""
+        """Requests one scan, published by publishLidarData and publishScan."""
     def startStreaming(self) -> None:
-        """Has the device send scan after scan."""
+        """Starts continuous scans."""
     def stopStreaming(self) -> None:
         """Ends `startStreaming`."""
     def isConnected(self) -> bool:
-        """Whether a port is open."""
+        """Returns whether a port is open."""
     def getPortNames(self) -> List[str]:
-        """Names of the ports that there are, in order; published to the panel."""
+        """Returns the sorted port names; also published to the panel."""
     def getLastScan(self) -> Any:
-        """The last scan; None before the first. Its arrays run right to left: raw (in its unit, "mm" or "cm"), metres (None where nothing was hit), angles (degrees, 0 right, 90 ahead, 180 left; a whole circle begins behind, at -90)."""
+        """Returns the last scan; None before the first. Its arrays run right to left: raw (in its unit, "mm" or "cm"), metres (None without a hit) and angles (degrees). Angle 0 is right, 90 ahead, 180 left; a full circle begins behind, at -90."""
     def publishLidarData(self, values: np.ndarray) -> np.ndarray:
-        """A scan's values, right to left, in the device's unit, without flag bits. Of an LMS200: up to 8182 a distance, from 8183 a code, 8191 = nothing hit (measuring modes 0 to 2). Of a Hokuyo the smallest values are codes: 0 to 19 of an URG-04LX, 1 to 5 of an UTM-30LX; of an RPLIDAR 0."""
+        """Publishes a scan's values, right to left, in the device's unit, without flag bits. LMS200: distances to 8182, codes from 8183, 8191 = no hit (measuring modes 0 to 2). Codes of others: URG-04LX 0 to 19, UTM-30LX 1 to 5, RPLIDAR 0."""
     def publishScan(self, scan: Any) -> Any:
-        """The same scan with angles, metres and unit, as `getLastScan` answers it."""
+        """Publishes the same scan with angles, metres and unit, as `getLastScan` returns it."""
     def isStreaming(self) -> bool:
-        """Whether scans come by themselves."""
+        """Returns whether the device scans continuously."""
     def getUnit(self) -> str:
-        """`"mm"` or `"cm"`: what the device measures in."""
+        """Returns the device's unit, `"mm"` or `"cm"`."""
     def getSpread(self) -> float:
-        """Degrees from the first to the last beam, as the device told; 0 before it did."""
+        """Returns the reported degrees from the first to the last beam; 0 until reported."""
     def getResolution(self) -> float:
-        """Degrees between beams, as the device told; 0 before it did."""
+        """Returns the reported degrees between beams; 0 until reported."""
     def getScanCount(self) -> int:
-        """Scans received since the service was made."""
+        """Counts scans since the service's creation."""
 
 
 class _GPS(JavaObject):
-    """Reads a GPS receiver that sends NMEA sentences or u-blox' UBX, real or simulated, on any port of MyRobotLab's Serial service."""
+    """Reads a real or simulated GPS receiver (NMEA or u-blox UBX) through MyRobotLab's Serial service."""
     @overload
     def connect(self, port: str) -> None:
-        """Connects to the port the receiver is on, at the configured baud rate: unless set, 9600 for a NEO-M8N and 38400 for others."""
+        """Connects to the receiver's port at the configured baud rate. Default: 9600 for a NEO-M8N, 38400 for others."""
     @overload
     def connect(self, port: str, baud: int) -> None:
-        """Connects to the port the receiver is on. When the first sentence has come, a receiver is asked for its firmware (unless the model is NMEA), and the model becomes the one it names, if that is one of MediaTek's."""
+        """Connects to the receiver's port. After the first sentence it queries the firmware, except for model NMEA. MediaTek firmware also sets the model."""
     def reconnectSerial(self) -> None:
-        """Connects again to the port last used. A simulated port that comes back, and one of a restored configuration, needs no such call."""
+        """Reconnects to the last port. Returning simulated ports and restored configurations reconnect automatically."""
     def disconnect(self) -> None:
         """Closes the port."""
     def setBaud(self, baud: int) -> None:
-        """Tells the receiver to talk at another rate (`$PMTK251`; a NEO-M8N by CFG-PRT) and follows it; not connected, or of model NMEA: the rate of the port."""
+        """Changes the receiver's baud rate (`$PMTK251`; NEO-M8N: CFG-PRT) and then the port's. If unconnected or of model NMEA, it sets only the port's rate."""
     def setRate(self, hertz: float) -> None:
-        """Tells the receiver how many fixes a second to send (`$PMTK220`; a NEO-M8N by CFG-RATE). More sentences than the line carries are left out by the receiver: at 9600 baud a NEO-M8N sends its six kinds once a second."""
+        """Sets fixes per second (`$PMTK220`; NEO-M8N: CFG-RATE). The receiver drops sentences beyond the line's capacity: at 9600 baud a NEO-M8N sends six kinds once per second."""
     def setModel(self, model: str) -> None:
-        """The receiver's type. While not connected, a configured baud rate that is the present model's as delivered becomes the new one's: 9600 for a NEO-M8N, 38400 for others."""
+        """Sets the receiver's type. While unconnected, an unchanged default baud rate becomes the new model's."""
     def sendCommand(self, body: str) -> None:
-        """Sends a command of the receiver."""
+        """Sends a command to the receiver."""
     def sendUbx(self, hex: str) -> None:
         """Sends a message to a u-blox receiver."""
     def isConnected(self) -> bool:
-        """Whether a port is open."""
+        """Returns whether a port is open."""
     def getPortNames(self) -> List[str]:
-        """Names of the ports that there are, in order; published to the panel."""
+        """Returns the sorted port names; also published to the panel."""
     def hasFix(self) -> bool:
-        """Whether the last GGA sentence, or NAV-PVT, had a position."""
+        """Returns whether the last GGA sentence or NAV-PVT had a position."""
     def getFirmware(self) -> str:
-        """The firmware as the receiver names it, for example `"MTK3301_1.0"` or `"EXT CORE 3.01 (107900)"`; None before it did."""
+        """Returns the reported firmware, for example `"MTK3301_1.0"` or `"EXT CORE 3.01 (107900)"`; None until reported."""
     def getLastFix(self) -> Any:
-        """The last GGA sentence, or NAV-PVT in its form; None before the first. It has latitude and longitude (decimal degrees, + north and east), altitude (m), quality (0 = no fix), satellites, utc (hhmmss.sss) and tokens."""
+        """Returns the last GGA sentence, or NAV-PVT in its form; None before the first. Fields: latitude and longitude (decimal degrees, + north and east), altitude (m), quality (0 = no fix), satellites, utc (hhmmss.sss) and tokens."""
     def getSentenceCount(self) -> int:
-        """Good sentences and UBX messages received since the service was made."""
+        """Counts valid sentences and UBX messages since the service's creation."""
     def getDamagedCount(self) -> int:
-        """Sentences and UBX messages left out because they were damaged."""
+        """Counts dropped, damaged sentences and UBX messages."""
     def publishGGAData(self, tokens: np.ndarray) -> np.ndarray:
-        """The fields of a GGA sentence. Token 0 is `"$GPGGA"`, 2 the latitude as ddmm.mmmm and 4 the longitude as dddmm.mmmm, both negative in the south and west (`"-08051.8999"`), 6 the quality of the fix, 9 the altitude in metres. A u-blox receiver's NAV-PVT comes in this form, too; of both of one moment only the first."""
+        """Publishes a GGA sentence's fields. 0: `"$GPGGA"`; 2: latitude, ddmm.mmmm; 4: longitude, dddmm.mmmm; 6: fix quality; 9: altitude, metres. South and west are negative (`"-08051.8999"`). NAV-PVT takes the same form. If both report one moment, the second is dropped."""
     def publishGGADData(self, tokens: np.ndarray) -> np.ndarray:
-        """The same as `publishGGAData`, under the name that the dissertation's Listing 8 has."""
+        """Publishes the data of `publishGGAData` under the name of the dissertation's Listing 8."""
     def publishGPS(self, position: np.ndarray) -> np.ndarray:
-        """[latitude, longitude, altitude]: decimal degrees, + north and east, and metres."""
+        """Publishes [latitude, longitude, altitude]: decimal degrees, + north and east, and metres."""
     def publishSentence(self, sentence: str) -> str:
-        """Each good sentence whole, from `$` to check sum."""
+        """Publishes each valid sentence from `$` to checksum."""
 
 
 class Accelerometer(SensorObject):

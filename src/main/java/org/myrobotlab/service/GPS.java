@@ -25,7 +25,7 @@ import org.myrobotlab.service.link.SerialLink;
 import org.myrobotlab.service.link.ServiceWarnings;
 
 /**
- * Reads a GPS receiver that sends NMEA sentences or u-blox' UBX, real or simulated, on any port of MyRobotLab's Serial service.
+ * Reads a real or simulated GPS receiver (NMEA or u-blox UBX) through MyRobotLab's Serial service.
  *
  * <pre>
  * gps = Runtime.start("roofGps", "GPS")
@@ -33,18 +33,18 @@ import org.myrobotlab.service.link.ServiceWarnings;
  * gps.connect("/dev/SEAR_GPS_01")
  * </pre>
  *
- * <p>Sentences with a wrong check sum are left out. Loss of fix and loss of data are published as warnings, once. Any thread.
+ * <p>Drops sentences with a wrong checksum. Warns once when it loses the fix or the data. Any thread.
  */
 public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     private static final long serialVersionUID = 1L;
     private static final String PEER = "serial";
-    /** What stands in a sentence between {@code $} and {@code *}. */
+    /** Characters allowed in a sentence between {@code $} and {@code *}. */
     private static final Pattern COMMAND = Pattern.compile("[ -~&&[^$*]]+");
-    /** What the answer to the question for the firmware starts with. */
+    /** Start of the reply to the firmware query. */
     private static final String FIRMWARE = "$" + Pmtk.RELEASE.body() + ",";
-    /** Receivers send once a second; this long without a good sentence is a loss. Seconds. */
+    /** Seconds without a good sentence after which data counts as lost; receivers send once per second. */
     private static final double SILENCE = 5;
-    /** Pause between the command to change the rate and the change, beyond the command's own length. Seconds. */
+    /** Pause between the baud rate command and the change, beyond the command's own transmission time, seconds. */
     private static final double BEFORE_BAUD_CHANGE = 0.1;
 
     static {
@@ -66,7 +66,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     private boolean fix;
     private long sentences;
 
-    /** As MyRobotLab makes services. */
+    /** Called by MyRobotLab. */
     public GPS(String name, String id) {
         super(name, id);
     }
@@ -86,10 +86,10 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Connects to the port the receiver is on, at the configured baud rate: unless set, 9600 for a NEO-M8N and 38400 for others.
+     * Connects to the receiver's port at the configured baud rate. Default: 9600 for a NEO-M8N, 38400 for others.
      *
-     * @param port the port's name, for example {@code "/dev/SEAR_GPS_01"} or {@code "COM3"}
-     * @throws IOException if there is no such port, or it is in use
+     * @param port port, for example {@code "/dev/SEAR_GPS_01"} or {@code "COM3"}
+     * @throws IOException port missing or in use
      * @example gps.connect("/dev/SEAR_GPS_01")
      */
     public void connect(String port) throws IOException {
@@ -97,12 +97,12 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Connects to the port the receiver is on. When the first sentence has come, a receiver is asked for its firmware (unless the model is NMEA),
-     * and the model becomes the one it names, if that is one of MediaTek's.
+     * Connects to the receiver's port. After the first sentence it queries the firmware, except for model NMEA.
+     * MediaTek firmware also sets the model.
      *
-     * @param port the port's name
-     * @param baud 4800, 9600, 19200, 38400, 57600 or 115200; a NEO-M8N has 230400, 460800 and 921600 as well, the others 14400
-     * @throws IOException if there is no such port, or it is in use
+     * @param port port name
+     * @param baud a rate of {@link #setBaud}
+     * @throws IOException port missing or in use
      * @example gps.connect("/dev/SEAR_GPS_01", 38400)
      */
     public void connect(String port, int baud) throws IOException {
@@ -126,9 +126,9 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Connects again to the port last used. A simulated port that comes back, and one of a restored configuration, needs no such call.
+     * Reconnects to the last port. Returning simulated ports and restored configurations reconnect automatically.
      *
-     * @throws IOException if there was none, or it is gone, or in use
+     * @throws IOException port missing or in use
      * @example gps.reconnectSerial()
      */
     public void reconnectSerial() throws IOException {
@@ -158,7 +158,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         broadcastState();
     }
 
-    /** Looks whether the port was closed by somebody else, and says so. */
+    /** Reports a port that its owner has closed. */
     private void lost() {
         String port = link == null ? null : link.closeIfLost(() -> connected = false);
         if (port != null) {
@@ -168,11 +168,11 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Tells the receiver to talk at another rate ({@code $PMTK251}; a NEO-M8N by CFG-PRT) and follows it; not connected, or of model NMEA: the rate
-     * of the port.
+     * Changes the receiver's baud rate ({@code $PMTK251}; NEO-M8N: CFG-PRT) and then the port's. If unconnected or of
+     * model NMEA, it sets only the port's rate.
      *
-     * @param baud 4800, 9600, 19200, 38400, 57600 or 115200; a NEO-M8N has 230400, 460800 and 921600 as well, the others 14400
-     * @throws IllegalArgumentException that names those there are
+     * @param baud 4800, 9600, 19200, 38400, 57600 or 115200; NEO-M8N also 230400, 460800 and 921600, others also 14400
+     * @throws IllegalArgumentException unsupported rate
      * @example gps.setBaud(38400)
      */
     public synchronized void setBaud(int baud) {
@@ -190,12 +190,12 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Tells the receiver how many fixes a second to send ({@code $PMTK220}; a NEO-M8N by CFG-RATE). More sentences than the line carries are left out
-     * by the receiver: at 9600 baud a NEO-M8N sends its six kinds once a second.
+     * Sets fixes per second ({@code $PMTK220}; NEO-M8N: CFG-RATE). The receiver drops sentences beyond the line's
+     * capacity: at 9600 baud a NEO-M8N sends six kinds once per second.
      *
-     * @param hertz 0.1 to 5; to 10 for an MT3329 or a NEO-M8N
-     * @throws IllegalArgumentException that says how many the model can
-     * @throws IllegalStateException if it is not connected
+     * @param hertz 0.1 to 5; MT3329 and NEO-M8N to 10
+     * @throws IllegalArgumentException unsupported rate
+     * @throws IllegalStateException not connected
      * @example gps.setRate(5)
      */
     public void setRate(double hertz) {
@@ -207,12 +207,11 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * The receiver's type. While not connected, a configured baud rate that is the present model's as delivered becomes the new one's: 9600 for a
-     * NEO-M8N, 38400 for others.
+     * Sets the receiver's type. While unconnected, an unchanged default baud rate becomes the new model's.
      *
-     * @param model FV-M8 (FV_M8 as well), MT3301, MT3329 (these take PMTK commands), NEO-M8N (u-blox as well; takes UBX) or NMEA (never sent
-     *     anything)
-     * @throws IllegalArgumentException that names those there are
+     * @param model FV-M8 (or FV_M8), MT3301, MT3329 (PMTK commands), NEO-M8N (or u-blox; UBX) or NMEA (receives
+     *     nothing)
+     * @throws IllegalArgumentException unknown model
      * @example gps.setModel("FV-M8")
      */
     public void setModel(String model) {
@@ -226,11 +225,11 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Sends a command of the receiver.
+     * Sends a command to the receiver.
      *
-     * @param body without {@code $} and check sum; {@code "PMTK220,200"} asks for five fixes a second
-     * @throws IllegalArgumentException if it has what can't stand in a sentence
-     * @throws IllegalStateException if it is not connected
+     * @param body without {@code $} and checksum; {@code "PMTK220,200"} requests five fixes per second
+     * @throws IllegalArgumentException characters not allowed in a sentence
+     * @throws IllegalStateException not connected
      * @example gps.sendCommand("PMTK220,200")
      */
     public void sendCommand(String body) {
@@ -244,9 +243,9 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     /**
      * Sends a message to a u-blox receiver.
      *
-     * @param hex class, number and payload, without what frames them; {@code "06 01 01 07 01"} switches NAV-PVT on
-     * @throws IllegalArgumentException if these are not two bytes or more in hexadecimal
-     * @throws IllegalStateException if it is not connected
+     * @param hex class, number and payload without framing; {@code "06 01 01 07 01"} enables NAV-PVT
+     * @throws IllegalArgumentException fewer than two hexadecimal bytes
+     * @throws IllegalStateException not connected
      * @example gps.sendUbx("06 01 01 07 01")
      */
     public void sendUbx(String hex) {
@@ -262,7 +261,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Whether a port is open.
+     * Returns whether a port is open.
      *
      * @example print gps.isConnected()
      */
@@ -271,7 +270,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Names of the ports that there are, in order; published to the panel.
+     * Returns the sorted port names; also published to the panel.
      *
      * @example print gps.getPortNames()
      */
@@ -280,7 +279,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Whether the last GGA sentence, or NAV-PVT, had a position.
+     * Returns whether the last GGA sentence or NAV-PVT had a position.
      *
      * @example print gps.hasFix()
      */
@@ -289,7 +288,8 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * The firmware as the receiver names it, for example {@code "MTK3301_1.0"} or {@code "EXT CORE 3.01 (107900)"}; None before it did.
+     * Returns the reported firmware, for example {@code "MTK3301_1.0"} or {@code "EXT CORE 3.01 (107900)"}; None until
+     * reported.
      *
      * @example print gps.getFirmware()
      */
@@ -298,8 +298,8 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * The last GGA sentence, or NAV-PVT in its form; None before the first. It has latitude and longitude (decimal degrees, + north and east),
-     * altitude (m), quality (0 = no fix), satellites, utc (hhmmss.sss) and tokens.
+     * Returns the last GGA sentence, or NAV-PVT in its form; None before the first. Fields: latitude and longitude
+     * (decimal degrees, + north and east), altitude (m), quality (0 = no fix), satellites, utc (hhmmss.sss) and tokens.
      *
      * @example fix = gps.getLastFix()
      */
@@ -308,7 +308,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Good sentences and UBX messages received since the service was made.
+     * Counts valid sentences and UBX messages since the service's creation.
      *
      * @example print gps.getSentenceCount()
      */
@@ -317,7 +317,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Sentences and UBX messages left out because they were damaged.
+     * Counts dropped, damaged sentences and UBX messages.
      *
      * @example print gps.getDamagedCount()
      */
@@ -326,9 +326,9 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * The fields of a GGA sentence. Token 0 is {@code "$GPGGA"}, 2 the latitude as ddmm.mmmm and 4 the longitude as dddmm.mmmm, both negative in
-     * the south and west ({@code "-08051.8999"}), 6 the quality of the fix, 9 the altitude in metres. A u-blox receiver's NAV-PVT comes in this form,
-     * too; of both of one moment only the first.
+     * Publishes a GGA sentence's fields. 0: {@code "$GPGGA"}; 2: latitude, ddmm.mmmm; 4: longitude, dddmm.mmmm; 6: fix
+     * quality; 9: altitude, metres. South and west are negative ({@code "-08051.8999"}). NAV-PVT takes the same form.
+     * If both report one moment, the second is dropped.
      *
      * @example gps.addListener("publishGGAData", python.getName(), "onGuideGga")
      */
@@ -337,7 +337,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * The same as {@link #publishGGAData}, under the name that the dissertation's Listing 8 has.
+     * Publishes the data of {@link #publishGGAData} under the name of the dissertation's Listing 8.
      *
      * @example gps.addListener("publishGGADData", python.getName(), "onGuideGgad")
      */
@@ -346,7 +346,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * [latitude, longitude, altitude]: decimal degrees, + north and east, and metres.
+     * Publishes [latitude, longitude, altitude]: decimal degrees, + north and east, and metres.
      *
      * @example gps.addListener("publishGPS", python.getName(), "onGuidePosition")
      */
@@ -355,7 +355,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Each good sentence whole, from {@code $} to check sum.
+     * Publishes each valid sentence from {@code $} to checksum.
      *
      * @example gps.addListener("publishSentence", python.getName(), "onGuideSentence")
      */
@@ -433,7 +433,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         }
     }
 
-    /** A receiver may send a sentence and a message of the same moment. */
+    /** Skips the second of a sentence and a UBX message of the same moment. */
     private void onGga(GgaFix received, boolean ofUbx) {
         GgaFix before = lastFix;
         if (before != null && lastFixOfUbx != ofUbx && !received.utc.isEmpty() && received.utc.equals(before.utc)) {
@@ -474,7 +474,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         log.info("{} connected to {}", getName(), portName);
     }
 
-    /** The port is being closed, by this service or by whoever owns it. It may still be open now: {@link SerialLink} looks again. */
+    /** This service or the port's owner is closing the port. It may still be open: {@link SerialLink} checks again. */
     @Override
     public void onDisconnect(String portName) {
         log.info("{} disconnected from {}", getName(), portName);

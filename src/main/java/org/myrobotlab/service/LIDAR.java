@@ -16,7 +16,7 @@ import org.myrobotlab.service.link.Reconnects;
 import org.myrobotlab.service.link.SerialLink;
 
 /**
- * Driver for a SICK LMS200 (and its sisters), a Hokuyo URG-04LX or UTM-30LX or a Slamtec RPLIDAR A1, real or simulated, on any port of MyRobotLab's
+ * Drives a real or simulated SICK LMS2xx, Hokuyo URG-04LX or UTM-30LX, or Slamtec RPLIDAR A1 through MyRobotLab's
  * Serial service.
  *
  * <pre>
@@ -28,8 +28,8 @@ import org.myrobotlab.service.link.SerialLink;
  * lidar.singleScan()
  * </pre>
  *
- * <p>Every call returns at once; what was asked is sent one after the other, each when the former was answered, and repeated when the device
- * refuses it or stays silent. Errors are published as error statuses. Any thread.
+ * <p>Every call returns immediately. Requests wait in a queue until the previous one is answered, and are repeated
+ * after a refusal or a timeout. Errors are published as error statuses. Any thread.
  */
 public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, FindsBaudRate {
     private static final long serialVersionUID = 1L;
@@ -46,14 +46,14 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     private transient String driven;
     private boolean connected;
     private boolean streaming;
-    /** Whether the device was told the unit since it is connected. */
+    /** Whether the unit was set since the connection opened. */
     private transient volatile boolean unitAsked;
     private String unit = MILLIMETRES;
     private double spread;
     private double resolution;
     private long scans;
 
-    /** As MyRobotLab makes services. */
+    /** Called by MyRobotLab. */
     public LIDAR(String name, String id) {
         super(name, id);
     }
@@ -74,7 +74,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
         }
     }
 
-    /** Takes the driver of the configured model, unless it has it already. */
+    /** Creates the driver of the configured model unless it is in use already. */
     private void takeDriver() {
         if (driven == null || !driven.equals(config.model)) {
             device = LidarModels.driver(config.model, new LidarEvents(this));
@@ -87,11 +87,11 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Connects to the port the LIDAR is on, at the configured baud rate, that of the model after power-on unless set: 9600 for an LMS200. If it
-     * answers at another rate, the port follows.
+     * Connects to the LIDAR's port at the configured baud rate. Default: the model's power-on rate, 9600 for an LMS200.
+     * If the device answers at another rate, the port follows.
      *
-     * @param port the port's name, for example {@code "/dev/SEAR_LIDAR_01"} or {@code "COM3"}
-     * @throws IOException if there is no such port, or it is in use
+     * @param port port, for example {@code "/dev/SEAR_LIDAR_01"} or {@code "COM3"}
+     * @throws IOException port missing or in use
      * @example lidar.connect("/dev/SEAR_LIDAR_01")
      */
     public void connect(String port) throws IOException {
@@ -99,11 +99,11 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Connects to the port the LIDAR is on, and asks the device for its unit and its modes. If it answers at another rate, the port follows.
+     * Connects to the LIDAR's port and queries unit and modes. If it answers at another rate, the port follows.
      *
-     * @param port the port's name
-     * @param baud one that the model has: an LMS200 9600, 19200, 38400 or 500000
-     * @throws IOException if there is no such port, or it is in use
+     * @param port port name
+     * @param baud a rate of {@link #setBaud}
+     * @throws IOException port missing or in use
      * @example lidar.connect("/dev/SEAR_LIDAR_01", 38400)
      */
     public void connect(String port, int baud) throws IOException {
@@ -123,10 +123,9 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Connects again to the port last used, for example after a cable came loose. A simulated port that comes back, and one of a restored
-     * configuration, needs no such call.
+     * Reconnects to the last port. Returning simulated ports and restored configurations reconnect automatically.
      *
-     * @throws IOException if there was none, or it is gone, or in use
+     * @throws IOException port missing or in use
      * @example lidar.reconnectSerial()
      */
     public void reconnectSerial() throws IOException {
@@ -137,7 +136,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Closes the port; what was not answered is forgotten.
+     * Closes the port and drops unanswered requests.
      *
      * @example lidar.disconnect()
      */
@@ -163,7 +162,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
         streaming = false;
     }
 
-    /** Looks whether the port was closed by somebody else, and says so. */
+    /** Reports a port that its owner has closed. */
     private void lost() {
         String port = link == null ? null : link.closeIfLost(this::forget);
         if (port != null) {
@@ -173,11 +172,11 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * The device's type, before connecting. With one that talks otherwise the baud rate becomes that which it has at power-on.
+     * Sets the device's type before connecting. A model with another protocol also sets its power-on baud rate.
      *
-     * @param model LMS200, LMS211, LMS220, LMS221 or LMS291, which talk alike, URG-04LX, UTM-30LX or RPLIDAR-A1
-     * @throws IllegalArgumentException that names those there are
-     * @throws IllegalStateException if a device that talks otherwise is connected
+     * @param model LMS200, LMS211, LMS220, LMS221 or LMS291 (one protocol), URG-04LX, UTM-30LX or RPLIDAR-A1
+     * @throws IllegalArgumentException unknown model
+     * @throws IllegalStateException connected device with another protocol
      * @example lidar.setModel("LMS200")
      */
     public synchronized void setModel(String model) {
@@ -199,7 +198,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * The models there are, with the baud rates and common scan modes of each; published to the panel.
+     * Returns the models with their baud rates and common scan modes, also published to the panel.
      *
      * @example print [model.name for model in lidar.getModels()]
      */
@@ -208,10 +207,10 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Tells the device to talk at another rate, and follows it there; not connected: the rate of the next {@link #connect}.
+     * Changes the baud rate of the device and port, or of the next {@link #connect}.
      *
-     * @param baud one that the model has: an LMS200 9600, 19200, 38400 or 500000, an URG-04LX 19200 to 750000
-     * @throws IllegalArgumentException that names those there are
+     * @param baud one of the model's rates; LMS200: 9600, 19200, 38400 or 500000; URG-04LX: 19200 to 750000
+     * @throws IllegalArgumentException unsupported rate
      * @example lidar.setBaud(38400)
      */
     public void setBaud(int baud) {
@@ -224,13 +223,13 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Sets the width of the fan and the angle between its beams, degrees. A device with steps of its own takes the nearest that it has, see
-     * {@link #getSpread} and {@link #getResolution}.
+     * Sets the scan's angular range and resolution, degrees. Some devices round them, see {@link #getSpread} and
+     * {@link #getResolution}.
      *
-     * @param spread an LMS200 has 100 and 180, an URG-04LX up to 240, an UTM-30LX up to 270, an RPLIDAR-A1 up to 360
-     * @param resolution an LMS200 has 1, 0.5 and (with 100) 0.25
-     * @throws IllegalArgumentException for other values
-     * @throws IllegalStateException if it is not connected
+     * @param spread LMS200: 100 or 180; URG-04LX: up to 240; UTM-30LX: up to 270; RPLIDAR-A1: up to 360
+     * @param resolution LMS200: 1, 0.5 or (with 100) 0.25
+     * @throws IllegalArgumentException other values
+     * @throws IllegalStateException not connected
      * @example lidar.setScanMode(180, 1)
      */
     public void setScanMode(int spread, double resolution) {
@@ -238,10 +237,11 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Values in centimetres, up to 81.83 m. Only an LMS can. The service remembers it: it tells a device that it finds with another unit.
+     * Sets centimetres, up to 81.83 m; only for LMS models. The service remembers the unit and sets it after
+     * connecting.
      *
-     * @throws IllegalArgumentException if the model can't
-     * @throws IllegalStateException if it is not connected
+     * @throws IllegalArgumentException model without centimetres
+     * @throws IllegalStateException not connected
      * @example lidar.setToCM()
      */
     public void setToCM() {
@@ -249,9 +249,9 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Values in millimetres, of an LMS200 up to 8.183 m. Remembered as {@link #setToCM}.
+     * Sets millimetres, for an LMS200 up to 8.183 m; remembered like {@link #setToCM}.
      *
-     * @throws IllegalStateException if it is not connected
+     * @throws IllegalStateException not connected
      * @example lidar.setToMM()
      */
     public void setToMM() {
@@ -265,9 +265,9 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Asks for one scan; it comes to whoever listens to publishLidarData or publishScan.
+     * Requests one scan, published by publishLidarData and publishScan.
      *
-     * @throws IllegalStateException if it is not connected
+     * @throws IllegalStateException not connected
      * @example lidar.singleScan()
      */
     public void singleScan() {
@@ -275,9 +275,9 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Has the device send scan after scan.
+     * Starts continuous scans.
      *
-     * @throws IllegalStateException if it is not connected
+     * @throws IllegalStateException not connected
      * @example lidar.startStreaming()
      */
     public void startStreaming() {
@@ -287,7 +287,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     /**
      * Ends {@link #startStreaming}.
      *
-     * @throws IllegalStateException if it is not connected
+     * @throws IllegalStateException not connected
      * @example lidar.stopStreaming()
      */
     public void stopStreaming() {
@@ -303,7 +303,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Whether a port is open.
+     * Returns whether a port is open.
      *
      * @example print lidar.isConnected()
      */
@@ -312,7 +312,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Names of the ports that there are, in order; published to the panel.
+     * Returns the sorted port names; also published to the panel.
      *
      * @example print lidar.getPortNames()
      */
@@ -321,8 +321,9 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * The last scan; None before the first. Its arrays run right to left: raw (in its unit, "mm" or "cm"), metres (None where nothing was hit),
-     * angles (degrees, 0 right, 90 ahead, 180 left; a whole circle begins behind, at -90).
+     * Returns the last scan; None before the first. Its arrays run right to left: raw (in its unit, "mm" or "cm"),
+     * metres (None without a hit) and angles (degrees). Angle 0 is right, 90 ahead, 180 left; a full circle begins
+     * behind, at -90.
      *
      * @example scan = lidar.getLastScan()
      */
@@ -331,8 +332,9 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * A scan's values, right to left, in the device's unit, without flag bits. Of an LMS200: up to 8182 a distance, from 8183 a code, 8191 = nothing
-     * hit (measuring modes 0 to 2). Of a Hokuyo the smallest values are codes: 0 to 19 of an URG-04LX, 1 to 5 of an UTM-30LX; of an RPLIDAR 0.
+     * Publishes a scan's values, right to left, in the device's unit, without flag bits. LMS200: distances to 8182,
+     * codes from 8183, 8191 = no hit (measuring modes 0 to 2). Codes of others: URG-04LX 0 to 19, UTM-30LX 1 to 5,
+     * RPLIDAR 0.
      *
      * @example lidar.addListener("publishLidarData", python.getName(), "onGuideScan")
      */
@@ -341,7 +343,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * The same scan with angles, metres and unit, as {@link #getLastScan} answers it.
+     * Publishes the same scan with angles, metres and unit, as {@link #getLastScan} returns it.
      *
      * @example lidar.addListener("publishScan", python.getName(), "onGuideMetres")
      */
@@ -367,7 +369,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
         broadcastState();
     }
 
-    /** The device has told its unit: it gets the one that the configuration has. */
+    /** The device has reported its unit. Sets the configured unit if it differs. */
     void onUnit(boolean millimetres) {
         String reported = millimetres ? MILLIMETRES : CENTIMETRES;
         onUnit(reported);
@@ -389,7 +391,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Whether scans come by themselves.
+     * Returns whether the device scans continuously.
      *
      * @example print lidar.isStreaming()
      */
@@ -398,7 +400,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * {@code "mm"} or {@code "cm"}: what the device measures in.
+     * Returns the device's unit, {@code "mm"} or {@code "cm"}.
      *
      * @example print lidar.getUnit()
      */
@@ -407,7 +409,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Degrees from the first to the last beam, as the device told; 0 before it did.
+     * Returns the reported degrees from the first to the last beam; 0 until reported.
      *
      * @example print lidar.getSpread()
      */
@@ -416,7 +418,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Degrees between beams, as the device told; 0 before it did.
+     * Returns the reported degrees between beams; 0 until reported.
      *
      * @example print lidar.getResolution()
      */
@@ -425,7 +427,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Scans received since the service was made.
+     * Counts scans since the service's creation.
      *
      * @example print lidar.getScanCount()
      */
@@ -445,7 +447,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
         log.info("{} connected to {}", getName(), portName);
     }
 
-    /** The port is being closed, by this service or by whoever owns it. It may still be open now: {@link SerialLink} looks again. */
+    /** This service or the port's owner is closing the port. It may still be open: {@link SerialLink} checks again. */
     @Override
     public void onDisconnect(String portName) {
         log.info("{} disconnected from {}", getName(), portName);

@@ -3,7 +3,7 @@ package org.myrobotlab.service;
 import org.myrobotlab.service.lidar.LidarListener;
 import org.myrobotlab.service.lidar.RangeScan;
 
-/** What happens at the device, told to the service and so to MyRobotLab. */
+/** Passes a device's events to its service, and thus to MyRobotLab. */
 final class LidarEvents implements LidarListener {
     private final LIDAR service;
 

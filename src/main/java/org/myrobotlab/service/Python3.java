@@ -12,28 +12,28 @@ import org.myrobotlab.service.sear.lockstep.CallbackService;
 import org.myrobotlab.service.sear.lockstep.FencePass;
 
 /**
- * Stands in MyRobotLab for a Python 3 program that is connected to it or has it in its process: what is published to this service calls a function of
- * the program. The package {@code sear} for Python 3 starts it. Any thread.
+ * MyRobotLab's stand-in for a Python 3 program that is connected to it or has it in its process. A message published to
+ * this service calls a function of the program. The package {@code sear} for Python 3 starts it. Any thread.
  */
 public class Python3 extends Service<Python3Config> implements CallbackService {
     private static final long serialVersionUID = 1L;
 
-    /** So long after its last question a program is taken for ended, ns. */
+    /** Time after its last request at which a program counts as ended, ns. */
     private static final long GONE = TimeUnit.SECONDS.toNanos(10);
 
     private final transient BlockingQueue<Message> calls = new LinkedBlockingQueue<>();
     private transient volatile long asked = System.nanoTime();
-    /** Whether the program carries out a function. */
+    /** Whether the program is running a function. */
     private transient volatile boolean busy;
     private transient volatile Thread taker;
     private transient boolean told;
 
-    /** As MyRobotLab makes services. */
+    /** Called by MyRobotLab. */
     public Python3(String name, String id) {
         super(name, id);
     }
 
-    /** Messages for this service are its own business; all others are for functions of the program. */
+    /** Handles messages for this service's own methods; queues all others for functions of the program. */
     @Override
     public boolean preProcessHook(Message message) {
         if (Arrays.stream(getClass().getMethods()).anyMatch(one -> one.getName().equals(message.method))) {
@@ -48,7 +48,10 @@ public class Python3 extends Service<Python3Config> implements CallbackService {
         return false;
     }
 
-    /** Whether lock-step has sent it, to hear when all before it is done. */
+    /**
+     * Acknowledges a lock-step fence, which shows that all earlier messages are done; returns whether the message was
+     * one.
+     */
     private static boolean pass(Message message) {
         boolean is = message.data != null && message.data.length == 1 && message.data[0] instanceof FencePass;
         if (is) {
@@ -58,10 +61,10 @@ public class Python3 extends Service<Python3Config> implements CallbackService {
     }
 
     /**
-     * For the program: the next function to call. The former one has ended.
+     * Returns the next function for the program to call. The previous one has ended.
      *
-     * @param millis how long to wait for it
-     * @return who calls ({@code ping.publishReading}), the function's name, its arguments; null if nobody does
+     * @param millis how long to wait, milliseconds
+     * @return the publisher ({@code ping.publishReading}), the function's name, its arguments; null after the timeout
      */
     public Object[] take(long millis) throws InterruptedException {
         taker = Thread.currentThread();
@@ -76,7 +79,7 @@ public class Python3 extends Service<Python3Config> implements CallbackService {
             message.data == null ? new Object[0] : message.data};
     }
 
-    /** The thread of Java on which functions of the program call back. */
+    /** Returns the Java thread on which the program's functions call back. */
     @Override
     public Thread getCallbackThread() {
         return taker;

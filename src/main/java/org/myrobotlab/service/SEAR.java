@@ -24,8 +24,8 @@ import org.myrobotlab.service.sear.run.RunParameters;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
- * SEAR, the Simulation Environment for Autonomous Robots, as a MyRobotLab service: starts the world that the objects of {@code org.SEAR.POJOs}
- * have described, and answers for its sensors.
+ * SEAR, the Simulation Environment for Autonomous Robots, as a MyRobotLab service. It simulates the project that the
+ * objects of {@code org.SEAR.POJOs} describe and returns the readings of its sensors.
  *
  * <pre>
  * sear = Runtime.start("sear", "SEAR")
@@ -36,8 +36,8 @@ import org.myrobotlab.service.sear.run.SimulationSession;
  * sear.stopSimulation()
  * </pre>
  *
- * <p>Calls may come from any thread. What goes wrong is published as an error status and thrown (IllegalStateException, or
- * IllegalArgumentException for values), so that scripts see it; a running simulation goes on.
+ * <p>Calls publish an error as an error status and throw it, so that scripts see it: IllegalArgumentException for a
+ * value, otherwise IllegalStateException. A running simulation goes on. Any thread.
  */
 public class SEAR extends OwnConfigService<SEARConfig> {
     private static final long serialVersionUID = 1L;
@@ -52,7 +52,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     private boolean paused;
     private boolean recorded;
 
-    /** As MyRobotLab makes services. */
+    /** Called by MyRobotLab. */
     public SEAR(String name, String id) {
         super(name, id);
     }
@@ -74,12 +74,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         }
     }
 
-    // ---- simulation ------------------------------------------------------------------------------------------------
+    // ---- simulation -------------------------------------------------------------------------------------------------
 
     /**
-     * Starts the world of the project folder, {@code SEARproject} in MyRobotLab's working folder.
+     * Starts the project in the folder {@code SEARproject} of MyRobotLab's working folder.
      *
-     * @throws IllegalStateException with every problem of the project; if a simulation runs already
+     * @throws IllegalStateException invalid project, or a simulation runs
      * @example sear.startSimulation()
      */
     public void startSimulation() {
@@ -87,10 +87,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same, with a look at the physics.
+     * Starts the project and optionally draws its physics.
      *
-     * @param debugShapes whether the window shows collision shapes, contact points and wheel rays
-     * @throws IllegalStateException with every problem of the project; if a simulation runs already
+     * @param debugShapes True draws collision shapes, contact points and wheel rays
+     * @throws IllegalStateException invalid project, or a simulation runs
      * @example sear.startSimulation(True)
      */
     public void startSimulation(boolean debugShapes) {
@@ -99,9 +99,9 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Ends the simulation; ports, window and thread go away.
+     * Stops the simulation and closes its ports and window.
      *
-     * @throws IllegalStateException if none runs
+     * @throws IllegalStateException no simulation runs
      * @example sear.stopSimulation()
      */
     public void stopSimulation() {
@@ -113,7 +113,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Whether a simulation runs (a paused one too).
+     * Returns whether a simulation runs, paused or not.
      *
      * @example if not sear.isSimulating(): sear.startSimulation()
      */
@@ -122,10 +122,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Whether beams of all sensors see floors and terrain in the next simulations; true unless set. False: they pass through all of them, as a real
-     * ultrasonic beam glances off a smooth floor. A single one is hidden by its object, {@code floor.setVisibleToSensors(False)}.
+     * Sets whether sensors see floors and terrain in later simulations; default True. False lets beams through, as
+     * ultrasound glances off smooth floors. {@code floor.setVisibleToSensors(False)} hides a single floor.
      *
-     * @throws IllegalStateException while a simulation runs
+     * @throws IllegalStateException a simulation runs
      * @example sear.setGroundVisible(False)
      */
     public void setGroundVisible(boolean on) {
@@ -133,24 +133,24 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * On how many threads, that of the simulation included, sensors and cameras measure, in this and later simulations; as many as the computer has
-     * processors unless set, here or with {@code sear --threads}. What they measure does not depend on it.
+     * Sets the number of threads that measure sensors and cameras, including the simulation's. Default:
+     * {@code sear --threads}, otherwise all processors. Readings stay the same.
      *
      * @param number 1 to 256
-     * @throws IllegalArgumentException for another number
+     * @throws IllegalArgumentException number out of range
      * @example sear.setThreads(1)
      */
     public void setThreads(int number) {
         calls.act(() -> parts.control().setThreads(number));
     }
 
-    // ---- time (a simulation must run, except for the settings) -----------------------------------------------------
+    // ---- time -------------------------------------------------------------------------------------------------------
 
     /**
-     * Waits so many simulated seconds; in lock-step it makes them pass.
+     * Waits for simulated seconds. In lock-step the call advances time itself.
      *
      * @param seconds 0 or more
-     * @throws IllegalStateException if the simulation ends meanwhile, or the script that waits has paused it itself
+     * @throws IllegalStateException simulation ended, or the waiting script paused it
      * @example sear.simSleep(0.5)
      */
     public void simSleep(double seconds) {
@@ -158,7 +158,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Simulated seconds since start or reset.
+     * Returns simulated seconds since start or reset.
      *
      * @example print "%.2f s" % sear.getTime()
      */
@@ -167,7 +167,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Time stands still until {@link #resume}.
+     * Stops simulated time until {@link #resume}.
      *
      * @example sear.pause()
      */
@@ -187,7 +187,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Whether the simulation is paused.
+     * Returns whether the simulation is paused.
      *
      * @example print sear.isPaused()
      */
@@ -196,7 +196,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Advances by so many steps of 1/60 s; pauses a simulation whose time runs by itself.
+     * Advances time by steps of 1/60 s. Pauses a simulation that runs by itself.
      *
      * @param n steps, 1 or more
      * @example sear.step(60)
@@ -207,7 +207,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Everything back to the start, as a fresh start with the same seed.
+     * Returns everything to the start, with the same random seed.
      *
      * @example sear.reset()
      */
@@ -216,9 +216,9 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * How fast time passes, in this and later simulations.
+     * Sets the speed of time, also in later simulations.
      *
-     * @param factor simulated seconds a second, 0.001 or more; 1 = real time, infinity = as fast as possible
+     * @param factor simulated seconds per second, 0.001 or more; 1 = real time, infinity = maximum
      * @example sear.setSpeed(2)
      */
     public void setSpeed(double factor) {
@@ -226,7 +226,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Whether simulated time advances only inside {@link #simSleep} and {@link #step}; holds for later simulations too.
+     * Sets lock-step, also for later simulations: time advances only inside {@link #simSleep} and {@link #step}.
      *
      * @example sear.setLockStep(True)
      */
@@ -235,7 +235,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Whether a simulation runs whose time advances only inside {@link #simSleep} and {@link #step}.
+     * Returns whether a simulation runs in lock-step.
      *
      * @example print sear.isLockStep()
      */
@@ -244,26 +244,26 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         return session != null && session.isLockStep();
     }
 
-    // ---- devices (a simulation must run) ---------------------------------------------------------------------------
+    // ---- devices ----------------------------------------------------------------------------------------------------
 
     /**
-     * Switches the power of a serial device, as its user does when a driver has left it in a state that the next one does not expect. Off: it is
-     * silent, what it moves stands still, what comes for it is gone. On: as at power-on, with its first baud rate, no mode, no stream. A Create 2
-     * says its boot message, a GPS receiver its own, an LMS200 starts for 5 simulated seconds and then sends its power-on telegram; its written
-     * configuration and a permanent baud rate stay.
+     * Switches a serial device off or on, for example to clear an earlier driver's state. Off: it is silent, stops its
+     * actuators and drops incoming bytes. On: it restarts at its power-on baud rate, without mode or stream. A Create 2
+     * or GPS receiver sends its boot message. An LMS200 boots for 5 simulated seconds, then sends its power-on
+     * telegram. Written configuration and permanent baud rate remain.
      *
-     * @param name of the object with ports: a robot's Dynamics, a LIDAR, a GPS; {@code "robot/part"} where several robots have a part of that name
-     * @throws IllegalArgumentException that names the devices there are
+     * @param name a robot's Dynamics, a LIDAR or a GPS; {@code "robot/part"} if ambiguous
+     * @throws IllegalArgumentException unknown device
      * @example sear.power("myLidar", False); sear.power("myLidar", True)
      */
     public void power(String name, boolean on) {
         calls.act(() -> parts.control().session().power(ScriptText.of(name), on));
     }
 
-    // ---- driving (a simulation must run) ---------------------------------------------------------------------------
+    // ---- driving ----------------------------------------------------------------------------------------------------
 
     /**
-     * Drives the first robot straight on, until the next command.
+     * Drives the first robot straight until the next command.
      *
      * @param speed m/s, + forward, -100 to 100; 0 stops
      * @example sear.driveStraight(0.3)
@@ -273,11 +273,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Drives a robot straight on, until the next command.
+     * Drives a robot straight until the next command.
      *
-     * @param robot its name
+     * @param robot name
      * @param speed m/s, + forward, -100 to 100; 0 stops
-     * @throws IllegalArgumentException that names the robots there are, or the legal range
+     * @throws IllegalArgumentException unknown robot or illegal speed
      * @example sear.driveStraight("myRoomba", -0.1)
      */
     public void driveStraight(String robot, double speed) {
@@ -285,9 +285,9 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Turns the first robot in place, until the next command.
+     * Turns the first robot in place until the next command.
      *
-     * @param degPerSecond degrees a second, + to the left (counter-clockwise from above), -3600 to 3600; 0 stops
+     * @param degPerSecond degrees per second, + left, -3600 to 3600; 0 stops
      * @example sear.spin(45); sear.simSleep(2); sear.spin(0)
      */
     public void spin(double degPerSecond) {
@@ -295,11 +295,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Turns a robot in place, until the next command.
+     * Turns a robot in place until the next command.
      *
-     * @param robot its name
-     * @param degPerSecond degrees a second, + to the left (counter-clockwise from above), -3600 to 3600; 0 stops
-     * @throws IllegalArgumentException that names the robots there are, or the legal range, or says that the robot has no two sides that are driven
+     * @param robot name
+     * @param degPerSecond degrees per second, + left, -3600 to 3600; 0 stops
+     * @throws IllegalArgumentException unknown robot, illegal rate or robot without driven wheels on both sides
      * @example sear.spin("myRoomba", -90)
      */
     public void spin(String robot, double degPerSecond) {
@@ -307,10 +307,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Sets the wheels of the first robot, until the next command.
+     * Sets the wheel speeds of the first robot until the next command.
      *
-     * @param left m/s over ground of the driven wheels on the left, + forward, -100 to 100
-     * @param right likewise on the right
+     * @param left left ground speed, m/s, + forward, -100 to 100
+     * @param right right ground speed
      * @example sear.setWheelSpeeds(0.2, 0.25)
      */
     public void setWheelSpeeds(double left, double right) {
@@ -318,12 +318,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Sets the wheels of a robot, until the next command.
+     * Sets the wheel speeds of a robot until the next command.
      *
-     * @param robot its name
-     * @param left m/s over ground of the driven wheels on the left, + forward, -100 to 100
-     * @param right likewise on the right
-     * @throws IllegalArgumentException that names the robots there are, or the legal range
+     * @param robot name
+     * @param left left ground speed, m/s, + forward, -100 to 100
+     * @param right right ground speed
+     * @throws IllegalArgumentException unknown robot or illegal speed
      * @example sear.setWheelSpeeds("myRoomba", 0, 0)
      */
     public void setWheelSpeeds(String robot, double left, double right) {
@@ -331,8 +331,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Drives the first robot along a circle, as the Roomba's own command does, until the next command. One with steered wheels steers to it, at
-     * radius 0 as far as they turn.
+     * Drives the first robot along a circle until the next command. Steered wheels follow the circle, at radius 0 to
+     * their limit.
      *
      * @param speed m/s, + forward, -100 to 100
      * @param radius metres, + to the left; infinity = straight, 0 = in place to the left
@@ -343,12 +343,13 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Drives a robot along a circle. One with steered wheels steers to it, at radius 0 as far as they turn.
+     * Drives a robot along a circle until the next command. Steered wheels follow the circle, at radius 0 to their
+     * limit.
      *
-     * @param robot its name
+     * @param robot name
      * @param speed m/s, + forward, -100 to 100
      * @param radius metres, + to the left; infinity = straight, 0 = in place to the left
-     * @throws IllegalArgumentException that names the robots there are, or the legal range
+     * @throws IllegalArgumentException unknown robot or illegal speed
      * @example sear.drive("myRoomba", 0.2, float("inf"))
      */
     public void drive(String robot, double speed, double radius) {
@@ -356,9 +357,9 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Steers the first robot by its steered wheels, until the next order.
+     * Steers the first robot until the next command.
      *
-     * @param degrees of a wheel in the middle between left and right, + to the left; the inner wheel turns farther, the outer one less
+     * @param degrees mean steering angle, + left (inner wheel more, outer less)
      * @example sear.setSteering(-10)
      */
     public void setSteering(double degrees) {
@@ -366,25 +367,25 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Steers a robot by its steered wheels, until the next order.
+     * Steers a robot until the next command.
      *
-     * @param robot its name
-     * @param degrees of a wheel in the middle between left and right, + to the left; the inner wheel turns farther, the outer one less
-     * @throws IllegalArgumentException that names the robots there are, or the legal range, or says that it has no steered wheels
+     * @param robot name
+     * @param degrees mean steering angle, + left (inner wheel more, outer less)
+     * @throws IllegalArgumentException unknown robot, illegal angle or robot without steered wheels
      * @example sear.setSteering("car", 20)
      */
     public void setSteering(String robot, double degrees) {
         calls.act(() -> parts.driving().steer(robot, degrees));
     }
 
-    // ---- motors, servos and lights (a simulation must run; the examples are of the car of vehicles.md) ---------------------
+    // ---- motors, servos and lights ----------------------------------------------------------------------------------
 
     /**
-     * Gives a motor power, until the next order for it or for its robot. Its torque is stallTorque (power - speed / noLoadSpeed).
+     * Powers a motor until the next command for it or its robot. Torque = stallTorque (power - speed / noLoadSpeed).
      *
-     * @param name of the motor; {@code "robot/motor"} where several robots have one of that name
-     * @param power share of the full voltage, + forward, -1 to 1; 0 brakes, as a motor does whose wires are joined
-     * @throws IllegalArgumentException that names the motors there are, or the legal range
+     * @param name motor; {@code "robot/motor"} if ambiguous
+     * @param power fraction of full voltage, + forward, -1 to 1; 0 brakes (short circuit)
+     * @throws IllegalArgumentException unknown motor or illegal power
      * @example sear.setMotorPower("engine", 0.5)
      */
     public void setMotorPower(String name, double power) {
@@ -392,11 +393,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Has a motor's controller hold a speed, as far as its torque goes, until the next order for it or for its robot.
+     * Holds a motor's speed, within its torque, until the next command for it or its robot.
      *
-     * @param name of the motor; {@code "robot/motor"} where several robots have one of that name
-     * @param speed of its wheels, rad/s, + forward; at most what they reach without load
-     * @throws IllegalArgumentException that names the motors there are, or the legal range
+     * @param name motor; {@code "robot/motor"} if ambiguous
+     * @param speed wheel speed, rad/s, + forward, up to the no-load speed
+     * @throws IllegalArgumentException unknown motor or illegal speed
      * @example sear.setMotorSpeed("engine", 6.5)
      */
     public void setMotorSpeed(String name, double speed) {
@@ -404,10 +405,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * How fast a motor's wheels turn now, rad/s, + forward; the mean of several.
+     * Returns the present speed of a motor's wheels, rad/s, + forward. Several wheels are averaged.
      *
-     * @param name of the motor
-     * @throws IllegalArgumentException that names the motors there are
+     * @param name motor
+     * @throws IllegalArgumentException unknown motor
      * @example print "%.2f rad/s" % sear.getMotorSpeed("engine")
      */
     public double getMotorSpeed(String name) {
@@ -415,10 +416,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * What a motor's encoder has counted since start or reset, + forward; 0 for a motor without one.
+     * Returns encoder counts since start or reset, + forward; 0 without an encoder.
      *
-     * @param name of the motor
-     * @throws IllegalArgumentException that names the motors there are
+     * @param name motor
+     * @throws IllegalArgumentException unknown motor
      * @example print sear.getEncoder("engine"), "counts"
      */
     public long getEncoder(String name) {
@@ -426,11 +427,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Has a servo turn to an angle, as fast as it can, and with it what is mounted on it.
+     * Turns a servo and its parts to an angle at full speed.
      *
-     * @param name of the servo; {@code "robot/servo"} where several robots have one of that name
-     * @param degrees within the servo's range, + counter-clockwise seen from above
-     * @throws IllegalArgumentException that names the servos there are, or the legal range
+     * @param name servo; {@code "robot/servo"} if ambiguous
+     * @param degrees within the servo's range, + counter-clockwise from above
+     * @throws IllegalArgumentException unknown servo or illegal angle
      * @example sear.setServo("neck", 45)
      */
     public void setServo(String name, double degrees) {
@@ -438,10 +439,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Where a servo is now, degrees, + counter-clockwise seen from above.
+     * Returns a servo's present angle, degrees, + counter-clockwise from above.
      *
-     * @param name of the servo
-     * @throws IllegalArgumentException that names the servos there are
+     * @param name servo
+     * @throws IllegalArgumentException unknown servo
      * @example print "%.1f degrees" % sear.getServo("neck")
      */
     public double getServo(String name) {
@@ -449,11 +450,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Has a light shine, until the next order for it; one that is wired to an Arduino, until the board writes to its pin.
+     * Sets a light's brightness until the next command, or until an Arduino writes to its pin.
      *
-     * @param name of the led; {@code "robot/led"} where several robots have one of that name
+     * @param name LED; {@code "robot/led"} if ambiguous
      * @param brightness 0 (dark) to 1
-     * @throws IllegalArgumentException that names the leds there are, or the legal range
+     * @throws IllegalArgumentException unknown LED or illegal brightness
      * @example sear.setLed("lamp", 0.5)
      */
     public void setLed(String name, double brightness) {
@@ -461,26 +462,26 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * How bright a light shines now, 0 to 1.
+     * Returns a light's present brightness, 0 to 1.
      *
-     * @param name of the led
-     * @throws IllegalArgumentException that names the leds there are
+     * @param name LED
+     * @throws IllegalArgumentException unknown LED
      * @example print "%.0f %%" % (100 * sear.getLed("lamp"))
      */
     public double getLed(String name) {
         return calls.attempt(() -> parts.actuators().brightness(name));
     }
 
-    // ---- things that are thrown and pushed (a simulation must run) -------------------------------------------------
+    // ---- forces and velocities --------------------------------------------------------------------------------------
 
     /**
-     * Pushes a thing or a robot at its centre of mass with a force, from the next step on, whatever direction it looks in. The call returns at once.
-     * Several pushes add up; what slept wakes.
+     * Applies a force at the centre of mass from the next step and returns immediately. Forces add up and wake sleeping
+     * objects.
      *
-     * @param name of a thing with a mass, or of a robot
-     * @param force {@code [x, y, z]} in N along the world's axes: north, up, east
-     * @param seconds simulated, above 0, at most 3600
-     * @throws IllegalArgumentException if nothing of that name can move, or the force is too strong for its mass (1000 m/s more in a step)
+     * @param name object with mass or robot
+     * @param force {@code [x, y, z]}, N along the world's axes: north, up, east
+     * @param seconds simulated, above 0 to 3600
+     * @throws IllegalArgumentException no such movable object, or a force above 1000 m/s per step for its mass
      * @example sear.push("crate 1", [50, 0, 0], 0.2)
      */
     public void push(String name, List<?> force, double seconds) {
@@ -488,14 +489,14 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Gives a thing or a robot a velocity at once, between two steps. Files and the next start stay as they are: {@code crate.setVelocity(x, y, z)}
-     * before the start says what a thing starts with.
+     * Sets the velocity of the centre of mass between two steps. Changes no file; {@code crate.setVelocity(x, y, z)}
+     * before the start sets the initial velocity.
      *
-     * @param name of a thing with a mass, or of a robot
-     * @param x m/s of its centre of mass along the world's x, north, -1000 to 1000
-     * @param y upwards
-     * @param z along the world's z, east
-     * @throws IllegalArgumentException if nothing of that name can move, or with the legal range
+     * @param name object with mass or robot
+     * @param x north, m/s along the world's x axis, -1000 to 1000
+     * @param y up
+     * @param z east
+     * @throws IllegalArgumentException no such movable object, or illegal velocity
      * @example sear.setVelocity("crate 1", 0.5, 2, 0)
      */
     public void setVelocity(String name, double x, double y, double z) {
@@ -503,13 +504,13 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Has a thing or a robot turn about its centre of mass at once, between two steps.
+     * Sets the angular velocity about the centre of mass between two steps.
      *
-     * @param name of a thing with a mass, or of a robot
-     * @param x degrees a second about the world's x, by the right hand, -100000 to 100000
-     * @param y about the world's y, counter-clockwise seen from above
-     * @param z about the world's z
-     * @throws IllegalArgumentException if nothing of that name can move, or with the legal range
+     * @param name object with mass or robot
+     * @param x degrees per second about the world's x axis, right-handed, -100000 to 100000
+     * @param y about the y axis, + counter-clockwise from above
+     * @param z about the z axis
+     * @throws IllegalArgumentException no such movable object, or illegal rate
      * @example sear.setSpin("crate 1", 0, 90, 0)
      */
     public void setSpin(String name, double x, double y, double z) {
@@ -517,12 +518,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Pulls a thing or a robot by a spring, as the mouse does in SEAR's tab: with at most five times its weight. It lets go when this is not called
-     * again within 1.5 s of the clock, or by {@link #letGo}.
+     * Pulls an object with a spring, like the tab's mouse, with at most five times its weight. It lets go after
+     * {@link #letGo}, or 1.5 s of real time without another call.
      *
-     * @param name of a thing with a mass, or of a robot
-     * @param way {@code [x, y, z]} where to, metres along the world's axes from where it was at the first call
-     * @throws IllegalArgumentException if nothing of that name can move
+     * @param name object with mass or robot
+     * @param way {@code [x, y, z]}, metres along the world's axes from its position at the first call
+     * @throws IllegalArgumentException no such movable object
      * @example sear.hold("crate 1", [0, 0.5, 0])
      */
     public void hold(String name, List<?> way) {
@@ -530,20 +531,20 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Lets go what {@link #hold} holds; of what is not held nothing happens.
+     * Releases what {@link #hold} holds, if anything.
      *
-     * @param name of the thing or robot
+     * @param name object or robot
      * @example sear.letGo("crate 1")
      */
     public void letGo(String name) {
         calls.act(() -> parts.bodies().letGo(name));
     }
 
-    // ---- reading (a simulation must run) ---------------------------------------------------------------------------
+    // ---- sensors ----------------------------------------------------------------------------------------------------
 
     /**
-     * Names of all sensors, as the calls below take them. Where several robots have a sensor of one name it is {@code "robot/sensor"}, for example
-     * {@code "rover/ping"}, which is legal for every other sensor and part, too.
+     * Returns all sensor names. Ambiguous names have the form {@code "robot/sensor"}, for example {@code "rover/ping"}.
+     * This form is legal for every sensor and part.
      *
      * @example print ", ".join(sear.getSensorNames())
      */
@@ -552,11 +553,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * What any sensor reads now, one from another jar, too: what the call for its kind answers, which is named below. An odometer is not cleared
-     * by it.
+     * Returns any sensor's reading, also of another jar, like the call for its kind below. Does not reset an odometer.
      *
-     * @param name of the sensor
-     * @throws IllegalArgumentException that names the sensors there are
+     * @param name sensor
+     * @throws IllegalArgumentException unknown sensor
      * @example print sear.getReading("frontPing"), sear.getSensorUnit("frontPing")
      */
     public Object getReading(String name) {
@@ -564,11 +564,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The unit of a sensor's reading, for example {@code m}, {@code deg}, {@code m/s2}, {@code rad/s}; {@code deg, deg, m} for a GPS; empty if it has
-     * none.
+     * Returns a sensor's unit, for example {@code m}, {@code deg}, {@code m/s2} or {@code rad/s}. A GPS has
+     * {@code deg, deg, m}. Empty without a unit.
      *
-     * @param name of the sensor
-     * @throws IllegalArgumentException that names the sensors there are
+     * @param name sensor
+     * @throws IllegalArgumentException unknown sensor
      * @example print sear.getSensorUnit("compass")
      */
     public String getSensorUnit(String name) {
@@ -576,10 +576,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Metres to the nearest hit of a distance sensor; its range where nothing was hit.
+     * Returns metres to the nearest hit of a distance sensor; without a hit, its range.
      *
-     * @param name of the sensor
-     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @param name sensor
+     * @throws IllegalArgumentException unknown sensor or wrong kind
      * @example print "%.2f m ahead" % sear.getDistanceResult("frontPing")
      */
     public double getDistanceResult(String name) {
@@ -587,10 +587,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Metres of a LIDAR's beams, right to left; its range where nothing was hit.
+     * Returns a LIDAR's distances, metres, right to left; without a hit, its range.
      *
-     * @param name of the sensor
-     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @param name sensor
+     * @throws IllegalArgumentException unknown sensor or wrong kind
      * @example print "%.2f m" % min(sear.getLidarResult("myLidar"))
      */
     public float[] getLidarResult(String name) {
@@ -598,11 +598,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Where the beams of a LIDAR point, in the order of its ranges.
+     * Returns the angles of a LIDAR's beams, in the order of its distances.
      *
-     * @param name of the sensor
-     * @return an angle for each: degrees from straight ahead, + to the left
-     * @throws IllegalArgumentException that names the sensors there are
+     * @param name sensor
+     * @return degrees from straight ahead, + left
+     * @throws IllegalArgumentException unknown sensor or wrong kind
      * @example print sear.getLidarAngles("myLidar")[0]
      */
     public double[] getLidarAngles(String name) {
@@ -610,10 +610,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * [latitude, longitude, altitude] of a GPS sensor: degrees, + north; degrees, + east; metres.
+     * Returns a GPS sensor's [latitude, longitude, altitude]: degrees, + north; degrees, + east; metres.
      *
-     * @param name of the sensor
-     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @param name sensor
+     * @throws IllegalArgumentException unknown sensor or wrong kind
      * @example latitude, longitude, altitude = sear.getGpsResult("gpsUnit1")
      */
     public double[] getGpsResult(String name) {
@@ -621,10 +621,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Degrees of a compass, clockwise from north, (-180, 180].
+     * Returns a compass heading, degrees clockwise from north, (-180, 180].
      *
-     * @param name of the sensor
-     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @param name sensor
+     * @throws IllegalArgumentException unknown sensor or wrong kind
      * @example print "%.0f degrees" % sear.getCompassResult("compass")
      */
     public double getCompassResult(String name) {
@@ -632,10 +632,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * "x,y,z" of an accelerometer, m/s^2, in the sensor's axes: x left, y up, z forward unless it is turned.
+     * Returns an accelerometer's "x,y,z", m/s^2, in its own axes: x left, y up, z forward unless rotated.
      *
-     * @param name of the sensor
-     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @param name sensor
+     * @throws IllegalArgumentException unknown sensor or wrong kind
      * @example ax, ay, az = [float(a) for a in sear.getAccelResult("accel").split(",")]
      */
     public String getAccelResult(String name) {
@@ -643,10 +643,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * "x,y,z" of a gyroscope, rad/s, in the sensor's axes as for an accelerometer; a turn to the left is + y.
+     * Returns a gyroscope's "x,y,z", rad/s, in an accelerometer's axes; + y turns left.
      *
-     * @param name of the sensor
-     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @param name sensor
+     * @throws IllegalArgumentException unknown sensor or wrong kind
      * @example turning = float(sear.getGyroResult("gyro").split(",")[1])
      */
     public String getGyroResult(String name) {
@@ -654,8 +654,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Signed path of the first robot's centre, metres: since the last call if it has an Odometer object (which counts to 32.767 m, as a Roomba's),
-     * else since start or reset.
+     * Returns the first robot's signed distance travelled, metres. An Odometer object counts from the last call to
+     * 32.767 m, like a Roomba. Without one, the distance counts from start or reset.
      *
      * @example print "%.3f m" % sear.getOdomResult()
      */
@@ -664,24 +664,24 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same of a robot by name.
+     * Returns the same distance of a robot.
      *
-     * @param robot its name
-     * @throws IllegalArgumentException that names the robots there are
+     * @param robot name
+     * @throws IllegalArgumentException unknown robot
      * @example print "%.3f m" % sear.getOdomResult("myRoomba")
      */
     public double getOdomResult(String robot) {
         return calls.attempt(() -> parts.readings().odometer(robot));
     }
 
-    // ---- cameras (a simulation must run; the examples are of the robot of cameras.md) ----------------------------------------------
+    // ---- cameras ----------------------------------------------------------------------------------------------------
 
     /**
-     * The last picture of a camera as a PNG file: colours, or 16 bits of grey that are millimetres of depths (0: no return) or hundredths of a kelvin
-     * of temperatures. A picture is taken at the camera's rate; this is the last one that was due.
+     * Returns a camera's last due picture as PNG. Depths and temperatures are 16-bit grey: millimetres (0 = no return)
+     * or hundredths of a kelvin.
      *
-     * @param name of the camera
-     * @throws IllegalArgumentException that names the cameras there are
+     * @param name camera
+     * @throws IllegalArgumentException unknown camera
      * @example print len(sear.getImage("eye")), "bytes"
      */
     public byte[] getImage(String name) {
@@ -689,11 +689,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The pixels of a camera's last picture, row by row from the top left: each one number, 0xRRGGBB (sRGB). Depths and temperatures are in false
-     * colours, from red, near or warm, to blue.
+     * Returns the last picture's pixels by rows from the top left, 0xRRGGBB (sRGB). Depths and temperatures have false
+     * colours, from red (near or warm) to blue.
      *
-     * @param name of the camera
-     * @throws IllegalArgumentException that names the cameras there are
+     * @param name camera
+     * @throws IllegalArgumentException unknown camera
      * @example pixel = sear.getPixels("eye")[120 * 320 + 160]; print "#%06x" % pixel
      */
     public int[] getPixels(String name) {
@@ -701,10 +701,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The depths of a depth camera's last picture, row by row from the top left: metres along its axis, infinite where nothing came back.
+     * Returns the last depth picture by rows from the top left: metres along the camera's axis, infinite without a
+     * return.
      *
-     * @param name of the camera
-     * @throws IllegalArgumentException that names the cameras there are, or says that it is of another kind
+     * @param name camera
+     * @throws IllegalArgumentException unknown camera or wrong kind
      * @example print "%.2f m ahead" % min(sear.getDepth("kinect"))
      */
     public float[] getDepth(String name) {
@@ -712,10 +713,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The temperatures of an infrared camera's last picture, row by row from the top left: degrees Celsius.
+     * Returns the last infrared picture by rows from the top left, degrees Celsius.
      *
-     * @param name of the camera
-     * @throws IllegalArgumentException that names the cameras there are, or says that it is of another kind
+     * @param name camera
+     * @throws IllegalArgumentException unknown camera or wrong kind
      * @example print "%.1f degrees at most" % max(sear.getTemperatures("thermal"))
      */
     public float[] getTemperatures(String name) {
@@ -723,11 +724,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The points at which a depth camera's last picture ends, in its own frame: x, y, z of each, metres to the left, up and ahead. Pixels without a
-     * return have no point.
+     * Returns the last depth picture's points in the camera's frame: x, y, z of each, metres left, up and ahead. Omits
+     * pixels without a return.
      *
-     * @param name of the camera
-     * @throws IllegalArgumentException that names the cameras there are, or says that it is of another kind
+     * @param name camera
+     * @throws IllegalArgumentException unknown camera or wrong kind
      * @example points = sear.getPointCloud("kinect"); print len(points) / 3, "points"
      */
     public float[] getPointCloud(String name) {
@@ -735,11 +736,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same in the frame of the camera or of the world.
+     * Returns these points in the camera or world frame.
      *
-     * @param name of the camera
-     * @param world True for metres north, up and east in the world at the time of the picture; False for the camera's own frame
-     * @throws IllegalArgumentException that names the cameras there are, or says that it is of another kind
+     * @param name camera
+     * @param world True: world axes, at the picture's time; False: camera axes
+     * @throws IllegalArgumentException unknown camera or wrong kind
      * @example points = sear.getPointCloud("kinect", True); print "the highest point is at %.2f m" % max(points[1::3])
      */
     public float[] getPointCloud(String name, boolean world) {
@@ -747,12 +748,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * What has the hue of a colour in a camera's last picture, as a Pixy tells it: a list of [x, y, width, height, area], the largest first. x and y
-     * are the middle of the box around it, pixels from the top left; area is how many pixels it has. The light hardly matters.
+     * Finds regions of a colour's hue in the last picture, largest first, like a Pixy. Each is [x, y, width, height,
+     * area]: box centre from the top left, box size and area, in pixels. Brightness hardly matters.
      *
-     * @param name of the camera
-     * @param color a name such as {@code "red"}, or {@code "#rrggbb"}; grey has no hue
-     * @throws IllegalArgumentException that names the cameras there are, or says that it is of another kind or the colour has no hue
+     * @param name camera
+     * @param color name such as {@code "red"}, or {@code "#rrggbb"}; grey has no hue
+     * @throws IllegalArgumentException unknown camera, wrong kind or colour without hue
      * @example for x, y, width, height, area in sear.getBlobs("eye", "red"): print "at column %.0f" % x
      */
     public List<double[]> getBlobs(String name, String color) {
@@ -760,26 +761,26 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Writes a camera's last picture into a file, as {@link #getImage} answers it. Folders on the way are made.
+     * Writes the picture of {@link #getImage} to a file and creates its folders.
      *
-     * @param name of the camera
-     * @param path of the file, which ends with {@code .png}; relative to MyRobotLab's working folder
-     * @throws IllegalArgumentException that names the cameras there are
-     * @throws IllegalStateException if it can't be written
+     * @param name camera
+     * @param path {@code .png} file, relative to MyRobotLab's working folder
+     * @throws IllegalArgumentException unknown camera
+     * @throws IllegalStateException file cannot be written
      * @example sear.saveImage("eye", "eye.png")
      */
     public void saveImage(String name, String path) {
         calls.act(() -> parts.cameras().save(name, path));
     }
 
-    // ---- where things are (a simulation must run) ------------------------------------------------------------------
+    // ---- poses and plans --------------------------------------------------------------------------------------------
 
     /**
-     * [x, y, z, rx, ry, rz] in the world of a robot, part, sensor or object: metres north, up and east, degrees about the three axes. The heading of
-     * what stands upright is 90 - ry.
+     * Returns [x, y, z, rx, ry, rz] in the world: metres north, up and east, and degrees about these axes. Heading is
+     * 90 - ry when upright.
      *
-     * @param name of the robot, part, sensor or object; {@code "robot/part"} where several robots have a part of that name
-     * @throws IllegalArgumentException if there is none of that name, or on several robots, which it names
+     * @param name robot, part, sensor or object; {@code "robot/part"} if ambiguous
+     * @throws IllegalArgumentException unknown or ambiguous name
      * @example x, y, z, rx, ry, rz = sear.getPose("myRoomba")
      */
     public double[] getPose(String name) {
@@ -787,12 +788,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The ground's height at a point of the world: its y, metres. Ground is the terrain, a floor, or a model that is the terrain; where one lies over
-     * the other, the highest. While no simulation runs it is that of the project as it is.
+     * Returns the ground's y, metres: the highest terrain, floor or terrain model there. Needs no simulation.
      *
      * @param x metres north of the world's origin
      * @param z metres east of it
-     * @throws IllegalArgumentException if there is no ground
+     * @throws IllegalArgumentException no ground there
      * @example y = sear.getGroundHeight(2.0, -1.5)
      */
     public double getGroundHeight(double x, double z) {
@@ -800,11 +800,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The plan of the world as a picture: from above, north upwards, with the names of things, robots as arrows that say their headings, the beams of
-     * distance sensors and LIDARs up to what they meet, a scale, and the time. Before the start, of the project as it is.
+     * Returns a plan of the world, north up, as SVG: names, robot headings, beams of distance sensors and LIDARs, scale
+     * and time. Needs no simulation.
      *
-     * @return the text of an SVG file
-     * @throws IllegalStateException with every problem of a project that does not run
+     * @throws IllegalStateException invalid project
      * @example print len(sear.getPlan()), "characters"
      */
     public String getPlan() {
@@ -812,10 +811,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same with or without beams.
+     * Returns the plan with or without beams.
      *
-     * @param beams whether they are drawn; no reading is changed by it
-     * @throws IllegalStateException with every problem of a project that does not run
+     * @param beams True draws them; no reading changes
+     * @throws IllegalStateException invalid project
      * @example print len(sear.getPlan(False)), "characters"
      */
     public String getPlan(boolean beams) {
@@ -823,20 +822,20 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Draws the plan into a file.
+     * Writes the plan to a file.
      *
-     * @param picture a file whose name ends in .png or .svg; one of that name is replaced
-     * @throws IllegalStateException with every problem of a project that does not run
+     * @param picture .png or .svg file, overwritten
+     * @throws IllegalStateException invalid project
      * @example sear.savePlan("plan.png")
      */
     public void savePlan(String picture) {
         calls.act(() -> parts.plans().save(picture));
     }
 
-    // ---- readings that come by themselves --------------------------------------------------------------------------
+    // ---- published readings -----------------------------------------------------------------------------------------
 
     /**
-     * Comes with each reading: its name, time (simulated seconds) and value, which is what {@link #getReading} answers.
+     * Publishes each reading: its name, time (simulated seconds) and value, as {@link #getReading} returns it.
      *
      * @example sear.addListener("publishReading", python.getName(), "onGuideReading")
      */
@@ -845,8 +844,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Comes with each picture of a camera that {@link #startPublishing} was called for, as MyRobotLab's services hand pictures on: {@code name} is
-     * the camera, {@code src} an address that a page shows, {@code data:image/png;base64,...}.
+     * Publishes pictures of cameras after {@link #startPublishing}, in MyRobotLab's form. {@code name} is the camera,
+     * {@code src} a URL, {@code data:image/png;base64,...}.
      *
      * @example sear.addListener("publishImage", python.getName(), "onEyeImage")
      */
@@ -855,11 +854,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Publishes a sensor's readings again and again, for those who subscribe to publishReading.
+     * Publishes a sensor's readings repeatedly.
      *
-     * @param sensor its name
-     * @param rate readings a simulated second, above 0 to 60
-     * @throws IllegalArgumentException that names the sensors there are, or the legal range
+     * @param sensor name
+     * @param rate readings per simulated second, above 0 to 60
+     * @throws IllegalArgumentException unknown sensor or illegal rate
      * @example sear.startPublishing("frontPing", 10)
      */
     public void startPublishing(String sensor, double rate) {
@@ -869,20 +868,20 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     /**
      * Ends {@link #startPublishing}.
      *
-     * @param sensor its name
+     * @param sensor name
      * @example sear.stopPublishing("frontPing")
      */
     public void stopPublishing(String sensor) {
         calls.act(() -> parts.publisher().stop(sensor));
     }
 
-    // ---- projects (no simulation may run, except to save and to check) ---------------------------------------------
+    // ---- projects ---------------------------------------------------------------------------------------------------
 
     /**
-     * Begins an empty project; the present one is kept.
+     * Begins an empty project and backs up the present one.
      *
-     * @return where it was put; None if there was none, or only an example that nobody has changed
-     * @throws IllegalStateException while a simulation runs
+     * @return the backup's path; None without a project, or for an unchanged example
+     * @throws IllegalStateException a simulation runs
      * @example sear.newProject()
      */
     public String newProject() {
@@ -890,10 +889,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Saves the project as a bundle. A file of that name is replaced.
+     * Saves the project as a bundle, overwriting an existing file.
      *
-     * @param path for example {@code "robot.sear"}; the ending .sear may be left out, its folder must be there
-     * @throws IllegalStateException if it can't be written
+     * @param path like {@code "robot.sear"}; ending optional; the folder must exist
+     * @throws IllegalStateException file cannot be written
      * @example sear.saveProject("mine.sear")
      */
     public void saveProject(String path) {
@@ -901,11 +900,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Saves the project as a bundle, and of the terrain's elevation maps only the area that is used, so that it is small. The project stays as it is.
+     * Saves a bundle, optionally with only the used area of elevation maps. The project stays unchanged.
      *
-     * @param path as for {@link #saveProject(String)}
-     * @param cutTerrain True: only the area that setArea names goes along, as one GeoTIFF; False: all of the maps
-     * @throws IllegalStateException if it can't be written
+     * @param path as above
+     * @param cutTerrain True: only setArea's area, as one GeoTIFF; False: whole maps
+     * @throws IllegalStateException file cannot be written
      * @example sear.saveProject("mountain.sear", True)
      */
     public void saveProject(String path, boolean cutTerrain) {
@@ -919,10 +918,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Replaces the project by a bundle's, or a copy of a project folder, once that is read whole and valid; the present one is kept as backup.
+     * Backs up the project and replaces it with a valid bundle or folder.
      *
-     * @param path a bundle or a folder; {@code "examples/NAME.sear"} for those that come with SEAR, in every working folder
-     * @throws IllegalStateException with every problem of the project; while a simulation runs
+     * @param path bundle or folder; {@code "examples/NAME.sear"} for SEAR's examples
+     * @throws IllegalStateException invalid project, or a simulation runs
      * @example sear.loadProject("examples/office.sear")
      */
     public void loadProject(String path) {
@@ -930,13 +929,13 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Adds a robot of a bundle or project folder to the present project, which is kept as backup. Names and ports that are taken get a number; parts
-     * keep their names, and where another robot has one of that name both are {@code "robot/part"}.
+     * Adds a robot from a bundle or folder and backs up the present project. Names and ports in use get a number. Parts
+     * keep their names; ambiguous ones become {@code "robot/part"}.
      *
-     * @param path a bundle or a folder
-     * @param name the robot's name there; None or empty if it is the only one
-     * @return its name here
-     * @throws IllegalStateException with every problem of the project; while a simulation runs
+     * @param path bundle or folder
+     * @param name robot name there; None or empty if it is the only one
+     * @return its new name
+     * @throws IllegalStateException invalid project, or a simulation runs
      * @example second = sear.importRobot("examples/maze.sear", "maze Roomba")
      */
     public String importRobot(String path, String name) {
@@ -944,11 +943,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Adds the environment of a bundle or project folder to the present project, as {@link #importRobot} a robot.
+     * Adds the environment of a bundle or folder, like {@link #importRobot}.
      *
-     * @param path a bundle or a folder
-     * @return the objects' names here
-     * @throws IllegalStateException with every problem of the project; while a simulation runs
+     * @param path bundle or folder
+     * @return new object names
+     * @throws IllegalStateException invalid project, or a simulation runs
      * @example walls = sear.importEnvironment("examples/maze.sear")
      */
     public List<String> importEnvironment(String path) {
@@ -956,7 +955,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * What is wrong with the project: file, line, field, value, what is legal; empty if nothing.
+     * Returns the project's problems: file, line, field, value and what is legal. Empty if valid.
      *
      * @example for problem in sear.getProblems(): print problem
      */
@@ -965,10 +964,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Checks the project as {@code sear check} does: builds its world, and takes a step in it, apart from any simulation that runs.
+     * Checks the project like {@code sear check}: takes one step in a separate world.
      *
-     * @return {@code problems} that keep it from starting, as {@link #getProblems} has them, and {@code warnings}, what the start would warn of: a
-     *         robot that tips over, one without ground below it
+     * @return {@code problems} that prevent a start, as {@link #getProblems}; {@code warnings} of a start, for example
+     *     a tipping robot or missing ground
      * @example for warning in sear.checkProject()["warnings"]: print warning
      */
     public Map<String, Object> checkProject() {
@@ -976,10 +975,9 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The Python script that makes the project's objects. Run in another project with the same assets and beams, or in this one, it gives the same
-     * files to the byte.
+     * Returns the Python script that creates the project's objects. Same assets and beams give identical files.
      *
-     * @throws IllegalStateException with every problem of the project
+     * @throws IllegalStateException invalid project
      * @example print sear.getScript()
      */
     public String getScript() {
@@ -987,12 +985,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Copies a template into a folder.
+     * Copies a template to a folder.
      *
      * @param name {@code controller.py}, {@code userCode.py} or {@code arduino.py}
-     * @param folder is made if it is missing
+     * @param folder created if missing
      * @return the copy's path
-     * @throws IllegalStateException if there is such a file already
+     * @throws IllegalStateException file exists
      * @example print sear.copyTemplate("controller.py", "SEARproject")
      */
     public String copyTemplate(String name, String folder) {
@@ -1000,7 +998,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Names of the example scripts that drive a robot, each with its project.
+     * Returns the example scripts that drive a robot, each with its project.
      *
      * @example print ", ".join(sear.getExampleScripts())
      */
@@ -1009,25 +1007,25 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The text of an example script.
+     * Returns the text of an example script.
      *
-     * @param name one of {@link #getExampleScripts}
-     * @throws IllegalArgumentException that names those there are
+     * @param name from {@link #getExampleScripts}
+     * @throws IllegalArgumentException unknown script
      * @example code = sear.getExampleScript("maze_solver.py")
      */
     public String getExampleScript(String name) {
         return calls.attempt(() -> ExampleScripts.text(ScriptText.of(name)));
     }
 
-    // ---- records of runs -------------------------------------------------------------------------------------------
+    // ---- records ----------------------------------------------------------------------------------------------------
 
     /**
-     * Records a run into a file: poses, readings, commands and the bytes of every port, until {@link #endRecord}, stopSimulation or 512 MB. If
-     * nothing runs, from the next start on. Only a record from the start of its run, or from a reset, can be run again.
+     * Records poses, readings, commands and port bytes until {@link #endRecord}, stopSimulation or 512 MB. Without a
+     * simulation it begins at the next start. Only a record from a start or reset can be rerun.
      *
-     * @param path for example {@code "run.searlog"}; the ending may be left out. Another record of that name is replaced, no other file
+     * @param path like {@code "run.searlog"}; ending optional; replaces only records
      * @return the path with its ending
-     * @throws IllegalStateException if it can't be written, or one is being written already
+     * @throws IllegalStateException file cannot be written, or another record in progress
      * @example sear.recordRun("run.searlog"); sear.endRecord()
      */
     public String recordRun(String path) {
@@ -1035,10 +1033,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same up to another size.
+     * Records a run up to another size.
      *
-     * @param path of the file
-     * @param megabytes above 0; there the record ends by itself, whole, and a warning says so
+     * @param path the file
+     * @param megabytes above 0; there the record ends with a warning
      * @example sear.recordRun("run.searlog", 20); sear.endRecord()
      */
     public String recordRun(String path, double megabytes) {
@@ -1046,11 +1044,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same with the pictures of all cameras, which a replay in the tab shows.
+     * Records a run with all cameras' pictures, for replay in the tab.
      *
-     * @param path of the file
-     * @param megabytes above 0; there the record ends by itself, whole, and a warning says so
-     * @param pictures of each camera a simulated second, 0 to 30, as far as it takes so many
+     * @param path the file
+     * @param megabytes above 0; there the record ends with a warning
+     * @param pictures maximum per camera and simulated second, 0 to 30
      * @example sear.recordRun("run.searlog", 200, 5); sear.endRecord()
      */
     public String recordRun(String path, double megabytes, double pictures) {
@@ -1060,10 +1058,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Ends the record that is being written.
+     * Ends the record in progress.
      *
-     * @return simulated seconds that it has
-     * @throws IllegalStateException if there is none, or it could not be written to its end
+     * @return its simulated seconds
+     * @throws IllegalStateException no record in progress, or file incomplete
      * @example sear.recordRun("run.searlog"); sear.simSleep(1); print sear.endRecord()
      */
     public double endRecord() {
@@ -1073,23 +1071,24 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Gives the commands of a record to a fresh world of the present project, apart from any simulation that runs, and compares what comes out.
+     * Reruns a record's commands in a separate, fresh world and compares the results.
      *
-     * @param path of a record from the start of its run
-     * @return {@code same}: whether every port gave the same bytes and everything was where it had been, {@code seconds}: simulated, {@code ports}:
-     *     by port, in words, {@code apart}: how far something was at most from where it had been, metres
-     * @throws IllegalStateException if it is no record, of another project, or not from the start
-     * @example sear.reset(); sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print sear.rerunRecord("run.searlog")["same"]
+     * @param path record that begins at a start or reset
+     * @return {@code same}: whether all port bytes and poses match; {@code seconds}: simulated; {@code ports}: each
+     *     port's result, as text; {@code apart}: largest position difference, metres
+     * @throws IllegalStateException no record, another project's, or not from a start
+     * @example sear.reset(); sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print
+     * sear.rerunRecord("run.searlog")["same"]
      */
     public Map<String, Object> rerunRecord(String path) {
         return calls.attempt(() -> parts.records().rerun(path, parts.control().getFolder()));
     }
 
     /**
-     * Names of the values over time in a record: places and speeds of robots, places of objects, numbers of readings, commands, bytes so far.
+     * Returns the names of a record's values: poses, speeds, positions, readings, commands, byte counts.
      *
-     * @param path of a record
-     * @throws IllegalStateException if it is none
+     * @param path record
+     * @throws IllegalStateException no record
      * @example sear.recordRun("run.searlog"); sear.endRecord(); print ", ".join(sear.getRecordNames("run.searlog"))
      */
     public List<String> getRecordNames(String path) {
@@ -1097,53 +1096,57 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Values of a record over time, 30 a second, or so much fewer that there are at most 4000.
+     * Returns a record's values over time, at most 30 per second and 4000 in all.
      *
-     * @param path of a record
-     * @param names of {@link #getRecordNames}
-     * @return {@code times}: simulated seconds since it began, {@code values}: by name a list as long, None where there is no number
-     * @throws IllegalArgumentException that names the values there are
-     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print sear.getRecordValues("run.searlog", ["myRoomba.x"])["times"]
+     * @param path record
+     * @param names from {@link #getRecordNames}
+     * @return {@code times}: simulated seconds since it began; {@code values}: an equally long list per name, None
+     *     without a number
+     * @throws IllegalArgumentException unknown value
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print
+     * sear.getRecordValues("run.searlog", ["myRoomba.x"])["times"]
      */
     public Map<String, Object> getRecordValues(String path, List<String> names) {
         return calls.attempt(() -> parts.records().values(path, names));
     }
 
     /**
-     * Writes values of a record as a table, 30 lines a second, at most 200000.
+     * Writes a record's values as a table, 30 lines per second, at most 200000.
      *
-     * @param path of a record
-     * @param names of {@link #getRecordNames}
-     * @param csv a new file, or one whose name ends in .csv, which is replaced
-     * @throws IllegalArgumentException that names the values there are
-     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordCsv("run.searlog", ["myRoomba.x"], "run.csv")
+     * @param path record
+     * @param names from {@link #getRecordNames}
+     * @param csv new file, or .csv file, overwritten
+     * @throws IllegalArgumentException unknown value
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordCsv("run.searlog",
+     * ["myRoomba.x"], "run.csv")
      */
     public void saveRecordCsv(String path, List<String> names, String csv) {
         calls.act(() -> parts.records().saveCsv(path, names, csv));
     }
 
     /**
-     * Draws values of a record over time as a picture; those of one unit share an axis.
+     * Plots a record's values over time; values of one unit share an axis.
      *
-     * @param path of a record
-     * @param names of {@link #getRecordNames}, up to 16
-     * @param picture a file whose name ends in .png or .svg; one of that name is replaced
-     * @throws IllegalArgumentException that names the values there are
-     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordPlot("run.searlog", ["myRoomba.x"], "run.png")
+     * @param path record
+     * @param names from {@link #getRecordNames}, up to 16
+     * @param picture .png or .svg file, overwritten
+     * @throws IllegalArgumentException unknown value
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordPlot("run.searlog",
+     * ["myRoomba.x"], "run.png")
      */
     public void saveRecordPlot(String path, List<String> names, String picture) {
         calls.act(() -> parts.savePlot(path, names, picture));
     }
 
     /**
-     * Draws a list of numbers over another as a picture. A unit in brackets stands behind the names of both axes. No simulation has to run.
+     * Plots one list of numbers over another. Axis titles end in a unit in brackets. Needs no simulation.
      *
-     * @param picture a file whose name ends in .png or .svg; one of that name is replaced
-     * @param xTitle name of the axis to the right
+     * @param picture .png or .svg file, overwritten
+     * @param xTitle horizontal axis title
      * @param xs its numbers
-     * @param yTitle name of the axis upwards
-     * @param ys as many numbers; None leaves a gap
-     * @throws IllegalArgumentException that names the list that has too many, too few or other things than numbers
+     * @param yTitle vertical axis title
+     * @param ys equally many numbers; None leaves a gap
+     * @throws IllegalArgumentException different lengths, or other values than numbers
      * @example sear.savePlot("run.png", "time (s)", [0, 1, 2], "distance (m)", [1.2, 0.9, 0.7])
      */
     public void savePlot(String picture, String xTitle, List<?> xs, String yTitle, List<?> ys) {
@@ -1151,28 +1154,29 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same with several lines; those whose names end in the same unit share an axis.
+     * Plots several lines; those with the same unit share an axis.
      *
-     * @param picture a file whose name ends in .png or .svg; one of that name is replaced
-     * @param xTitle name of the axis to the right
+     * @param picture .png or .svg file, overwritten
+     * @param xTitle horizontal axis title
      * @param xs its numbers
-     * @param lines lists of as many numbers by name, up to 16
-     * @throws IllegalArgumentException that names the list that has too many, too few or other things than numbers
-     * @example sear.savePlot("run.svg", "time (s)", [0, 1, 2], {"left (m)": [1, 2, 2.5], "right (m)": [1, 1.5, 3], "speed (m/s)": [0, 0.3, 0.3]})
+     * @param lines up to 16 equally long lists by name
+     * @throws IllegalArgumentException different lengths, or other values than numbers
+     * @example sear.savePlot("run.svg", "time (s)", [0, 1, 2], {"left (m)": [1, 2, 2.5], "right (m)": [1, 1.5, 3],
+     * "speed (m/s)": [0, 0.3, 0.3]})
      */
     public void savePlot(String picture, String xTitle, List<?> xs, Map<String, ?> lines) {
         calls.act(() -> Plots.save(picture, xTitle, xs, lines));
     }
 
-    // ---- ports for other programs (before, while and after a simulation runs) -------------------------------------
+    // ---- ports for other programs -----------------------------------------------------------------------------------
 
     /**
-     * Lets any program on this computer open a virtual port, as a pseudo-terminal (Linux, macOS). An export belongs to the port's name: it may be
-     * made before the start, and stays when the simulation stops, silent until one with such a port runs again. Asked for again, it is the same one.
+     * Exports a virtual port to local programs as a pseudo-terminal (Linux, macOS). The export may precede the start
+     * and outlives the simulation. Without a simulation it is silent. Repeated calls return the same export.
      *
-     * @param userPort the port's name, for example {@code "/dev/SEAR_LIDAR_01"}
+     * @param userPort port, for example {@code "/dev/SEAR_LIDAR_01"}
      * @return the path to open
-     * @throws IllegalStateException if the running simulation has no such port, or it is in use
+     * @throws IllegalStateException no such port in the simulation, or in use
      * @example path = sear.exportPort("/dev/SEAR_LIDAR_01")
      */
     public String exportPort(String userPort) {
@@ -1180,13 +1184,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same, by a path that stays.
+     * Exports a port through a symbolic link, whose name stays the same.
      *
-     * @param userPort the port's name
-     * @param link path of a symbolic link that is to lead to the pseudo-terminal, so that its name stays the same; one that an earlier run has
-     *     left is replaced, anything else of that name is not touched
+     * @param userPort name
+     * @param link path of the link; replaces an earlier run's link, nothing else
      * @return the path to open
-     * @throws IllegalStateException if the running simulation has no such port, or it is in use, or something else has the link's name
+     * @throws IllegalStateException no such port in the simulation, port in use, or link path taken
      * @example path = sear.exportPort("/dev/SEAR_GPS_01", "ttyGPS")
      */
     public String exportPort(String userPort, String link) {
@@ -1194,12 +1197,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same as a TCP server on the loopback address, raw bytes, on every system. It has no baud rate: the device's own holds.
+     * Exports a port as a local TCP server, on every system: raw bytes at the device's own baud rate.
      *
-     * @param userPort the port's name
-     * @param number TCP port, 0 for any free one
-     * @return the number
-     * @throws IllegalStateException if the running simulation has no such port, or it is in use, or the number is
+     * @param userPort name
+     * @param number TCP port, 0 = any free one
+     * @return the port
+     * @throws IllegalStateException no such port in the simulation, or in use
      * @example number = sear.exportTcp("/dev/SEAR_Robot_01", 0)
      */
     public int exportTcp(String userPort, int number) {
@@ -1207,12 +1210,13 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same as a TCP server that speaks RFC 2217, by which a program sets the baud rate: pyserial's {@code rfc2217://localhost:5002}.
+     * Exports a port as an RFC 2217 server, where programs set the baud rate: pyserial's
+     * {@code rfc2217://localhost:5002}.
      *
-     * @param userPort the port's name
-     * @param number TCP port, 0 for any free one
-     * @return the number
-     * @throws IllegalStateException if the running simulation has no such port, or it is in use, or the number is
+     * @param userPort name
+     * @param number TCP port, 0 = any free one
+     * @return the port
+     * @throws IllegalStateException no such port in the simulation, or in use
      * @example number = sear.exportRfc2217("/dev/SEAR_LIDAR_01", 0)
      */
     public int exportRfc2217(String userPort, int number) {
@@ -1220,7 +1224,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The exports that there are: the names of ports and cameras, each with what programs open in words, those of {@code setExport} too.
+     * Returns all ports and cameras exported, also by {@code setExport}, with their addresses as text.
      *
      * @example for port, ways in sear.getExports().items(): print port, "is", ", ".join(ways)
      */
@@ -1231,26 +1235,26 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     /**
      * Ends all exports of a port.
      *
-     * @param userPort the port's name
-     * @throws IllegalArgumentException that names the exported ports
+     * @param userPort name
+     * @throws IllegalArgumentException port not exported
      * @example sear.exportPort("/dev/SEAR_GPS_01"); sear.endExport("/dev/SEAR_GPS_01")
      */
     public void endExport(String userPort) {
         calls.act(() -> parts.exports().end(ScriptText.of(userPort)));
     }
 
-    // ---- network cameras (before, while and after a simulation runs; the examples are of the robot of cameras.md) ---
+    // ---- network cameras --------------------------------------------------------------------------------------------
 
     /**
-     * Makes a camera a network camera: programs on this computer find MJPEG at {@code http://localhost:PORT/stream.mjpg} and a picture at
-     * {@code /image.jpg}, and depths as 16-bit PNG at {@code /depth.png}; docs/cameras.md lists the addresses. As with ports it may be made before
-     * the start, and stays when the simulation stops, silent, until one with such a camera runs again.
+     * Serves a camera to local programs: MJPEG at {@code http://localhost:PORT/stream.mjpg}, pictures at
+     * {@code /image.jpg}, 16-bit depths at {@code /depth.png}. See docs/cameras.md. The export may precede the start
+     * and outlives the simulation.
      *
-     * @param name the camera's name
-     * @param number TCP port, 0 for any free one
-     * @return the number
-     * @throws IllegalArgumentException that names the cameras there are, if the running simulation has no such camera
-     * @throws IllegalStateException if the port is in use
+     * @param name camera
+     * @param number TCP port, 0 = any free one
+     * @return the port
+     * @throws IllegalArgumentException no such camera in the simulation
+     * @throws IllegalStateException port in use
      * @example number = sear.exportCamera("eye", 0)
      */
     public int exportCamera(String name, int number) {
@@ -1258,15 +1262,15 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same, with the addresses of a product beside its own, so that programs for that one find them.
+     * Serves a camera also at a product's addresses, for programs made for it.
      *
-     * @param name the camera's name
-     * @param number TCP port, 0 for any free one
-     * @param product {@code "ESP32-CAM"} ({@code /capture}, and {@code /stream} at the port after this one) or {@code "OctoPi"}
-     *     ({@code /?action=snapshot} and {@code /?action=stream}, as mjpg-streamer has them)
-     * @return the number
-     * @throws IllegalArgumentException that names the cameras there are, if the running simulation has no such camera, or the products
-     * @throws IllegalStateException if a port is in use
+     * @param name camera
+     * @param number TCP port, 0 = any free one
+     * @param product {@code "ESP32-CAM"} ({@code /capture}, and {@code /stream} at the next port) or {@code "OctoPi"}
+     *     ({@code /?action=snapshot} and {@code /?action=stream}, as mjpg-streamer)
+     * @return the port
+     * @throws IllegalArgumentException no such camera in the simulation, or unknown product
+     * @throws IllegalStateException port in use
      * @example number = sear.exportCamera("eye", 0, "ESP32-CAM")
      */
     public int exportCamera(String name, int number, String product) {
@@ -1274,24 +1278,24 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Ends all exports of a camera, with the connections of those who look.
+     * Ends all exports of a camera and closes their connections.
      *
-     * @param name the camera's name
-     * @throws IllegalArgumentException that names the exported cameras
+     * @param name camera
+     * @throws IllegalArgumentException camera not exported
      * @example sear.exportCamera("eye", 0); sear.stopExportCamera("eye")
      */
     public void stopExportCamera(String name) {
         calls.act(() -> parts.networkCameras().end(name));
     }
 
-    // ---- parameters and results of a run (with or without a simulation; see sweeps.md) ----------------------------------------
+    // ---- parameters and results -------------------------------------------------------------------------------------
 
     /**
-     * What this run of the script is to be made with: {@code sear SCRIPT.py --set speed=0.2} gives it, and {@code sear sweep} each value in turn.
+     * Returns a parameter from {@code sear SCRIPT.py --set speed=0.2} or {@code sear sweep}, see docs/sweeps.md.
      *
-     * @param name letters, digits and _; "seed" answers where the random numbers of the sensors begin
-     * @param standard what it is unless one was given: a number, a text, True or False; what was given has to be of the same kind
-     * @throws IllegalArgumentException that names parameter, value and what is legal
+     * @param name letters, digits and _; "seed" returns the sensors' random seed
+     * @param standard default: a number, text, True or False; a given value must be of the same kind
+     * @throws IllegalArgumentException illegal name or value
      * @example speed = sear.getParameter("speed", 0.3)
      */
     public Object getParameter(String name, Object standard) {
@@ -1299,11 +1303,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Says what has come of this run: a column in the table of {@code sear sweep}. Without a sweep it is printed.
+     * Reports a result: a column in the table of {@code sear sweep}, otherwise printed.
      *
-     * @param name letters, digits and _, and not the name of a parameter
-     * @param value a number, a text of at most 10,000 characters, True or False; at most 1000 results of a run
-     * @throws IllegalArgumentException that names result, value and what is legal
+     * @param name letters, digits and _; not a parameter's name
+     * @param value number, text up to 10,000 characters, True or False; up to 1000 results per run
+     * @throws IllegalArgumentException illegal name or value
      * @example sear.setResult("distance", 1.25)
      */
     public void setResult(String name, Object value) {
@@ -1313,11 +1317,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     // ---- Python 3 ---------------------------------------------------------------------------------------------------
 
     /**
-     * Lets Python 3 programs on this computer in: {@code sear.connect()} of the package {@code sear}, docs/python3.md. They can do what a script can.
-     * The token that they show stands in the file {@code .sear/gateway-PORT} of the user's home folder, which only that user can read.
+     * Admits local Python 3 programs: {@code sear.connect()}, see docs/python3.md. They can call what scripts can.
+     * Their token is in {@code .sear/gateway-PORT} in the home folder, readable only by its user.
      *
-     * @return the port: 25333, or that at which they are let in already
-     * @throws IllegalStateException if it is in use
+     * @return the port: 25333, or the one already open
+     * @throws IllegalStateException port in use
      * @example port = sear.startPython3(0); sear.stopPython3()
      */
     public int startPython3() {
@@ -1325,12 +1329,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The same at another port: {@code sear.connect(PORT)}.
+     * Admits Python 3 programs at another port: {@code sear.connect(PORT)}.
      *
-     * @param port TCP port, 0 for any free one
-     * @return the number
-     * @throws IllegalArgumentException if it is no port
-     * @throws IllegalStateException if it is in use
+     * @param port TCP port, 0 = any free one
+     * @return the port
+     * @throws IllegalArgumentException illegal port
+     * @throws IllegalStateException port in use
      * @example port = sear.startPython3(0); sear.stopPython3()
      */
     public int startPython3(int port) {
@@ -1338,7 +1342,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Lets no more Python 3 programs in, and ends the connections of those that are.
+     * Closes the port and connections of Python 3 programs.
      *
      * @example sear.stopPython3()
      */
@@ -1346,16 +1350,16 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         calls.act(() -> parts.gateways().close());
     }
 
-    // ---- editing the project ---------------------------------------------------------------------------------------
+    // ---- editing the project ----------------------------------------------------------------------------------------
 
     /**
-     * Changes the project as the tab does: an object is added, set, renamed, duplicated, deleted, mounted on a robot or taken off. It is checked as
-     * its file would be, written at once, and can be undone. While a simulation runs, what gets another place moves; all else takes effect at the
-     * next start. docs/building.md lists the edits.
+     * Adds, sets, renames, duplicates, deletes, mounts or unmounts an object, like the tab. SEAR checks the edit like a
+     * file and writes it immediately. A running simulation applies only new positions, the next start everything else.
+     * docs/building.md lists the edits.
      *
-     * @param edit what to do, and with what
-     * @return what was done, {@code object}: what edits call the object, {@code undo} and {@code redo}: what these would do now
-     * @throws IllegalStateException with everything that is wrong, and what is legal; nothing has changed then
+     * @param edit the edit and its arguments
+     * @return what was done; {@code object}: its name; {@code undo}, {@code redo}: what these would do now
+     * @throws IllegalStateException invalid edit (lists problems and legal values); nothing has changed
      * @example print sear.edit({"do": "add", "type": "Box", "name": "crate", "set": {"x": 1, "mass": 2}})["object"]
      */
     public Map<String, Object> edit(Map<String, Object> edit) {
@@ -1363,10 +1367,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Takes back the last edit of the project, by whomever; the last 500 can be taken back, also after a crash.
+     * Undoes the last edit, by any user or script. It can undo 500 edits, even after a crash.
      *
      * @return as {@link #edit}
-     * @throws IllegalStateException if there is none
+     * @throws IllegalStateException nothing to undo
      * @example sear.edit({"do": "add", "type": "Box"}); sear.undo()
      */
     public Map<String, Object> undo() {
@@ -1374,10 +1378,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Does again what {@link #undo} took back last.
+     * Repeats the edit that {@link #undo} undid last.
      *
      * @return as {@link #edit}
-     * @throws IllegalStateException if there is nothing, or something else was edited since
+     * @throws IllegalStateException nothing to redo, or a newer edit
      * @example sear.edit({"do": "add", "type": "Box"}); sear.undo(); sear.redo()
      */
     public Map<String, Object> redo() {
@@ -1385,7 +1389,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * What edits can make: {@code types} with their parameters, units, legal ranges and documentation, and {@code templates} of robots.
+     * Returns what edits can create: {@code types} with parameters, units, ranges and documentation; robot
+     * {@code templates}.
      *
      * @example print ", ".join([one["type"] for one in sear.getGrammar()["types"]])
      */
@@ -1398,25 +1403,26 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         return answer;
     }
 
-    // ---- for panels ------------------------------------------------------------------------------------------------
+    // ---- for panels -------------------------------------------------------------------------------------------------
 
     /**
-     * The world for panels, ten times a second while somebody subscribes: the whole when it begins, then what has changed; the form stands at
-     * {@code WorldFeed}.
+     * Publishes the world to panels ten times per second while one subscribes: first the whole world, then changes.
+     * {@code WorldFeed} describes the form.
      */
     public Map<String, Object> publishSimulation() {
         return calls.attempt(() -> parts.nextState());
     }
 
-    /** The whole world as it is now, for a panel that opens while it runs. */
+    /** Returns the whole present world, for a panel that opens during a run. */
     public Map<String, Object> getWorld() {
         return calls.attempt(() -> parts.wholeState());
     }
 
     /**
-     * The project's world as it would start, for panels while nothing runs; its form stands at {@code Preview}. What is wrong stands in it, too.
+     * Returns the project's world as it would start, with its problems, for panels without a simulation.
+     * {@code Preview} describes the form.
      *
-     * @param known the stamp of the one that the panel has; empty if none
+     * @param known stamp of the panel's preview; empty if none
      */
     public Map<String, Object> getPreview(String known) {
         try {
@@ -1426,114 +1432,127 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         }
     }
 
-    /** The ground of the world for panels, which ask once for each: its form stands at {@code TerrainJson}; empty for a world without a terrain. */
+    /**
+     * Returns the ground for panels, which ask once per world; empty without a terrain. {@code TerrainJson} describes
+     * the form.
+     */
     public Map<String, Object> getTerrain() {
         return calls.attempt(() -> parts.terrain());
     }
 
     /**
-     * What shapes look like, for panels that show them in space; the form stands at {@code LookTable}.
+     * Returns the appearance of shapes for the 3D view of panels. {@code LookTable} describes the form.
      *
-     * @param wanted keys of looks and pictures that the panel has not got
+     * @param wanted keys of looks and pictures that the panel lacks
      */
     public List<Map<String, Object>> getLooks(List<String> wanted) {
         return calls.attempt(() -> parts.looks(wanted));
     }
 
     /**
-     * The last picture of a camera that was due, for panels that show it; the form stands at {@code CameraPicture}; empty if there is none.
+     * Returns a camera's last due picture for panels; empty if there is none. {@code CameraPicture} describes the form.
      *
-     * @param longest pixels of the longer side; a smaller one is not enlarged
-     * @param column of the pixel that is to be told in words; below 0 for none
+     * @param longest maximum of the longer side, pixels; smaller pictures are not enlarged
+     * @param column column of the pixel to describe in words; negative for none
      */
     public Map<String, Object> getCameraPicture(String name, int longest, int column, int row) {
         return calls.attempt(() -> parts.cameraPicture(ScriptText.of(name), longest, column, row));
     }
 
-    /** An edit by a panel; its answer, also what is wrong with it, goes to all panels by {@link #publishEdit}. */
+    /** Applies a panel's edit; {@link #publishEdit} sends its result or errors to all panels. */
     public void tryEdit(Map<String, Object> edit) {
         edited(calls.attempt(() -> parts.edits().attempt(edit)));
     }
 
-    /** Tells panels what an edit has come to; the form stands at {@code Edits}. */
+    /** Publishes an edit's result to panels. {@code Edits} describes the form. */
     public Map<String, Object> publishEdit(Map<String, Object> answer) {
         return answer;
     }
 
-    /** What undo and redo would do now, for panels. */
+    /** Returns what undo and redo would do now, for panels. */
     public Map<String, Object> getEdits() {
         return calls.attempt(Edits::state);
     }
 
-    /** An object of the project as its file has it, for panels; the form stands at {@code ProjectEditor}. */
+    /** Returns an object of the project as in its file, for panels. {@code ProjectEditor} describes the form. */
     public Map<String, Object> getProjectObject(String name) {
         return calls.attempt(() -> Edits.object(String.valueOf(ScriptText.of(name))));
     }
 
-    /** Records in the working folder, for panels. */
+    /** Returns the records in the working folder, for panels. */
     public List<String> getRecords() {
         return calls.attempt(() -> Records.list());
     }
 
-    /** Where everything was over time, for panels that show a record; the form stands at {@code Records}. */
+    /** Returns the poses of a record over time, for panels that replay it. {@code Records} describes the form. */
     public Map<String, Object> getRecordFrames(String path) {
         return calls.attempt(() -> parts.recordFrames(path));
     }
 
     /**
-     * The picture that a camera had taken last at a time of a record, for panels; the form stands at {@code CameraPicture}; empty if there is none.
+     * Returns a camera's last picture at a time of a record, for panels; empty if there is none. {@code CameraPicture}
+     * describes the form.
      *
      * @param time seconds since the record began
-     * @param longest pixels of the longer side; a smaller one is not enlarged
-     * @param column of the pixel that is to be told in words; below 0 for none
+     * @param longest maximum of the longer side, pixels; smaller pictures are not enlarged
+     * @param column column of the pixel to describe in words; negative for none
      */
     public Map<String, Object> getRecordPicture(String path, String name, double time, int longest, int column, int row) {
         return calls.attempt(() -> parts.recordPicture(path, ScriptText.of(name), time, longest, column, row));
     }
 
-    /** How things turned and what sensors saw in a record, for panels that share it; the form stands at {@code Motion}. */
+    /**
+     * Returns rotations and sensor readings of a record, for panels that share it. {@code RecordMotion} describes the
+     * form.
+     */
     public Map<String, Object> getRecordMotion(String path) {
         return calls.attempt(() -> parts.recordMotion(path));
     }
 
-    /** Tells panels why a project could not be started or loaded. */
+    /** Publishes to panels why a project could not be started or loaded. */
     public List<Problem> publishProblems(List<Problem> problems) {
         return problems;
     }
 
-    /** Saves the project for a panel: a file of that name is only replaced if that is asked for; the answer's form stands at {@code Projects}. */
+    /**
+     * Saves the project for a panel; replaces a file only with {@code overwrite}. {@code Projects} describes the
+     * result's form.
+     */
     public Map<String, Object> saveProjectAs(String path, boolean overwrite) {
         return calls.attempt(() -> parts.projects().saveAs(bundle(path).toString(), overwrite));
     }
 
-    /** Takes a part of a bundle from a panel, base64; the last part loads the project and publishes publishUploaded. */
+    /**
+     * Receives a part of a bundle from a panel, in base64. The last part loads the project and publishes
+     * publishUploaded.
+     */
     public void uploadProject(String name, int index, int count, String data) {
         if (calls.attempt(() -> parts.transfers().receive(name, index, count, data))) {
             invoke("publishUploaded", "loaded " + name);
         }
     }
 
-    /** Says that an uploaded project is loaded. */
+    /** Publishes that an uploaded project is loaded. */
     public String publishUploaded(String message) {
         return message;
     }
 
-    /** A part of the project's bundle for a panel: index, count, data in base64; part 0 makes the bundle. */
+    /** Returns a part of the project's bundle for a panel: index, count, data in base64. Part 0 creates the bundle. */
     public Map<String, Object> getBundle(int index) {
         return calls.attempt(() -> parts.transfers().part(index));
     }
 
-    /** Paths of example projects, for panels. */
+    /** Returns the paths of example projects, for panels. */
     public List<String> getExamples() {
         return calls.attempt(() -> parts.projects().examples());
     }
 
-    /** What scripts can call, for panels with an editor: type, name, parameters and doc of each call. */
+    /** Returns the calls for scripts, for panels with an editor: type, name, parameters and doc of each. */
     public List<Map<String, String>> getScriptCalls() {
         return calls.attempt(ScriptCalls::list);
     }
 
-    /** Has the service named python run an example script, as the tab of that does; returns at once. */
+    /** Makes the service named python run an example script, as that service's tab does; returns immediately. */
     public void runExampleScript(String name) {
         calls.act(() -> send(ExampleScripts.runner(), "exec", ExampleScripts.text(ScriptText.of(name)), false));
     }
@@ -1549,9 +1568,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         return path == null ? null : path.toString();
     }
 
-    // ---- MyRobotLab ------------------------------------------------------------------------------------------------
+    // ---- MyRobotLab -------------------------------------------------------------------------------------------------
 
-    /** Bytes of a device's Serial service go straight to the device, and lock-step hears at once what it waits for; all else takes its usual way. */
+    /**
+     * Sends bytes of a device's Serial service straight to the device, and handles lock-step's fences immediately.
+     * MyRobotLab handles all other messages.
+     */
     @Override
     public void in(Message message) {
         if (!isOurs(message)) {
@@ -1559,7 +1581,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         }
     }
 
-    /** Where a MyRobotLab brings messages another way than {@link #in}. */
+    /** For a MyRobotLab that delivers messages without {@link #in}. */
     @Override
     public boolean preProcessHook(Message message) {
         return !isOurs(message) && super.preProcessHook(message);
@@ -1573,7 +1595,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         return parts != null;
     }
 
-    /** The simulation has changed its state. */
+    /** Publishes a change of the simulation's state. */
     void changed() {
         simulating = isSimulating();
         paused = simulating && parts.control().session().isPaused();
@@ -1596,7 +1618,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     private void shutDown() {
         SearParts present = parts;
         if (present != null) {
-            present.publisher().finish();    // before there is nothing to publish any more
+            present.publisher().finish();    // while there is still something to publish
         }
         parts = null;
         simulating = false;

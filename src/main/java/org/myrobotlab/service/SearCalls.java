@@ -7,8 +7,8 @@ import org.SEAR.project.problems.ProjectException;
 import org.myrobotlab.framework.Status;
 
 /**
- * How a SEAR service answers calls: what goes wrong is published as an error status and thrown, as IllegalArgumentException for values and
- * IllegalStateException for everything else. Any thread.
+ * Runs the calls of a SEAR service. Errors are published as an error status and thrown: IllegalArgumentException for
+ * values, otherwise IllegalStateException. Any thread.
  */
 final class SearCalls {
     private final SEAR service;
@@ -17,7 +17,7 @@ final class SearCalls {
         this.service = service;
     }
 
-    /** A call that answers nothing. */
+    /** A call without a result. */
     interface Action {
         void run() throws Exception;
     }
@@ -53,7 +53,7 @@ final class SearCalls {
         }
     }
 
-    /** A script that calls is told by what is thrown: for it the log needs no second line. */
+    /** A calling script sees the exception, so the log needs no second line. */
     private void publish(String error) {
         if (!ScriptLine.isCalling()) {
             service.error("%s", error);

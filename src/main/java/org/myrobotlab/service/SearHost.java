@@ -12,9 +12,9 @@ import org.myrobotlab.service.sear.SensorReading;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** What the simulation tells its service. */
+/** Passes what happens in the simulation to its service. */
 final class SearHost implements Host {
-    /** The command line shows this logger. */
+    /** The command line prints this logger's messages. */
     private static final Logger PROGRESS = LoggerFactory.getLogger("org.SEAR.progress");
     private static final String STATE = "publishSimulation";
     private static final String IMAGE = "publishImage";
@@ -54,7 +54,8 @@ final class SearHost implements Host {
     @Override
     public void windowClosed() {
         if (service.getConfig().closingWindowStops) {
-            service.in(Message.createMessage(service.getName(), service.getName(), "stopSimulation", new Object[0])); // send() would call it here
+            // send() would call it on this thread
+            service.in(Message.createMessage(service.getName(), service.getName(), "stopSimulation", new Object[0]));
         }
     }
 
@@ -73,7 +74,7 @@ final class SearHost implements Host {
         return isHeard(IMAGE);
     }
 
-    /** As MyRobotLab's services hand pictures on: with an address that a page shows. */
+    /** Publishes a picture in MyRobotLab's usual form, with a URL that a page can show. */
     @Override
     public void image(String camera, byte[] png) {
         ImageData image = new ImageData("data:image/png;base64," + Base64.getEncoder().encodeToString(png));

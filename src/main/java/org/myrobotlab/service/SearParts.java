@@ -46,7 +46,7 @@ import org.myrobotlab.service.sear.run.SimulationSession;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** All that a SEAR service is made of, in one place, so that the service class itself loads where a library is missing. */
+/** The parts of a SEAR service. They are separate so that the service class itself loads where a library is missing. */
 final class SearParts {
     private static final Logger LOG = LoggerFactory.getLogger(SearParts.class);
     private static final String UART_CALLBACK = "onUartBytes";
@@ -90,14 +90,14 @@ final class SearParts {
         records = new Records(host);
         control.scriptSession().open();
         Edits.mend(host::warn);
-        publisher = new Publisher(host, control, readings, cameras);    // last, for it has a thread
+        publisher = new Publisher(host, control, readings, cameras);    // last: it starts a thread
         control.setStepListener(publisher::publishDue);
     }
 
     /**
-     * Takes a message that lock-step has sent behind others and waits for.
+     * Acknowledges a fence, which lock-step sends behind other messages and waits for.
      *
-     * @return whether it is one
+     * @return whether the message is a fence
      */
     public static boolean isFence(Message message) {
         boolean is = Fence.CALLBACK.equals(message.method) && message.data != null && message.data[0] instanceof FencePass;
@@ -115,7 +115,6 @@ final class SearParts {
         return readings;
     }
 
-    /** See {@link ScriptCameras}. */
     public ScriptCameras cameras() {
         return cameras;
     }
@@ -128,17 +127,14 @@ final class SearParts {
         return actuators;
     }
 
-    /** See {@link Plans}. */
     public Plans plans() {
         return plans;
     }
 
-    /** See {@link ScriptBodies}. */
     public ScriptBodies bodies() {
         return bodies;
     }
 
-    /** See {@link Gateways}. */
     public Gateways gateways() {
         return gateways;
     }
@@ -159,12 +155,11 @@ final class SearParts {
         return exports;
     }
 
-    /** See {@link CameraExports}. */
     public CameraExports networkCameras() {
         return networkCameras;
     }
 
-    /** The exports of ports and cameras: each name with what programs open. */
+    /** Returns the exports of ports and cameras: each name with the addresses that programs open. */
     public Map<String, List<String>> allExports() {
         Map<String, List<String>> all = new LinkedHashMap<>(exports.list());
         all.putAll(networkCameras.list());
@@ -183,17 +178,20 @@ final class SearParts {
         return records;
     }
 
-    /** What panels are told next of the world: the whole or what has changed, as {@link WorldFeed} says. */
+    /** Returns the next state for panels, the whole world or its changes, see {@link WorldFeed}. */
     public Map<String, Object> nextState() throws InterruptedException {
         return control.look(feed::next, WorldFeed.nothing());
     }
 
-    /** The whole state of the world, for a panel that comes later. */
+    /** Returns the world's whole state, for a panel that opens later. */
     public Map<String, Object> wholeState() throws InterruptedException {
         return control.look(feed::whole, WorldFeed.nothing());
     }
 
-    /** A camera's last picture, as {@link CameraPicture} has it; empty if no simulation with such a camera runs. */
+    /**
+     * Returns a camera's last picture in the form of {@link CameraPicture}; empty if no simulation with this camera
+     * runs.
+     */
     public Map<String, Object> cameraPicture(String name, int longest, int column, int row) throws InterruptedException {
         CameraImage image = cameras.look(name);
         if (image == null) {
@@ -203,9 +201,9 @@ final class SearParts {
     }
 
     /**
-     * The world as it would start, for panels while nothing runs; nothing while a simulation does.
+     * Returns the world as it would start, for panels; empty while a simulation runs.
      *
-     * @param known the stamp of the one they have
+     * @param known stamp of the panels' preview
      */
     public Map<String, Object> preview(String known) {
         if (control.isRunning()) {
@@ -214,17 +212,17 @@ final class SearParts {
         return ProjectSwap.undisturbed(() -> preview.of(Projects.folder(), known));
     }
 
-    /** Where everything was over time in a record, as {@link Records#frames} has it. */
+    /** Returns the poses of a record over time, see {@link Records#frames}. */
     public Map<String, Object> recordFrames(String path) throws InterruptedException, IOException {
         return records.frames(path, wording());
     }
 
-    /** How things turned, and what sensors saw in a record, as {@link RecordMotion#of} has it. */
+    /** Returns rotations and sensor readings of a record, see {@link RecordMotion#of}. */
     public Map<String, Object> recordMotion(String path) throws IOException {
         return RecordMotion.of(path, Records.open(path), control.getFolder());
     }
 
-    /** A camera's picture in a record, as {@link CameraPicture} has it; empty if there is none. */
+    /** Returns a camera's picture from a record in the form of {@link CameraPicture}; empty if there is none. */
     public Map<String, Object> recordPicture(String path, String name, double time, int longest, int column, int row) throws IOException {
         RecordPictures pictures = kept.of(path);
         RecordPictures.Place place = pictures.at(name, time);
@@ -232,12 +230,18 @@ final class SearParts {
             : CameraPicture.of(path, name, time, place.time, pictures.read(place), new CameraPicture.Wish(longest, column, row));
     }
 
-    /** Draws values of a record, see {@link Plots}; units are those of the running world's sensors, or else of the project's. */
+    /**
+     * Plots values of a record, see {@link Plots}. Units are those of the running world's sensors, otherwise of the
+     * project's.
+     */
     public void savePlot(String path, List<String> names, String picture) throws InterruptedException, IOException {
         Plots.saveRecord(path, names, picture, ofWorld(Plots::units));
     }
 
-    /** How the sensors of the running world, or else of the project, tell their numbers; nothing where panels are told that there is no world. */
+    /**
+     * Returns how the sensors of the running world, otherwise of the project, format their numbers; empty if the
+     * project is invalid.
+     */
     private Map<String, Function<double[], String>> wording() throws InterruptedException {
         return ofWorld(Records::wording);
     }
@@ -257,7 +261,7 @@ final class SearParts {
         }
     }
 
-    /** The ground of the running world, or else of the project; empty if it has none. */
+    /** Returns the ground of the running world, otherwise of the project; empty without a ground. */
     public Map<String, Object> terrain() throws InterruptedException, IOException, ProjectException {
         SimulationSession session = control.sessionOrNull();
         if (session != null) {
@@ -271,12 +275,12 @@ final class SearParts {
         }
     }
 
-    /** What shapes of the running world, or else of the project, look like. */
+    /** Returns the appearance of shapes of the running world, otherwise of the project. */
     public List<Map<String, Object>> looks(List<String> wanted) {
         return control.isRunning() ? feed.looks(wanted) : preview.looks(wanted);
     }
 
-    /** What is wrong with the project; empty if nothing. */
+    /** Returns the project's problems; empty if valid. */
     public List<Problem> problems() {
         try {
             Project.read(Projects.folder());
@@ -286,7 +290,7 @@ final class SearParts {
         }
     }
 
-    /** What keeps the project from starting, {@code problems}, and what its start would warn of, {@code warnings}. */
+    /** Returns the {@code problems} that prevent a start and the {@code warnings} of a start. */
     public Map<String, Object> check() {
         return ProjectSwap.undisturbed(() -> {
             List<Problem> problems = Collections.emptyList();
@@ -301,10 +305,10 @@ final class SearParts {
     }
 
     /**
-     * Brings bytes from a device's Serial service to the device.
+     * Passes bytes from a device's Serial service to the device.
      *
-     * @param parts null before the service has started: then they are lost
-     * @return whether the message is one with such bytes
+     * @param parts null before the service has started; the bytes are then lost
+     * @return whether the message carries such bytes
      */
     static boolean takesBytes(SearParts parts, Message message) {
         if (!UART_CALLBACK.equals(message.method)) {
@@ -321,14 +325,14 @@ final class SearParts {
         return true;
     }
 
-    /** Starts the project's world, with its exports. */
+    /** Starts the project's world and its exports. */
     public void start(boolean debugShapes) throws ProjectException, IOException {
         control.start(debugShapes);
         exports.begin();
         networkCameras.begin();
     }
 
-    /** Ends the simulation and what hangs on it. */
+    /** Stops the simulation and what depends on it. */
     public void stop() {
         exports.pause();
         control.stop();
@@ -336,11 +340,11 @@ final class SearParts {
         feed.forget();
     }
 
-    /** Ends everything, for good. */
+    /** Closes everything. */
     public void close() {
         control.scriptSession().close();
         stop();
-        publisher.close();    // whose thread, interrupted while it looks, has nothing to complain of by now
+        publisher.close();    // after stop(), so that its interrupted thread has nothing to report
         exports.close();
         networkCameras.close();
         gateways.close();

@@ -74,7 +74,7 @@ public final class ScriptDocs {
             calls(service).forEach(call -> sections.computeIfAbsent(call.section, any -> new ArrayList<>()).add(call));
             sections.forEach((section, calls) -> {
                 String title = section.isEmpty() ? service : service + ": " + section;
-                contents.append("- [").append(title).append("](#").append(anchor(title)).append("): ")
+                contents.append("- [").append(section.isEmpty() ? service : section).append("](#").append(anchor(title)).append("): ")
                     .append(calls.stream().map(call -> call.name).distinct().collect(Collectors.joining(", "))).append('\n');
                 body.append("\n## ").append(title).append('\n');
                 if (section.isEmpty()) {
@@ -105,9 +105,9 @@ public final class ScriptDocs {
             }
         });
         if (!call.answers.isEmpty() && !call.name.startsWith("publish")) {
-            list.append("- answers ").append(call.answers).append(call.returns.isEmpty() ? "" : ": " + call.returns).append('\n');
+            list.append("- returns ").append(call.answers).append(call.returns.isEmpty() ? "" : ": " + call.returns).append('\n');
         }
-        call.errors.forEach((type, text) -> list.append("- error ").append(type).append(": ").append(text).append('\n'));
+        call.errors.forEach((type, text) -> list.append("- ").append(type).append(": ").append(text).append('\n'));
         if (list.length() > 0) {
             out.append('\n').append(list);
         }

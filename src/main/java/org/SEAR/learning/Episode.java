@@ -14,11 +14,11 @@ import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
 
 /**
- * A world in which one robot learns, started again and again. Whoever calls {@link #step} makes time pass, by an action for so many steps, and finds
- * the state and the observation in a buffer. Public because Python calls it. The thread that has made it.
+ * A world in which one robot learns; it restarts repeatedly. {@link #step} applies an action for a number of steps and
+ * writes state and observation into a buffer. Public because Python calls it. Only the thread that created it.
  */
 public final class Episode implements AutoCloseable {
-    /** Numbers of the state, each a double; the observation follows, each a float. */
+    /** Count of the state's numbers, doubles; the observation's floats follow. */
     private static final int STATE = 13;
     private static final int STATE_BYTES = STATE * Double.BYTES;
     private static final long MAX_STEPS = 216_000;
@@ -37,12 +37,12 @@ public final class Episode implements AutoCloseable {
     /**
      * Builds the world of a project.
      *
-     * @param name of the robot; empty if there is only one
-     * @param sensors what is observed, in this order; null: all of the robot's but its cameras
-     * @param things whose places are observed, too
-     * @param fastest that the wheels are told to roll over ground, m/s
-     * @param seed where the random numbers of the sensors begin
-     * @throws IllegalArgumentException that says what there is
+     * @param name robot name; empty if there is only one
+     * @param sensors sensors to observe, in this order; null: all of the robot's sensors except cameras
+     * @param things objects whose poses are observed, too
+     * @param fastest highest wheel speed over ground, m/s
+     * @param seed random seed of the sensors
+     * @throws IllegalArgumentException with the legal names
      */
     public Episode(Project project, String name, List<String> sensors, List<String> things, double fastest, long seed) throws ProjectException {
         simulation = Simulation.of(project, seed);
@@ -68,17 +68,17 @@ public final class Episode implements AutoCloseable {
         return robots.get(names.indexOf(name));
     }
 
-    /** How many bytes state and observation take. */
+    /** Returns the size of state and observation in bytes. */
     public int getBytes() {
         return STATE_BYTES + observation.size() * Float.BYTES;
     }
 
-    /** Where the state ends and the observation begins. */
+    /** Returns the size of the state in bytes; the observation follows. */
     public int getStateBytes() {
         return STATE_BYTES;
     }
 
-    /** @param newMemory where they are written from now on, in the computer's order of bytes */
+    /** @param newMemory buffer that receives state and observation from now on, in native byte order */
     public void setMemory(ByteBuffer newMemory) {
         if (newMemory.capacity() < getBytes()) {
             throw new IllegalArgumentException("the buffer has " + newMemory.capacity() + " bytes, legal: " + getBytes() + " or more");
@@ -88,27 +88,27 @@ public final class Episode implements AutoCloseable {
         write();
     }
 
-    /** The observed sensors and things. */
+    /** Returns the observed sensors and objects. */
     public List<String> getNames() {
         return observation.names();
     }
 
-    /** How many numbers each of them has. */
+    /** Returns the count of numbers of each observed sensor or object. */
     public int[] getSizes() {
         return observation.sizes();
     }
 
-    /** The least that each can be. */
+    /** Returns the lower limit of each observed sensor or object. */
     public double[] getLows() {
         return observation.lows();
     }
 
-    /** The greatest that each can be. */
+    /** Returns the upper limit of each observed sensor or object. */
     public double[] getHighs() {
         return observation.highs();
     }
 
-    /** Everything back to the start, as in a new world with that seed. */
+    /** Returns to the start, as in a new world with this seed. */
     public void reset(long seed) {
         simulation.reseed(seed);
         simulation.reset();
@@ -116,11 +116,11 @@ public final class Episode implements AutoCloseable {
     }
 
     /**
-     * The same, but for the robot, which starts elsewhere, on the ground.
+     * Returns to the start, with the robot elsewhere on the ground.
      *
      * @param x metres north
      * @param z metres east
-     * @param heading degrees, 0 to north, 90 to east
+     * @param heading degrees, 0 = north, 90 = east
      */
     public void reset(long seed, double x, double z, double heading) {
         if (!Double.isFinite(x) || !Double.isFinite(z) || !Double.isFinite(heading)) {
@@ -135,7 +135,7 @@ public final class Episode implements AutoCloseable {
         begin();
     }
 
-    /** What moves one pose to the other. */
+    /** Returns the transformation from one pose to another. */
     private static Pose between(Pose from, Pose to) {
         Pose turn = new Pose(0, 0, 0, to.qx, to.qy, to.qz, to.qw).times(new Pose(0, 0, 0, -from.qx, -from.qy, -from.qz, from.qw));
         double[] at = turn.rotate(from.x, from.y, from.z);
@@ -151,7 +151,7 @@ public final class Episode implements AutoCloseable {
     }
 
     /**
-     * Has the wheels roll so fast for so many steps of 1/60 s.
+     * Drives the wheels at these speeds for a number of steps of 1/60 s.
      *
      * @param left m/s over ground, + forward, likewise right
      */
@@ -204,22 +204,21 @@ public final class Episode implements AutoCloseable {
         memory.putDouble(at * Double.BYTES, value);
     }
 
-    /** The name of the robot that learns. */
+    /** Returns the name of the learning robot. */
     public String getRobot() {
         return robot.getObject().getName();
     }
 
-    /** The world. */
     Simulation getSimulation() {
         return simulation;
     }
 
-    /** The world from above as a picture, see {@link EpisodePlan#draw}. */
+    /** Returns the world from above as a picture, see {@link EpisodePlan#draw}. */
     public byte[] draw(int width, int height) {
         return new EpisodePlan(simulation).draw(width, height);
     }
 
-    /** Lets go of the world. */
+    /** Releases the world. */
     @Override
     public void close() {
         simulation.close();

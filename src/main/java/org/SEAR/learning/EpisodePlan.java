@@ -13,7 +13,10 @@ import org.SEAR.plan.Outline;
 import org.SEAR.robot.Robot;
 import org.SEAR.simulator.Simulation;
 
-/** A world from above, north upwards, east to the right: outlines in the colours of their things, robots with a line ahead. Simulation thread. */
+/**
+ * Picture of a world from above, north up, east to the right: coloured outlines, and robots with a line ahead.
+ * Simulation thread.
+ */
 final class EpisodePlan {
     private static final double MARGIN = 0.03;
     private static final int PIXEL = 3;
@@ -26,14 +29,14 @@ final class EpisodePlan {
     private double north;
     private double west;
 
-    /** Of the world as it is now. */
+    /** Plan of the present world. */
     EpisodePlan(Simulation simulation) {
         this.simulation = simulation;
         outlines = Outline.of(simulation);
     }
 
     /**
-     * Draws it.
+     * Draws the plan.
      *
      * @param width pixels, 16 to 4096, likewise height
      * @return red, green, blue of each pixel, row by row from the top left
@@ -83,7 +86,7 @@ final class EpisodePlan {
         graphics.draw(path);
     }
 
-    /** Finds the scale that shows all of it. */
+    /** Computes the scale and the corner that show the whole world. */
     private void fit(int width, int height) {
         double[] box = Outline.box(outlines);
         double tall = Math.max(box[1] - box[0], 0.1);

@@ -17,13 +17,16 @@ import org.SEAR.sensors.Truth;
 import org.SEAR.simulator.Simulation;
 
 /**
- * What a learner sees after a step: the readings of sensors one after the other, of a LIDAR each beam, right to left; then of each thing where it is,
- * as a beacon would tell. Four bytes a number. Simulation thread.
+ * What a learner observes after a step: the readings of sensors, then the relative poses of objects, as from a beacon.
+ * A LIDAR contributes each beam, right to left. Each number is a float of four bytes. Simulation thread.
  */
 final class Observation {
     private static final double PERCENT = 100;
     private static final double FULL = 255;
-    /** Of a thing: metres ahead and to the left, cosine and sine of the angle from the robot's forward axis to its, + to the left. */
+    /**
+     * Numbers of an object: metres ahead and to the left; cosine and sine of the angle from the robot's forward axis to
+     * the object's, + left.
+     */
     private static final int PLACE = 4;
 
     private final Simulation simulation;
@@ -31,14 +34,14 @@ final class Observation {
     private final List<Part> parts = new ArrayList<>();
     private final int size;
 
-    /** Some of its numbers, which belong together. */
+    /** The numbers of one sensor or object. */
     private static final class Part {
         final String name;
         final int at;
         final int size;
         final double low;
         final double high;
-        /** Null for a thing. */
+        /** Null for an object. */
         final Sensor<?> sensor;
         final Truth truth;
 
@@ -53,7 +56,7 @@ final class Observation {
         }
     }
 
-    /** @throws IllegalArgumentException for a sensor or thing that there is not, or a camera */
+    /** @throws IllegalArgumentException for an unknown sensor or object, or a camera */
     Observation(Simulation simulation, Robot robot, List<String> sensors, List<String> things) {
         this.simulation = simulation;
         this.robot = robot;
@@ -82,13 +85,13 @@ final class Observation {
         return parts.get(parts.size() - 1).size;
     }
 
-    /** The names of a robot's sensors that can be observed, ordered as its components are. */
+    /** Returns the names of a robot's sensors that can be observed, in the order of its components. */
     static List<String> numeric(Robot robot) {
         return robot.getSensors().stream().filter(one -> one.read(robot.getTruth()).picture() == null).map(Sensor::getName)
             .collect(Collectors.toList());
     }
 
-    /** The least and the greatest number that a sensor can read. */
+    /** Returns the lowest and highest reading of a sensor. */
     private static double[] range(Sensor<?> sensor, Reading reading) {
         if (reading.scan() != null) {
             return new double[] {0, reading.scan().getMaxRange()};
@@ -123,7 +126,9 @@ final class Observation {
         return parts.stream().mapToDouble(part -> part.high).toArray();
     }
 
-    /** Before the first step: what drops out in it is the least that can be read, or 0. */
+    /**
+     * Initialises the numbers before the first step, for those that drop out in it: 0, limited to the sensor's range.
+     */
     void clear(ByteBuffer to, int start) {
         for (Part part : parts) {
             for (int i = 0; i < part.size; i++) {
@@ -133,7 +138,7 @@ final class Observation {
     }
 
     /**
-     * Writes what is seen now. A number that has dropped out stays as it was.
+     * Writes the present observation. A number that drops out keeps its previous value.
      *
      * @param start the byte of the first number
      */

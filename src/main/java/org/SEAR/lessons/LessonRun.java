@@ -22,11 +22,12 @@ import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.orders.BodyOrder;
 
 /**
- * What a check has of a pupil's run, and where it says what it finds. Of a record only the commands are believed: they are given to a world of the
- * lesson's own, and where the robots come to in that is what counts. Public because checks in Python call it. One thread.
+ * What a check sees of a pupil's run, and where it reports its findings. It trusts only the commands of a record: they
+ * run in the lesson's own world, and the robots' positions there count. Public because checks in Python call it. One
+ * thread.
  */
 public final class LessonRun {
-    /** A record of more bytes is not of a lesson. */
+    /** Maximum size of a lesson's record, bytes. */
     private static final long LARGEST_RECORD = 1L << 26;
     private static final long LARGEST_FILE = 1L << 20;
 
@@ -41,11 +42,11 @@ public final class LessonRun {
     private int asked;
 
     /**
-     * One in which nothing has happened yet.
+     * Creates a run without data.
      *
      * @param folder in which the script ran
      * @param script its text
-     * @param printed what it printed
+     * @param printed its output
      */
     public LessonRun(Project project, Path folder, String script, String printed) {
         this.folder = folder;
@@ -57,10 +58,10 @@ public final class LessonRun {
     }
 
     /**
-     * Gives the commands of a record to a new world.
+     * Runs the commands of a record in a new world.
      *
-     * @param most simulated seconds that count; what comes later is left out
-     * @throws IOException if the record can't be run again, for example since it is of another world
+     * @param most simulated seconds that count; later events are ignored
+     * @throws IOException if the record cannot be rerun, for example from another world
      */
     public void follow(Path record, Project project, double most) throws IOException, ProjectException {
         if (Files.size(record) > LARGEST_RECORD) {
@@ -73,7 +74,7 @@ public final class LessonRun {
         }
     }
 
-    /** What counts has been seen. */
+    /** Ends the rerun when the time that counts is over. */
     private static final class EndOfTime extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
@@ -82,7 +83,7 @@ public final class LessonRun {
         }
     }
 
-    /** Sees the world after each step. */
+    /** Receives the world after each step. */
     private final class Watcher implements java.util.function.Consumer<Simulation>, RunListener {
         private final double most;
         private boolean begun;
@@ -127,37 +128,37 @@ public final class LessonRun {
         }
     }
 
-    /** Simulated seconds since the start, or since the last reset. */
+    /** Returns simulated seconds since the start or last reset. */
     public double getSeconds() {
         return seconds;
     }
 
-    /** What the only robot did, or the first of several. */
+    /** Returns the trail of the first or only robot. */
     public Trail getRobot() {
         return trails.values().iterator().next();
     }
 
-    /** What a robot did; null if there is none of that name. */
+    /** Returns a robot's trail; null for an unknown name. */
     public Trail trail(String name) {
         return trails.get(name);
     }
 
-    /** What was moved by pushes, velocities and edits instead of being driven, each with its time. */
+    /** Returns what forces, velocities and edits moved instead of driving, each with its time. */
     public List<String> getByHand() {
         return byHand;
     }
 
-    /** The text of the script. */
+    /** Returns the script's text. */
     public String getScript() {
         return script;
     }
 
-    /** All that the script printed. */
+    /** Returns the script's complete output. */
     public String getPrinted() {
         return printed;
     }
 
-    /** A text file that the script wrote in its folder; None if there is none, or one of more than a megabyte. */
+    /** Returns a text file that the script wrote in its folder; None if missing or above a megabyte. */
     public String file(String name) throws IOException {
         Path file = folder.resolve(name);
         if (!file.normalize().startsWith(folder.normalize()) || !Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)
@@ -168,10 +169,10 @@ public final class LessonRun {
     }
 
     /**
-     * Asks for one thing.
+     * Checks one requirement.
      *
-     * @param isThere whether it is there
-     * @param words what is said if it is not: what was measured and what is wanted
+     * @param isThere whether it is met
+     * @param words report if it is not met: the measured and the required value
      * @return isThere
      */
     public boolean ask(boolean isThere, String words) {
@@ -182,22 +183,22 @@ public final class LessonRun {
         return isThere;
     }
 
-    /** Keeps a number for the table of marks. */
+    /** Stores a number for the table of marks. */
     public void measure(String what, double number) {
         measures.put(what, number);
     }
 
-    /** How many things were asked for. */
+    /** Returns the number of requirements checked. */
     public int getAsked() {
         return asked;
     }
 
-    /** What is said of those that are not there. */
+    /** Returns the reports of requirements that were not met. */
     public List<String> getMissing() {
         return missing;
     }
 
-    /** The numbers that were kept, by what they are. */
+    /** Returns the stored numbers by name. */
     public Map<String, Double> getMeasures() {
         return measures;
     }

@@ -7,8 +7,9 @@ import java.util.List;
 import org.SEAR.geometry.Pose;
 
 /**
- * Where one robot truly was at each step of a run, and when it touched something. Metres, x north, z east; seconds since the start or the last reset;
- * headings in degrees clockwise from north. Public because checks in Python call it. One thread.
+ * Ground truth of one robot at each step of a run, and the times of its bumps. Metres, x north, z east; seconds since
+ * the start or last reset; headings in degrees clockwise from north. Public because checks in Python call it. One
+ * thread.
  */
 public final class Trail {
     /** Numbers of a moment: time, x, y, z, heading. */
@@ -17,9 +18,9 @@ public final class Trail {
     private static final int Y = 2;
     private static final int Z = 3;
     private static final int HEADING = 4;
-    /** What touches again so soon has not let go: a robot that scrapes along a wall has met it once, s. */
+    /** A contact that returns within this time belongs to the same bump, for example while scraping along a wall, s. */
     private static final double SAME_BUMP = 0.5;
-    /** Who stands has moved no further in the last {@link #STANDS_SECONDS}, metres. */
+    /** Maximum movement, in metres, within {@link #STANDS_SECONDS} for a robot to count as standing. */
     private static final double STANDS = 0.005;
     private static final double STANDS_SECONDS = 0.5;
 
@@ -29,7 +30,7 @@ public final class Trail {
     private int count;
     private double lastTouch = Double.NEGATIVE_INFINITY;
 
-    /** One in which nothing has happened yet. */
+    /** Creates an empty trail. */
     public Trail(String name) {
         this.name = name;
     }
@@ -41,9 +42,9 @@ public final class Trail {
     }
 
     /**
-     * The next moment.
+     * Adds the next moment.
      *
-     * @param touched whether any part of it but its wheels touches something
+     * @param touched whether any part except a wheel touches something
      */
     public void add(double time, Pose pose, boolean touched) {
         if (moments.length < SIZE * (count + 1)) {
@@ -72,42 +73,41 @@ public final class Trail {
         return values;
     }
 
-    /** The robot's name. */
     public String getName() {
         return name;
     }
 
-    /** The time of each moment: the start and the end of each step of 1/60 s. */
+    /** Returns the time of each moment: the start and the end of each step of 1/60 s. */
     public double[] getTimes() {
         return all(0);
     }
 
-    /** Metres north at each of them. */
+    /** Returns metres north at each moment. */
     public double[] getX() {
         return all(X);
     }
 
-    /** Metres up at each of them. */
+    /** Returns metres up at each moment. */
     public double[] getY() {
         return all(Y);
     }
 
-    /** Metres east at each of them. */
+    /** Returns metres east at each moment. */
     public double[] getZ() {
         return all(Z);
     }
 
-    /** Where it looked at each of them, (-180, 180]. */
+    /** Returns the heading at each moment, (-180, 180]. */
     public double[] getHeadings() {
         return all(HEADING);
     }
 
-    /** The times at which any part of it but its wheels began to touch something. */
+    /** Returns the times at which any part except a wheel began to touch something. */
     public List<Double> getBumps() {
         return Collections.unmodifiableList(bumps);
     }
 
-    /** How far it has come along its way, metres. */
+    /** Returns the horizontal distance travelled, metres. */
     public double getLength() {
         double length = 0;
         for (int i = 1; i < count; i++) {
@@ -116,7 +116,10 @@ public final class Trail {
         return length;
     }
 
-    /** Whether it stands at the end: no further than a little in the last half second, or at all. */
+    /**
+     * Returns whether the robot stands at the end: it hardly moved in the last half second, or not at all in a shorter
+     * run.
+     */
     public boolean isStanding() {
         int last = count - 1;
         for (int i = last; i >= 0 && at(last, 0) - at(i, 0) <= STANDS_SECONDS; i--) {
@@ -131,12 +134,12 @@ public final class Trail {
         return Math.hypot(at(moment, X) - x, at(moment, Z) - z);
     }
 
-    /** How far from a place it is at the end, metres. */
+    /** Returns the final distance from a point, metres. */
     public double endsFrom(double x, double z) {
         return count == 0 ? Double.POSITIVE_INFINITY : far(count - 1, x, z);
     }
 
-    /** How near it came to a place, metres. */
+    /** Returns the smallest distance from a point, metres. */
     public double nearest(double x, double z) {
         double nearest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < count; i++) {
@@ -146,8 +149,9 @@ public final class Trail {
     }
 
     /**
-     * How near it came to places one after the other: a place counts once it has been within reach of all before it. Of one that it did not reach, it
-     * is the nearest that it came after the last one that it did.
+     * Returns the smallest distance from each of several points visited in order, metres. A point counts once all
+     * earlier points have been reached. For a point that was not reached, only moments after the last reached one
+     * count.
      *
      * @param places {x, z} each
      * @param within metres that count as reached
@@ -172,7 +176,7 @@ public final class Trail {
     }
 
     /**
-     * How many of places it reached one after the other.
+     * Returns how many points the robot reached in order.
      *
      * @param places {x, z} each
      * @param within metres that count as reached
@@ -189,7 +193,7 @@ public final class Trail {
     }
 
     /**
-     * When it had reached places one after the other.
+     * Returns when the robot had reached all points in order.
      *
      * @return seconds; -1 if it did not reach all
      */
@@ -208,7 +212,7 @@ public final class Trail {
     }
 
     /**
-     * How far from a line it was at each moment.
+     * Returns the distance from a polyline at each moment.
      *
      * @param corners {x, z} each, joined by straight lines
      */

@@ -1,5 +1,5 @@
 /**
- * What a check of a lesson measures: where robots were and what they touched in a run, found by running the commands of its record again.
- * Uses {@link org.SEAR.record}, and what that uses. No threads of its own; one thread at a time.
+ * Measurements for lesson checks: where robots were and what they touched, from rerunning a record's commands. Uses
+ * {@link org.SEAR.record} and its packages in turn. No threads of its own; one thread at a time.
  */
 package org.SEAR.lessons;

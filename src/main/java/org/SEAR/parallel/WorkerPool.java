@@ -8,30 +8,33 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntConsumer;
 
 /**
- * Does pieces of work side by side: who calls {@link #forEach} does some, its helpers, which are threads of this pool, do the others, and all are
- * done when it returns. Each takes the next piece when it is done with one, so a helper that wakes late or not at all costs little. Who the pieces go
- * to is not known: they must not depend on each other.
+ * Runs pieces of work in parallel. The caller of {@link #forEach} and the pool's helper threads each take the next free
+ * piece, and all pieces are done when the call returns. A helper that wakes late, or not at all, costs little. Any
+ * thread may run any piece, so pieces must not depend on each other.
  *
- * <p>Helpers begin when there is work for them, look out for more of it for a moment, sleep, and end after some seconds without any, or when the pool
- * is closed. Sharing work allocates nothing once they live. One thread calls it at a time; pieces that call it again, and other threads meanwhile, do
- * all of theirs themselves.
+ * <p>Helpers start when there is work, spin briefly for more, then sleep. They end after some idle seconds or when the
+ * pool is closed. Sharing work allocates nothing while they live. One thread at a time shares work. A nested call, or
+ * another thread's call meanwhile, runs all its pieces itself.
  */
 public final class WorkerPool implements AutoCloseable {
-    /** Most threads that can be asked for. */
+    /** Maximum number of threads. */
     public static final int MAX_THREADS = 256;
-    /** What can be asked for, in words. */
+    /** Text of the legal range. */
     public static final String LEGAL = "1 to " + MAX_THREADS;
-    /** A pool of nobody but the caller. */
+    /** A pool without helpers. */
     public static final WorkerPool ALONE = new WorkerPool(1);
 
-    /** What {@link #CLAIM} has for the next piece when there is none. */
+    /** Value of {@link #CLAIM}'s next piece when there is no work. */
     private static final int CLOSED = Integer.MAX_VALUE;
     private static final int GENERATION = Integer.SIZE;
-    /** So long it is looked for work, or for the others' end, before sleeping: waking a thread takes about as long. */
+    /** Time to spin for work, or for the others' end, before sleeping; waking a thread takes about as long. */
     private static final long SPIN_NANOS = TimeUnit.MICROSECONDS.toNanos(50);
     private static final long IDLE_NANOS = TimeUnit.SECONDS.toNanos(5);
 
-    /** Places in {@link #counters}, each in a cache line of its own: number of the present work, with that of its next piece below; pieces done. */
+    /**
+     * Indices in {@link #counters}, each in its own cache line. CLAIM: number of the present work in the upper half,
+     * its next piece in the lower. FINISHED: pieces done.
+     */
     private static final int CLAIM = 16;
     private static final int FINISHED = 32;
     private static final int COUNTERS = 48;
@@ -48,20 +51,20 @@ public final class WorkerPool implements AutoCloseable {
     private volatile boolean closed;
     private volatile boolean spinning;
 
-    /** @param threads how many work, the caller included, as {@link #setThreads} has it */
+    /** @param threads number of threads including the caller, see {@link #setThreads} */
     public WorkerPool(int threads) {
         counters.set(CLAIM, CLOSED);
         setThreads(threads);
     }
 
-    /** As many as the machine has processors. */
+    /** Returns the machine's number of processors, up to the maximum. */
     public static int threadsOfMachine() {
         return Math.min(MAX_THREADS, Runtime.getRuntime().availableProcessors());
     }
 
     /**
      * @return the number of threads
-     * @throws IllegalArgumentException that names the legal range
+     * @throws IllegalArgumentException with the legal range
      */
     public static int checked(int threads) {
         if (threads < 1 || threads > MAX_THREADS) {
@@ -70,15 +73,15 @@ public final class WorkerPool implements AutoCloseable {
         return threads;
     }
 
-    /** Whether a text is a number of threads. */
+    /** Returns whether a text is a legal number of threads. */
     public static boolean isLegal(String text) {
         return text.matches("[0-9]{1,3}") && Integer.parseInt(text) >= 1 && Integer.parseInt(text) <= MAX_THREADS;
     }
 
     /**
-     * How many threads work from now on, the caller included. Between two works.
+     * Sets the number of threads including the caller. Not during {@link #forEach}.
      *
-     * @throws IllegalArgumentException that names the legal range
+     * @throws IllegalArgumentException with the legal range
      */
     public void setThreads(int threads) {
         checked(threads);
@@ -91,21 +94,21 @@ public final class WorkerPool implements AutoCloseable {
         helpers = made;
     }
 
-    /** How many threads work, the caller included. */
+    /** Returns the number of threads including the caller. */
     public int getThreads() {
         return helpers.length + 1;
     }
 
-    /** How many pieces were for the caller and helpers, whoever of them did them: the work that was shared. */
+    /** Returns the number of pieces that were shared with helpers, whichever thread ran them. */
     public long getShared() {
         return shared;
     }
 
     /**
-     * Does all pieces, from 0 on, and returns when they are done.
+     * Runs all pieces, from 0 on, and returns when they are done.
      *
-     * @param pieces how many there are
-     * @throws RuntimeException or an error that a piece has thrown, the first of them if several have
+     * @param pieces number of pieces
+     * @throws RuntimeException or an error that a piece has thrown; of several, that of the lowest piece
      */
     public void forEach(int pieces, IntConsumer piece) {
         if (pieces < 2 || helpers.length == 0 || closed || !busy.compareAndSet(false, true)) {
@@ -134,7 +137,7 @@ public final class WorkerPool implements AutoCloseable {
             for (int i = 0; i < present.length && i < pieces - 1; i++) {
                 present[i].wake();
             }
-        } finally {    // also where there is no memory for one more thread
+        } finally {    // also if there is no memory for another thread
             takePieces();
             awaitEnd();
             counters.set(CLAIM, generation << GENERATION | CLOSED);
@@ -159,14 +162,14 @@ public final class WorkerPool implements AutoCloseable {
         }
     }
 
-    /** Work is there, and some of its pieces belong to nobody yet. */
+    /** Returns whether some pieces are unclaimed. */
     private boolean isOpen() {
         return (int) claim() < count;
     }
 
     /**
-     * Does pieces until none is left. When all are done the claim is closed before {@link #work} and {@link #count} change, so who has claimed a
-     * piece has seen those it belongs to.
+     * Runs pieces until none is left. The claim is closed before {@link #work} and {@link #count} change, so a thread
+     * that has claimed a piece has seen the right ones.
      */
     private void takePieces() {
         int done = 0;
@@ -230,14 +233,14 @@ public final class WorkerPool implements AutoCloseable {
         }
     }
 
-    /** Ends the helpers; who still has work does it alone. */
+    /** Ends the helpers; later work runs on the caller alone. */
     @Override
     public void close() {
         closed = true;
         endHelpers();
     }
 
-    /** One thread of the pool, which is made when it has something to do. */
+    /** One thread of the pool, created when there is work for it. */
     private final class Helper implements Runnable {
         private static final int GONE = 0;
         private static final int AWAKE = 1;
@@ -252,7 +255,7 @@ public final class WorkerPool implements AutoCloseable {
             this.number = number;
         }
 
-        /** Has it look for work, unless it does so now. */
+        /** Makes the helper look for work, unless it does so already. */
         void wake() {
             if (state.compareAndSet(ASLEEP, AWAKE)) {
                 LockSupport.unpark(thread);
@@ -306,7 +309,7 @@ public final class WorkerPool implements AutoCloseable {
             return false;
         }
 
-        /** Sleeps; false when nobody has waked it for long, and it is gone. */
+        /** Sleeps until woken; returns false after a long idle time, when the helper is gone. */
         private boolean isWokenUp() {
             state.set(ASLEEP);
             if (isOpen() && state.compareAndSet(ASLEEP, AWAKE)) {

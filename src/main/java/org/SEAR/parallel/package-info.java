@@ -1,5 +1,5 @@
 /**
- * Several threads for one piece of work, and the same result as from one. Uses nothing of SEAR. Everything here is called on one thread at a time,
- * which gets its results back before it goes on.
+ * Work shared by several threads, with the same result as on one. Independent of the rest of SEAR. One thread at a time
+ * calls, and has all results when the call returns.
  */
 package org.SEAR.parallel;

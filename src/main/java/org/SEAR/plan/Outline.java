@@ -11,19 +11,19 @@ import org.SEAR.project.ObjectPose;
 import org.SEAR.robot.Robot;
 import org.SEAR.simulator.Simulation;
 
-/** What is seen from above of one thing, or of one part of a robot. Immutable, but for its array; any thread. */
+/** Outline from above of an object or of a part of a robot. Immutable except for its array; any thread. */
 public final class Outline {
     private static final String WHITE = "#ffffff";
 
-    /** Of the thing, or of the part. */
+    /** Name of the object or part. */
     public final String name;
     /** Whether it is a part of a robot. */
     public final boolean part;
-    /** Its corners in order, {x, z} in the world, metres. */
+    /** Corners in order, {x, z} in the world, metres. */
     public final double[][] points;
-    /** {@code #c49a6c}. */
+    /** For example {@code #c49a6c}. */
     public final String color;
-    /** Ground lies below all else. */
+    /** Ground is below everything else. */
     public final boolean ground;
 
     private Outline(Shape shape, boolean part, double[][] points) {
@@ -34,7 +34,7 @@ public final class Outline {
         this.color = ground && !shape.hasColor() ? WHITE : shape.getColor();
     }
 
-    /** All of a world as it is now, in the order in which they are drawn: ground, things, robots. Simulation thread. */
+    /** Returns the outlines of the present world in drawing order: ground, objects, robots. Simulation thread. */
     public static List<Outline> of(Simulation world) {
         List<Outline> all = new ArrayList<>();
         List<SearObject> environment = world.getProject().getEnvironment();
@@ -63,7 +63,7 @@ public final class Outline {
         all.add(new Outline((Shape) object, part, hull(points)));
     }
 
-    /** The convex outline of points. */
+    /** Returns the convex hull of points. */
     private static double[][] hull(double[][] points) {
         Arrays.sort(points, Comparator.<double[]>comparingDouble(p -> p[0]).thenComparingDouble(p -> p[1]));
         List<double[]> hull = new ArrayList<>();
@@ -86,9 +86,10 @@ public final class Outline {
     }
 
     /**
-     * What outlines reach over: least x, greatest x, least z, greatest z, metres; of none a metre around the origin.
+     * Returns the bounding box of outlines: least x, greatest x, least z, greatest z, metres. Without outlines it
+     * extends one metre around the origin.
      *
-     * @param outlines of which there may be none
+     * @param outlines may be empty
      */
     public static double[] box(List<Outline> outlines) {
         if (outlines.isEmpty()) {

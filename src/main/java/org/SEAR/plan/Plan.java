@@ -8,9 +8,12 @@ import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.BeamFans;
 import org.SEAR.simulator.Simulation;
 
-/** A world from above at one moment: things with their names, robots with their headings, beams up to what they meet. Immutable, any thread. */
+/**
+ * A world from above at one moment: objects with names, robots with headings, beams with their ends. Immutable; any
+ * thread.
+ */
 public final class Plan {
-    /** Corners of an area of beams. */
+    /** Maximum corners of a beam area. */
     private static final int MAX_BEAMS = 360;
 
     final List<Outline> outlines;
@@ -19,7 +22,7 @@ public final class Plan {
     /** Simulated seconds. */
     final double time;
 
-    /** A robot: where it is, metres, how it looks, degrees clockwise from north, and how far it reaches, metres. */
+    /** A robot: position, metres; heading, degrees clockwise from north; radius, metres. */
     static final class Mark {
         final String name;
         final double x;
@@ -36,13 +39,13 @@ public final class Plan {
         }
     }
 
-    /** Where a sensor is and where its beams end, in their order, {x, z}, metres. */
+    /** Position of a sensor and the ends of its beams in order, {x, z}, metres. */
     static final class Beams {
         final double[] from;
         final List<double[]> ends = new ArrayList<>();
-        /** Whether each end is on something. */
+        /** Whether each beam ends on an object. */
         final List<Boolean> hits = new ArrayList<>();
-        /** Whether the beams are a plane, which has an area. */
+        /** Whether the beams lie in one plane, which is drawn as an area. */
         final boolean plane;
 
         Beams(Pose sensor, boolean plane) {
@@ -65,9 +68,9 @@ public final class Plan {
     }
 
     /**
-     * Of a world as it is now. Simulation thread.
+     * Returns the plan of the present world. Simulation thread.
      *
-     * @param withBeams whether the sensors of beams are read, which changes no reading
+     * @param withBeams whether to read beam sensors; readings do not change
      */
     public static Plan of(Simulation world, boolean withBeams) {
         Plan plan = new Plan(world);
@@ -77,7 +80,7 @@ public final class Plan {
         return plan;
     }
 
-    /** Of a plane every beam, or so many as can be told apart; else those that have met something. */
+    /** Returns, for a plane, all beams or as many as can be distinguished; otherwise only beams that hit. */
     private static Beams beams(Simulation world, BeamFan fan) {
         Pose sensor = world.getRobots().get(fan.robot).getPose().times(world.getSensor(fan.sensor).getMount());
         double[] lengths = world.read(fan.sensor).beams();

@@ -8,16 +8,16 @@ import java.util.Map;
 import org.SEAR.plot.Canvas;
 import org.SEAR.plot.Drawing;
 
-/** The picture of a plan: north upwards, with a scale and the time. One thread. */
+/** Picture of a plan, north up, with a scale and the time. One thread. */
 public final class PlanDrawing implements Drawing {
     private static final int WIDTH = 640;
     private static final int TALLEST = 640;
     private static final int LOWEST = 160;
     private static final int MARGIN = 16;
-    /** Below the world, where scale and time stand. */
+    /** Height below the world for scale and time. */
     private static final int FOOT = 34;
     private static final int SIZE = 12;
-    /** A letter is about so wide, as a share of its height. */
+    /** Approximate width of a letter, as a fraction of its height. */
     private static final double LETTER = 0.62;
     private static final String PAPER = "#f4f4f0";
     private static final String EDGE = "#888888";
@@ -25,20 +25,20 @@ public final class PlanDrawing implements Drawing {
     private static final String BEAM = "#d55e00";
     private static final double THIN = 0.15;
     private static final double DOT = 1.5;
-    /** So far ahead of a robot's middle its arrow reaches at least, points. */
+    /** Minimum length of a robot's arrow from its centre, points. */
     private static final double ARROW = 13;
     private static final double AHEAD = 1.4;
-    /** Of the arrow's corners behind. */
+    /** Angle of the arrow's rear corners. */
     private static final double BACK_ANGLE = Math.toRadians(150);
     private static final double BACK = 0.6;
     private static final double SCALE_BAR = 160;
     private static final double[] STEPS = {5, 2, 1};
-    /** Things whose names differ by numbers only, as walls of a maze, have no names on the plan if there are more. */
+    /** More objects than this whose names differ only by numbers, such as maze walls, have no names on the plan. */
     private static final int MAX_ALIKE = 4;
     private static final int SECONDS_A_MINUTE = 60;
-    /** Ground that is so many times as large as what is on it is not shown to its edges. */
+    /** Ground this many times larger than everything on it is cropped. */
     private static final double LARGER = 8;
-    /** So much around it is, as a share of its size. */
+    /** Margin around the objects on cropped ground, as a fraction of their size. */
     private static final double AROUND = 0.25;
     private static final String WHITE = "#ffffff";
 
@@ -49,7 +49,6 @@ public final class PlanDrawing implements Drawing {
     private final double west;
     private final List<double[]> taken = new ArrayList<>();
 
-    /** @param plan what is drawn */
     public PlanDrawing(Plan plan) {
         this.plan = plan;
         double[] box = box();
@@ -63,7 +62,9 @@ public final class PlanDrawing implements Drawing {
         west = (box[2] + box[3]) / 2 - WIDTH / 2.0 / scale;
     }
 
-    /** All of the world; if its ground is much larger than what is on it, only that. */
+    /**
+     * Returns the whole world; if the ground is much larger than everything on it, only the area around the objects.
+     */
     private double[] box() {
         List<Outline> things = new ArrayList<>(plan.outlines);
         things.removeIf(one -> one.ground);
@@ -135,7 +136,7 @@ public final class PlanDrawing implements Drawing {
         canvas.area(x, y, color, opacity, edge);
     }
 
-    /** Nothing reaches beyond the paper. */
+    /** Shortens a beam to the edge of the paper. */
     private double[] inside(double[] from, double[] end, double foot) {
         double[] a = {right(from[1]), down(from[0])};
         double[] b = {right(end[1]), down(end[0])};
@@ -179,7 +180,7 @@ public final class PlanDrawing implements Drawing {
         area(canvas, corners, INK, 0.5, INK);
     }
 
-    /** The names of things that can be told apart, where nothing stands yet. */
+    /** Draws the names of distinguishable objects where there is free space. */
     private void names(Canvas canvas) {
         Map<String, Integer> alike = new HashMap<>();
         plan.outlines.forEach(one -> alike.merge(stem(one.name), 1, Integer::sum));

@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** From where to where an axis goes, and where its marks are: at round numbers. Immutable. */
+/** Range of an axis and its marks at round numbers. Immutable. */
 final class Axis {
     private static final double[] STEPS = {1, 2, 5, 10};
     private static final int MARKS = 6;
-    /** From here on, up and down, numbers stand with powers of ten. */
+    /** From this many digits on, up or down, labels use powers of ten. */
     private static final int MAX_DIGITS = 6;
-    /** A mark is near at so much of the way to the next one. */
+    /** Fraction of a mark's distance to the next one that counts as near. */
     private static final double NEAR = 0.25;
     private static final double EDGE = 1e-9;
 
@@ -19,9 +19,9 @@ final class Axis {
     private final double step;
 
     /**
-     * Around numbers that are not all missing.
+     * Fits the axis to numbers that are not all missing.
      *
-     * @param whole whether it begins and ends at marks; otherwise only if they are near
+     * @param whole whether both ends are at marks; otherwise only ends near a mark
      */
     Axis(double least, double most, boolean whole) {
         double span = most - least;
@@ -41,12 +41,12 @@ final class Axis {
         to = whole || after - high < NEAR * step ? after : high;
     }
 
-    /** Where a value is on the axis: 0 at its beginning, 1 at its end. */
+    /** Returns the position of a value on the axis: 0 at its beginning, 1 at its end. */
     double share(double value) {
         return (value - from) / (to - from);
     }
 
-    /** The marked numbers in order. */
+    /** Returns the marked numbers in order. */
     List<Double> marks() {
         List<Double> marks = new ArrayList<>();
         for (long i = (long) Math.ceil(from / step - EDGE); i * step <= to + EDGE * step; i++) {
@@ -55,7 +55,7 @@ final class Axis {
         return marks;
     }
 
-    /** A mark in words. */
+    /** Returns a mark's label. */
     String label(double mark) {
         if (mark == 0) {
             return "0";

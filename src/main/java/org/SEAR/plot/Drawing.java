@@ -1,13 +1,13 @@
 package org.SEAR.plot;
 
-/** What can be drawn as a picture. One thread. */
+/** Something that can be drawn as a picture. One thread. */
 public interface Drawing {
-    /** Points. */
+    /** Returns the width, points. */
     int width();
 
-    /** Points. */
+    /** Returns the height, points. */
     int height();
 
-    /** Draws all of it. */
+    /** Draws everything on the canvas. */
     void on(Canvas canvas);
 }

@@ -6,7 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 
-/** Drawings as files: PNG, with the fonts that the computer has, and SVG, the same bytes everywhere. Any thread. */
+/**
+ * Writes drawings to files: PNG, with the computer's fonts, or SVG, with the same bytes on every computer. Any thread.
+ */
 public final class DrawingFiles {
     private static final String PNG = ".png";
     private static final String SVG = ".svg";
@@ -15,9 +17,9 @@ public final class DrawingFiles {
     }
 
     /**
-     * Looks whether a picture can be saved there.
+     * Checks the file's ending.
      *
-     * @throws IllegalArgumentException unless it ends in .png or .svg
+     * @throws IllegalArgumentException unless it is .png or .svg
      */
     public static void check(Path file) {
         if (!name(file).endsWith(PNG) && !name(file).endsWith(SVG)) {
@@ -30,11 +32,11 @@ public final class DrawingFiles {
     }
 
     /**
-     * Draws into a file.
+     * Draws to a file.
      *
-     * @param file of the ending .png or .svg; one of that name is replaced
+     * @param file ends in .png or .svg; replaced if it exists
      * @throws IllegalArgumentException for another ending
-     * @throws IOException if it can't be written, or is a PNG and this Java has no fonts
+     * @throws IOException if it cannot be written, or for a PNG if this Java has no fonts
      */
     public static void save(Drawing drawing, Path file) throws IOException {
         check(file);
@@ -45,14 +47,14 @@ public final class DrawingFiles {
         Files.write(file, name(file).endsWith(SVG) ? svg(drawing).getBytes(StandardCharsets.UTF_8) : png(drawing));
     }
 
-    /** The text of an SVG file. */
+    /** Returns the text of an SVG file. */
     public static String svg(Drawing drawing) {
         SvgCanvas canvas = new SvgCanvas(drawing.width(), drawing.height());
         drawing.on(canvas);
         return canvas.file();
     }
 
-    /** A Java without fonts, as one of a server may be, draws no letters. */
+    /** Throws if this Java has no fonts, as on some servers. */
     private static byte[] png(Drawing drawing) throws IOException {
         PngCanvas canvas;
         try {

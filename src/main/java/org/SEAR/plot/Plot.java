@@ -9,10 +9,11 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Lines over one axis. Those of one unit share a box with an axis of its own; the boxes stand one below the other. One thread.
+ * Lines over one common axis. Lines of one unit share a box with its own vertical axis; the boxes are stacked. One
+ * thread.
  */
 public final class Plot {
-    /** Lines that a plot has at most. */
+    /** Maximum number of lines of a plot. */
     public static final int MAX_LINES = 16;
 
     private final String xTitle;
@@ -21,10 +22,10 @@ public final class Plot {
     private int count;
 
     /**
-     * One without lines.
+     * Creates a plot without lines.
      *
-     * @param xTitle what stands below the axis, with its unit
-     * @param places where on the axis the values of its lines are
+     * @param xTitle title below the axis, with its unit
+     * @param places positions of the lines' values on the axis
      */
     public Plot(String xTitle, double[] places) {
         this.xTitle = xTitle;
@@ -35,8 +36,8 @@ public final class Plot {
      * Adds a line.
      *
      * @param unit of its values; empty for none
-     * @param values not a number where there is none
-     * @throws IllegalArgumentException if it has more or fewer values than the axis, or there are too many lines
+     * @param values NaN where there is none
+     * @throws IllegalArgumentException if the count of values differs from the axis, or there are too many lines
      */
     public void add(String name, String unit, double[] values) {
         if (values.length != places.length) {
@@ -50,11 +51,11 @@ public final class Plot {
     }
 
     /**
-     * Draws it into a file.
+     * Draws the plot to a file.
      *
-     * @param file of the ending .png or .svg; one of that name is replaced
+     * @param file ends in .png or .svg; replaced if it exists
      * @throws IllegalArgumentException for another ending, or if there is nothing to draw
-     * @throws IOException if it can't be written
+     * @throws IOException if it cannot be written
      */
     public void save(Path file) throws IOException {
         DrawingFiles.check(file);

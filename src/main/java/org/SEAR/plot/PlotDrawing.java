@@ -2,24 +2,24 @@ package org.SEAR.plot;
 
 import java.util.List;
 
-/** Where everything of a plot stands, in points of the picture. One thread. */
+/** Layout of a plot, in points. One thread. */
 final class PlotDrawing implements Drawing {
     static final int WIDTH = 900;
-    /** Of letters. */
+    /** Font size. */
     static final int SIZE = 14;
     private static final int BOX = 260;
     private static final int LEFT = 105;
     private static final int RIGHT = 30;
-    /** Above a box, where its lines have their names. */
+    /** Height above a box for the names of its lines. */
     private static final int LEGEND = 40;
     private static final int BOTTOM = 60;
     private static final int MARK = 5;
     private static final int SAMPLE = 24;
-    /** A letter is about so wide, as a share of its height. */
+    /** Approximate width of a letter, as a fraction of its height. */
     private static final double LETTER = 0.62;
     private static final String FRAME = "#444444";
     private static final String GRID = "#dddddd";
-    /** By Okabe and Ito, for those who see fewer colours, too. */
+    /** Colour-blind safe palette of Okabe and Ito. */
     private static final String[] COLORS = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000", "#8c6d31"};
     private static final double THICK = 2;
 
@@ -78,7 +78,7 @@ final class PlotDrawing implements Drawing {
         }
     }
 
-    /** One line's name with its unit; of several only the unit. */
+    /** Returns a single line's name with unit; for several lines only the unit. */
     private static String title(List<Line> lines) {
         String unit = lines.get(0).unit;
         String name = lines.size() == 1 ? lines.get(0).name : "";
@@ -103,7 +103,7 @@ final class PlotDrawing implements Drawing {
         canvas.line(LEFT, bottom, WIDTH - RIGHT, bottom, FRAME, 1);
     }
 
-    /** Gaps stay gaps. */
+    /** Draws a line and leaves its gaps open. */
     private void draw(Canvas canvas, Line line, Axis up, double top, String color) {
         double[] x = new double[places.length];
         double[] y = new double[places.length];

@@ -14,7 +14,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import javax.imageio.ImageIO;
 
-/** A PNG file, with the fonts that the computer has. One thread. */
+/** Canvas for a PNG file, with the computer's fonts. One thread. */
 final class PngCanvas implements Canvas {
     private static final int OPAQUE = 255;
     private static final double RIM = 3;
@@ -76,7 +76,7 @@ final class PngCanvas implements Canvas {
         graphics.drawString(text, (float) left, (float) y);
     }
 
-    /** Where a text of that size, which is chosen, begins. */
+    /** Selects the font size and returns the left end of a text. */
     private double left(String text, double x, Anchor anchor, int size) {
         graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, size));
         double width = graphics.getFontMetrics().stringWidth(text);
@@ -103,7 +103,7 @@ final class PngCanvas implements Canvas {
         graphics.setTransform(before);
     }
 
-    /** The whole file. */
+    /** Returns the complete file. */
     byte[] file() throws IOException {
         graphics.dispose();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();

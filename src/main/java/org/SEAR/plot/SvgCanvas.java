@@ -2,7 +2,7 @@ package org.SEAR.plot;
 
 import java.util.Locale;
 
-/** An SVG file: the same bytes everywhere. One thread. */
+/** Canvas for an SVG file, with the same bytes on every computer. One thread. */
 final class SvgCanvas implements Canvas {
     private static final String FONT = "DejaVu Sans, Verdana, Arial, sans-serif";
     private final StringBuilder out = new StringBuilder();
@@ -64,7 +64,7 @@ final class SvgCanvas implements Canvas {
         return text.replaceAll("\\p{Cntrl}", " ").replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }
 
-    /** The whole file. */
+    /** Returns the complete file. */
     String file() {
         return out + "</svg>\n";
     }

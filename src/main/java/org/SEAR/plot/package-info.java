@@ -1,4 +1,5 @@
 /**
- * Drawings as picture files, PNG and SVG; plots: numbers over numbers, axes with titles and units. Uses nothing but the JDK. No threads of its own.
+ * Drawings as PNG and SVG files, and plots of numbers with axes, titles and units. Uses only the JDK. No threads of its
+ * own.
  */
 package org.SEAR.plot;

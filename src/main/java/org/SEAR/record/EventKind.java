@@ -1,6 +1,6 @@
 package org.SEAR.record;
 
-/** The events of a record, each one byte with this number and what belongs to it; docs/records.md is the table. */
+/** The events of a record: each is one byte with this number, followed by its data. docs/records.md has the table. */
 final class EventKind {
     static final int STEP = 1;
     static final int FRAME = 2;
@@ -19,7 +19,7 @@ final class EventKind {
     static final int DEVICES_SERVICED = 15;
     static final int BODY_ORDER = 16;
     static final int PICTURE = 17;
-    /** The last one. */
+    /** Highest event number. */
     static final int MOST = PICTURE;
 
     private EventKind() {

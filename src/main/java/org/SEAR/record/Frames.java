@@ -10,9 +10,9 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.SEAR.simulator.Simulation;
 
-/** Where everything was and what was read at some times of a record, for panels that show it again. Not changed once made, any thread. */
+/** Poses and readings at selected times of a record, for panels that replay it. Immutable; any thread. */
 public final class Frames {
-    /** Most numbers of all frames together. */
+    /** Maximum count of numbers in all frames together. */
     private static final int MAX_NUMBERS = 100000;
     private static final int MAX_LIGHTS = 10000;
     private static final int POSE = 7;
@@ -24,19 +24,19 @@ public final class Frames {
     public final List<List<double[]>> robots = new ArrayList<>();
     /** By time and robot: speed in m/s, turn rate in rad/s. */
     public final List<List<double[]>> speeds = new ArrayList<>();
-    /** By time and object that moved in the record, as {@link #moved} lists them. */
+    /** By time and moving object, in the order of {@link #moved}. */
     public final List<List<double[]>> objects = new ArrayList<>();
     /** By time: the numbers of all sensors. */
     public final List<double[]> readings = new ArrayList<>();
-    /** By time and light, as {@link #lights} lists them: how bright it is, 0 to 1. */
+    /** By time and light, in the order of {@link #lights}: brightness, 0 to 1. */
     public final List<double[]> brightness = new ArrayList<>();
-    /** Numbers of the objects that moved. */
+    /** Numbers of the objects that move in the record. */
     public final List<Integer> moved = new ArrayList<>();
-    /** Numbers of robots and of their lights, {robot, light}; at most 10000. */
+    /** Numbers of robots and their lights, {robot, light}; at most 10000. */
     public final List<int[]> lights = new ArrayList<>();
-    /** Numbers of the sensors of which it has pictures, see {@link RecordPictures}. */
+    /** Numbers of the sensors with pictures, see {@link RecordPictures}. */
     public final Set<Integer> pictured = new TreeSet<>();
-    /** Whether the record is whole; it was cut off, or is being written, otherwise. */
+    /** False if the record was cut off or is still being written. */
     public final boolean whole;
 
     private final Map<List<Integer>, Integer> lightPlaces = new HashMap<>();
@@ -66,7 +66,7 @@ public final class Frames {
         return all;
     }
 
-    /** Finds what moves and which lights there are. */
+    /** Finds moving objects, lights and pictures. */
     private final class Finder implements RunRecord.Visitor {
         private final boolean[] moves;
         private final double[] first;
@@ -149,9 +149,9 @@ public final class Frames {
     }
 
     /**
-     * Reads them.
+     * Reads the frames of a record.
      *
-     * @param most frames; of more, every second, fourth ... one is kept
+     * @param most maximum number of frames; above it, every second, fourth ... frame is kept
      */
     public static Frames of(RunRecord record, int most) throws IOException {
         return new Frames(record, most);

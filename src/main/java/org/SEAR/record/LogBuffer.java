@@ -10,8 +10,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Bytes on their way to a file: the simulation thread fills pieces that are there from the start, a thread of its own writes them. When the disk
- * falls behind by all pieces, the simulation waits for it, up to {@value #TIMEOUT_SECONDS} s.
+ * Buffers bytes on their way to a file. The simulation thread fills preallocated pieces; a writer thread writes them.
+ * When the disk falls behind by all pieces, the simulation waits up to {@value #TIMEOUT_SECONDS} s.
  */
 final class LogBuffer {
     private static final int PIECE = 1 << 18;
@@ -61,7 +61,7 @@ final class LogBuffer {
         }
     }
 
-    /** Waits for a piece, and has the file marked meanwhile. */
+    /** Waits for a full piece and renews the file's write lock meanwhile. */
     private ByteBuffer taken() throws InterruptedException {
         ByteBuffer piece = full.poll(MARK_SECONDS, TimeUnit.SECONDS);
         while (piece == null) {
@@ -72,12 +72,12 @@ final class LogBuffer {
         return piece;
     }
 
-    /** Why no more is written; null if all is well. Any thread. */
+    /** Returns why writing has stopped; null while it works. Any thread. */
     String failure() {
         return failure;
     }
 
-    /** Bytes given so far. */
+    /** Returns the bytes put so far. */
     long size() {
         return size;
     }
@@ -90,7 +90,7 @@ final class LogBuffer {
         return present;
     }
 
-    /** Has written what there is, unless the disk is behind anyway. Does not wait. */
+    /** Passes buffered bytes to the writer, unless it is behind. Does not wait. */
     void flush() {
         if (present.position() > 0 && !free.isEmpty()) {
             next();
@@ -152,7 +152,7 @@ final class LogBuffer {
         return this;
     }
 
-    /** Writes what is left and waits for it. */
+    /** Writes the remaining bytes and waits for the writer. */
     void close() throws IOException {
         try {
             if (failure == null && full.offer(present, TIMEOUT_SECONDS, TimeUnit.SECONDS)) {

@@ -12,16 +12,16 @@ import org.SEAR.sensors.CameraImage;
 import org.SEAR.simulator.Simulation;
 
 /**
- * Pictures of cameras on their way into a record. A thread of its own makes files of them, of each camera one at a time; when the next one is there,
- * the one before goes into the record, and is waited for if that has to be: so the record has the same bytes each time, and memory for one picture a
- * camera. Simulation thread.
+ * Puts camera pictures into a record. A thread of its own encodes them, one per camera at a time. The next picture puts
+ * the previous one into the record, after waiting for its encoder if necessary. A record therefore always has the same
+ * bytes, and each camera needs memory for one picture. Simulation thread.
  */
 final class PictureKeeper {
-    /** In the order of their numbers in the file. */
+    /** The order is that of their numbers in the file. */
     static final List<String> KINDS = List.of(Camera.COLOR, Camera.DEPTH, Camera.INFRARED);
-    /** Bytes of one picture; the largest camera's is smaller. */
+    /** Maximum bytes of a picture; the largest camera's picture is smaller. */
     static final int LONGEST_PICTURE = 1 << 23;
-    /** More than the rounding of a number of pictures. */
+    /** Above the rounding error of a picture count. */
     private static final double ROUNDING = 1e-9;
 
     private final Simulation simulation;
@@ -34,14 +34,15 @@ final class PictureKeeper {
         return thread;
     });
 
-    /** One camera. */
     private static final class Eye {
         final int sensor;
         final String name;
         final int kind;
-        /** Pictures a second that the camera takes. */
+        /** Pictures per simulated second that the camera takes. */
         final double rate;
-        /** How many of them had been due when the last one was kept; likewise of those that are to be kept. */
+        /**
+         * The camera's picture number when the last one was kept; {@link #number} counts pictures at the record's rate.
+         */
         long due = -1;
         long number = -1;
         double time;
@@ -58,8 +59,8 @@ final class PictureKeeper {
     /**
      * Begins with the next {@link #look}.
      *
-     * @param sensors of the record, in its order
-     * @param rate pictures of each camera a simulated second, above 0
+     * @param sensors sensors of the record, in its order
+     * @param rate pictures per camera and simulated second, above 0
      */
     PictureKeeper(Simulation simulation, List<String> sensors, double rate, LogBuffer out) {
         this.simulation = simulation;
@@ -74,7 +75,7 @@ final class PictureKeeper {
     }
 
     /**
-     * Takes what there is to keep.
+     * Keeps the pictures that are due.
      *
      * @param now seconds since the record began
      */
@@ -83,7 +84,8 @@ final class PictureKeeper {
             CameraImage image = (CameraImage) simulation.read(eye.name);
             double time = Math.max(0, now - (simulation.snapshot().time - image.getTime()));
             long number = (long) Math.floor(time * rate + ROUNDING);
-            long due = (long) Math.floor(image.getTime() * eye.rate + ROUNDING);      // before the first there is one of each moment
+            // before the first due picture, each moment has an image of its own
+            long due = (long) Math.floor(image.getTime() * eye.rate + ROUNDING);
             if (due != eye.due && number > eye.number) {
                 put(eye);
                 eye.due = due;
@@ -109,7 +111,7 @@ final class PictureKeeper {
         eye.file = null;
     }
 
-    /** Puts the last ones into the record, and ends. */
+    /** Puts the last pictures into the record and shuts the encoder down. */
     void end() {
         eyes.forEach(this::put);
         maker.shutdown();

@@ -2,7 +2,7 @@ package org.SEAR.record;
 
 import java.io.IOException;
 
-/** A file that is no record, or one that says what can't be. */
+/** A file that is no record, or a record with impossible values. */
 public final class RecordException extends IOException {
     private static final long serialVersionUID = 1L;
 

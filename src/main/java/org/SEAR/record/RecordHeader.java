@@ -12,32 +12,35 @@ import java.util.stream.Collectors;
 import org.SEAR.sensors.Reading;
 import org.SEAR.simulator.RunOrigin;
 
-/** What a record says once: of which project and run it is, and what its numbers belong to. Immutable, any thread. */
+/**
+ * The beginning of a record: its project and run, and the names of robots, objects, sensors and ports. Immutable; any
+ * thread.
+ */
 public final class RecordHeader {
     static final byte[] MAGIC = "SEARLOG1".getBytes(StandardCharsets.US_ASCII);
-    /** Most robots, objects, sensors or ports of a record. */
+    /** Maximum number of robots, objects, sensors or ports of a record. */
     static final int MAX_NAMES = 10000;
-    /** Most numbers of one reading. */
+    /** Maximum count of numbers of one reading. */
     static final int MAX_VALUES = 127;
-    /** Set in the count of numbers whose names follow. */
+    /** Added to the count when the numbers' names follow. */
     private static final int NAMED = 128;
     private static final int LONGEST_NAME = 1000;
     private static final int LONGEST_INTERVAL = 3600;
 
-    /** What beside project and commands decides what happens. */
+    /** What determines the run besides project and commands. */
     public final RunOrigin origin;
-    /** Step of the simulation with which the record begins: only one from step 0 can be run again. */
+    /** Step of the simulation at which the record begins. Only a record from step 0 can be rerun. */
     public final long firstStep;
     /** Steps from one frame of poses and readings to the next. */
     public final int interval;
-    /** SHA-256 of the project's objects, in hexadecimal digits. */
+    /** SHA-256 of the project's objects, hexadecimal. */
     public final String project;
     public final List<String> robots;
     public final List<String> objects;
     public final List<String> sensors;
-    /** What the numbers of a reading of each sensor are called, see {@link Reading#names}. */
+    /** Names of the numbers of each sensor's reading, see {@link Reading#names}. */
     public final List<List<String>> numbers;
-    /** How many there are. */
+    /** Count of numbers of each sensor's reading. */
     public final List<Integer> sizes;
     /** Object and user port of each serial line: {@code myLidar at /dev/SEAR_LIDAR_01}. */
     public final List<String> lines;
@@ -85,7 +88,7 @@ public final class RecordHeader {
         out.write(bytes);
     }
 
-    /** @throws RecordException if it can't be one */
+    /** @throws RecordException for an impossible header */
     static RecordHeader read(DataInputStream in) throws IOException {
         byte[] magic = new byte[MAGIC.length];
         int got = in.readNBytes(magic, 0, magic.length);

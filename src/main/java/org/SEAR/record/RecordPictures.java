@@ -10,9 +10,9 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.SEAR.sensors.PixelGrid;
 
-/** Which pictures of cameras a record has, and where: each is read from the file when it is asked for. Immutable, any thread. */
+/** Index of the camera pictures of a record. Reads each picture from the file on demand. Immutable; any thread. */
 public final class RecordPictures {
-    /** Pictures whose place is known, of all cameras together; of more, every second, fourth ... */
+    /** Maximum number of indexed pictures of all cameras; above it, every second, fourth ... is kept. */
     private static final int MOST = 200_000;
 
     private final RunRecord record;
@@ -36,9 +36,9 @@ public final class RecordPictures {
         found.forEach((name, all) -> places.put(name, all.stream().collect(Collectors.toList())));
     }
 
-    /** One picture. Immutable. */
+    /** Location of one picture. Immutable. */
     public static final class Place {
-        /** Simulated seconds since the record began at which it was taken. */
+        /** When the picture was taken, simulated seconds since the record began. */
         public final double time;
         private final String kind;
         private final long offset;
@@ -52,22 +52,21 @@ public final class RecordPictures {
         }
     }
 
-    /** Finds those of a record, which may still be written. */
+    /** Indexes the pictures of a record, which may still be growing. */
     public static RecordPictures of(RunRecord record) throws IOException {
         return new RecordPictures(record);
     }
 
-    /** Full names of the cameras that it has pictures of. */
+    /** Returns the full names of the cameras with pictures. */
     public Set<String> cameras() {
         return new TreeSet<>(places.keySet());
     }
 
-    /** How many it has of a camera. */
     public int count(String camera) {
         return places.getOrDefault(camera, List.of()).size();
     }
 
-    /** The last one that a camera had taken at a time; null if there is none. */
+    /** Returns the last picture that a camera had taken at a time; null if there is none. */
     public Place at(String camera, double time) {
         List<Place> all = places.getOrDefault(camera, List.of());
         int low = 0;
@@ -84,9 +83,9 @@ public final class RecordPictures {
     }
 
     /**
-     * Reads one.
+     * Reads a picture from the file.
      *
-     * @throws IOException if it can't be read
+     * @throws IOException if it cannot be read
      */
     public PixelGrid read(Place place) throws IOException {
         byte[] bytes = new byte[place.length];

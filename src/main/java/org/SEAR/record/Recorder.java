@@ -29,17 +29,17 @@ import org.SEAR.simulator.Snapshot;
 import org.SEAR.simulator.orders.BodyOrder;
 
 /**
- * Writes a run into a file while it goes on: each step, what went in and out, and at every second step where everything is and what the sensors read.
- * Made and ended by {@link Simulation#ask}; simulation thread.
+ * Writes a run to a file while it goes on: each step and all inputs and outputs, and at every second step all poses and
+ * readings. {@link Simulation#ask} creates and ends it. Simulation thread.
  */
 public final class Recorder implements RunListener {
-    /** A record ends at this size unless told otherwise, bytes. */
+    /** Default maximum size of a record, bytes. */
     public static final long LIMIT = 1L << 29;
     /** Steps from one frame to the next. */
     private static final int INTERVAL = 2;
-    /** Computer time after which what there is goes to the disk, ns. */
+    /** Real time after which buffered events go to the disk, ns. */
     private static final long FLUSH_NANOS = 1_000_000_000L;
-    /** A piece of bytes on a line; longer ones are several. */
+    /** Maximum bytes of a line event; longer data becomes several events. */
     static final int LONGEST_BYTES = 1 << 16;
 
     private final Simulation simulation;
@@ -53,7 +53,7 @@ public final class Recorder implements RunListener {
     private final Pose[] seen;
     /** Null if no pictures are kept. */
     private final PictureKeeper pictures;
-    /** How bright the lights of each robot were at the last frame. */
+    /** Brightness of each robot's lights at the last frame. */
     private final List<List<Double>> lit = new ArrayList<>();
     private long steps;
     private long flushed;
@@ -83,19 +83,19 @@ public final class Recorder implements RunListener {
     /**
      * Begins a record. Simulation thread.
      *
-     * @param path a new file, or a record that is replaced
+     * @param path a new file, or a record to replace
      * @param limit bytes at which it ends by itself
-     * @param told hears on the simulation thread why it has ended by itself
-     * @throws IOException if there is another file, or it can't be written
+     * @param told receives, on the simulation thread, the reason if it ends by itself
+     * @throws IOException if another file has this name, or the file cannot be written
      */
     public static Recorder begin(Simulation simulation, Path path, long limit, Consumer<String> told) throws IOException {
         return begin(simulation, path, limit, 0, told);
     }
 
     /**
-     * The same with pictures of cameras.
+     * Begins a record with pictures of cameras.
      *
-     * @param rate pictures of each camera a simulated second, as far as it takes so many; 0 for none
+     * @param rate maximum pictures per camera and simulated second; 0 for none
      */
     public static Recorder begin(Simulation simulation, Path path, long limit, double rate, Consumer<String> told) throws IOException {
         check(path);
@@ -106,14 +106,14 @@ public final class Recorder implements RunListener {
         return recorder;
     }
 
-    /** @throws IOException if there is a file of that name that is no record */
+    /** @throws IOException if a file of that name is no record */
     public static void check(Path path) throws IOException {
         if (Files.exists(path) && !RunRecord.isRecord(path)) {
             throw new IOException(path + " is there already and is no record of a run; choose another name");
         }
     }
 
-    /** SHA-256 of a project's objects, as SEAR writes them. */
+    /** Returns the SHA-256 of a project's objects as SEAR writes them. */
     static String fingerprint(Project project) {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
@@ -133,7 +133,7 @@ public final class Recorder implements RunListener {
         }
     }
 
-    /** @throws IllegalArgumentException if a record can't have them */
+    /** @throws IllegalArgumentException if the names do not fit the numbers */
     static List<String> names(String sensor, Reading reading) {
         List<String> names = reading.names();
         int size = reading.numbers().length;
@@ -234,7 +234,7 @@ public final class Recorder implements RunListener {
         }
     }
 
-    /** Whole events only: whoever is killed has lost no more than came since. */
+    /** Flushes whole events, so that a killed process loses only the events since then. */
     private void flush() {
         out.flush();
         flushed = System.nanoTime();
@@ -315,7 +315,7 @@ public final class Recorder implements RunListener {
         out.put(EventKind.RESET);
     }
 
-    /** Looks at no more of the run. Simulation thread. */
+    /** Ends the record of this run; {@link #end} completes the file. Simulation thread. */
     public void leave() {
         if (!ended) {
             ended = true;
@@ -328,16 +328,17 @@ public final class Recorder implements RunListener {
     }
 
     /**
-     * Ends the record and waits until it is written. Simulation thread; any once the simulation has ended, or after {@link #leave}.
+     * Ends the record and waits until it is written. Simulation thread; any thread once the simulation has ended, or
+     * after {@link #leave}.
      *
-     * @throws IOException if it could not be written to its end
+     * @throws IOException if the record could not be written completely
      */
     public void end() throws IOException {
         leave();
         out.close();
     }
 
-    /** Simulated seconds that it has. */
+    /** Returns the recorded simulated seconds. */
     public double getSeconds() {
         return steps * Simulation.STEP;
     }

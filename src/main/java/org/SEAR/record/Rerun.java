@@ -22,8 +22,8 @@ import org.SEAR.simulator.Snapshot;
 import org.SEAR.simulator.orders.BodyOrder;
 
 /**
- * Gives the commands of a record to a fresh world of the same project and compares what comes out of each port and where everything is. The world
- * belongs to nobody else: it needs no ports and disturbs no simulation that runs. One use, one thread.
+ * Runs the commands of a record in a fresh world of the same project, and compares port bytes and poses. The world is
+ * separate: it needs no ports and disturbs no running simulation. One use, one thread.
  */
 public final class Rerun implements RunRecord.Visitor {
     private final RunRecord record;
@@ -35,7 +35,7 @@ public final class Rerun implements RunRecord.Visitor {
     private final Consumer<Simulation> watcher;
     private long steps;
     private double apart;
-    /** How far something is from where the last frame has it, metres, and that frame. */
+    /** Largest distance from the poses of the last frame, metres, and that frame's poses. */
     private double unlike;
     private double[] unlikeRobots;
     private double[] unlikeObjects;
@@ -49,17 +49,17 @@ public final class Rerun implements RunRecord.Visitor {
         counts = new long[recorded.length];
     }
 
-    /** What came of it. */
+    /** Result of a rerun. */
     public static final class Result {
-        /** Whether each port gave the same bytes, and everything was where it had been. */
+        /** Whether all port bytes and poses match. */
         public final boolean same;
-        /** Whether the record is whole; it was cut off, or is being written, otherwise. */
+        /** False if the record was cut off or is still being written. */
         public final boolean whole;
         /** Simulated seconds. */
         public final double seconds;
-        /** By port: bytes that came out in the record, and whether the same came again. */
+        /** By port: the bytes sent in the record, and whether the rerun sent the same. */
         public final Map<String, String> ports;
-        /** How far a robot or an object was at most from where it had been, metres. */
+        /** Largest distance of a robot or object from its recorded position, metres. */
         public final double apart;
 
         Result(boolean whole, boolean same, double seconds, Map<String, String> ports, double apart) {
@@ -79,8 +79,8 @@ public final class Rerun implements RunRecord.Visitor {
     /**
      * Runs a record's commands.
      *
-     * @param project that was recorded
-     * @throws IOException if the record can't be run again: it is of another project or did not begin at the start
+     * @param project the recorded project
+     * @throws IOException if the record cannot be rerun: another project, or no start at step 0
      */
     public static Result of(RunRecord record, Project project) throws IOException, ProjectException {
         return of(record, project, world -> { });
@@ -89,9 +89,9 @@ public final class Rerun implements RunRecord.Visitor {
     /**
      * Runs a record's commands.
      *
-     * @param project that was recorded
-     * @param watcher sees the world before the first step and after each
-     * @throws IOException if the record can't be run again: it is of another project or did not begin at the start
+     * @param project the recorded project
+     * @param watcher receives the world before the first step and after each step
+     * @throws IOException if the record cannot be rerun: another project, or no start at step 0
      */
     public static Result of(RunRecord record, Project project, Consumer<Simulation> watcher) throws IOException, ProjectException {
         RecordHeader header = record.getHeader();
@@ -147,7 +147,7 @@ public final class Rerun implements RunRecord.Visitor {
         }
     }
 
-    /** How far something is at most from where a frame has it, metres. */
+    /** Returns the largest distance from the poses of a frame, metres. */
     private double distance(double[] robots, double[] objects) {
         Snapshot now = world.snapshot();
         double most = 0;
@@ -167,7 +167,10 @@ public final class Rerun implements RunRecord.Visitor {
         return Math.sqrt(dx * dx + dy * dy + dz * dz);
     }
 
-    /** What was moved while the outputs of a step were delivered is in the step's frame already, though it is told after it. */
+    /**
+     * Compares with the last frame again. A move during the delivery of a step's outputs is already in the step's
+     * frame, although its event follows the frame.
+     */
     private void lookAgain() {
         if (unlike > 0) {
             apart = Math.max(apart, Math.min(unlike, distance(unlikeRobots, unlikeObjects)));
@@ -261,7 +264,7 @@ public final class Rerun implements RunRecord.Visitor {
         commands.add(Simulation::reset);
     }
 
-    /** What the devices say now. */
+    /** Hashes what the devices send in the rerun. */
     private final class Listener implements RunListener {
         @Override
         public void said(SerialLine line, byte[] bytes) {

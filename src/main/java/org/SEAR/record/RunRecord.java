@@ -17,20 +17,20 @@ import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.orders.BodyOrder;
 
 /**
- * A record on the disk, read from its beginning to its end, one event at a time: however large it is and whatever it claims, that takes the memory of
- * one event. A record that was cut off is read up to its last whole event. Immutable, any thread.
+ * A record on disk. It is read from beginning to end, one event at a time, so that memory stays small for any size or
+ * content. A record that was cut off is read up to its last complete event. Immutable; any thread.
  */
 public final class RunRecord {
     private static final int BUFFER = 1 << 16;
-    /** Bytes of a picture that are passed at once. */
+    /** Bytes of a picture that are skipped at once. */
     private static final int PASSED = 1 << 13;
-    /** Numbers of an object in a frame. */
+    /** Count of numbers of an object in a frame. */
     static final int POSE = 7;
-    /** Of one robot; it can't have more components. */
+    /** Maximum lights of a robot; it cannot have more components. */
     private static final int MAX_LIGHTS = 1000;
     private static final ActuatorOrder.Kind[] ORDERS = ActuatorOrder.Kind.values();
     private static final BodyOrder.Kind[] BODY_ORDERS = BodyOrder.Kind.values();
-    /** How far from 1 the length of a quaternion may be. */
+    /** Maximum deviation of a quaternion's length from 1. */
     private static final double ROUNDED = 1e-3;
 
     private final Path path;
@@ -43,10 +43,10 @@ public final class RunRecord {
         this.written = written;
     }
 
-    /** What is done with the events of a record; each does nothing unless it is overridden. */
+    /** Receives the events of a record; each method does nothing by default. */
     public interface Visitor {
         /**
-         * Poses and readings as they are now; the arrays are used again.
+         * Present poses and readings. The arrays are reused.
          *
          * @param robots nine numbers each: x, y, z, quaternion x, y, z, w, speed, turn rate
          * @param objects seven numbers each
@@ -97,28 +97,28 @@ public final class RunRecord {
         }
 
         /**
-         * A light is as bright as this from the next frame on.
+         * A light has this brightness from the next frame on.
          *
-         * @param light its number among those of the robot
+         * @param light its number among the robot's lights
          * @param brightness 0 to 1
          */
         default void light(int robot, int light, double brightness) {
         }
 
         /**
-         * A picture of a camera has been kept; it may have been taken some frames before.
+         * A camera picture has been kept. It may be some frames older.
          *
          * @param sensor number of the camera
-         * @param kind of the camera, as its object has it
-         * @param time simulated seconds since the record began at which it was taken
-         * @param offset where its file begins in that of the record, see {@link org.SEAR.sensors.PixelGrid#file}
+         * @param kind the camera's kind, as in its object
+         * @param time when it was taken, simulated seconds since the record began
+         * @param offset start of the picture file in the record, see {@link org.SEAR.sensors.PixelGrid#file}
          * @param length bytes
          */
         default void picture(int sensor, String kind, double time, long offset, int length) {
         }
     }
 
-    /** Numbers of a robot in a frame. */
+    /** Count of numbers of a robot in a frame. */
     public static final int ROBOT = 9;
 
     static boolean isRecord(Path path) throws IOException {
@@ -133,7 +133,7 @@ public final class RunRecord {
     /**
      * Opens a record.
      *
-     * @throws IOException that says what is wrong with the file
+     * @throws IOException with what is wrong with the file
      */
     public static RunRecord open(Path path) throws IOException {
         if (!Files.isRegularFile(path)) {
@@ -158,7 +158,7 @@ public final class RunRecord {
         return new Counted(new BufferedInputStream(Files.newInputStream(path), BUFFER));
     }
 
-    /** Counts the bytes that were read. */
+    /** Counts the bytes read. */
     private static final class Counted extends FilterInputStream {
         private long count;
 
@@ -189,7 +189,10 @@ public final class RunRecord {
         return header;
     }
 
-    /** Whether it was being written when it was opened, by this program or another: then it goes on after what is read of it. */
+    /**
+     * Returns whether this or another program was writing the record when it was opened. It then continues after the
+     * part that is read.
+     */
     public boolean isBeingWritten() {
         return written;
     }
@@ -197,15 +200,15 @@ public final class RunRecord {
     /**
      * Reads all events.
      *
-     * @return whether it is whole; false if it was cut off, or is being written
-     * @throws RecordException if it says what can't be
+     * @return whether it is complete; false if it was cut off or is being written
+     * @throws RecordException for impossible values
      */
     public boolean read(Visitor visitor) throws IOException {
         try (Counted counted = counted(path); DataInputStream in = new DataInputStream(counted)) {
             RecordHeader.read(in);
             Events events = new Events(counted, in, visitor);
             while (events.next()) {
-                // each is handed to the visitor
+                // the visitor receives each event
             }
             return events.whole;
         } catch (RecordException e) {

@@ -13,7 +13,10 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
 
-/** Values of a record over time: readings, places, commands, bytes on the ports. Immutable but for its arrays, any thread. */
+/**
+ * Values of a record over time: readings, positions, commands, bytes on the ports. Immutable except for its arrays; any
+ * thread.
+ */
 public final class Series {
     private static final List<String> ROBOT = Arrays.asList(".x", ".y", ".z", ".heading", ".speed", ".turnRate", " speed wanted", " radius wanted",
         " left wanted", " right wanted");
@@ -25,10 +28,10 @@ public final class Series {
     public final List<String> names;
     /** Simulated seconds since the record began. */
     public final double[] times;
-    /** By name and time; not a number where there is none. */
+    /** By name and time; NaN where there is no number. */
     public final double[][] values;
 
-    /** Whether the record is whole; it was cut off, or is being written, otherwise. */
+    /** False if the record was cut off or is still being written. */
     public final boolean whole;
 
     private Series(boolean whole, List<String> names, double[] times, double[][] values) {
@@ -64,7 +67,7 @@ public final class Series {
         return places;
     }
 
-    /** A second one of a name, as a sensor called {@code rover.x} makes it, is numbered. */
+    /** Numbers a second value of the same name, for example from a sensor called {@code rover.x}. */
     private static void add(Map<String, int[]> places, String name, int... place) {
         String free = name;
         for (int i = 2; places.putIfAbsent(free, place) != null; i++) {
@@ -73,8 +76,8 @@ public final class Series {
     }
 
     /**
-     * What there is: {@code rover.x}, {@code rover.heading}, {@code rover speed wanted}, {@code ping}, {@code accel.x}, {@code crate.y},
-     * {@code lidar at /dev/SEAR_LIDAR_01 sent} (bytes so far).
+     * Returns the names of the values: {@code rover.x}, {@code rover.heading}, {@code rover speed wanted},
+     * {@code ping}, {@code accel.x}, {@code crate.y}, {@code lidar at /dev/SEAR_LIDAR_01 sent} (bytes so far).
      */
     public static Collection<String> names(RecordHeader header) {
         return Collections.unmodifiableCollection(places(header).keySet());
@@ -83,8 +86,8 @@ public final class Series {
     /**
      * Reads values of a record.
      *
-     * @param most frames to answer; of more, every second, fourth ... one is
-     * @throws IllegalArgumentException that names the values there are
+     * @param most maximum number of frames; above it, every second, fourth ... is returned
+     * @throws IllegalArgumentException with all legal names if one is unknown
      */
     public static Series of(RunRecord record, List<String> names, int most) throws IOException {
         Map<String, int[]> places = places(record.getHeader());
@@ -107,7 +110,7 @@ public final class Series {
         return new Series(whole, List.copyOf(names), times, values);
     }
 
-    /** As a table: the names, then a line for each time; empty where there is no number. */
+    /** Returns the values as a table: the names, then a line for each time; empty where there is no number. */
     public String csv() {
         StringBuilder text = new StringBuilder("time (s)");
         names.forEach(name -> text.append(',').append(name.matches("[^\",\n\r]*") ? name : '"' + name.replace("\"", "\"\"") + '"'));
@@ -120,7 +123,7 @@ public final class Series {
         return text.append('\n').toString();
     }
 
-    /** Degrees clockwise from north, (-180, 180], of a body whose forward axis is z. */
+    /** Returns the heading of a body with forward axis z, degrees clockwise from north, (-180, 180]. */
     static double heading(double[] robots, int at) {
         return new Pose(0, 0, 0, robots[at + 3], robots[at + 4], robots[at + 5], robots[at + 6]).heading();
     }

@@ -4,29 +4,29 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** A list of things that come in order, of which at most so many are kept, evenly: all, every second, every fourth ... One thread. */
+/** Evenly thinned list of limited length: it keeps all elements, then every second, every fourth ... One thread. */
 public final class ThinnedList<T> {
     private final int most;
     private final List<T> kept = new ArrayList<>();
     private long each = 1;
     private long seen;
 
-    /** @param most 2 or more */
+    /** @param most maximum number of elements, 2 or more */
     public ThinnedList(int most) {
         this.most = Math.max(2, most);
     }
 
-    /** Whether the next one is to be added; otherwise {@link #pass} it. */
+    /** Returns whether to {@link #add} the next element; otherwise {@link #pass} it. */
     public boolean isNextKept() {
         return seen % each == 0;
     }
 
-    /** Leaves the next one out. */
+    /** Skips the next element. */
     public void pass() {
         seen++;
     }
 
-    /** Adds the next one. */
+    /** Adds the next element. */
     public void add(T one) {
         if (kept.size() == most) {
             for (int i = kept.size() - 1; i > 0; i--) {
@@ -46,7 +46,6 @@ public final class ThinnedList<T> {
         return kept.get(index);
     }
 
-    /** Those that are kept. */
     public Stream<T> stream() {
         return kept.stream();
     }

@@ -8,9 +8,10 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * Marks a record that is being written: a lock on a byte beyond its end, which goes with its writer, however that ends. On systems such as Linux it
- * also goes when another thread of the same program closes the file after reading it. So it is set anew now and then, on one of two bytes in turn.
- * Where files can't be locked there is no mark. For one thread, but for {@link #isOn}.
+ * Marks a record that is being written by a lock on a byte beyond its end. The lock disappears with its writer, even
+ * after a crash. On systems such as Linux it also disappears when another thread of the program closes the file after
+ * reading. {@link #renew} therefore sets it repeatedly, on two bytes in turn. On file systems without locks there is no
+ * mark. One thread, except for {@link #isOn}.
  */
 final class WriteLock {
     private static final long PLACE = Long.MAX_VALUE - 2;
@@ -19,13 +20,13 @@ final class WriteLock {
     private final FileChannel file;
     private FileLock lock;
 
-    /** @param file open for writing; the mark goes when it is closed */
+    /** @param file open for writing; closing it removes the mark */
     WriteLock(FileChannel file) {
         this.file = file;
         renew();
     }
 
-    /** Sets the mark anew. */
+    /** Sets the mark again. */
     void renew() {
         long place = lock == null || lock.position() > PLACE ? PLACE : PLACE + 1;
         try {
@@ -35,20 +36,20 @@ final class WriteLock {
             }
             lock = fresh == null ? lock : fresh;
         } catch (OverlappingFileLockException e) {
-            // another thread just looks for the mark: the next time
+            // another thread is just checking the mark: the next renewal sets it
         } catch (IOException e) {
-            lock = null;    // this disk knows no locks
+            lock = null;    // this file system has no locks
         }
     }
 
-    /** Whether a file is being written by this program or another. Any thread. */
+    /** Returns whether this or another program is writing a file. Any thread. */
     static boolean isOn(Path path) {
         try (FileChannel file = FileChannel.open(path, StandardOpenOption.READ); FileLock free = file.tryLock(PLACE, BYTES, true)) {
             return free == null;
         } catch (OverlappingFileLockException e) {
             return true;
         } catch (IOException e) {
-            return false;   // there is no such file, or this disk knows no locks
+            return false;   // no such file, or a file system without locks
         }
     }
 }

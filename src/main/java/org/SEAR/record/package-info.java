@@ -1,6 +1,6 @@
 /**
- * Records of runs: writing them while a simulation runs, reading them as files of strangers, running their commands again, values over time. Uses
- * {@link org.SEAR.simulator}, and what that uses. It knows nothing of MyRobotLab. Two threads of its own: the writer of a record,
- * and one that makes files of its pictures.
+ * Records of runs: writing them during a simulation, reading files from any source, rerunning their commands, and
+ * values over time. Uses {@link org.SEAR.simulator} and its packages in turn; independent of MyRobotLab. It has two
+ * threads: one writes a record, one encodes its pictures.
  */
 package org.SEAR.record;

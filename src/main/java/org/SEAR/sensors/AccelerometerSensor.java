@@ -7,11 +7,12 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
 
 /**
- * Acceleration of the sensor's own place along its axes, m/s^2 (without rotation: +x left, +y up, +z forward).
+ * Acceleration at the sensor's position along its axes, m/s^2 (without rotation: +x left, +y up, +z forward).
  *
- * <p>a = mean over the window 1/bandwidth of R_i' (v_i - v_(i-1)) / dt, where v = velocity of the body's origin + omega x mount, and R_i is the
- * attitude in the middle of the step. That is the velocity difference over the window, turned into the axes as they were. With gravity on it is
- * proper acceleration, a - g: +9.81 upwards at rest, 0 in free fall. A robot starts at rest. No error unless the object has noise.
+ * <p>a = mean over the window 1/bandwidth of R_i' (v_i - v_(i-1)) / dt, where v = velocity of the body's origin + omega
+ * x mount, and R_i is the attitude in the middle of the step. This is the velocity difference over the window, rotated
+ * into the axes of each step. With gravity on it is proper acceleration, a - g: +9.81 upwards at rest, 0 in free fall.
+ * A robot starts at rest. No error unless the object has noise.
  */
 public final class AccelerometerSensor extends InertialSensor {
     private final boolean gravity;
@@ -20,13 +21,13 @@ public final class AccelerometerSensor extends InertialSensor {
     private final double[] now = new double[3];
     private Pose bodyBefore;
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public AccelerometerSensor(Accelerometer parameters, long seed) {
         super(parameters, parameters.getBandwidth(), seed);
         this.gravity = parameters.isGravity();
     }
 
-    /** With gravity and without errors, as part of another sensor. */
+    /** Part of another sensor: with gravity, without errors. */
     AccelerometerSensor(SearObject parameters, double bandwidth) {
         super(parameters, bandwidth);
         this.gravity = true;
@@ -45,7 +46,7 @@ public final class AccelerometerSensor extends InertialSensor {
         bodyBefore = body;
     }
 
-    /** Velocity of the sensor's place in the world. */
+    /** Computes the velocity of the sensor's position in the world. */
     private void velocity(Truth truth, Pose body) {
         Pose mount = getMount();
         rotation.set(body);
@@ -59,7 +60,7 @@ public final class AccelerometerSensor extends InertialSensor {
         now[2] = v[2] + w[0] * y - w[1] * x;
     }
 
-    /** The body's attitude half way between two steps. */
+    /** Sets the body's attitude halfway between two steps. */
     private void turn(Pose a, Pose b) {
         double sign = a.qx * b.qx + a.qy * b.qy + a.qz * b.qz + a.qw * b.qw < 0 ? -1 : 1;
         rotation.set(a.qx + sign * b.qx, a.qy + sign * b.qy, a.qz + sign * b.qz, a.qw + sign * b.qw);
@@ -80,7 +81,7 @@ public final class AccelerometerSensor extends InertialSensor {
         bodyBefore = null;
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

@@ -4,8 +4,9 @@ import java.util.List;
 import org.SEAR.POJOs.BeamCone;
 
 /**
- * The lines of a distance sensor in its own frame (+z forward, +x left, +y up), as unit vectors with a length and a colour. A cone's lines lie on
- * its surface, the first at its left rim, the others counter-clockwise as seen from the front. Immutable, any thread.
+ * The rays of a distance sensor in its own frame (+z forward, +x left, +y up), as unit vectors with a length and a
+ * colour. A cone's rays lie on its surface. The first is at its left rim, the others follow counter-clockwise as seen
+ * from the front. Immutable; any thread.
  */
 public final class BeamPattern {
     private final double[] directions;
@@ -24,7 +25,7 @@ public final class BeamPattern {
         this.maxRange = longest;
     }
 
-    /** The lines of all cones, in their order. */
+    /** Returns the rays of all cones in order. */
     public static BeamPattern of(List<BeamCone> cones) {
         int count = cones.stream().mapToInt(BeamCone::getLines).sum();
         double[] directions = new double[3 * count];
@@ -57,42 +58,42 @@ public final class BeamPattern {
         out[at + 2] = level * Math.cos(yaw) - x * Math.sin(yaw);
     }
 
-    /** Number of lines. */
+    /** Returns the number of rays. */
     public int size() {
         return ranges.length;
     }
 
-    /** To the left. */
+    /** Returns the component to the left. */
     public double getX(int line) {
         return directions[3 * line];
     }
 
-    /** Up. */
+    /** Returns the component up. */
     public double getY(int line) {
         return directions[3 * line + 1];
     }
 
-    /** Forward. */
+    /** Returns the component forward. */
     public double getZ(int line) {
         return directions[3 * line + 2];
     }
 
-    /** Length of a line, metres. */
+    /** Returns the length of a ray, metres. */
     public double getRange(int line) {
         return ranges[line];
     }
 
-    /** Lengths of all lines; not to be changed. */
+    /** Returns the lengths of all rays; the caller must not change them. */
     double[] ranges() {
         return ranges;
     }
 
-    /** 0xrrggbb. */
+    /** Returns 0xrrggbb. */
     public int getColor(int line) {
         return colors[line];
     }
 
-    /** Length of the longest line, metres. */
+    /** Returns the length of the longest ray, metres. */
     public double getMaxRange() {
         return maxRange;
     }

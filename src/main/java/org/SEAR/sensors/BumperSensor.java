@@ -4,15 +4,15 @@ import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.SearObject;
 
 /**
- * Whether a part of the robot touches something: true while it does. Errors count on a scale on which 0 is free, 1 is pressed, and the contact closes
- * above the middle; a reading that dropped out is false.
+ * True while a part of the robot touches something. Errors apply on a scale where 0 is free and 1 is pressed; the
+ * switch closes above 0.5. A dropped-out reading is false.
  */
 public final class BumperSensor extends Sensor<Switch> {
     private static final double CLOSES = 0.5;
 
     private final String part;
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public BumperSensor(Bumper parameters, long seed) {
         super(parameters, seed, 1);
         this.part = parameters.getPart();
@@ -23,7 +23,7 @@ public final class BumperSensor extends Sensor<Switch> {
         return new Switch(!errors.drops(truth.step(), 0) && errors.apply(truth.isTouched(part) ? 1 : 0, truth.step(), 0, 0) > CLOSES);
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

@@ -7,11 +7,12 @@ import org.SEAR.camera.image.Blobs;
 import org.SEAR.geometry.Pose;
 
 /**
- * A picture of a camera: colours, depths or temperatures, row by row from the top left. Immutable, any thread: what it hands out are copies.
+ * A picture of a camera: colours, depths or temperatures, row by row from the top left. Immutable; any thread;
+ * accessors return copies.
  */
 public final class CameraImage implements Reading {
     private static final int FULL = 255;
-    /** As the eye weighs red, green and blue in a picture (Rec. 601). */
+    /** Luma weights of red, green and blue (Rec. 601). */
     private static final double RED = 0.299;
     private static final double GREEN = 0.587;
     private static final double BLUE = 0.114;
@@ -24,22 +25,22 @@ public final class CameraImage implements Reading {
     private final float[] values;
     private final double[] numbers;
 
-    /** Where the pixels of a camera look. */
+    /** Directions of a camera's pixels. */
     interface Rays {
-        /** Metres to the left of the axis, one metre ahead. */
+        /** Metres to the left of the axis, at one metre ahead. */
         double left(int pixel);
 
-        /** Metres above the axis, one metre ahead. */
+        /** Metres above the axis, at one metre ahead. */
         double up(int pixel);
     }
 
     /**
-     * A picture of colours, or of other values.
+     * Creates a picture of colours or of other values.
      *
-     * @param time simulated seconds at which it was taken
-     * @param pose of the camera in the world then
-     * @param pixels 0xRRGGBB each; null for other values; belong to it from now on
-     * @param values metres or degrees Celsius; null for colours; belong to it from now on
+     * @param time when it was taken, simulated seconds
+     * @param pose pose of the camera in the world at that time
+     * @param pixels 0xRRGGBB each; null for other values; not copied
+     * @param values metres or degrees Celsius; null for colours; not copied
      */
     CameraImage(Camera camera, double time, Pose pose, Rays rays, int[] pixels, float[] values) {
         this.camera = camera;
@@ -51,47 +52,47 @@ public final class CameraImage implements Reading {
         numbers = measured();
     }
 
-    /** {@link Camera#COLOR}, {@link Camera#DEPTH} or {@link Camera#INFRARED}. */
+    /** Returns {@link Camera#COLOR}, {@link Camera#DEPTH} or {@link Camera#INFRARED}. */
     public String getKind() {
         return camera.getKind();
     }
 
-    /** Pixels of a row. */
+    /** Returns the pixels per row. */
     public int getWidth() {
         return camera.getWidth();
     }
 
-    /** Rows. */
+    /** Returns the number of rows. */
     public int getHeight() {
         return camera.getHeight();
     }
 
-    /** Simulated seconds at which it was taken. */
+    /** Returns when it was taken, simulated seconds. */
     public double getTime() {
         return time;
     }
 
-    /** Where the camera was in the world then: x to the left, y up, z ahead. */
+    /** Returns the pose of the camera in the world at that time: x left, y up, z ahead. */
     public Pose getPose() {
         return pose;
     }
 
-    /** 0xRRGGBB (sRGB) of each pixel; null for a picture of other values. */
+    /** Returns 0xRRGGBB (sRGB) of each pixel; null for other values. */
     public int[] getPixels() {
         return pixels == null ? null : pixels.clone();
     }
 
-    /** Metres along the axis, infinite where nothing came back, or degrees Celsius; null for a picture of colours. */
+    /** Returns metres along the axis, infinite without a return, or degrees Celsius; null for colours. */
     public float[] getValues() {
         return values == null ? null : values.clone();
     }
 
     /**
-     * The points at which a picture of depths ends, without those where nothing came back.
+     * Returns the points of a depth picture; pixels without a return are omitted.
      *
-     * @param world whether they are points of the world, or of the camera: x to the left, y up, z ahead
+     * @param world whether the points are in the world frame or in the camera's: x left, y up, z ahead
      * @return x, y, z of each, metres
-     * @throws IllegalStateException if it is no picture of depths
+     * @throws IllegalStateException if it is no depth picture
      */
     public float[] getPoints(boolean world) {
         if (!Camera.DEPTH.equals(getKind())) {
@@ -112,24 +113,24 @@ public final class CameraImage implements Reading {
     }
 
     /**
-     * The picture as a PNG file: colours of 8 bits a channel; depths as 16 bits of grey, millimetres, 0 where nothing came back or it is farther than
-     * 65.535 m; temperatures as 16 bits of grey, hundredths of a kelvin above absolute zero, 0 for a pixel that is missing.
+     * Returns a PNG file. Colours: 8 bits per channel. Depths: 16-bit grey, millimetres, 0 without a return or beyond
+     * 65.535 m. Temperatures: 16-bit grey, hundredths of a kelvin, 0 for a missing pixel.
      */
     public byte[] png() {
         return grid().png();
     }
 
-    /** What its pixels have, apart from camera and place. */
+    /** Returns the pixels without camera and pose. */
     public PixelGrid grid() {
         return new PixelGrid(getKind(), getWidth(), pixels, values);
     }
 
     /**
-     * The pieces of a picture of colours that have the hue of a colour, the largest first.
+     * Returns the regions of a colour picture with the hue of a colour, largest first.
      *
      * @param color 0xRRGGBB
-     * @param least pixels that a piece has at least
-     * @throws IllegalStateException if it is no picture of colours
+     * @param least minimum pixels of a region
+     * @throws IllegalStateException if it is no colour picture
      */
     public List<Blobs.Blob> blobs(int color, int least) {
         if (pixels == null) {
@@ -139,7 +140,7 @@ public final class CameraImage implements Reading {
         return Blobs.find(getWidth(), pixels, color, least);
     }
 
-    /** Of colours the mean brightness, 0 to 255; of depths the nearest; of temperatures the lowest and the highest. */
+    /** Returns mean brightness, 0 to 255, of colours; the nearest depth; or the lowest and the highest temperature. */
     @Override
     public double[] numbers() {
         return numbers.clone();
@@ -167,12 +168,12 @@ public final class CameraImage implements Reading {
         return names(getKind());
     }
 
-    /** What the numbers of cameras of a kind are called. */
+    /** Returns the names of the numbers of a kind of camera. */
     public static List<String> names(String kind) {
         return Camera.COLOR.equals(kind) ? List.of(".brightness") : Camera.DEPTH.equals(kind) ? List.of(".nearest") : List.of(".coldest", ".warmest");
     }
 
-    /** Of colours the pixels, 0xRRGGBB each; else the metres or degrees Celsius. */
+    /** Returns 0xRRGGBB of each pixel for colours, otherwise metres or degrees Celsius. */
     @Override
     public Object value() {
         return pixels != null ? getPixels() : getValues();
@@ -190,7 +191,10 @@ public final class CameraImage implements Reading {
         return size + ReadingWords.fixed(kept[0], 1) + " to " + ReadingWords.fixed(kept[1], 1) + " degC";
     }
 
-    /** Depths and temperatures in false colours: from red, near or warm, to blue; black where nothing came back. */
+    /**
+     * Returns the picture; depths and temperatures in false colours, from red (near or warm) to blue, black without a
+     * return.
+     */
     @Override
     public Picture picture() {
         return grid().picture();

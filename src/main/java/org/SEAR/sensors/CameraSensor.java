@@ -9,10 +9,12 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
 
 /**
- * Pictures at the camera's rate, by the simulation's clock: a reading is the last one that was due, or, before the first, one of the present moment.
+ * Pictures at the camera's rate in simulated time. A reading is the last due picture or, before the first, a picture of
+ * the present moment.
  *
- * <p>When a picture is due only the poses of all things are noted, which costs next to nothing; it is made when somebody reads it, of the world as it
- * was then. So a camera that nobody looks at does not slow a simulation down, and the bytes are the same whoever reads, and when.
+ * <p>When a picture is due, the sensor stores only the poses of all objects, which costs almost nothing. It renders the
+ * picture of that moment when it is read. A camera without readers therefore does not slow the simulation down, and
+ * readers do not affect the bytes.
  */
 public final class CameraSensor extends Sensor<CameraImage> {
     private static final int SHOT = 11;
@@ -21,7 +23,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
     private static final int HEAT = 14;
     private static final int CHANNELS = 3;
     private static final double FULL = 255;
-    /** More than the rounding of a number of pictures. */
+    /** Above the rounding error of a picture count. */
     private static final double ROUNDING = 1e-9;
 
     private final Camera camera;
@@ -33,15 +35,15 @@ public final class CameraSensor extends Sensor<CameraImage> {
     private Pose place;
     private long due = -1;
     private double dueTime;
-    /** The world as it was when the last picture was due, if it has moved on since. */
+    /** Copy of the world at the time of the last due picture, if the world has moved on. */
     private BeamScene past;
-    /** What the last picture was taken of, and the robot that was not in it. */
+    /** The world of the last picture, and the robot hidden in it. */
     private BeamScene seen;
     private int unseen;
     private CameraImage image;
     private long imageStep = -1;
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public CameraSensor(Camera parameters, long seed) {
         super(parameters, seed, CHANNELS);
         camera = parameters;
@@ -55,7 +57,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
         random = new CounterRandom(seed, camera.getFullName());
     }
 
-    /** Notes where everything is when a picture is due. */
+    /** Stores all poses when a picture is due. */
     @Override
     public void track(Truth truth) {
         super.track(truth);
@@ -79,12 +81,12 @@ public final class CameraSensor extends Sensor<CameraImage> {
         }
     }
 
-    /** How many pictures have been due up to a step. */
+    /** Returns how many pictures have been due up to a step. */
     private double number(long step, Truth truth) {
         return Math.floor(step * truth.stepLength() * camera.getRate() + ROUNDING);
     }
 
-    /** What is hidden from beams is no less to be seen, but for those of a camera that measures depths by beams. */
+    /** Objects hidden from beams are visible to cameras, except for depth cameras, which measure by beams. */
     private BeamScene scene(Truth truth) {
         return Camera.DEPTH.equals(camera.getKind()) ? truth.scene() : truth.sight();
     }
@@ -108,8 +110,8 @@ public final class CameraSensor extends Sensor<CameraImage> {
     }
 
     /**
-     * How far what a pixel of the last picture sees is, for those who point at it: metres along the axis, infinite where nothing is in range,
-     * not a number without a picture. Simulation thread.
+     * Returns the present distance along the axis of what a pixel of the last picture shows, metres. Infinite without
+     * anything in range; NaN without a picture. Simulation thread.
      */
     public double depth(int pixel) {
         if (image == null) {
@@ -117,7 +119,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
         }
         double left = eye.left(pixel);
         double up = eye.up(pixel);
-        double length = Math.sqrt(1 + left * left + up * up);    // of a beam, for a metre along the axis
+        double length = Math.sqrt(1 + left * left + up * up);    // length of a ray per metre along the axis
         Pose from = image.getPose();
         double[] ahead = from.rotate(left / length, up / length, 1 / length);
         double[] start = from.transform(camera.getNear() * left, camera.getNear() * up, camera.getNear());
@@ -176,7 +178,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
         }, pixels, values);
     }
 
-    /** A depth that has become nearer than near or farther than far is no return any more; no return stays so. */
+    /** A noisy depth below near or above far becomes no return; no return stays no return. */
     private void measureDepths(float[] depths, long step) {
         double noise = camera.getDepthNoise();
         for (int i = 0; i < depths.length && !(noise == 0 && errors.isNone()); i++) {
@@ -189,7 +191,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
         }
     }
 
-    /** A pixel that drops out is not a number. */
+    /** A dropped-out pixel is NaN. */
     private void measureHeat(float[] temperatures, long step) {
         double noise = camera.getNetd();
         for (int i = 0; i < temperatures.length && !(noise == 0 && errors.isNone()); i++) {
@@ -198,7 +200,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
         }
     }
 
-    /** A pixel that drops out is black. */
+    /** A dropped-out pixel is black. */
     private void measureColors(int[] pixels, long step) {
         for (int i = 0; i < pixels.length && !errors.isNone(); i++) {
             pixels[i] = errors.drops(step, i) ? 0 : level(pixels[i] >> 16, step, i, 0) << 16 | level(pixels[i] >> 8, step, i, 1) << 8
@@ -211,7 +213,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
         return (int) Math.round(Math.max(0, Math.min(FULL, level)));
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

@@ -1,6 +1,6 @@
 package org.SEAR.sensors;
 
-/** The colour that a sensor sees: red, green and blue, 0 to 255, as in a picture (sRGB); NaN when the reading dropped out. Immutable, any thread. */
+/** The colour that a sensor sees: red, green and blue, 0 to 255 (sRGB); NaN after a drop-out. Immutable; any thread. */
 public final class ColorReading implements Reading {
     private final double red;
     private final double green;
@@ -12,17 +12,17 @@ public final class ColorReading implements Reading {
         this.blue = blue;
     }
 
-    /** 0 to 255. */
+    /** Returns 0 to 255. */
     public double getRed() {
         return red;
     }
 
-    /** 0 to 255. */
+    /** Returns 0 to 255. */
     public double getGreen() {
         return green;
     }
 
-    /** 0 to 255. */
+    /** Returns 0 to 255. */
     public double getBlue() {
         return blue;
     }

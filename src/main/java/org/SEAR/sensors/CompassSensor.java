@@ -11,12 +11,12 @@ import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.Pose;
 
 /**
- * Heading of the sensor's forward axis, degrees clockwise from north, (-180, 180]; NaN when the reading dropped out.
+ * Heading of the sensor's forward axis, degrees clockwise from north, (-180, 180]; NaN after a drop-out.
  *
- * <p>True heading = angle, seen from above, from the direction sensor-to-north-point to the forward axis. The north point is the object's (at first
- * 100 km along +x). With declination it is the magnetic heading = true heading - declination, east positive, by the magnetic model of the
- * {@link Earth} at the robot's place, height and simulated date. Only the horizontal part of the axis counts; straight up or down it has no
- * heading and answers 0. No error unless the object has noise.
+ * <p>True heading = angle, seen from above, from the direction to the object's north point to the forward axis. The
+ * default north point is 100 km along +x. Magnetic heading = true heading - declination, east positive. The declination
+ * comes from the {@link Earth}'s magnetic model at the robot's position, height and simulated date. Only the horizontal
+ * part of the axis counts; straight up or down the heading is 0. No error unless the object has noise.
  */
 public final class CompassSensor extends Sensor<Quantity> {
     private static final double METRES_PER_KILOMETRE = 1000;
@@ -24,7 +24,7 @@ public final class CompassSensor extends Sensor<Quantity> {
 
     private final Compass compass;
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public CompassSensor(Compass parameters, long seed) {
         super(parameters, seed, 1);
         this.compass = parameters;
@@ -44,7 +44,7 @@ public final class CompassSensor extends Sensor<Quantity> {
         return new Quantity(wrap(errors.apply(wrap(heading), truth.step(), 0, 0)), 1);
     }
 
-    /** Degrees clockwise from +x, seen from above. */
+    /** Returns degrees clockwise from +x, seen from above. */
     private static double angle(double x, double z) {
         return Math.toDegrees(Math.atan2(z, x));
     }
@@ -59,13 +59,15 @@ public final class CompassSensor extends Sensor<Quantity> {
         return field(truth, pose).declination();
     }
 
-    /** The Earth's magnetic field at a place of a world whose place on Earth is known, at the simulated date. */
+    /**
+     * Returns the Earth's magnetic field at a position and the simulated date, in a world with a known origin on Earth.
+     */
     static MagneticModel.Field field(Truth truth, Pose pose) {
         GeoOrigin.GeoPoint place = truth.earth().getOrigin().at(pose.x, pose.y, pose.z);
         return truth.earth().getMagneticModel().field(place.latitude, place.longitude, place.altitude / METRES_PER_KILOMETRE, decimalYear(truth));
     }
 
-    /** The simulated date as a year with fraction. */
+    /** Returns the simulated date as a year with fraction. */
     private static double decimalYear(Truth truth) {
         long millis = truth.epochMillis() + Math.round(truth.time() * 1000);
         LocalDateTime date = LocalDateTime.ofInstant(Instant.ofEpochMilli(millis), ZoneOffset.UTC);
@@ -73,7 +75,7 @@ public final class CompassSensor extends Sensor<Quantity> {
         return date.getYear() + day / date.toLocalDate().lengthOfYear();
     }
 
-    /** The same angle in (-180, 180]. */
+    /** Returns the same angle in (-180, 180]. */
     static double wrap(double degrees) {
         double turned = Math.IEEEremainder(degrees, 360);
         return turned <= -180 ? turned + 360 : turned + 0.0;
@@ -98,7 +100,7 @@ public final class CompassSensor extends Sensor<Quantity> {
             model.getEpoch() + MagneticModel.YEARS_VALID, year, Earth.MODEL_FILE));
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

@@ -1,11 +1,11 @@
 package org.SEAR.sensors;
 
 /**
- * Random numbers that are a function of (seed, name, step, stream, index) and of nothing else: who asks, how often and in which order changes
- * nothing. Immutable, any thread, allocates nothing.
+ * Random numbers as a function of (seed, name, step, stream, index) only. The order and number of calls do not matter.
+ * Immutable; any thread; allocates nothing.
  *
- * <p>Each number is the finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014) over the counters.
- * {@link StrictMath} makes the normal numbers the same on every machine.
+ * <p>Each number is the finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number
+ * generators", 2014) over the counters. {@link StrictMath} makes the normal numbers the same on every machine.
  */
 public final class CounterRandom {
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;
@@ -16,8 +16,8 @@ public final class CounterRandom {
     private final long key;
 
     /**
-     * @param seed of the simulation
-     * @param name of whoever owns these numbers
+     * @param seed random seed of the simulation
+     * @param name owner of these numbers
      */
     public CounterRandom(long seed, String name) {
         long state = mix(seed + GOLDEN);
@@ -28,22 +28,22 @@ public final class CounterRandom {
     }
 
     /**
-     * 64 random bits.
+     * Returns 64 random bits.
      *
-     * @param stream what they are for
-     * @param index which of the numbers of this step and stream
+     * @param stream purpose of the numbers
+     * @param index number within this step and stream
      */
     public long bits(long step, int stream, int index) {
         long state = mix(key + GOLDEN * (step + 1));
         return mix(state + GOLDEN * (((long) stream << 32) + index + 1));
     }
 
-    /** Uniform in [0, 1). */
+    /** Returns a uniform number in [0, 1). */
     public double uniform(long step, int stream, int index) {
         return (bits(step, stream, index) >>> 11) * UNIT;
     }
 
-    /** Normal with mean 0 and standard deviation 1 (Box-Muller). */
+    /** Returns a normal number with mean 0 and standard deviation 1 (Box-Muller). */
     public double normal(long step, int stream, int index) {
         long bits = bits(step, stream, index);
         double radius = ((bits >>> 11) + 1) * UNIT;

@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import org.SEAR.geometry.Pose;
 
-/** What a distance sensor met in one step, with everything that shows it. Immutable, any thread. */
+/** Reading of a distance sensor in one step, with its hit for records and views. Immutable; any thread. */
 public final class DistanceReading implements Reading {
-    /** m/s, of dry air at 20 degrees. */
+    /** Speed of sound in dry air at 20 degrees Celsius, m/s. */
     private static final double SOUND = 343.2;
     private static final int DIGITS = 3;
 
@@ -18,7 +18,7 @@ public final class DistanceReading implements Reading {
     private final double[] hitPoint;
     private final String hitObject;
 
-    /** Nothing was met. */
+    /** Reading without a hit. */
     DistanceReading(double volts, BeamPattern pattern, Pose pose) {
         this(Double.POSITIVE_INFINITY, volts, pattern, pose, -1, null, null);
     }
@@ -33,47 +33,47 @@ public final class DistanceReading implements Reading {
         this.hitObject = hitObject;
     }
 
-    /** Metres to the nearest thing that any line met, with the sensor's errors; +infinity for no return. */
+    /** Returns metres to the nearest hit of any ray, with the sensor's errors; +infinity without a return. */
     public double getDistance() {
         return distance;
     }
 
-    /** Whether anything came back. */
+    /** Returns whether there is a return. */
     public boolean isReturn() {
         return distance != Double.POSITIVE_INFINITY;
     }
 
-    /** Metres; the longest line's length where nothing came back, as the dissertation's {@code getDistanceResult} answers. */
+    /** Returns metres; without a return the longest ray's length, as the dissertation's {@code getDistanceResult}. */
     public double getDistanceOrRange() {
         return isReturn() ? distance : pattern.getMaxRange();
     }
 
-    /** The sensor's lines in its own frame; the same object at every step. */
+    /** Returns the sensor's rays in its own frame, the same object at every step. */
     public BeamPattern getPattern() {
         return pattern;
     }
 
-    /** The sensor in the world. */
+    /** Returns the sensor's pose in the world. */
     public Pose getPose() {
         return pose;
     }
 
-    /** The line of the pattern that met the nearest thing, or -1. */
+    /** Returns the ray of the pattern with the nearest hit, or -1. */
     public int getLine() {
         return line;
     }
 
-    /** Where that line truly met it, world frame {x, y, z} in metres; null for no return. */
+    /** Returns that ray's true hit point, {x, y, z} in the world, metres; null without a return. */
     public double[] getHitPoint() {
         return hitPoint == null ? null : hitPoint.clone();
     }
 
-    /** Name of the object that was met; null for no return. */
+    /** Returns the name of the object hit; null without a return. */
     public String getHitObject() {
         return hitObject;
     }
 
-    /** {@link #getDistanceOrRange}. */
+    /** Returns {@link #getDistanceOrRange}. */
     @Override
     public double[] numbers() {
         return new double[] {getDistanceOrRange()};
@@ -85,7 +85,7 @@ public final class DistanceReading implements Reading {
             : "nothing within " + ReadingWords.withUnit(ReadingWords.plain(pattern.getMaxRange()), unit);
     }
 
-    /** The true way to what was met, on the line that met it. */
+    /** Returns the true length to the hit for the ray that hit, infinity for the others. */
     @Override
     public double[] beams() {
         double[] lengths = new double[pattern.size()];
@@ -104,7 +104,7 @@ public final class DistanceReading implements Reading {
         return hitPoint == null ? List.of() : List.of(hitPoint.clone());
     }
 
-    /** What a triangulating infrared sensor puts out; NaN for a beam without a voltage curve. */
+    /** Returns the output of a triangulating infrared sensor; NaN for a beam without a voltage curve. */
     @Override
     public double volts() {
         return volts;

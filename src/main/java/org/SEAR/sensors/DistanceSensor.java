@@ -11,10 +11,10 @@ import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
 
 /**
- * An ultrasonic, infrared, radar, sonar or laser range sensor: the distance along the line on which anything is nearest, of all lines of all cones,
- * metres; no return if no line meets anything within its own length. Things nearer than the product can tell answer that nearest distance. Infrared
- * beams answer their voltage as well; it is that of the true nearness, so it folds back below the nearest distance. Parts of its own robot are
- * invisible to it unless the object says otherwise. Errors are along the line.
+ * An ultrasonic, infrared, radar, sonar or laser range sensor: the nearest hit along the rays of all its cones, metres;
+ * no return if no ray hits within its length. Below the product's minimum range the reading is that range. Infrared
+ * beams also return a voltage of the true distance, so it folds back below the minimum range. Parts of the sensor's own
+ * robot are invisible unless the object says otherwise. Errors apply along the ray.
  */
 public final class DistanceSensor extends Sensor<DistanceReading> {
     private final BeamPattern pattern;
@@ -27,7 +27,7 @@ public final class DistanceSensor extends Sensor<DistanceReading> {
     private final double[] shortest = new double[1];
     private double nearest;
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public DistanceSensor(Distance parameters, long seed) {
         super(parameters, seed, 1);
         this.distance = parameters;
@@ -65,7 +65,7 @@ public final class DistanceSensor extends Sensor<DistanceReading> {
         return new DistanceReading(Math.max(minRange, measured), voltages.at(measured), pattern, pose, line, point, truth.objectName(hit.shape));
     }
 
-    /** The line on which anything is nearest, the first if there are several, or -1; leaves the distance in {@link #nearest}. */
+    /** Returns the ray with the nearest hit, the first of several, or -1; stores the distance in {@link #nearest}. */
     private int nearestLine(BeamScene scene, Pose pose, int ignored) {
         for (int line = 0; line < pattern.size(); line++) {
             directions[3 * line] = directionX(line);
@@ -89,7 +89,7 @@ public final class DistanceSensor extends Sensor<DistanceReading> {
         return rotation.outZ(pattern.getX(line), pattern.getY(line), pattern.getZ(line));
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

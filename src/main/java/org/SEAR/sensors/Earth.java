@@ -13,21 +13,21 @@ import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 
-/** What a robot's sensors know of the Earth: where the world lies on it, and its magnetic field. Immutable, any thread. */
+/** The Earth as a robot's sensors know it: the world's origin on it, and its magnetic field. Immutable; any thread. */
 public final class Earth {
-    /** A file of this name in the project's assets replaces the coefficients that come with SEAR. */
+    /** A file of this name in the project's assets replaces SEAR's coefficients. */
     public static final String MODEL_FILE = "WMM.COF";
 
     private final GeoOrigin origin;
     private final boolean ofTerrain;
     private final MagneticModel model;
 
-    /** @param origin as a GPS has it; null if nobody said where the world lies */
+    /** @param origin as in a GPS; null if unknown */
     public Earth(GeoOrigin origin, MagneticModel model) {
         this(origin, false, model);
     }
 
-    /** @param ofTerrain whether the origin is what the terrain's map says */
+    /** @param ofTerrain whether the origin comes from the terrain's map */
     public Earth(GeoOrigin origin, boolean ofTerrain, MagneticModel model) {
         this.origin = origin;
         this.ofTerrain = ofTerrain;
@@ -35,10 +35,12 @@ public final class Earth {
     }
 
     /**
-     * The Earth of a robot: the origin is that of the terrain, or else that of its own first GPS which says one, or else of the first such GPS of
-     * any robot; the magnetic field is that of {@code assets/WMM.COF}, or else the World Magnetic Model 2025.
+     * Returns the Earth of a robot. The origin comes from the terrain, otherwise from the robot's first GPS with an
+     * origin, otherwise from any robot's first such GPS. The magnetic field comes from {@code assets/WMM.COF},
+     * otherwise from the World Magnetic Model 2025.
      *
-     * @throws ProjectException if {@code assets/WMM.COF} is there but can't be used, or a GPS without coordinates has no terrain to take them from
+     * @throws ProjectException if {@code assets/WMM.COF} is unusable, or a GPS without coordinates has no terrain to
+     *     take them from
      */
     public static Earth of(Project project, SEARrobot robot) throws ProjectException {
         MagneticModel model = model(project.asset(MODEL_FILE));
@@ -79,17 +81,17 @@ public final class Earth {
         }
     }
 
-    /** Whether the origin is what the terrain's map says; else a GPS says it. */
+    /** Returns whether the origin comes from the terrain's map; otherwise it comes from a GPS. */
     public boolean isOfTerrain() {
         return ofTerrain;
     }
 
-    /** Where the world's origin lies; null if neither terrain nor GPS says so. */
+    /** Returns the world's origin; null if neither terrain nor GPS defines it. */
     public GeoOrigin getOrigin() {
         return origin;
     }
 
-    /** The magnetic field. */
+    /** Returns the magnetic field model. */
     public MagneticModel getMagneticModel() {
         return model;
     }

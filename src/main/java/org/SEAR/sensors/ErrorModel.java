@@ -5,14 +5,14 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
 
 /**
- * The errors of one sensor: reading = quantise(truth + bias + drift + white), or nothing at all when it drops out. The sensor itself clamps the
- * result to what it can say. Simulation thread.
+ * Errors of one sensor: reading = quantise(truth + bias + drift + white), or no value after a drop-out. The sensor
+ * clamps the result to its range. Simulation thread.
  *
- * <p>White errors and drop-outs are functions of (seed, sensor name, step); the drift is a random walk that {@link #track} advances once a step by a
- * normal step of standard deviation drift * sqrt(step length).
+ * <p>White errors and drop-outs are functions of (seed, sensor name, step). The drift is a random walk. {@link #track}
+ * advances it once per step by a normal number of standard deviation drift * sqrt(step length).
  */
 public final class ErrorModel {
-    /** No errors: every value passes as it is. */
+    /** No errors: every value passes unchanged. */
     public static final ErrorModel NONE = new ErrorModel(null, null, 0);
 
     private static final int WHITE = 1;
@@ -31,9 +31,9 @@ public final class ErrorModel {
     }
 
     /**
-     * The errors of a sensor; {@link #NONE} if its object has none.
+     * Returns the errors of a sensor; {@link #NONE} if its object has none.
      *
-     * @param seed of the simulation
+     * @param seed random seed of the simulation
      * @param channels independent drifts, for example 3 for three axes
      */
     public static ErrorModel of(SearObject parameters, long seed, int channels) {
@@ -46,12 +46,12 @@ public final class ErrorModel {
         return errors;
     }
 
-    /** From now on random numbers come from another seed. */
+    /** Takes later random numbers from another seed. */
     public void reseed(long seed) {
         random = noise == null ? null : new CounterRandom(seed, name);
     }
 
-    /** Whether every value passes as it is. */
+    /** Returns whether every value passes unchanged. */
     public boolean isNone() {
         return noise == null;
     }
@@ -67,36 +67,36 @@ public final class ErrorModel {
         }
     }
 
-    /** Back to no drift. */
+    /** Resets the drift to 0. */
     public void reset() {
         java.util.Arrays.fill(drift, 0);
     }
 
     /**
-     * Whether a value is missing.
+     * Returns whether a value drops out.
      *
-     * @param sample which of the step's values (a beam, an axis; 0 if all of a reading drop out together)
+     * @param sample number of the value in this step (a beam, an axis; 0 if all values of a reading drop out together)
      */
     public boolean drops(long step, int sample) {
         return noise != null && noise.getDropout() > 0 && random.uniform(step, DROPOUT, sample) < noise.getDropout();
     }
 
     /**
-     * A value with its error.
+     * Returns a value with its error.
      *
-     * @param channel which drift, from 0
-     * @param sample which of the step's values; each has its own white error
+     * @param channel number of the drift, from 0
+     * @param sample number of the value in this step; each has its own white error
      */
     public double apply(double value, long step, int channel, int sample) {
         return noise == null ? value : applyAt(value, step, drift[channel], sample);
     }
 
-    /** The present drift of a channel; 0 without errors. */
+    /** Returns the present drift of a channel; 0 without errors. */
     double drift(int channel) {
         return noise == null ? 0 : drift[channel];
     }
 
-    /** A value with its error at a step at which its channel had drifted so far. */
+    /** Returns a value with its error at a step with this drift. */
     double applyAt(double value, long step, double drifted, int sample) {
         if (noise == null) {
             return value;

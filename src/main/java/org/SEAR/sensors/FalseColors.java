@@ -1,18 +1,18 @@
 package org.SEAR.sensors;
 
-/** Numbers as colours that people tell apart: a rainbow from the least to the greatest of a picture. Any thread. */
+/** False colours: a rainbow from the lowest to the highest number of a picture. Any thread. */
 final class FalseColors {
     private static final int FULL = 255;
-    /** Sixths of the circle of hues from red to blue. */
+    /** Sixths of the hue circle from red to blue. */
     private static final double SIXTHS = 4;
 
     private FalseColors() {
     }
 
     /**
-     * 0xRRGGBB for each number; black for what is not finite.
+     * Returns 0xRRGGBB for each number; black if it is not finite.
      *
-     * @param redLeast whether red is the least or the greatest
+     * @param redLeast whether red is the lowest or the highest
      */
     static int[] of(float[] values, boolean redLeast) {
         float least = Float.POSITIVE_INFINITY;

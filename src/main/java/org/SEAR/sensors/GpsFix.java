@@ -1,8 +1,8 @@
 package org.SEAR.sensors;
 
-/** Where a GPS sensor is and how it moves, on WGS84. Immutable, any thread. */
+/** Position and motion of a GPS sensor on WGS84. Immutable; any thread. */
 public final class GpsFix implements Reading {
-    /** A centimetre on Earth. */
+    /** Decimals of a degree; 7 are a centimetre on the Earth. */
     private static final int PLACE_DIGITS = 7;
 
     private final double latitude;
@@ -14,7 +14,7 @@ public final class GpsFix implements Reading {
     private final long time;
     private final boolean valid;
 
-    /** A valid fix of something that moves on the level. */
+    /** A valid fix with level motion. */
     public GpsFix(double latitude, double longitude, double altitude, double speed, double course, long time) {
         this(latitude, longitude, altitude, speed, course, 0, time);
     }
@@ -26,7 +26,7 @@ public final class GpsFix implements Reading {
      * @param longitude degrees, + east, [-180, 180)
      * @param altitude metres above mean sea level
      * @param speed over ground, m/s, never negative
-     * @param course over ground, degrees clockwise from true north, [0, 360); 0 while standing
+     * @param course over ground, degrees clockwise from true north, [0, 360); 0 at rest
      * @param climb upwards, m/s
      * @param time UTC of the fix, milliseconds since 1970
      */
@@ -45,52 +45,52 @@ public final class GpsFix implements Reading {
         this.valid = valid;
     }
 
-    /** The receiver lost its satellites: it knows the time only, all else is NaN. */
+    /** Returns a fix without satellites: only the time is known, all else is NaN. */
     public static GpsFix none(long time) {
         return new GpsFix(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, time, false);
     }
 
-    /** Whether there is a position. */
+    /** Returns whether there is a position. */
     public boolean isValid() {
         return valid;
     }
 
-    /** Degrees, + north. */
+    /** Returns degrees, + north. */
     public double getLatitude() {
         return latitude;
     }
 
-    /** Degrees, + east. */
+    /** Returns degrees, + east. */
     public double getLongitude() {
         return longitude;
     }
 
-    /** Metres above mean sea level. */
+    /** Returns metres above mean sea level. */
     public double getAltitude() {
         return altitude;
     }
 
-    /** Speed over ground, m/s. */
+    /** Returns the speed over ground, m/s. */
     public double getSpeed() {
         return speed;
     }
 
-    /** Course over ground, degrees clockwise from true north, [0, 360). */
+    /** Returns the course over ground, degrees clockwise from true north, [0, 360). */
     public double getCourse() {
         return course;
     }
 
-    /** Speed upwards, m/s. */
+    /** Returns the speed upwards, m/s. */
     public double getClimb() {
         return climb;
     }
 
-    /** UTC of the fix, milliseconds since 1970. */
+    /** Returns the UTC of the fix, milliseconds since 1970. */
     public long getTime() {
         return time;
     }
 
-    /** Latitude, longitude, altitude. */
+    /** Returns latitude, longitude, altitude. */
     @Override
     public double[] numbers() {
         return new double[] {latitude, longitude, altitude};

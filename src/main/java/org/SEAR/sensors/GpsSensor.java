@@ -8,26 +8,27 @@ import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.Pose;
 
 /**
- * Place and motion of the antenna on WGS84.
+ * Position and motion of the antenna on WGS84.
  *
- * <p>Latitude and longitude are the end of the geodesic from the object's reference point, or else the terrain's, to (x north, z east) of the world
- * ({@link GeoOrigin}), altitude = reference altitude + y. Speed is that of the antenna over ground; the course is counted from true north where the
- * robot is. The time is the simulation's. Errors are metres in the world: to the north, up, and to the east.
+ * <p>Latitude and longitude are the end of the geodesic to (x north, z east) of the world ({@link GeoOrigin}). It
+ * starts at the object's reference point, otherwise at the terrain's. Altitude = reference altitude + y. Speed is the
+ * antenna's speed over ground; course counts from true north at the robot. Time is simulated. Errors are metres in the
+ * world: north, up and east.
  */
 public final class GpsSensor extends Sensor<GpsFix> {
-    /** Slower than this is standing: no course. */
+    /** Speed below which the antenna is at rest and has no course, m/s. */
     private static final double STANDING = 0.005;
     private static final int NORTH = 0;
     private static final int UP = 1;
     private static final int EAST = 2;
 
-    /** Farther from the terrain's reference than this is another place, metres. */
+    /** Distance from the terrain's reference above which a reference is another place, metres. */
     private static final double SAME_PLACE = 1;
 
-    /** Its own; null if it counts from the terrain's. */
+    /** The sensor's own reference; null if it uses the terrain's. */
     private final GeoOrigin origin;
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public GpsSensor(GPS parameters, long seed) {
         super(parameters, seed, 3);
         this.origin = parameters.hasReference()
@@ -55,7 +56,7 @@ public final class GpsSensor extends Sensor<GpsFix> {
         return new GpsFix(place.latitude, place.longitude, place.altitude, speed, course, climb, time);
     }
 
-    /** The same angle in [0, 360). */
+    /** Returns the same angle in [0, 360). */
     private static double course(double degrees) {
         double turned = degrees - 360 * Math.floor(degrees / 360);
         return turned >= 360 ? 0 : turned;
@@ -72,7 +73,7 @@ public final class GpsSensor extends Sensor<GpsFix> {
             + "; its readings count from its own: GPS(name) without coordinates takes the terrain's");
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

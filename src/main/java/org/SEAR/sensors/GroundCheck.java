@@ -6,9 +6,12 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
 import org.SEAR.raycast.Hit;
 
-/** Whether a beam that looks ahead meets the ground, so that a sensor reads that wherever nothing is nearer. Simulation thread. */
+/**
+ * Checks whether a forward beam hits the ground, so that the sensor reads the ground wherever nothing is nearer.
+ * Simulation thread.
+ */
 final class GroundCheck {
-    /** A sensor that looks down more steeply is meant to see the ground: sine of 45 degrees. */
+    /** Sine of 45 degrees: a sensor that points down more steeply is meant to see the ground. */
     private static final double STEEP = Math.sin(Math.PI / 4);
 
     private final Truth truth;
@@ -20,8 +23,8 @@ final class GroundCheck {
     private int ground = -1;
 
     /**
-     * @param ignored owner whose parts the sensor doesn't see
-     * @param pose of the sensor in the world
+     * @param ignored owner whose parts the sensor does not see
+     * @param pose pose of the sensor in the world
      */
     GroundCheck(Truth truth, int ignored, Pose pose) {
         this.truth = truth;
@@ -30,7 +33,7 @@ final class GroundCheck {
         rotation.set(pose);
     }
 
-    /** Looks along a line: its direction in the sensor's frame, unit length, and its length in metres. */
+    /** Casts a ray: a unit direction in the sensor's frame and a length in metres. */
     void look(double x, double y, double z, double range) {
         double distance = truth.scene().cast(pose.x, pose.y, pose.z, rotation.outX(x, y, z), rotation.outY(x, y, z), rotation.outZ(x, y, z), range,
             ignored, hit);
@@ -40,7 +43,7 @@ final class GroundCheck {
         }
     }
 
-    /** What the user should know: nothing, or a warning that names the ground and says what to do. */
+    /** Returns a warning with the ground's name and a remedy, or nothing. */
     List<String> warnings(String sensor) {
         if (ground < 0 || rotation.outY(0, 0, 1) < -STEEP) {
             return List.of();

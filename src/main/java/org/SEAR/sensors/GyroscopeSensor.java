@@ -5,18 +5,19 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Rotation;
 
 /**
- * Rates of turn about the sensor's axes, rad/s, counter-clockwise positive (without rotation: about +x left, +y up, +z forward; a turn to the left is
- * +y): mean over the window 1/bandwidth of R_i' omega_i. No error unless the object has noise.
+ * Rates of turn about the sensor's axes, rad/s, counter-clockwise positive (without rotation: +x left, +y up, +z
+ * forward; a left turn is +y). Reading = mean over the window 1/bandwidth of R_i' omega_i. No error unless the object
+ * has noise.
  */
 public final class GyroscopeSensor extends InertialSensor {
     private final Rotation rotation = new Rotation();
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public GyroscopeSensor(Gyroscope parameters, long seed) {
         super(parameters, parameters.getBandwidth(), seed);
     }
 
-    /** Without errors, as part of another sensor. */
+    /** Part of another sensor, without errors. */
     GyroscopeSensor(SearObject parameters, double bandwidth) {
         super(parameters, bandwidth);
     }
@@ -33,7 +34,7 @@ public final class GyroscopeSensor extends InertialSensor {
         add(truth, rotation.inX(x, y, z), rotation.inY(x, y, z), rotation.inZ(x, y, z));
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

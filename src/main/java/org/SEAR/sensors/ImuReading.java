@@ -1,7 +1,8 @@
 package org.SEAR.sensors;
 
 /**
- * What an inertial measurement unit knows, in its own axes: +x forward, +y right, +z down. Immutable but for its arrays, which are not to be changed.
+ * Reading of an inertial measurement unit in its own axes: +x forward, +y right, +z down. Immutable except for its
+ * arrays, which callers must not change.
  */
 public final class ImuReading implements Reading {
     private final double[] angles;
@@ -10,10 +11,10 @@ public final class ImuReading implements Reading {
     private final double[] field;
 
     /**
-     * @param angles yaw, pitch, roll in degrees
-     * @param acceleration proper, along the axes, m/s^2: -9.81 downwards at rest
+     * @param angles yaw, pitch, roll, degrees
+     * @param acceleration proper acceleration along the axes, m/s^2: -9.81 along +z at rest
      * @param rates about the axes, clockwise along them, rad/s
-     * @param field direction of the Earth's magnetic field, of length 1
+     * @param field unit vector of the Earth's magnetic field
      */
     public ImuReading(double[] angles, double[] acceleration, double[] rates, double[] field) {
         this.angles = angles;
@@ -22,37 +23,37 @@ public final class ImuReading implements Reading {
         this.field = field;
     }
 
-    /** Degrees clockwise from magnetic north, (-180, 180]. */
+    /** Returns degrees clockwise from magnetic north, (-180, 180]. */
     public double getYaw() {
         return angles[0];
     }
 
-    /** Degrees, nose up positive, -90 to 90. */
+    /** Returns degrees, nose up positive, -90 to 90. */
     public double getPitch() {
         return angles[1];
     }
 
-    /** Degrees, right side down positive, (-180, 180]. */
+    /** Returns degrees, right side down positive, (-180, 180]. */
     public double getRoll() {
         return angles[2];
     }
 
-    /** Proper acceleration along an axis, m/s^2. */
+    /** Returns the proper acceleration along an axis, m/s^2. */
     public double getAcceleration(int axis) {
         return acceleration[axis];
     }
 
-    /** Rate of turn about an axis, clockwise along it, rad/s. */
+    /** Returns the rate of turn about an axis, clockwise along it, rad/s. */
     public double getRate(int axis) {
         return rates[axis];
     }
 
-    /** Share of the Earth's magnetic field along an axis, -1 to 1. */
+    /** Returns the component of the magnetic field's unit vector along an axis, -1 to 1. */
     public double getField(int axis) {
         return field[axis];
     }
 
-    /** Yaw, pitch, roll. */
+    /** Returns yaw, pitch, roll. */
     @Override
     public double[] numbers() {
         return angles.clone();
@@ -69,7 +70,7 @@ public final class ImuReading implements Reading {
             + ReadingWords.fixed(kept[2], 1), unit);
     }
 
-    /** As scripts get it: {@code "yaw,pitch,roll"} in degrees. */
+    /** Returns the value for scripts: {@code "yaw,pitch,roll"}, degrees. */
     @Override
     public String toString() {
         return angles[0] + "," + angles[1] + "," + angles[2];

@@ -8,12 +8,13 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
 
 /**
- * Attitude of the sensor, what accelerates and turns it, and the magnetic field, in axes of its own: +x forward, +y right, +z down.
+ * Attitude, acceleration, rates of turn and magnetic field in the sensor's own axes: +x forward, +y right, +z down.
  *
- * <p>Rotations are in the order yaw, pitch, roll. Yaw counts from magnetic north by the magnetic model of the {@link Earth}; where nobody says where
- * on Earth the world lies, from +x of the world, and the field is level. Accelerations are proper ones; they and the rates of turn are means of 20
- * ms, as of an {@link AccelerometerSensor} with gravity and a {@link GyroscopeSensor} of 50 Hz, and exact. The object's noise, degrees, is that of
- * the three angles; a reading that drops out is NaN in all.
+ * <p>The order of rotations is yaw, pitch, roll. Yaw counts from magnetic north by the {@link Earth}'s magnetic model.
+ * If the world's origin on Earth is unknown, yaw counts from the world's +x and the field is level. Accelerations are
+ * proper. They and the rates are exact means over 20 ms, as of an {@link AccelerometerSensor} with gravity and a
+ * {@link GyroscopeSensor} of 50 Hz. The object's noise, degrees, applies to the three angles; a dropped-out reading is
+ * NaN throughout.
  */
 public final class ImuSensor extends Sensor<ImuReading> {
     private static final int ANGLES = 3;
@@ -23,7 +24,7 @@ public final class ImuSensor extends Sensor<ImuReading> {
     private final GyroscopeSensor rates;
     private final Rotation rotation = new Rotation();
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public ImuSensor(IMU parameters, long seed) {
         super(parameters, seed, ANGLES);
         acceleration = new AccelerometerSensor(parameters, BANDWIDTH);
@@ -66,7 +67,7 @@ public final class ImuSensor extends Sensor<ImuReading> {
             own(rates.read(truth)), own(seen));
     }
 
-    /** Yaw, pitch and roll in degrees. */
+    /** Returns yaw, pitch and roll, degrees. */
     private static double[] angles(Pose pose, double declination) {
         double[] forward = pose.rotate(0, 0, 1);
         double[] left = pose.rotate(1, 0, 0);
@@ -75,7 +76,7 @@ public final class ImuSensor extends Sensor<ImuReading> {
             Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, forward[1])))), Math.toDegrees(Math.atan2(left[1], up[1]))};
     }
 
-    /** From +x left, +y up, +z forward to +x forward, +y right, +z down. */
+    /** Converts from +x left, +y up, +z forward to +x forward, +y right, +z down. */
     private static double[] own(VectorReading body) {
         return new double[] {body.getZ(), -body.getX(), -body.getY()};
     }
@@ -86,7 +87,7 @@ public final class ImuSensor extends Sensor<ImuReading> {
             + " robot has a GPS that says where on the Earth the world lies, so there is no magnetic field; add a GPS");
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

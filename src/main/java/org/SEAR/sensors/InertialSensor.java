@@ -2,7 +2,7 @@ package org.SEAR.sensors;
 
 import org.SEAR.POJOs.SearObject;
 
-/** A three-axis sensor of the robot's motion that answers the mean of a window of 1 / bandwidth. Simulation thread. */
+/** A three-axis sensor of the robot's motion: mean over a window of 1 / bandwidth. Simulation thread. */
 abstract class InertialSensor extends Sensor<VectorReading> {
     private static final int AXES = 3;
 
@@ -15,13 +15,13 @@ abstract class InertialSensor extends Sensor<VectorReading> {
         this.bandwidth = bandwidth;
     }
 
-    /** Without errors, as part of another sensor. */
+    /** Part of another sensor, without errors. */
     InertialSensor(SearObject parameters, double bandwidth) {
         super(parameters, ErrorModel.NONE);
         this.bandwidth = bandwidth;
     }
 
-    /** Puts the value of the last step into the window, along the sensor's axes. */
+    /** Adds the last step's value, along the sensor's axes, to the window. */
     final void add(Truth truth, double x, double y, double z) {
         window.add(MovingAverage.steps(bandwidth, truth.stepLength()), x, y, z);
     }

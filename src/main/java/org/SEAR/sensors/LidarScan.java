@@ -3,8 +3,8 @@ package org.SEAR.sensors;
 import java.util.Arrays;
 
 /**
- * What a plane of beams measured in one step. Immutable; any thread. The first range is the rightmost beam's, the last the leftmost's; the middle
- * beam looks along the sensor's forward axis.
+ * Ranges of a plane of beams in one step. The first range is the rightmost beam's, the last the leftmost's; the middle
+ * beam points along the sensor's forward axis. Immutable; any thread.
  */
 public final class LidarScan implements Reading {
     private static final int DIGITS = 3;
@@ -17,8 +17,8 @@ public final class LidarScan implements Reading {
     /**
      * @param spread degrees from the rightmost to the leftmost beam
      * @param resolution degrees between two beams
-     * @param range farthest that a beam can tell, metres
-     * @param ranges metres, right to left, +infinity where nothing was hit; belongs to the scan from now on
+     * @param range maximum range of a beam, metres
+     * @param ranges metres, right to left, +infinity without a hit; not copied
      */
     public LidarScan(double spread, double resolution, double range, double[] ranges) {
         this.spread = spread;
@@ -27,28 +27,28 @@ public final class LidarScan implements Reading {
         this.ranges = ranges;
     }
 
-    /** Degrees from the rightmost to the leftmost beam. */
+    /** Returns degrees from the rightmost to the leftmost beam. */
     public double getSpread() {
         return spread;
     }
 
-    /** Degrees between two neighbouring beams. */
+    /** Returns degrees between two neighbouring beams. */
     public double getResolution() {
         return resolution;
     }
 
-    /** Farthest that a beam can tell, metres. */
+    /** Returns the maximum range of a beam, metres. */
     public double getMaxRange() {
         return range;
     }
 
-    /** Number of beams. */
+    /** Returns the number of beams. */
     public int size() {
         return ranges.length;
     }
 
     /**
-     * Metres along a beam, +infinity where nothing was hit.
+     * Returns metres along a beam, +infinity without a hit.
      *
      * @param beam 0 (rightmost) to size() - 1
      */
@@ -56,12 +56,12 @@ public final class LidarScan implements Reading {
         return ranges[beam];
     }
 
-    /** Angle of a beam from the forward axis, degrees, + to the left. */
+    /** Returns the angle of a beam from the forward axis, degrees, + left. */
     public double angle(int beam) {
         return beam * resolution - spread / 2;
     }
 
-    /** A copy of the ranges: metres, right to left, +infinity where nothing was hit. */
+    /** Returns a copy of the ranges: metres, right to left, +infinity without a hit. */
     public double[] ranges() {
         return ranges.clone();
     }
@@ -70,13 +70,13 @@ public final class LidarScan implements Reading {
         return Arrays.stream(ranges).min().orElse(Double.POSITIVE_INFINITY);
     }
 
-    /** The nearest distance, infinite where nothing is in range. */
+    /** Returns the nearest distance; infinite without anything in range. */
     @Override
     public double[] numbers() {
         return new double[] {nearest()};
     }
 
-    /** A float[]: metres, right to left; the range where nothing was hit. */
+    /** Returns a float[]: metres, right to left; the maximum range without a hit. */
     @Override
     public Object value() {
         float[] metres = new float[ranges.length];

@@ -7,25 +7,25 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
 
 /**
- * A plane of beams: range i = distance from the sensor's origin to the nearest surface in the direction (sin a, 0, cos a) of its frame,
- * a = i * resolution - spread / 2, + to the left; +infinity where nothing is within range. All beams of a scan are of the same instant. Parts of its
- * own robot are invisible to it unless the object says otherwise. Each beam has its own white error and drop-out (a missing beam is one without
- * return); bias and drift are common to all.
+ * A plane of beams: range i = distance from the sensor's origin to the nearest surface in the direction (sin a, 0, cos
+ * a) of its frame, a = i * resolution - spread / 2, + left; +infinity beyond the range. All beams of a scan have the
+ * same instant. Parts of the sensor's own robot are invisible unless the object says otherwise. Each beam has its own
+ * white error and drop-out, which is a missing return. All beams share bias and drift.
  */
 public final class LidarSensor extends Sensor<LidarScan> implements LidarSource {
-    /** Share of a step that a spread may fall short of a whole number of steps. */
+    /** Fraction of a step by which a spread may miss a whole number of steps. */
     private static final double ROUNDING = 1e-9;
 
     private final LIDAR lidar;
-    /** When a scan will be asked for, and which. */
+    /** Time and parameters of the expected scan. */
     private double expectedAt = Double.POSITIVE_INFINITY;
     private double expectedSpread;
     private double expectedResolution;
-    /** The scan that was made before it is asked for, and where the sensor sat; null if there is none. */
+    /** The scan measured before its request, and the sensor's mount at that time; null if there is none. */
     private LidarScan ahead;
     private Pose aheadMount;
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public LidarSensor(LIDAR parameters, long seed) {
         super(parameters, seed, 1);
         this.lidar = parameters;
@@ -65,19 +65,19 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
         expectedResolution = resolutionDegrees;
     }
 
-    /** Beams of the scan that will be asked for up to a time; 0 if none is expected. */
+    /** Returns the beams of the scan expected by a time; 0 if none is expected. */
     int beamsExpected(double end) {
         return expectedAt <= end ? beams(expectedSpread, expectedResolution) : 0;
     }
 
-    /** Makes the scan that is expected. Any thread, as {@link #measure}. */
+    /** Measures the expected scan. Any thread, like {@link #measure}. */
     void scanAhead(Truth truth) {
         expectedAt = Double.POSITIVE_INFINITY;
         ahead = make(truth, expectedSpread, expectedResolution);
         aheadMount = getMount();
     }
 
-    /** What is asked for from now on is measured then: the world may have changed. */
+    /** Drops the scan measured ahead, because the world may have changed. */
     public void forgetAhead() {
         ahead = null;
     }
@@ -119,7 +119,7 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
         }
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

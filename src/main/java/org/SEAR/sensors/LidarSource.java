@@ -1,12 +1,13 @@
 package org.SEAR.sensors;
 
 /**
- * A LIDAR whose spread and resolution its device chooses by telegram; the LIDAR's sensor is one. Simulation thread only.
+ * A LIDAR whose device chooses spread and resolution by telegram; implemented by the LIDAR's sensor. Simulation thread
+ * only.
  */
 public interface LidarSource {
     /**
-     * A scan at the present step with another fan than the object's own. Same noise and same rules as the sensor's own reading; a pure function
-     * of the truth, the step and the fan.
+     * Returns a scan at the present step with a spread and resolution other than the object's. It has the same noise
+     * and rules as the sensor's own reading. A pure function of truth, step and parameters.
      *
      * @param spreadDegrees from the rightmost to the leftmost beam, centred on the forward axis, (0, 360]
      * @param resolutionDegrees between two beams; spread / resolution + 1 beams
@@ -15,9 +16,10 @@ public interface LidarSource {
     LidarScan scan(Truth truth, double spreadDegrees, double resolutionDegrees);
 
     /**
-     * Says which {@link #scan} will be asked for next, so that it can be made beside those of others. Nothing depends on whether it comes true.
+     * Announces the next {@link #scan}, so that it can be measured in parallel with others. The announcement does not
+     * affect readings.
      *
-     * @param time from when on, simulated seconds; what was expected before is forgotten
+     * @param time earliest time of the scan, simulated seconds; replaces an earlier announcement
      */
     default void expect(double time, double spreadDegrees, double resolutionDegrees) {
     }

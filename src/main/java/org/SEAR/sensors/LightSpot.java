@@ -6,17 +6,22 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.Hit;
 
 /**
- * The light that a small round spot throws back: the mean over parallel beams of the colour where each ends. Nothing in range throws nothing back.
- * Simulation thread.
+ * Light reflected by a small round spot: the mean colour at the ends of parallel rays. A ray without a hit returns no
+ * light. Simulation thread.
  */
 final class LightSpot {
-    /** Beams on each ring, and the ring's radius as a share of the spot's: each beam stands for about as much of the spot's area. */
+    /**
+     * Rays on each ring, and the ring's radius as a fraction of the spot's. Each ray represents about the same area.
+     */
     private static final int[] ON_RING = {6, 12};
     private static final double[] RADIUS = {0.45, 0.85};
-    /** Share of the angle between two beams by which a ring is turned, so that none lies on an edge which goes straight through the middle. */
+    /**
+     * Rotation of a ring, as a fraction of the angle between two rays, so that no ray lies on an edge straight through
+     * the middle.
+     */
     private static final double TURNED = 0.3;
     private static final double FULL = 255;
-    /** sRGB: up to here in a straight line, then a power. */
+    /** sRGB transfer function: linear up to the knee, then a power. */
     private static final double KNEE = 0.04045;
     private static final double KNEE_LINEAR = 0.0031308;
     private static final double SLOPE = 12.92;
@@ -32,10 +37,10 @@ final class LightSpot {
     }
 
     /**
-     * Looks.
+     * Measures the light.
      *
-     * @param pose of the sensor in the world
-     * @return red, green and blue light, 0 to 1 of what falls on the spot; changed by the next look
+     * @param pose pose of the sensor in the world
+     * @return red, green and blue as fractions of the incident light, 0 to 1; overwritten by the next call
      */
     double[] look(Truth truth, Pose pose) {
         Arrays.fill(light, 0);
@@ -69,13 +74,13 @@ final class LightSpot {
         }
     }
 
-    /** From 0 to 255 in a picture to a share of light. */
+    /** Converts 0 to 255 (sRGB) to a fraction of light. */
     static double linear(int picture) {
         double value = picture / FULL;
         return value <= KNEE ? value / SLOPE : Math.pow((value + OFFSET) / (1 + OFFSET), GAMMA);
     }
 
-    /** From a share of light to 0 to 255 in a picture. */
+    /** Converts a fraction of light to 0 to 255 (sRGB). */
     static double picture(double light) {
         return FULL * (light <= KNEE_LINEAR ? light * SLOPE : (1 + OFFSET) * Math.pow(light, 1 / GAMMA) - OFFSET);
     }

@@ -11,13 +11,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The main magnetic field of the Earth by a spherical-harmonic model such as the World Magnetic Model: B = -grad V,
- * V = a sum (a/r)^(n+1) (g cos m*lon + h sin m*lon) P(n, m), with Schmidt semi-normalised P, a = 6371.2 km, and coefficients that change
- * linearly with time. Geodetic places are WGS84.
- * Source: Chulliat et al., "The US/UK World Magnetic Model", sections 1.2 and 1.3. Immutable, any thread.
+ * The main magnetic field of the Earth by a spherical-harmonic model such as the World Magnetic Model: B = -grad V, V =
+ * a sum (a/r)^(n+1) (g cos m*lon + h sin m*lon) P(n, m), with Schmidt semi-normalised P and a = 6371.2 km. The
+ * coefficients change linearly with time. Geodetic positions are WGS84. Source: Chulliat et al., "The US/UK World
+ * Magnetic Model", sections 1.2 and 1.3. Immutable; any thread.
  */
 public final class MagneticModel {
-    /** Years that a model of the series is made for. */
+    /** Validity of a model of the series, years. */
     public static final double YEARS_VALID = 5;
 
     private static final String STANDARD = "WMM2025.COF";
@@ -53,7 +53,9 @@ public final class MagneticModel {
         }
     }
 
-    /** The World Magnetic Model 2025 of NOAA and the British Geological Survey (public domain), which comes with SEAR. */
+    /**
+     * Returns SEAR's copy of the World Magnetic Model 2025 of NOAA and the British Geological Survey (public domain).
+     */
     public static MagneticModel standard() {
         return Standard.MODEL;
     }
@@ -71,9 +73,9 @@ public final class MagneticModel {
     }
 
     /**
-     * Reads a file in NOAA's COF form.
+     * Reads a file in NOAA's COF format.
      *
-     * @throws FormatException that names line and what is wrong
+     * @throws FormatException with the line and the error
      */
     public static MagneticModel read(Path file) throws FormatException {
         try (BufferedReader in = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
@@ -146,18 +148,18 @@ public final class MagneticModel {
         return n * (n + 1) / 2 + m;
     }
 
-    /** Year of the coefficients. */
+    /** Returns the year of the coefficients. */
     public double getEpoch() {
         return epoch;
     }
 
-    /** Name in the file, for example WMM-2025. */
+    /** Returns the name in the file, for example WMM-2025. */
     public String getName() {
         return name;
     }
 
     /**
-     * Whether the model was made for the year.
+     * Returns whether the model is valid in a year.
      *
      * @param decimalYear for example 2026.5
      */
@@ -166,7 +168,7 @@ public final class MagneticModel {
     }
 
     /**
-     * The field at a place.
+     * Returns the field at a position.
      *
      * @param latitude geodetic, degrees, + north
      * @param longitude degrees, + east
@@ -186,7 +188,7 @@ public final class MagneticModel {
         return new Field(b[0] * Math.cos(tilt) + b[2] * Math.sin(tilt), b[1], b[2] * Math.cos(tilt) - b[0] * Math.sin(tilt));
     }
 
-    /** {north, east, down} in nT in the geocentric frame. */
+    /** Returns {north, east, down} in the geocentric frame, nT. */
     private double[] geocentric(double latitude, double longitude, double radius, double years) {
         double sin = Math.sin(latitude);
         double cos = Math.max(Math.cos(latitude), POLE);
@@ -215,7 +217,10 @@ public final class MagneticModel {
         return new double[] {north, east, down};
     }
 
-    /** Schmidt semi-normalised P(n, m) of sin(latitude) and their derivatives by latitude, both by recursion over n. */
+    /**
+     * Computes the Schmidt semi-normalised P(n, m) of sin(latitude) and their derivatives by latitude, both by
+     * recursion over n.
+     */
     private void legendre(double sin, double cos, double[] p, double[] slope) {
         p[0] = 1;
         for (int m = 0; m <= degree; m++) {
@@ -243,7 +248,7 @@ public final class MagneticModel {
         }
     }
 
-    /** A magnetic field vector at a place. Immutable. */
+    /** A magnetic field vector at a position. Immutable. */
     public static final class Field {
         /** Towards geodetic north, nT. */
         public final double north;
@@ -258,28 +263,28 @@ public final class MagneticModel {
             this.down = down;
         }
 
-        /** Angle from true to magnetic north, degrees, + east. */
+        /** Returns the angle from true to magnetic north, degrees, + east. */
         public double declination() {
             return Math.toDegrees(Math.atan2(east, north));
         }
 
-        /** Angle below the horizontal, degrees. */
+        /** Returns the angle below the horizontal, degrees. */
         public double inclination() {
             return Math.toDegrees(Math.atan2(down, horizontal()));
         }
 
-        /** Strength in the horizontal plane, nT. */
+        /** Returns the horizontal field strength, nT. */
         public double horizontal() {
             return Math.hypot(north, east);
         }
 
-        /** Strength, nT. */
+        /** Returns the field strength, nT. */
         public double total() {
             return Math.hypot(horizontal(), down);
         }
     }
 
-    /** A coefficient file that can't be used. */
+    /** A coefficient file that cannot be used. */
     public static final class FormatException extends IOException {
         private static final long serialVersionUID = 1L;
         private final int line;
@@ -291,12 +296,12 @@ public final class MagneticModel {
             this.legal = legal;
         }
 
-        /** From 1; 0 if unknown. */
+        /** Returns the line, from 1; 0 if unknown. */
         public int getLine() {
             return line;
         }
 
-        /** What would have been right. */
+        /** Returns the legal contents. */
         public String getLegal() {
             return legal;
         }

@@ -2,14 +2,17 @@ package org.SEAR.sensors;
 
 import java.util.Arrays;
 
-/** The mean of the last values of a vector; a sensor of limited bandwidth. While it fills, what there is counts. Simulation thread. */
+/**
+ * Mean of the last values of a vector, for a sensor of limited bandwidth. A window that is not yet full averages the
+ * values it has. Simulation thread.
+ */
 final class MovingAverage {
     private double[] values = new double[0];
     private int next;
     private int filled;
 
     /**
-     * Steps that a window of 1 / bandwidth takes, at least one.
+     * Returns the steps of a window of 1 / bandwidth, at least one.
      *
      * @param bandwidth Hz
      * @param stepLength seconds
@@ -19,9 +22,9 @@ final class MovingAverage {
     }
 
     /**
-     * Takes a value.
+     * Adds a value.
      *
-     * @param steps length of the window, always the same between two {@link #clear}
+     * @param steps length of the window, constant between two {@link #clear}
      */
     void add(int steps, double x, double y, double z) {
         if (values.length != 3 * steps) {
@@ -35,7 +38,7 @@ final class MovingAverage {
         filled = Math.min(filled + 1, steps);
     }
 
-    /** Mean of what is in the window along an axis, 0 if nothing is. */
+    /** Returns the mean along an axis; 0 for an empty window. */
     double mean(int axis) {
         double sum = 0;
         for (int i = 0; i < filled; i++) {

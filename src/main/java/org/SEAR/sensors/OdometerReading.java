@@ -1,6 +1,6 @@
 package org.SEAR.sensors;
 
-/** What an odometer has counted since it was last cleared. Immutable. */
+/** Count of an odometer since its last reset. Immutable. */
 public final class OdometerReading implements Reading {
     private static final int DIGITS = 3;
 
@@ -12,22 +12,21 @@ public final class OdometerReading implements Reading {
         this.valid = valid;
     }
 
-    /** -32768 to 32767, + forward; 0 when the reading dropped out. */
+    /** Returns -32768 to 32767, + forward; 0 after a drop-out. */
     public int getMillimetres() {
         return millimetres;
     }
 
-    /** The same in metres, -32.768 to 32.767; NaN when the reading dropped out. */
+    /** Returns the count in metres, -32.768 to 32.767; NaN after a drop-out. */
     public double getMetres() {
         return valid ? millimetres / 1000.0 : Double.NaN;
     }
 
-    /** Whether there was a reading. */
     public boolean isValid() {
         return valid;
     }
 
-    /** In metres. */
+    /** Returns metres. */
     @Override
     public double[] numbers() {
         return new double[] {getMetres()};

@@ -4,10 +4,11 @@ import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.SearObject;
 
 /**
- * Signed path of the body's origin since it was last cleared, in whole millimetres, 16 bit: like a Roomba's packet 19 it stays at 32767 or -32768 if
- * nobody reads it in time. Fractions of a millimetre are kept for the next reading.
+ * Signed distance of the body's origin since the count was last reset, whole millimetres, 16 bit. Like a Roomba's
+ * packet 19 it stops at 32767 or -32768 until it is read. Fractions of a millimetre carry over to the next reading.
  *
- * <p>{@link #read} only looks, so that a window may show the count; {@link #take} is what a robot's program does: it reads and clears.
+ * <p>{@link #read} only reads, so that a window may show the count. {@link #take} reads and resets the count, like a
+ * robot's program.
  */
 public final class OdometerSensor extends Sensor<OdometerReading> {
     private static final double MILLIMETRES = 1000;
@@ -15,12 +16,12 @@ public final class OdometerSensor extends Sensor<OdometerReading> {
     private double count;
     private double pathBefore;
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public OdometerSensor(Odometer parameters, long seed) {
         super(parameters, seed, 1);
     }
 
-    /** Reads and clears: the next reading counts from here. A reading that dropped out clears nothing. Simulation thread. */
+    /** Reads the count and resets it. A dropped-out reading resets nothing. Simulation thread. */
     public OdometerReading take(Truth truth) {
         OdometerReading reading = read(truth);
         if (reading.isValid()) {
@@ -54,7 +55,7 @@ public final class OdometerSensor extends Sensor<OdometerReading> {
         return new OdometerReading((int) Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, rounded)), true);
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

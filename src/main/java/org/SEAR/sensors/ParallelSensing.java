@@ -5,11 +5,12 @@ import java.util.function.IntConsumer;
 import org.SEAR.parallel.WorkerPool;
 
 /**
- * Has several sensors measure at the same time, where they cast so many beams that it pays. Their readings are the same as one after the other: each
- * is a function of the truth, its own parameters and its own random numbers. One that fails does so again where it is asked for. Simulation thread.
+ * Measures several sensors in parallel where their number of beams makes it worthwhile. Readings are the same as in
+ * sequence: each is a function of the truth, its parameters and its own random numbers. A failing sensor fails again
+ * where its reading is requested. Simulation thread.
  */
 public final class ParallelSensing {
-    /** Beams that take longer than waking a thread: 10 to 200 ns each. */
+    /** Number of beams that takes longer than waking a thread; a beam takes 10 to 200 ns. */
     static final int WORTH_SHARING = 1500;
     private static final int FIRST_SIZE = 16;
 
@@ -25,7 +26,7 @@ public final class ParallelSensing {
         this.workers = workers;
     }
 
-    /** The sensor's reading is about to be asked for. */
+    /** Queues a sensor whose reading will be requested. */
     public void read(Sensor<?> sensor, Truth truth) {
         int more = sensor.beamsAside();
         if (more > 0 && !sensor.isRead(truth)) {
@@ -33,7 +34,7 @@ public final class ParallelSensing {
         }
     }
 
-    /** The scanner may be asked for a scan, as {@link LidarSource#expect} has told, up to a time. */
+    /** Queues a scanner for its next scan, if {@link LidarSource#expect} announced one up to a time. */
     public void scan(LidarSensor scanner, Truth truth, double end) {
         int more = scanner.beamsExpected(end);
         if (more > 0) {
@@ -55,15 +56,16 @@ public final class ParallelSensing {
         beams += more;
     }
 
-    /** Measures what {@link #read} was called for, if it pays. */
+    /** Measures the sensors queued by {@link #read}, if it is worthwhile. */
     public void measure() {
         share(false);
     }
 
     /**
-     * Makes the scans that {@link #scan} was called for, if it pays. They count until {@link LidarSensor#forgetAhead}.
+     * Measures the scans queued by {@link #scan}, if it is worthwhile. They are valid until
+     * {@link LidarSensor#forgetAhead}.
      *
-     * @return whether there are some
+     * @return whether scans were measured
      */
     public boolean scanAhead() {
         return share(true);
@@ -91,7 +93,7 @@ public final class ParallelSensing {
                 sensors[number].read(truths[number]);
             }
         } catch (RuntimeException | Error e) {
-            sensors[number].forget();    // who asks for it meets the same again, and in its turn
+            sensors[number].forget();    // the caller that requests the reading gets the error again, in its turn
         }
     }
 }

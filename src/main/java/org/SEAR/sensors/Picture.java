@@ -1,17 +1,17 @@
 package org.SEAR.sensors;
 
-/** A picture that a sensor has taken. Immutable, any thread. */
+/** A picture taken by a sensor. Immutable; any thread. */
 public final class Picture {
     private final int width;
     private final int height;
     private final int[] pixels;
 
     /**
-     * A picture of pixels.
+     * Creates a picture.
      *
-     * @param width pixels of a row, 1 or more
-     * @param pixels row by row from the top left, 0xRRGGBB each (sRGB); belongs to the picture from now on
-     * @throws IllegalArgumentException if they make no rectangle
+     * @param width pixels per row, 1 or more
+     * @param pixels row by row from the top left, 0xRRGGBB each (sRGB); not copied
+     * @throws IllegalArgumentException if they form no rectangle
      */
     public Picture(int width, int... pixels) {
         if (width < 1 || pixels.length == 0 || pixels.length % width != 0) {
@@ -23,17 +23,17 @@ public final class Picture {
         this.pixels = pixels;
     }
 
-    /** Pixels of a row. */
+    /** Returns the pixels per row. */
     public int getWidth() {
         return width;
     }
 
-    /** Rows. */
+    /** Returns the number of rows. */
     public int getHeight() {
         return height;
     }
 
-    /** A copy, row by row from the top left, 0xRRGGBB each (sRGB). */
+    /** Returns a copy, row by row from the top left, 0xRRGGBB each (sRGB). */
     public int[] getPixels() {
         return pixels.clone();
     }

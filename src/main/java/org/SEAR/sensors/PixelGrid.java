@@ -15,7 +15,7 @@ import org.SEAR.camera.image.Png;
 import org.SEAR.grammar.ColorNames;
 
 /**
- * What a camera's picture has in its pixels: how it looks, what one pixel is in words, the file in which a record keeps it. Immutable, any thread.
+ * The pixels of a camera's picture: displayed, described in words, and as a file of a record. Immutable; any thread.
  */
 public final class PixelGrid {
     private static final double MILLI = 1000;
@@ -30,12 +30,12 @@ public final class PixelGrid {
     private final float[] values;
 
     /**
-     * Pixels, row by row from the top left; they belong to it from now on.
+     * Pixels, row by row from the top left; not copied.
      *
      * @param kind {@link Camera#COLOR}, {@link Camera#DEPTH} or {@link Camera#INFRARED}
-     * @param width pixels of a row
+     * @param width pixels per row
      * @param pixels 0xRRGGBB each; null for other values
-     * @param values metres, infinite where nothing came back, or degrees Celsius; null for colours
+     * @param values metres, infinite without a return, or degrees Celsius; null for colours
      */
     PixelGrid(String kind, int width, int[] pixels, float[] values) {
         this.kind = kind;
@@ -45,9 +45,9 @@ public final class PixelGrid {
     }
 
     /**
-     * What {@link #file} has made.
+     * Reads a file that {@link #file} has written.
      *
-     * @throws IOException if it is no picture of that kind
+     * @throws IOException if it is no picture of this kind
      */
     public static PixelGrid read(String kind, byte[] file) throws IOException {
         BufferedImage image = image(file, Camera.COLOR.equals(kind) ? "jpeg" : "png");
@@ -70,7 +70,7 @@ public final class PixelGrid {
         return new PixelGrid(kind, width, null, values);
     }
 
-    /** Looks at its size before it makes room for it: who has written the file is not known. */
+    /** Checks the size before it allocates memory, because the file may come from any source. */
     private static BufferedImage image(byte[] file, String format) throws IOException {
         ImageReader reader = ImageIO.getImageReadersByFormatName(format).next();
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
@@ -80,34 +80,40 @@ public final class PixelGrid {
                 throw new IOException("a picture has " + size + " pixels, legal: at most " + Camera.MAX_PIXELS);
             }
             return reader.read(0);
-        } catch (RuntimeException e) {      // so the JDK says of some broken files what is wrong
+        } catch (RuntimeException e) {      // the JDK reports some broken files this way
             throw new IOException("a picture can't be read, legal: a " + format + " file: " + e, e);
         } finally {
             reader.dispose();
         }
     }
 
-    /** The kind of the camera. */
+    /** Returns the camera's kind. */
     public String getKind() {
         return kind;
     }
 
-    /** Pixels of a row. */
+    /** Returns the pixels per row. */
     public int getWidth() {
         return width;
     }
 
-    /** Rows. */
+    /** Returns the number of rows. */
     public int getHeight() {
         return (pixels == null ? values.length : pixels.length) / width;
     }
 
-    /** How it looks; depths and temperatures in false colours: from red, near or warm, to blue; black where there is no value. */
+    /**
+     * Returns the displayed picture. Depths and temperatures have false colours, from red (near or warm) to blue, black
+     * without a value.
+     */
     public Picture picture() {
         return new Picture(width, pixels != null ? pixels.clone() : FalseColors.of(values, Camera.DEPTH.equals(kind)));
     }
 
-    /** The least and the greatest value that the false colours show, metres or degrees Celsius; null for colours, or without any. */
+    /**
+     * Returns the lowest and highest value of the false colours, metres or degrees Celsius; null for colours, or
+     * without any value.
+     */
     public double[] range() {
         if (values == null) {
             return null;
@@ -123,16 +129,16 @@ public final class PixelGrid {
         return most >= least ? new double[] {least, most} : null;
     }
 
-    /** A value of the picture in words, with its unit. */
+    /** Returns a value of the picture in words, with its unit. */
     public String words(double value) {
         return Camera.DEPTH.equals(kind) ? ReadingWords.fixed(value, 3) + " m" : ReadingWords.fixed(value, 1) + " degC";
     }
 
     /**
-     * What one pixel sees, in words: how far it is, how warm, or of which colour.
+     * Describes a pixel in words: depth, temperature or colour.
      *
-     * @param distance to what it sees, metres along the axis, which only pictures of depths know themselves; not a number if it isn't known
-     * @throws IllegalArgumentException if there is no such pixel
+     * @param distance metres along the axis, which only depth pictures contain themselves; NaN if unknown
+     * @throws IllegalArgumentException for a pixel outside the picture
      */
     public String words(int column, int row, double distance) {
         String reported = words(column, row);
@@ -142,7 +148,7 @@ public final class PixelGrid {
         return reported + (distance < Double.POSITIVE_INFINITY ? ", " + ReadingWords.fixed(distance, 3) + " m ahead" : ", nothing in range");
     }
 
-    /** The same without a distance that the picture doesn't know. */
+    /** Describes a pixel without a distance from elsewhere. */
     public String words(int column, int row) {
         if (column < 0 || row < 0 || column >= width || row >= getHeight()) {
             throw new IllegalArgumentException("the pixel is " + column + ", " + row + ", legal: columns 0 to " + (width - 1) + ", rows 0 to "
@@ -160,14 +166,14 @@ public final class PixelGrid {
     }
 
     /**
-     * As a file that a record keeps: colours as JPEG; depths as PNG of 16 bits of grey, millimetres, 0 where nothing came back or it is farther than
-     * 65.535 m; temperatures likewise, hundredths of a kelvin above absolute zero, 0 for a pixel that is missing.
+     * Returns the file for a record. Colours: JPEG. Depths: PNG, 16-bit grey, millimetres, 0 without a return or beyond
+     * 65.535 m. Temperatures: PNG, 16-bit grey, hundredths of a kelvin, 0 for a missing pixel.
      */
     public byte[] file() {
         return pixels != null ? Jpeg.ofColors(width, pixels) : png();
     }
 
-    /** The same without loss: colours as PNG, too. */
+    /** Returns a lossless file: PNG for colours, too. */
     public byte[] png() {
         if (pixels != null) {
             return Png.ofColors(width, pixels);

@@ -1,24 +1,24 @@
 package org.SEAR.sensors;
 
-/** A reading that is one number, in the unit of its sensor's type; NaN when it dropped out. Immutable, any thread. */
+/** A reading of one number, in the unit of its sensor type; NaN after a drop-out. Immutable; any thread. */
 public class Quantity implements Reading {
     private static final int UNSAID = -1;
 
     private final double value;
     private final int digits;
 
-    /** Told in words with six significant digits. */
+    /** Words show six significant digits. */
     public Quantity(double value) {
         this(value, UNSAID);
     }
 
-    /** @param digits behind the point, in words */
+    /** @param digits decimals in words */
     public Quantity(double value, int digits) {
         this.value = value;
         this.digits = digits;
     }
 
-    /** In the unit of the sensor's type. */
+    /** Returns the number, in the unit of the sensor type. */
     public final double get() {
         return value;
     }

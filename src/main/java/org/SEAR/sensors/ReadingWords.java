@@ -6,17 +6,17 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** Numbers of readings in words. Any thread. */
+/** Numbers of readings as text. Any thread. */
 final class ReadingWords {
-    /** Significant digits of a number of which nothing is known. */
+    /** Significant digits of a number of unknown precision. */
     private static final MathContext DIGITS = new MathContext(6);
-    /** More are told by the lowest and the highest. */
+    /** Above this count the text shows only the lowest and highest number. */
     private static final int MANY = 8;
 
     private ReadingWords() {
     }
 
-    /** Numbers of which nothing is known but their unit. */
+    /** Returns numbers of unknown precision with their unit. */
     static String of(double[] numbers, String unit) {
         if (numbers.length <= MANY) {
             return withUnit(Arrays.stream(numbers).mapToObj(ReadingWords::plain).collect(Collectors.joining(", ")), unit);
@@ -28,7 +28,7 @@ final class ReadingWords {
         return (words + " " + unit).trim();
     }
 
-    /** With as many digits as six significant ones need: {@code 20.5}. */
+    /** Returns the number with up to six significant digits: {@code 20.5}. */
     static String plain(double value) {
         if (Double.isNaN(value) || Double.isInfinite(value)) {
             return String.valueOf(value);
@@ -37,13 +37,13 @@ final class ReadingWords {
         return Math.abs(rounded.scale()) <= 2 * DIGITS.getPrecision() ? rounded.toPlainString() : rounded.toString();
     }
 
-    /** So many digits behind the point, and never a negative zero. */
+    /** Returns a number with fixed decimals, never a negative zero. */
     static String fixed(double value, int digits) {
         double per = Math.pow(10, digits);
         return String.format(Locale.ROOT, "%." + digits + "f", Math.rint(value * per) / per + 0.0);
     }
 
-    /** The same of several numbers, {@code 1.00, 2.00}. */
+    /** Returns several numbers with fixed decimals, {@code 1.00, 2.00}. */
     static String fixed(double[] values, int digits) {
         return Arrays.stream(values).mapToObj(value -> fixed(value, digits)).collect(Collectors.joining(", "));
     }

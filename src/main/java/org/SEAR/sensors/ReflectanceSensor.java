@@ -4,20 +4,20 @@ import org.SEAR.POJOs.LineSensor;
 import org.SEAR.POJOs.SearObject;
 
 /**
- * The share of light that a spot throws back, percent, as the eye weighs red, green and blue: black and nothing in range are 0, white is 100. NaN
- * when the reading dropped out.
+ * Light reflected by a spot, percent, weighted as luminance (Rec. 709): black and nothing in range are 0, white is 100.
+ * NaN after a drop-out.
  */
 public final class ReflectanceSensor extends Sensor<Quantity> {
     private static final double RED = 0.2126;
     private static final double GREEN = 0.7152;
     private static final double BLUE = 0.0722;
     private static final double PERCENT = 100;
-    /** Of its supply, volts. */
+    /** Supply voltage, volts. */
     private static final double SUPPLY = 5;
 
     private final LightSpot spot;
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public ReflectanceSensor(LineSensor parameters, long seed) {
         super(parameters, seed, 1);
         this.spot = new LightSpot(parameters);
@@ -33,20 +33,20 @@ public final class ReflectanceSensor extends Sensor<Quantity> {
         return new Light(Math.max(0, Math.min(PERCENT, errors.apply(percent, truth.step(), 0, 0))));
     }
 
-    /** A share of light, and what a phototransistor with a resistor puts out for it: light pulls it down. */
+    /** Reflected light, and the output of a phototransistor with a resistor: light pulls it down. */
     private static final class Light extends Quantity {
         Light(double percent) {
             super(percent, 1);
         }
 
-        /** 0 for white to 5 for black. */
+        /** Returns 0 for white to 5 for black. */
         @Override
         public double volts() {
             return SUPPLY * (1 - get() / PERCENT);
         }
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

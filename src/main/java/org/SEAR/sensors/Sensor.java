@@ -7,62 +7,63 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.project.ObjectPose;
 
 /**
- * One simulated sensor: reading = f(truth, parameters, own random numbers). Simulation thread only, but for {@link #beamsAside}.
+ * One simulated sensor: reading = f(truth, parameters, own random numbers). Simulation thread only, except for
+ * {@link #beamsAside}.
  *
- * <p>The reading of a step is a pure function of the truth up to that step and of the random numbers of that step, which come from (seed, sensor
- * name, step number). So it does not matter who asks, how often, or which other sensors there are.
+ * <p>The reading of a step is a pure function of the truth up to that step and of the step's random numbers, which come
+ * from (seed, sensor name, step number). It does not depend on who reads, how often, or which other sensors exist.
  *
- * @param <R> its reading
+ * @param <R> type of its reading
  */
 public abstract class Sensor<R extends Reading> {
-    /** What this sensor's readings differ from the truth by. */
+    /** Errors of this sensor's readings. */
     protected final ErrorModel errors;
     private final SearObject parameters;
     private Pose mount;
     private R last;
     private long lastStep = -1;
-    /** Whether {@link ParallelSensing} has it among those that are to be measured. */
+    /** Whether {@link ParallelSensing} has queued this sensor. */
     boolean isQueued;
 
     /**
-     * A sensor with the errors that its object asks for.
+     * Creates a sensor with the errors of its object.
      *
      * @param parameters the sensor's object; its pose is in the body frame
-     * @param seed of the simulation
-     * @param channels values that drift by themselves, see {@link ErrorModel#of}
+     * @param seed random seed of the simulation
+     * @param channels values that drift independently, see {@link ErrorModel#of}
      */
     protected Sensor(SearObject parameters, long seed, int channels) {
         this(parameters, ErrorModel.of(parameters, seed, channels));
     }
 
-    /** A sensor with errors of another's. */
+    /** Creates a sensor with given errors. */
     Sensor(SearObject parameters, ErrorModel errors) {
         this.parameters = parameters;
         this.errors = errors;
         this.mount = ObjectPose.of(parameters);
     }
 
-    /** The name that scripts ask for, as {@link SearObject#getFullName}. */
+    /** Returns the name for scripts, see {@link SearObject#getFullName}. */
     public final String getName() {
         return parameters.getFullName();
     }
 
-    /** The object that describes this sensor. */
+    /** Returns the object that describes this sensor. */
     public final SearObject getParameters() {
         return parameters;
     }
 
-    /** Where the sensor sits in the body frame. */
+    /** Returns the sensor's pose in the body frame. */
     public final Pose getMount() {
         return mount;
     }
 
-    /** Puts it elsewhere in the body frame: the servo that it is mounted on has turned. Before the step's readings. */
+    /** Moves the sensor in the body frame, when its servo has turned. Before the step's readings. */
     public final void setMount(Pose newMount) {
         mount = newMount;
     }
 
-    /** The reading at the present step; computed once a step, and only when somebody asks. */
+    /** Returns the reading at the present step; measures at most once per step, on demand. */
     public final R read(Truth truth) {
         if (!isRead(truth)) {
             last = measure(truth);
@@ -71,54 +72,57 @@ public abstract class Sensor<R extends Reading> {
         return last;
     }
 
-    /** Whether {@link #read} has its reading already. */
+    /** Returns whether {@link #read} already has the step's reading. */
     final boolean isRead(Truth truth) {
         return last != null && lastStep == truth.step();
     }
 
     /**
-     * How many beams {@link #measure} casts, if it may do so on another thread than the simulation's, at the same time as other sensors: it then
-     * changes nothing but its own sensor. 0, which is so unless a sensor says otherwise: it may not.
+     * Returns the number of beams of {@link #measure} if it may run on another thread, in parallel with other sensors.
+     * It then changes nothing but its own sensor. 0, the default, forbids it.
      */
     public int beamsAside() {
         return 0;
     }
 
     /**
-     * Called after each step, before anybody reads. Sensors with a memory (integrators, windows) override it and call this one first. Allocates
-     * nothing.
+     * Updates the sensor after each step, before any reading. Sensors with a memory (integrators, windows) override it
+     * and call this method first. Allocates nothing.
      */
     public void track(Truth truth) {
         errors.track(truth);
     }
 
-    /** What the user should know about this sensor in this world, in plain words; asked once after start and reset. */
+    /** Returns warnings for the user about this sensor in this world; called once after start and reset. */
     public List<String> warnings(Truth truth) {
         return Collections.emptyList();
     }
 
-    /** The sensor's pose in the world. */
+    /** Returns the sensor's pose in the world. */
     protected final Pose pose(Truth truth) {
         return truth.body().times(mount);
     }
 
-    /** The next {@link #read} measures again, even in the same step. */
+    /** Makes the next {@link #read} measure again, even in the same step. */
     protected final void forget() {
         last = null;
         lastStep = -1;
     }
 
-    /** From the next {@link #reset} on random numbers come from another seed. Sensors with their own override it and call this one first. */
+    /**
+     * Takes random numbers from another seed from the next {@link #reset} on. Sensors with their own random numbers
+     * override it and call this method first.
+     */
     public void reseed(long seed) {
         errors.reseed(seed);
     }
 
-    /** Back to the state of a fresh start. Sensors with a memory override it and call this one first. */
+    /** Returns to the state of a fresh start. Sensors with a memory override it and call this method first. */
     public void reset() {
         forget();
         errors.reset();
     }
 
-    /** Computes the reading. */
+    /** Measures the reading. */
     protected abstract R measure(Truth truth);
 }

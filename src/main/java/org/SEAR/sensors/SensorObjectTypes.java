@@ -4,7 +4,7 @@ import java.util.Collection;
 import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.SearObject;
 
-/** Makes the parameter class of every registered sensor a part of the object grammar, so that its XML files are read. */
+/** Adds the parameter class of every registered sensor to the object grammar, so that its XML files can be read. */
 public final class SensorObjectTypes implements ObjectTypes {
     @Override
     public Collection<Class<? extends SearObject>> types() {

@@ -11,8 +11,9 @@ import java.util.stream.Collectors;
 import org.SEAR.POJOs.SearObject;
 
 /**
- * The kinds of sensors there are: those of SEAR and those that other jars register in {@code META-INF/services/org.SEAR.sensors.SensorType}. Jars are
- * found by SEAR's own class loader and by the thread's context class loader. Immutable, any thread.
+ * All kinds of sensors: SEAR's and those that other jars register in
+ * {@code META-INF/services/org.SEAR.sensors.SensorType}. SEAR's own class loader and the thread's context class loader
+ * find the jars. Immutable; any thread.
  */
 public final class SensorTypes {
     private final Map<String, SensorType> types = new LinkedHashMap<>();
@@ -20,7 +21,7 @@ public final class SensorTypes {
     private SensorTypes() {
     }
 
-    /** Looks for all kinds that can be found now. */
+    /** Finds all kinds that are present now. */
     public static SensorTypes load() {
         SensorTypes found = new SensorTypes();
         found.add(SensorTypes.class.getClassLoader());
@@ -37,32 +38,32 @@ public final class SensorTypes {
         }
     }
 
-    /** All kinds, ordered by the simple name of their parameter class. */
+    /** Returns all kinds, ordered by the simple name of their parameter class. */
     public Collection<SensorType> all() {
         return Collections.unmodifiableCollection(new TreeMap<>(types).values());
     }
 
-    /** The parameter classes of all kinds, in the order in which they are registered. */
+    /** Returns the parameter classes of all kinds, in the order of registration. */
     List<Class<? extends SearObject>> parameterTypes() {
         return types.values().stream().map(SensorType::parameterType).collect(Collectors.toList());
     }
 
-    /** The unit of the reading of an object's sensor; empty if it is no sensor or its reading has none. */
+    /** Returns the unit of an object's reading; empty if it is no sensor or has no unit. */
     public String unit(SearObject object) {
         SensorType type = find(object);
         return type == null ? "" : type.unit(object);
     }
 
-    /** Whether an object describes a sensor. */
+    /** Returns whether an object describes a sensor. */
     public boolean isSensor(SearObject object) {
         return find(object) != null;
     }
 
     /**
-     * A sensor for an object.
+     * Creates a sensor for an object.
      *
-     * @param seed of the simulation
-     * @throws IllegalArgumentException that names the kinds there are
+     * @param seed random seed of the simulation
+     * @throws IllegalArgumentException with all kinds of sensors, for another object
      */
     public Sensor<?> create(SearObject object, long seed) {
         SensorType type = find(object);

@@ -3,14 +3,17 @@ package org.SEAR.sensors;
 import org.SEAR.POJOs.ColorSensor;
 import org.SEAR.POJOs.SearObject;
 
-/** The mean colour of a spot, in light; black where nothing is in range; its errors are those of each of the three numbers. */
+/**
+ * Mean colour of a spot, averaged in linear light; black without anything in range. Errors apply to each of the three
+ * numbers.
+ */
 public final class SpotColorSensor extends Sensor<ColorReading> {
     private static final int CHANNELS = 3;
     private static final double FULL = 255;
 
     private final LightSpot spot;
 
-    /** @param seed of the simulation */
+    /** @param seed random seed of the simulation */
     public SpotColorSensor(ColorSensor parameters, long seed) {
         super(parameters, seed, CHANNELS);
         this.spot = new LightSpot(parameters);
@@ -29,7 +32,7 @@ public final class SpotColorSensor extends Sensor<ColorReading> {
         return Math.max(0, Math.min(FULL, errors.apply(LightSpot.picture(light), truth.step(), channel, channel)));
     }
 
-    /** The registry entry. */
+    /** Registry entry. */
     public static final class Type implements SensorType {
         @Override
         public Class<? extends SearObject> parameterType() {

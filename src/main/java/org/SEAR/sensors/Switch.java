@@ -1,6 +1,9 @@
 package org.SEAR.sensors;
 
-/** A reading that is true or false, as of a contact; the unit of its sensor's type is what true says: {@code pressed}. Immutable, any thread. */
+/**
+ * A reading that is true or false, for example of a contact. The unit of its sensor type is the word for true:
+ * {@code pressed}. Immutable; any thread.
+ */
 public final class Switch implements Reading {
     private final boolean on;
 
@@ -9,7 +12,6 @@ public final class Switch implements Reading {
         this.on = on;
     }
 
-    /** Whether it is closed. */
     public boolean isOn() {
         return on;
     }
@@ -29,7 +31,7 @@ public final class Switch implements Reading {
         return kept[0] == 1 ? unit : "not " + unit;
     }
 
-    /** Closed it joins the pin to ground. */
+    /** A closed switch connects the pin to ground. */
     @Override
     public double volts() {
         return on ? 0 : Double.NaN;

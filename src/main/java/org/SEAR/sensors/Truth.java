@@ -8,84 +8,92 @@ import org.SEAR.parallel.WorkerPool;
 import org.SEAR.raycast.BeamScene;
 
 /**
- * What a sensor may know: the exact state of its robot after one step. The simulator fills it; sensors only read it. Simulation thread.
+ * Ground truth for sensors: the exact state of their robot after one step. The simulator fills it; sensors only read
+ * it. Simulation thread.
  */
 public interface Truth {
-    /** Steps since start or reset; 0 before the first. */
+    /** Returns steps since start or reset; 0 before the first. */
     long step();
 
-    /** Simulated seconds since start or reset. */
+    /** Returns simulated seconds since start or reset. */
     double time();
 
-    /** Length of a step, seconds. */
+    /** Returns the length of a step, seconds. */
     double stepLength();
 
-    /** UTC of simulated time 0, milliseconds since 1970. */
+    /** Returns the UTC of simulated time 0, milliseconds since 1970. */
     long epochMillis();
 
-    /** The robot's body in the world. */
+    /** Returns the pose of the robot's body in the world. */
     Pose body();
 
-    /** Velocity of the body's origin in the world, m/s: {x, y, z}. Not to be kept or changed. */
+    /** Returns the velocity of the body's origin in the world, m/s: {x, y, z}. Callers must not keep or change it. */
     double[] velocity();
 
-    /** Angular velocity in the world frame, rad/s: {x, y, z}. Not to be kept or changed. */
+    /** Returns the angular velocity in the world frame, rad/s: {x, y, z}. Callers must not keep or change it. */
     double[] angularVelocity();
 
-    /** Signed path of the body's origin along the body's forward axis since start or reset, metres. Vibration at rest does not count. */
+    /**
+     * Returns the signed distance that the body's origin has travelled along the body's forward axis since start or
+     * reset, metres. Vibration at rest does not count.
+     */
     double path();
 
-    /** What gravity gives to a falling body, m/s^2 along the world's -y; 9.81 unless the world says otherwise. */
+    /** Returns the gravitational acceleration, m/s^2 along the world's -y; default 9.81. */
     double gravity();
 
-    /** Where the world lies on the Earth, and the magnetic field there: {@code Earth.of(project, robot)}, made once. */
+    /**
+     * Returns the world's origin on Earth and the magnetic field there: {@code Earth.of(project, robot)}, created once.
+     */
     Earth earth();
 
-    /** The geometry that beams meet, as of this step. */
+    /** Returns the geometry for beams at this step. */
     BeamScene scene();
 
-    /** The owner number of this robot's parts in the scene. */
+    /** Returns the owner number of this robot's parts in the scene. */
     int owner();
 
     /**
-     * Whether a part of this robot touches anything that isn't the robot itself.
+     * Returns whether a part of this robot touches anything other than the robot itself.
      *
-     * @param part name of a component that is a shape; null for any of them but wheels
+     * @param part name of a component that is a shape; null for any part except wheels
      */
     default boolean isTouched(String part) {
         return false;
     }
 
-    /** Whether a shape of the scene is ground to drive on: a floor or the terrain. */
+    /** Returns whether a shape of the scene is ground: a floor or the terrain. */
     default boolean isGround(int shape) {
         return false;
     }
 
     /**
-     * The colour of a shape at a point of its surface.
+     * Returns the colour of a shape at a point of its surface.
      *
-     * @param x of the world, metres, likewise y and z
-     * @return 0xRRGGBB as in a picture (sRGB)
+     * @param x in the world, metres, likewise y and z
+     * @return 0xRRGGBB (sRGB)
      */
     default int color(int shape, double x, double y, double z) {
         return 0x999999;
     }
 
-    /** What eyes see: beams' geometry, and what is hidden from beams, with the same numbers of shapes. */
+    /**
+     * Returns the geometry for cameras: that of beams and everything hidden from beams, with the same shape numbers.
+     */
     default BeamScene sight() {
         return scene();
     }
 
-    /** What the shapes look like to cameras. */
+    /** Returns the appearance of shapes for cameras. */
     default Appearances looks() {
         return shape -> new PlainAppearance(color(shape, 0, 0, 0), Shape.AMBIENT);
     }
 
-    /** Who does work that a sensor shares among the machine's cores; at first nobody but the thread that asks. */
+    /** Returns the pool that shares a sensor's work among the machine's cores; default: the calling thread alone. */
     default WorkerPool workers() {
         return WorkerPool.ALONE;
     }
 
-    /** Name of the object that a shape of the scene belongs to. */
+    /** Returns the name of a scene shape's object. */
     String objectName(int shape);
 }

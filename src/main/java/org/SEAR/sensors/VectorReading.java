@@ -1,6 +1,9 @@
 package org.SEAR.sensors;
 
-/** Three numbers along the sensor's axes (without rotation the body's: +x left, +y up, +z forward); NaN when the reading dropped out. Immutable. */
+/**
+ * Three numbers along the sensor's axes (without rotation the body's: +x left, +y up, +z forward); NaN after a
+ * drop-out. Immutable.
+ */
 public final class VectorReading implements Reading {
     private static final int DIGITS = 3;
 
@@ -8,24 +11,24 @@ public final class VectorReading implements Reading {
     private final double y;
     private final double z;
 
-    /** In the unit of its sensor. */
+    /** Numbers in the unit of the sensor. */
     public VectorReading(double x, double y, double z) {
         this.x = x;
         this.y = y;
         this.z = z;
     }
 
-    /** Along, or counter-clockwise about, the axis to the left. */
+    /** Along, or counter-clockwise about, the left axis. */
     public double getX() {
         return x;
     }
 
-    /** Along, or counter-clockwise about, the axis upwards. */
+    /** Along, or counter-clockwise about, the up axis. */
     public double getY() {
         return y;
     }
 
-    /** Along, or counter-clockwise about, the axis forward. */
+    /** Along, or counter-clockwise about, the forward axis. */
     public double getZ() {
         return z;
     }
@@ -45,7 +48,7 @@ public final class VectorReading implements Reading {
         return ReadingWords.withUnit(ReadingWords.fixed(kept, DIGITS), unit);
     }
 
-    /** As scripts get it: {@code "0.0,9.81,0.0"}. */
+    /** Returns the value for scripts: {@code "0.0,9.81,0.0"}. */
     @Override
     public String toString() {
         return x + "," + y + "," + z;

@@ -4,8 +4,9 @@ import java.util.List;
 import org.SEAR.POJOs.VoltagePoint;
 
 /**
- * The output of a triangulating infrared sensor by distance: between two points of the data sheet the voltage goes linearly with 1 / distance, as
- * triangulation does; nearer than the first point and farther than the last it stays. Immutable.
+ * Output voltage of a triangulating infrared sensor by distance. Between two points of the data sheet the voltage is
+ * linear in 1 / distance, as for triangulation. It is constant nearer than the first and further than the last point.
+ * Immutable.
  */
 final class VoltageCurve {
     private final double[] nearness;
@@ -18,9 +19,9 @@ final class VoltageCurve {
     }
 
     /**
-     * Volts; NaN without a curve.
+     * Returns volts; NaN without a curve.
      *
-     * @param distance metres, +infinity if nothing is there
+     * @param distance metres, +infinity without an object
      */
     double at(double distance) {
         if (volts.length == 0) {

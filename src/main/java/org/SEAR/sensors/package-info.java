@@ -1,6 +1,7 @@
 /**
- * Measurement equations: what each sensor reads when the truth is known, its errors, what is told of a reading, its registry. Uses
- * {@link org.SEAR.camera}, {@link org.SEAR.camera.image} and {@link org.SEAR.project}, and what these use. Simulation thread, without allocation in
- * the loops of beams; sensors that say so measure on other threads at the same time ({@link org.SEAR.sensors.ParallelSensing}).
+ * Measurement equations: what each sensor reads given the ground truth, its errors, the forms of a reading, and the
+ * registry. Uses {@link org.SEAR.camera}, {@link org.SEAR.camera.image} and {@link org.SEAR.project} and their packages
+ * in turn. Simulation thread, without allocation in the loops over beams. Sensors that allow it measure in parallel on
+ * other threads ({@link org.SEAR.sensors.ParallelSensing}).
  */
 package org.SEAR.sensors;

@@ -62,7 +62,7 @@ public final class Episode implements AutoCloseable {
         } else if (name.isEmpty() && robots.size() == 1) {
             return robots.get(0);
         } else if (!names.contains(name)) {
-            throw new IllegalArgumentException("robot is " + (name.isEmpty() ? "not said" : "\"" + name + "\"") + ", legal: "
+            throw new IllegalArgumentException("robot is " + (name.isEmpty() ? "not given" : "\"" + name + "\"") + ", legal: "
                 + String.join(", ", names));
         }
         return robots.get(names.indexOf(name));

@@ -120,7 +120,7 @@ public final class LessonRun {
 
         @Override
         public void moved(String name, Pose start, Pose to) {
-            hand(name + " was put elsewhere");
+            hand(name + " was moved by an edit");
         }
 
         private void hand(String what) {

@@ -42,7 +42,7 @@ public final class Plot {
     public void add(String name, String unit, double[] values) {
         if (values.length != places.length) {
             throw new IllegalArgumentException("\"" + name + "\" has " + values.length + " values, and \"" + xTitle + "\" has " + places.length
-                + ", legal: as many");
+                + ", legal: the same number");
         }
         if (++count > MAX_LINES) {
             throw new IllegalArgumentException("more than " + MAX_LINES + " lines, legal: up to " + MAX_LINES);
@@ -62,8 +62,8 @@ public final class Plot {
         double[] shown = Arrays.stream(places).filter(Double::isFinite).sorted().toArray();
         boolean hasValues = boxes.values().stream().flatMap(List::stream).anyMatch(line -> Arrays.stream(line.values).anyMatch(Double::isFinite));
         if (shown.length == 0 || !hasValues) {
-            throw new IllegalArgumentException("there is nothing to draw: no number over \"" + xTitle + "\"; lists are filled in a loop, as with"
-                + " times.append(sear.getTime())");
+            throw new IllegalArgumentException("there is nothing to draw: no numbers over \"" + xTitle + "\"; fill the lists in a loop, for example"
+                + " with times.append(sear.getTime())");
         }
         DrawingFiles.save(new PlotDrawing(xTitle, places, new Axis(shown[0], shown[shown.length - 1], false), new ArrayList<>(boxes.values())), file);
     }

@@ -101,7 +101,7 @@ final class LogBuffer {
         try {
             ByteBuffer fresh = failure == null && full.offer(present) ? free.poll(TIMEOUT_SECONDS, TimeUnit.SECONDS) : null;
             if (fresh == null) {
-                failure = failure == null ? "the disk takes no more" : failure;
+                failure = failure == null ? "the disk is too slow" : failure;
                 fresh = ByteBuffer.allocate(PIECE);
             }
             present = fresh;
@@ -163,10 +163,10 @@ final class LogBuffer {
             writer.join(TimeUnit.SECONDS.toMillis(TIMEOUT_SECONDS));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            throw new IOException("the record was not written to its end", e);
+            throw new IOException("the record was not written completely", e);
         }
         if (failure != null) {
-            throw new IOException("the record ends in the middle: " + failure);
+            throw new IOException("the record is incomplete: " + failure);
         }
     }
 }

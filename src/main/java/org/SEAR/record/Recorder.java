@@ -109,7 +109,7 @@ public final class Recorder implements RunListener {
     /** @throws IOException if a file of that name is no record */
     public static void check(Path path) throws IOException {
         if (Files.exists(path) && !RunRecord.isRecord(path)) {
-            throw new IOException(path + " is there already and is no record of a run; choose another name");
+            throw new IOException(path + " exists and is no record of a run; choose another name");
         }
     }
 
@@ -139,8 +139,8 @@ public final class Recorder implements RunListener {
         int size = reading.numbers().length;
         if (names.size() != size || size > RecordHeader.MAX_VALUES) {
             throw new IllegalArgumentException("a reading of sensor " + sensor + " has " + size + " numbers and " + names.size()
-                + " names, legal: as many names as numbers, at most " + RecordHeader.MAX_VALUES + "; numbers() and names() of its class "
-                + reading.getClass().getName() + " say them");
+                + " names, legal: as many names as numbers, at most " + RecordHeader.MAX_VALUES + "; numbers() and names() of "
+                + reading.getClass().getName() + " define them");
         }
         return names;
     }
@@ -222,7 +222,7 @@ public final class Recorder implements RunListener {
         idle();
         if (out.size() >= limit || out.failure() != null) {
             leave();
-            reported.accept("the record " + path + " has ended at " + getSeconds() + " s: " + (out.failure() == null ? "it has its largest size, "
+            reported.accept("the record " + path + " has ended at " + getSeconds() + " s: " + (out.failure() == null ? "it reached its maximum size, "
                 + limit + " bytes" : out.failure()));
         }
     }

@@ -101,7 +101,7 @@ public final class Rerun implements RunRecord.Visitor {
         }
         if (!header.project.equals(Recorder.fingerprint(project))) {
             throw new RecordException(record.getPath() + " is of another project than " + project.getFolder()
-                + ", or that was changed since: open the project that was recorded");
+                + ", or the project has changed since: open the recorded project");
         }
         try (Simulation world = Simulation.of(project, header.origin)) {
             if (world.getLines().size() != header.lines.size()) {
@@ -133,7 +133,7 @@ public final class Rerun implements RunRecord.Visitor {
         for (int i = 0; i < recorded.length; i++) {
             boolean equal = Arrays.equals(recorded[i].digest(), again[i].digest());
             same &= equal;
-            ports.put(record.getHeader().lines.get(i), counts[i] + " bytes, " + (equal ? "the same" : "others"));
+            ports.put(record.getHeader().lines.get(i), counts[i] + " bytes, " + (equal ? "the same" : "different"));
         }
         return new Result(whole, same && apart == 0, steps * Simulation.STEP, ports, apart);
     }

@@ -144,7 +144,7 @@ public final class RunRecord {
             return new RunRecord(path, RecordHeader.read(in), written);
         } catch (EOFException e) {
             throw new RecordException(path + " can't be read as a record: it ends in the middle of its header"
-                + (written ? ", which is being written just now" : ""));
+                + (written ? ", which is still being written" : ""));
         } catch (RecordException e) {
             throw new RecordException(path + " can't be read as a record: " + e.getMessage());
         }
@@ -290,7 +290,7 @@ public final class RunRecord {
                     String name = RecordHeader.readText(in);
                     if (!header.robots.contains(name) && !header.objects.contains(name)) {
                         throw new RecordException("after " + steps + " steps \"" + name
-                            + "\" is moved, legal: a robot or thing that its beginning names");
+                            + "\" is moved, legal: a robot or object in its header");
                     }
                     visitor.moved(name, pose(), pose());
                     return true;
@@ -349,12 +349,12 @@ public final class RunRecord {
             read(numbers, 0, POSE);
             for (double number : numbers) {
                 if (!Double.isFinite(number)) {
-                    throw new RecordException("after " + steps + " steps something is moved to " + number + ", legal: a finite number");
+                    throw new RecordException("after " + steps + " steps an object is moved to " + number + ", legal: a finite number");
                 }
             }
             double length = Math.sqrt(numbers[3] * numbers[3] + numbers[4] * numbers[4] + numbers[5] * numbers[5] + numbers[6] * numbers[6]);
             if (!(Math.abs(length - 1) < ROUNDED)) {
-                throw new RecordException("after " + steps + " steps something is turned by a quaternion of length " + length + ", legal: 1");
+                throw new RecordException("after " + steps + " steps an object is rotated by a quaternion of length " + length + ", legal: 1");
             }
             return new Pose(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[6]);
         }

@@ -96,7 +96,7 @@ public final class CameraImage implements Reading {
      */
     public float[] getPoints(boolean world) {
         if (!Camera.DEPTH.equals(getKind())) {
-            throw new IllegalStateException("a picture of " + getKind() + " has no depths; setKind(\"" + Camera.DEPTH + "\") makes a camera of them");
+            throw new IllegalStateException("a picture of " + getKind() + " has no depths; use setKind(\"" + Camera.DEPTH + "\")");
         }
         float[] points = new float[3 * values.length];
         int count = 0;
@@ -134,8 +134,8 @@ public final class CameraImage implements Reading {
      */
     public List<Blobs.Blob> blobs(int color, int least) {
         if (pixels == null) {
-            throw new IllegalStateException("a picture of " + getKind() + " has no colours; setKind(\"" + Camera.COLOR
-                + "\") makes a camera of them");
+            throw new IllegalStateException("a picture of " + getKind() + " has no colours; use setKind(\"" + Camera.COLOR
+                + "\")");
         }
         return Blobs.find(getWidth(), pixels, color, least);
     }

@@ -87,16 +87,16 @@ public final class CompassSensor extends Sensor<Quantity> {
             return Collections.emptyList();
         }
         if (truth.earth().getOrigin() == null) {
-            return Collections.singletonList("compass " + getName() + " answers true north: no robot has a GPS that says where on the Earth the world"
-                + " lies, so there is no declination; add a GPS");
+            return Collections.singletonList("compass " + getName() + " shows true north: without a GPS the world's place on Earth is unknown;"
+                + " add a GPS for the declination");
         }
         MagneticModel model = truth.earth().getMagneticModel();
         double year = decimalYear(truth);
         if (model.covers(year)) {
             return Collections.emptyList();
         }
-        return Collections.singletonList(String.format(java.util.Locale.ROOT, "compass %s: %s is made for %.1f to %.1f, the simulated date is %.1f;"
-            + " its declination is less accurate; put the coefficients of that time into assets/%s", getName(), model.getName(), model.getEpoch(),
+        return Collections.singletonList(String.format(java.util.Locale.ROOT, "compass %s: %s is valid from %.1f to %.1f, the simulated date is %.1f;"
+            + " the declination is less accurate; put that year's coefficients into assets/%s", getName(), model.getName(), model.getEpoch(),
             model.getEpoch() + MagneticModel.YEARS_VALID, year, Earth.MODEL_FILE));
     }
 

@@ -98,7 +98,7 @@ public final class DistanceSensor extends Sensor<DistanceReading> {
 
         @Override
         public String description() {
-            return "distance to the nearest thing in nested cones of lines: m (scripts get the longest line's length where nothing is)";
+            return "distance to the nearest object in nested cones of rays: m (scripts get the longest ray's length without a hit)";
         }
 
         @Override

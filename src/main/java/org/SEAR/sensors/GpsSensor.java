@@ -69,8 +69,8 @@ public final class GpsSensor extends Sensor<GpsFix> {
                 ground.to(origin.getLatitude(), origin.getLongitude())[1]), ground.getAltitude() - origin.getAltitude()) < SAME_PLACE) {
             return Collections.emptyList();
         }
-        return Collections.singletonList("gps " + getName() + " has the world's centre at " + origin + ", but the terrain has it at " + ground
-            + "; its readings count from its own: GPS(name) without coordinates takes the terrain's");
+        return Collections.singletonList("gps " + getName() + " puts the world's origin at " + origin + ", but the terrain puts it at " + ground
+            + "; the GPS uses its own; GPS(name) without coordinates uses the terrain's");
     }
 
     /** Registry entry. */
@@ -82,7 +82,7 @@ public final class GpsSensor extends Sensor<GpsFix> {
 
         @Override
         public String description() {
-            return "place on WGS84: latitude and longitude in degrees, altitude in m, speed in m/s, course in degrees, UTC";
+            return "position on WGS84: latitude and longitude in degrees, altitude in m, speed in m/s, course in degrees, UTC";
         }
 
         @Override

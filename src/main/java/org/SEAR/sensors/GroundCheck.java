@@ -48,8 +48,8 @@ final class GroundCheck {
         if (ground < 0 || rotation.outY(0, 0, 1) < -STEEP) {
             return List.of();
         }
-        return List.of(String.format(Locale.ROOT, "sensor %s sees the ground (%s) at %.2f m, and reads that wherever nothing is nearer: mount it"
-            + " higher or tilt it up (%s.rotate(-20, 0, 0)), or let beams pass through the ground: sear.setGroundVisible(False) for all, or"
-            + " setVisibleToSensors(False) of the object", sensor, truth.objectName(ground), nearest, sensor.substring(sensor.lastIndexOf('/') + 1)));
+        return List.of(String.format(Locale.ROOT, "sensor %s sees the ground (%s) at %.2f m wherever nothing is nearer: mount it higher, tilt it"
+            + " up (%s.rotate(-20, 0, 0)), or hide the ground: sear.setGroundVisible(False) for all, or setVisibleToSensors(False)"
+            + " of the object", sensor, truth.objectName(ground), nearest, sensor.substring(sensor.lastIndexOf('/') + 1)));
     }
 }

@@ -83,8 +83,8 @@ public final class ImuSensor extends Sensor<ImuReading> {
 
     @Override
     public List<String> warnings(Truth truth) {
-        return truth.earth().getOrigin() != null ? Collections.emptyList() : Collections.singletonList("imu " + getName() + " answers true north: no"
-            + " robot has a GPS that says where on the Earth the world lies, so there is no magnetic field; add a GPS");
+        return truth.earth().getOrigin() != null ? Collections.emptyList() : Collections.singletonList("imu " + getName()
+            + " shows true north: without a GPS the world's place on Earth is unknown; add a GPS for the magnetic field");
     }
 
     /** Registry entry. */

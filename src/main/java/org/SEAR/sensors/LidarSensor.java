@@ -128,7 +128,7 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
 
         @Override
         public String description() {
-            return "distances in a plane of beams, right to left: m (scripts get the range where nothing was hit)";
+            return "distances in a plane of beams, right to left: m (scripts get the maximum range without a hit)";
         }
 
         @Override

@@ -160,7 +160,7 @@ public final class PixelGrid {
             return hex + ", " + (hex.equals(ColorNames.hex(ColorNames.near(pixels[pixel]))) ? "" : "about ") + ColorNames.near(pixels[pixel]);
         }
         if (!Float.isFinite(values[pixel])) {
-            return Camera.DEPTH.equals(kind) ? "nothing came back" : "no value";
+            return Camera.DEPTH.equals(kind) ? "no return" : "no value";
         }
         return words(values[pixel]) + (Camera.DEPTH.equals(kind) ? " ahead" : "");
     }

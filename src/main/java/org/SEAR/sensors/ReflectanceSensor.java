@@ -55,7 +55,7 @@ public final class ReflectanceSensor extends Sensor<Quantity> {
 
         @Override
         public String description() {
-            return "how much light the spot that it looks at throws back: 0 % for black or nothing in range, 100 % for white";
+            return "light reflected by the spot: 0 % for black or nothing in range, 100 % for white";
         }
 
         @Override

@@ -41,7 +41,7 @@ public final class SpotColorSensor extends Sensor<ColorReading> {
 
         @Override
         public String description() {
-            return "colour of the spot that it looks at: red, green and blue, 0 to 255; nothing in range is black";
+            return "colour of the spot: red, green and blue, 0 to 255; black if nothing is in range";
         }
 
         @Override

@@ -163,7 +163,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         String port = link == null ? null : link.closeIfLost(() -> connected = false);
         if (port != null) {
             broadcastState();
-            info("port %s was closed: %s connects again when a simulation has it, else by reconnectSerial()", port, getName());
+            info("port %s was closed: %s reconnects when a simulation opens it, otherwise call reconnectSerial()", port, getName());
         }
     }
 
@@ -375,12 +375,12 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
             firmware = UbxText.version(frame);
             broadcastState();
         } else if (frame.getMessage() == UbxMessage.ACK_NAK) {
-            ServiceWarnings.publish(this, "%s refuses what it was told: %s", getName(), UbxText.refused(frame));
+            ServiceWarnings.publish(this, "%s refused a command: %s", getName(), UbxText.refused(frame));
         } else if (frame.getMessage() == UbxMessage.NAV_PVT) {
             try {
                 onGga(PvtFix.of(frame.getPayload()), true);
             } catch (IllegalArgumentException e) {
-                ServiceWarnings.publish(this, "%s sent a NAV-PVT that makes no sense: %s", getName(), e.getMessage());
+                ServiceWarnings.publish(this, "%s sent an invalid NAV-PVT: %s", getName(), e.getMessage());
             }
         }
         if (!asked && connected) {
@@ -401,7 +401,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
             try {
                 onGga(new GgaFix(sentence), false);
             } catch (IllegalArgumentException e) {
-                ServiceWarnings.publish(this, "%s sent a GGA sentence that makes no sense: %s", getName(), sentence);
+                ServiceWarnings.publish(this, "%s sent an invalid GGA sentence: %s", getName(), sentence);
             }
         }
     }
@@ -412,7 +412,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
             try {
                 send(model().firmwareQuestion());
             } catch (IllegalStateException e) {
-                log.info("{} can't be asked for its firmware: {}", getName(), e.getMessage());
+                log.info("firmware query of {} failed: {}", getName(), e.getMessage());
             }
         }
     }

@@ -167,7 +167,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
         String port = link == null ? null : link.closeIfLost(this::forget);
         if (port != null) {
             broadcastState();
-            info("port %s was closed: %s connects again when a simulation has it, else by reconnectSerial()", port, getName());
+            info("port %s was closed: %s reconnects when a simulation opens it, otherwise call reconnectSerial()", port, getName());
         }
     }
 

@@ -43,7 +43,7 @@ public class Python3 extends Service<Python3Config> implements CallbackService {
             calls.add(message);
         } else if (!pass(message) && !told) {
             told = true;
-            warn("the Python 3 program of %s has ended: nobody calls %s any more", getName(), message.method);
+            warn("the Python 3 program of %s has ended and ignores calls of %s", getName(), message.method);
         }
         return false;
     }

@@ -262,7 +262,7 @@ public class EpisodeTest {
         Worlds.roomba("one", 0, 0, 0);
         Worlds.roomba("two", 2, 0, 0);
         Project two = Project.read(project.folder());
-        assertRefused("robot is not said, legal: one, two", () -> new Episode(two, "", null, List.of(), 1, 1));
+        assertRefused("robot is not given, legal: one, two", () -> new Episode(two, "", null, List.of(), 1, 1));
         assertEquals("two", new Episode(two, "two", null, List.of(), 1, 1).getRobot());
     }
 

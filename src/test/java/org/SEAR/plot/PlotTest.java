@@ -120,7 +120,7 @@ public class PlotTest {
     public void whatCantBeDrawnIsSaid() throws IOException {
         Path folder = temporary.getRoot().toPath();
         Plot plot = new Plot("time (s)", TIMES);
-        assertRefused("\"distance\" has 2 values, and \"time (s)\" has 5, legal: as many", () -> plot.add("distance", "m", new double[2]));
+        assertRefused("\"distance\" has 2 values, and \"time (s)\" has 5, legal: the same number", () -> plot.add("distance", "m", new double[2]));
         assertRefused("there is nothing to draw", () -> plot.save(folder.resolve("a.png")));
         plot.add("distance", "m", TIMES);
         assertRefused("legal: a name that ends in .png or .svg", () -> plot.save(folder.resolve("a.jpg")));

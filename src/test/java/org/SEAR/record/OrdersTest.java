@@ -237,8 +237,8 @@ public class OrdersTest {
             run(world, 3);
             recorder.end();
         }
-        assertEquals("after 3 steps \"bar\" is moved, legal: a robot or thing that its beginning names", saidOfMove('b', 0, 1));
-        assertEquals("after 3 steps something is moved to NaN, legal: a finite number", saidOfMove('c', 0, Double.NaN));
-        assertEquals("after 3 steps something is turned by a quaternion of length 0.0, legal: 1", saidOfMove('c', 6, 0));
+        assertEquals("after 3 steps \"bar\" is moved, legal: a robot or object in its header", saidOfMove('b', 0, 1));
+        assertEquals("after 3 steps an object is moved to NaN, legal: a finite number", saidOfMove('c', 0, Double.NaN));
+        assertEquals("after 3 steps an object is rotated by a quaternion of length 0.0, legal: 1", saidOfMove('c', 6, 0));
     }
 }

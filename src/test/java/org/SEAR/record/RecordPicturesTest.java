@@ -98,7 +98,7 @@ public class RecordPicturesTest {
             String words = grid.words(16, 12);
             assertTrue(words, words.matches("\\d\\.\\d{3} m ahead"));
             assertEquals("to a millimetre", image.getValues()[PIXEL], Double.parseDouble(words.split(" ")[0]), 0.6e-3);
-            assertEquals("nothing came back", grid.words(0, 0));
+            assertEquals("no return", grid.words(0, 0));
         }
         assertEquals("42.0 degC", pictures.read(pictures.at(Camera.INFRARED, 1)).words(16, 12));
         assertEquals("-20.0 degC", pictures.read(pictures.at(Camera.INFRARED, 1)).words(0, 0));
@@ -142,7 +142,7 @@ public class RecordPicturesTest {
                 world.step();
             }
             recorder.end();
-            assertTrue(said.toString(), said.toString().contains("it has its largest size"));
+            assertTrue(said.toString(), said.toString().contains("it reached its maximum size"));
         }
         long size = Files.size(file("run.searlog"));
         assertTrue("a record of " + size + " bytes", size >= limit && size < limit + 30_000);

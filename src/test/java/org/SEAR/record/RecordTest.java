@@ -258,7 +258,7 @@ public class RecordTest {
         Files.write(file(), bytes);
         Rerun.Result result = Rerun.of(RunRecord.open(file()), Project.read(project.folder()));
         assertFalse(result.same);
-        assertTrue(result.toString(), result.ports.get("drive at /dev/user").endsWith("others"));
+        assertTrue(result.toString(), result.ports.get("drive at /dev/user").endsWith("different"));
         new Box("new", 1, 1, 1).move(5, 5, 5);
         String said = assertThrows(IOException.class, () -> Rerun.of(RunRecord.open(file()), Project.read(project.folder()))).getMessage();
         assertTrue(said, said.contains("is of another project than"));
@@ -368,7 +368,7 @@ public class RecordTest {
             run(world, 600);
             recorder.end();
             assertEquals(said.toString(), 1, said.size());
-            assertTrue(said.get(0), said.get(0).endsWith("it has its largest size, 20000 bytes"));
+            assertTrue(said.get(0), said.get(0).endsWith("it reached its maximum size, 20000 bytes"));
         }
         assertTrue(Files.size(file()) < 22000);
         assertTrue(RunRecord.open(file()).read(new RunRecord.Visitor() { }));
@@ -380,7 +380,7 @@ public class RecordTest {
         Files.writeString(file(), "my diary");
         try (Simulation world = world()) {
             String said = assertThrows(IOException.class, () -> Recorder.begin(world, file(), 1000, text -> { })).getMessage();
-            assertTrue(said, said.contains("is there already and is no record of a run; choose another name"));
+            assertTrue(said, said.contains("exists and is no record of a run; choose another name"));
         }
         assertEquals("my diary", Files.readString(file()));
         String said = assertThrows(IOException.class, () -> RunRecord.open(file())).getMessage();

@@ -350,7 +350,7 @@ public class CameraSensorTest {
         assertEquals(1, image(world, "eye").blobs(0x0000ff, 8).size());
         assertEquals(0, image(world, "eye").blobs(0x0000ff, 100_000).size());
         String message = assertThrows(IllegalStateException.class, () -> image(world, "depth").blobs(0xff0000, 8)).getMessage();
-        assertEquals("a picture of depth has no colours; setKind(\"color\") makes a camera of them", message);
+        assertEquals("a picture of depth has no colours; use setKind(\"color\")", message);
         assertThrows(IllegalStateException.class, () -> image(world, "eye").getPoints(true));
     }
 

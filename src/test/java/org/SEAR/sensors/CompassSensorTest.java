@@ -82,13 +82,13 @@ public class CompassSensorTest {
     public void itWarnsOutsideTheModelsYearsAndWithoutAPlace() {
         CompassSensor sensor = new CompassSensor(new Compass("north", true), 1);
         ScriptedTruth truth = new ScriptedTruth();
-        assertTrue(sensor.warnings(truth).get(0).contains("compass north answers true north"));
+        assertTrue(sensor.warnings(truth).get(0).contains("compass north shows true north"));
         assertEquals(90, sensor.read(truth).get(), 1e-9);
         truth.earth = new Earth(new GeoOrigin(35, 200, -80), MagneticModel.standard());
         assertTrue(sensor.warnings(truth).isEmpty());
         truth.epoch = 1924992000000L;
-        assertEquals("compass north: WMM-2025 is made for 2025.0 to 2030.0, the simulated date is 2031.0; its declination is less accurate; put the"
-            + " coefficients of that time into assets/WMM.COF", sensor.warnings(truth).get(0));
+        assertEquals("compass north: WMM-2025 is valid from 2025.0 to 2030.0, the simulated date is 2031.0; the declination is less accurate;"
+            + " put that year's coefficients into assets/WMM.COF", sensor.warnings(truth).get(0));
         assertTrue(new CompassSensor(new Compass("other"), 1).warnings(truth).isEmpty());
     }
 

@@ -92,6 +92,6 @@ public class ImuSensorTest {
     @Test
     public void withoutAPlaceOnEarthItSaysSo() {
         String warning = new ImuSensor(new IMU("imu"), 1).warnings(new ScriptedTruth()).get(0);
-        assertTrue(warning, warning.startsWith("imu imu answers true north"));
+        assertTrue(warning, warning.startsWith("imu imu shows true north"));
     }
 }

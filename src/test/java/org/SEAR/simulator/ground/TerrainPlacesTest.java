@@ -112,8 +112,8 @@ public class TerrainPlacesTest {
         rover(new GPS("gps", 33.61, 182.5, -80.865)).placeAt(0, 0);
         try (Simulation simulation = Worlds.start(project)) {
             String told = simulation.snapshot().warnings.toString();
-            assertTrue(told, told.contains("gps gps has the world's centre at latitude 33.6100000, longitude -80.8650000, altitude 182.5 m, but"
-                + " the terrain has it at latitude 36.4850000, longitude -84.2308333, altitude 107"));
+            assertTrue(told, told.contains("gps gps puts the world's origin at latitude 33.6100000, longitude -80.8650000, altitude 182.5 m, but"
+                + " the terrain puts it at latitude 36.4850000, longitude -84.2308333, altitude 107"));
             simulation.step();
             assertEquals(33.61, ((GpsFix) simulation.read("gps")).getLatitude(), 1e-5);
         }

@@ -106,9 +106,9 @@ public class CameraTabTest {
             String.format(Locale.ROOT, "column %d, row %d: %.3f m ahead", WIDTH / 2, HEIGHT / 2, straight));
         browser.seeText(eye("depth") + ".sear-range", " m");
         click("depth", 0.001, 0.001);
-        browser.seeText(eye("depth") + ".sear-eye-words", "column 0, row 0: nothing came back");
+        browser.seeText(eye("depth") + ".sear-eye-words", "column 0, row 0: no return");
         browser.see(eye("depth") + ".sear-eye-picture").sendKeys(Keys.ARROW_RIGHT);
-        browser.seeText(eye("depth") + ".sear-eye-words", "column 1, row 0: nothing came back");
+        browser.seeText(eye("depth") + ".sear-eye-words", "column 1, row 0: no return");
         waitForPicture("infrared");
         click("infrared", 0.51, 0.51);
         browser.seeText(eye("infrared") + ".sear-eye-words", String.format(Locale.ROOT, ": 80.0 degC, %.2f", straight));

@@ -91,7 +91,7 @@ public class GpsServiceTest {
     public void aPortThatSomebodyElseClosesIsNoticed() throws Exception {
         gps.connect(PORT);
         ((Serial) Runtime.getService("testGps.serial")).disconnect();
-        assertTrue(heard.awaitStatus("port " + PORT + " was closed: testGps connects again"));
+        assertTrue(heard.awaitStatus("port " + PORT + " was closed: testGps reconnects"));
         assertFalse(gps.isConnected());
         try {
             gps.sendCommand("PMTK605");
@@ -226,7 +226,7 @@ public class GpsServiceTest {
         gps.setBaud(115200);
         assertEquals("B5 62 06 00 14 00 01 00 00 00 D0 08 00 00 00 C2 01 00 07 00 03 00 00 00 00 00 C0 7E", receiver.await(4).get(3));
         receiver.send(Bytes.bytes("B5 62 05 00 02 00 06 8A 97 BC"));
-        assertTrue(heard.awaitStatus("warn: testGps refuses what it was told: message 06 8A"));
+        assertTrue(heard.awaitStatus("warn: testGps refused a command: message 06 8A"));
         byte[] version = Arrays.copyOf("EXT CORE 3.01 (107900)".getBytes(StandardCharsets.US_ASCII), 40);
         gps.addListener("publishSentence", "positions", "onValue");
         receiver.send(new UbxFrame(UbxMessage.MON_VER, version).toBytes());

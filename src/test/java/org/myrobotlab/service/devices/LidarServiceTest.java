@@ -225,7 +225,7 @@ public class LidarServiceTest {
         lidar.connect(PORT);
         lidar.addListener("publishState", "rawScans", "onState");
         ((Serial) Runtime.getService("testLidar.serial")).disconnect();
-        assertTrue(raw.awaitStatus("port " + PORT + " was closed: testLidar connects again"));
+        assertTrue(raw.awaitStatus("port " + PORT + " was closed: testLidar reconnects"));
         assertFalse(lidar.isConnected());
         assertTrue(raw.awaitState("\"connected\":false"));
         withoutConnectionScanningSaysSo();

@@ -129,7 +129,7 @@ public class RecordCallsTest {
         Path other = temporary.getRoot().toPath().resolve("other.searlog");
         Files.writeString(other, "no record");
         String said = assertThrows(IllegalStateException.class, () -> sear.recordRun(other.toString())).getMessage();
-        assertTrue(said, said.contains("is there already and is no record of a run"));
+        assertTrue(said, said.contains("exists and is no record of a run"));
         said = assertThrows(IllegalStateException.class, () -> sear.recordRun(temporary.getRoot() + "/none/run")).getMessage();
         assertTrue(said, said.contains("there is no folder"));
         said = assertThrows(IllegalStateException.class, () -> sear.rerunRecord(other.toString())).getMessage();

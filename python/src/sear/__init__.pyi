@@ -90,7 +90,7 @@ class _SEAR(JavaObject):
     def isSimulating(self) -> bool:
         """Returns whether a simulation runs, paused or not."""
     def setGroundVisible(self, on: bool) -> None:
-        """Sets whether sensors see floors and terrain in later simulations; default True. False lets beams through, as ultrasound glances off smooth floors. `floor.setVisibleToSensors(False)` hides a single floor."""
+        """Sets whether beams see floors and terrain in later simulations; default True. False lets beams through, as ultrasound glances off smooth floors. `floor.setVisibleToSensors(False)` hides a single floor."""
     def setThreads(self, number: int) -> None:
         """Sets the number of threads that measure sensors and cameras, including the simulation's. Default: `sear --threads`, otherwise all processors. Readings stay the same."""
     def simSleep(self, seconds: float) -> None:
@@ -193,7 +193,7 @@ class _SEAR(JavaObject):
         """Returns a gyroscope's "x,y,z", rad/s, in an accelerometer's axes; + y turns left."""
     @overload
     def getOdomResult(self) -> float:
-        """Returns the first robot's signed distance travelled, metres. An Odometer object counts from the last call to 32.767 m, like a Roomba. Without one, the distance counts from start or reset."""
+        """Returns the first robot's signed distance travelled, metres. An Odometer object counts from the last call, up to 32.767 m, like a Roomba. Without one, the distance counts from start or reset."""
     @overload
     def getOdomResult(self, robot: str) -> float:
         """Returns the same distance of a robot."""

@@ -122,7 +122,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Sets whether sensors see floors and terrain in later simulations; default True. False lets beams through, as
+     * Sets whether beams see floors and terrain in later simulations; default True. False lets beams through, as
      * ultrasound glances off smooth floors. {@code floor.setVisibleToSensors(False)} hides a single floor.
      *
      * @throws IllegalStateException a simulation runs
@@ -359,7 +359,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     /**
      * Steers the first robot until the next command.
      *
-     * @param degrees mean steering angle, + left (inner wheel more, outer less)
+     * @param degrees virtual middle wheel's angle, + left (inner wheel more, outer less)
      * @example sear.setSteering(-10)
      */
     public void setSteering(double degrees) {
@@ -370,7 +370,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * Steers a robot until the next command.
      *
      * @param robot name
-     * @param degrees mean steering angle, + left (inner wheel more, outer less)
+     * @param degrees virtual middle wheel's angle, + left (inner wheel more, outer less)
      * @throws IllegalArgumentException unknown robot, illegal angle or robot without steered wheels
      * @example sear.setSteering("car", 20)
      */
@@ -654,7 +654,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Returns the first robot's signed distance travelled, metres. An Odometer object counts from the last call to
+     * Returns the first robot's signed distance travelled, metres. An Odometer object counts from the last call, up to
      * 32.767 m, like a Roomba. Without one, the distance counts from start or reset.
      *
      * @example print "%.3f m" % sear.getOdomResult()
@@ -1077,8 +1077,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @return {@code same}: whether all port bytes and poses match; {@code seconds}: simulated; {@code ports}: each
      *     port's result, as text; {@code apart}: largest position difference, metres
      * @throws IllegalStateException no record, another project's, or not from a start
-     * @example sear.reset(); sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print
-     * sear.rerunRecord("run.searlog")["same"]
+     * @example sear.reset(); sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print sear.rerunRecord("run.searlog")["same"]
      */
     public Map<String, Object> rerunRecord(String path) {
         return calls.attempt(() -> parts.records().rerun(path, parts.control().getFolder()));
@@ -1103,8 +1102,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @return {@code times}: simulated seconds since it began; {@code values}: an equally long list per name, None
      *     without a number
      * @throws IllegalArgumentException unknown value
-     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print
-     * sear.getRecordValues("run.searlog", ["myRoomba.x"])["times"]
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print sear.getRecordValues("run.searlog", ["myRoomba.x"])["times"]
      */
     public Map<String, Object> getRecordValues(String path, List<String> names) {
         return calls.attempt(() -> parts.records().values(path, names));
@@ -1117,8 +1115,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @param names from {@link #getRecordNames}
      * @param csv new file, or .csv file, overwritten
      * @throws IllegalArgumentException unknown value
-     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordCsv("run.searlog",
-     * ["myRoomba.x"], "run.csv")
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordCsv("run.searlog", ["myRoomba.x"], "run.csv")
      */
     public void saveRecordCsv(String path, List<String> names, String csv) {
         calls.act(() -> parts.records().saveCsv(path, names, csv));
@@ -1131,8 +1128,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @param names from {@link #getRecordNames}, up to 16
      * @param picture .png or .svg file, overwritten
      * @throws IllegalArgumentException unknown value
-     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordPlot("run.searlog",
-     * ["myRoomba.x"], "run.png")
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordPlot("run.searlog", ["myRoomba.x"], "run.png")
      */
     public void saveRecordPlot(String path, List<String> names, String picture) {
         calls.act(() -> parts.savePlot(path, names, picture));
@@ -1161,8 +1157,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @param xs its numbers
      * @param lines up to 16 equally long lists by name
      * @throws IllegalArgumentException different lengths, or other values than numbers
-     * @example sear.savePlot("run.svg", "time (s)", [0, 1, 2], {"left (m)": [1, 2, 2.5], "right (m)": [1, 1.5, 3],
-     * "speed (m/s)": [0, 0.3, 0.3]})
+     * @example sear.savePlot("run.svg", "time (s)", [0, 1, 2], {"left (m)": [1, 2, 2.5], "right (m)": [1, 1.5, 3], "speed (m/s)": [0, 0.3, 0.3]})
      */
     public void savePlot(String picture, String xTitle, List<?> xs, Map<String, ?> lines) {
         calls.act(() -> Plots.save(picture, xTitle, xs, lines));

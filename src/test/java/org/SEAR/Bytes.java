@@ -2,7 +2,7 @@ package org.SEAR;
 
 import java.util.Locale;
 
-/** Bytes as people write them. */
+/** Conversion between bytes and hexadecimal text. */
 public final class Bytes {
     private Bytes() {
     }

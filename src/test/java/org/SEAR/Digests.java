@@ -14,8 +14,8 @@ import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.Reading;
 
 /**
- * Check sums of all that comes out of a run. {@code src/test/resources/digests.txt} has those of the examples, a line each: name, check sum, what the
- * example is. So a change of bytes is seen in the diff of the commit that brings it.
+ * Checksums of everything a run produces. {@code src/test/resources/digests.txt} has the checksums of the examples, one
+ * per line: name, checksum, description. A change of bytes therefore shows in the diff of its commit.
  */
 public final class Digests {
     private static final Path FILE = Path.of(System.getProperty("sear.root", "."), "src/test/resources/digests.txt");
@@ -32,7 +32,7 @@ public final class Digests {
         }
     }
 
-    /** The first digits of what has come together, which is forgotten. */
+    /** Returns the first digits of the digest and resets it. */
     public static String hex(MessageDigest digest) {
         return String.format("%064x", new BigInteger(1, digest.digest())).substring(0, DIGITS);
     }
@@ -47,7 +47,7 @@ public final class Digests {
         digest.update(ByteBuffer.allocate(Double.BYTES).putDouble(value).array());
     }
 
-    /** Adds all that a reading has: each beam, each pixel. */
+    /** Adds all numbers of a reading, including each beam and each pixel. */
     public static void put(MessageDigest digest, Reading reading) {
         for (double value : reading.numbers()) {
             put(digest, value);
@@ -66,7 +66,7 @@ public final class Digests {
         }
     }
 
-    /** Fails unless an example gives what the list says. */
+    /** Fails unless the digest of an example equals the listed one. */
     public static void assertSame(String name, String digest) throws IOException {
         String listed = Files.readAllLines(FILE).stream().filter(line -> line.startsWith(name + " ")).map(line -> line.split(" +")[1])
             .findFirst().orElse("not there");

@@ -5,24 +5,24 @@ import java.net.ServerSocket;
 import java.util.concurrent.ThreadLocalRandom;
 
 /**
- * A TCP port for a server that a test starts, perhaps again after it was killed: below those that systems give out by themselves, so that no program
- * beside gets it meanwhile. Any thread.
+ * A free TCP port for a server that a test starts, possibly again after it was killed. Ports lie below the ephemeral
+ * range of the system, so that no other program gets them meanwhile. Any thread.
  */
 public final class FreePort {
     private static final int FIRST = 20000;
-    /** Linux gives out ports from 32768 on. */
+    /** Ephemeral ports begin at 32768 on Linux. */
     private static final int END = 32000;
 
     private FreePort() {
     }
 
-    /** One that nobody listens at now. */
+    /** Returns a port without a listener. */
     public static int find() {
         while (true) {
             try (ServerSocket free = new ServerSocket(ThreadLocalRandom.current().nextInt(FIRST, END))) {
                 return free.getLocalPort();
             } catch (IOException e) {
-                // in use: another one
+                // in use: try another
             }
         }
     }

@@ -1,17 +1,17 @@
 package org.SEAR;
 
 /**
- * How much the fuzz tests try, and with which seed: {@code -Dsear.fuzzBytes=100000000} bytes a device, {@code -Dsear.fuzz=100000} changed files of
- * each kind, {@code -Dsear.fuzzSeed=N} for the same as a run that has printed N. The seed is always the same, so that no commit fails at what it has
- * not changed, and another one each time with {@code -Pfull}.
+ * Size and seed of the fuzz tests: {@code -Dsear.fuzzBytes=100000000} bytes per device, {@code -Dsear.fuzz=100000}
+ * changed files of each kind, {@code -Dsear.fuzzSeed=N} to repeat a run that printed N. The seed is fixed so that no
+ * commit fails for something it did not change; with {@code -Pfull} it differs each time.
  */
 public final class Fuzz {
-    /** Random bytes for each device and each reader. */
+    /** Random bytes per device and per reader. */
     public static final int BYTES = HowMany.of("sear.fuzzBytes", 1_000_000);
-    /** Changed bundles, and as many changed models. */
+    /** Number of changed bundles, and of changed models. */
     public static final int FILES = HowMany.of("sear.fuzz", 2000);
     private static final long FIXED_SEED = 1;
-    /** What the tests' random numbers begin with. */
+    /** Seed of the tests' random numbers. */
     public static final long SEED = seed();
 
     private Fuzz() {

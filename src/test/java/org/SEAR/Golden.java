@@ -11,9 +11,10 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /**
- * Telegrams of a device as data sheets and recordings of real ones have them: {@code src/test/resources/golden} has a text file for each device. A
- * line is what the telegram says, a equals and a blank, the telegram: bytes in hexadecimal, or text, in which {@code |} is a line feed. It goes on in
- * lines that begin with blanks. Lines that begin with {@code #} say where the telegrams are from.
+ * Telegrams of a device from data sheets and recordings of real devices: {@code src/test/resources/golden} has a text
+ * file per device. A line holds the telegram's name, an equals sign, a blank and the telegram: hexadecimal bytes, or
+ * text in which {@code |} is a line feed. Lines that begin with blanks continue it. Lines that begin with {@code #}
+ * name the source.
  */
 public final class Golden {
     private final String device;
@@ -23,7 +24,7 @@ public final class Golden {
         this.device = device;
     }
 
-    /** Those of a device, by the name of its file. */
+    /** Returns the telegrams of a device by the name of its file. */
     public static Golden of(String device) {
         Golden golden = new Golden(device);
         try (InputStream in = Golden.class.getResourceAsStream("/golden/" + device + ".txt")) {
@@ -48,12 +49,12 @@ public final class Golden {
         }
     }
 
-    /** The telegram that says this, as it stands in the file; of several, one behind the other. */
+    /** Returns the telegrams with these names, as written in the file, separated by blanks. */
     public String get(String... words) {
         return Arrays.stream(words).map(this::telegram).collect(Collectors.joining(" "));
     }
 
-    /** Of several, each by itself. */
+    /** Returns the telegrams with these names, one per element. */
     public String[] each(String... words) {
         return Arrays.stream(words).map(this::telegram).toArray(String[]::new);
     }
@@ -66,7 +67,7 @@ public final class Golden {
         return telegram;
     }
 
-    /** All telegrams by what they say, as they stand in the file. */
+    /** Returns all telegrams by name, as written in the file. */
     public Map<String, String> all() {
         return telegrams;
     }

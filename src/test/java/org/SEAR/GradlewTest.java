@@ -13,7 +13,9 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** {@code ./gradlew} on a machine without a JDK, whose apt another program uses: a fresh Ubuntu updates itself. */
+/**
+ * {@code ./gradlew} on a machine without a JDK while another program uses apt, such as the updates of a fresh Ubuntu.
+ */
 public class GradlewTest {
     private static final List<String> TOOLS = List.of("cat", "dirname", "grep", "mktemp", "rm");
 
@@ -29,7 +31,7 @@ public class GradlewTest {
         assertTrue(file.toFile().setExecutable(true));
     }
 
-    /** @param failing how often apt-get says this and fails */
+    /** @param failing how many times apt-get prints this message and fails */
     private String run(int failing, String message) throws Exception {
         tools = temporary.newFolder().toPath();
         calls = tools.resolve("calls");

@@ -1,8 +1,8 @@
 package org.SEAR;
 
 /**
- * How much the tests try that try very many things: a fifth of it by default, all of it with {@code ./gradlew -Pfull}, and any other number by a
- * property of its own, as {@code -Dsear.drops=100000}.
+ * Repetitions of tests that try many cases: a fifth by default, all with {@code ./gradlew -Pfull}, and any other number
+ * by a property of the test, such as {@code -Dsear.drops=100000}.
  */
 public final class HowMany {
     /** Whether {@code -Pfull} was given. */
@@ -12,12 +12,6 @@ public final class HowMany {
     private HowMany() {
     }
 
-    /**
-     * A number of tries.
-     *
-     * @param property the name of the system property that says another one
-     * @param full how many with {@code -Pfull}
-     */
     public static int of(String property, int full) {
         return Integer.getInteger(property, FULL ? full : full / PART);
     }

@@ -22,13 +22,13 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.Test;
 
-/** The rooms of the panels' JavaScript and which module may import which: as RoomsTest has it for packages. */
+/** Packages of the panels' JavaScript and the modules that each may import, like RoomsTest for Java packages. */
 public class ModulesTest {
-    /** Each room, and those that it may import from besides itself. */
+    /** Each package with the packages that it may import besides itself. */
     private static final Map<String, Set<String>> ROOMS = Map.of("shared", Set.of(), "world", Set.of("shared"), "scene", Set.of("world", "shared"),
         "build", Set.of("world", "shared"), "records", Set.of("shared"),
         "run", Set.of("build", "records", "scene", "world", "shared"), "lidar", Set.of("shared"), "gps", Set.of("shared"));
-    /** Modules by others, which the build puts into this room, see {@code gradle/resources.gradle}. */
+    /** Package of third-party modules that the build adds, see {@code gradle/resources.gradle}. */
     private static final String LIBRARIES = "lib";
     private static final int MOST_FILES = 20;
     private static final int MOST_COLUMNS = 150;
@@ -66,7 +66,6 @@ public class ModulesTest {
         assertFalse(knot(Map.of(a, List.of(b), b, List.of(c), c, List.of(a))).isEmpty());
     }
 
-    /** What is kept on window is seen by no import. */
     @Test
     public void modulesShareNothingButWhatTheyExport() throws IOException {
         for (Path file : imports().keySet()) {
@@ -91,7 +90,7 @@ public class ModulesTest {
         assertEquals(Collections.emptyList(), wrong);
     }
 
-    /** By module: what it imports. */
+    /** Returns each module with its imports. */
     private static Map<Path, List<Path>> imports() throws IOException {
         Map<Path, List<Path>> all = new TreeMap<>();
         try (Stream<Path> files = Files.walk(MODULES)) {
@@ -122,7 +121,7 @@ public class ModulesTest {
         return module.getParent().getFileName().toString();
     }
 
-    /** One that reaches itself, in words; empty without. */
+    /** Returns a cycle of imports as text, or an empty text. */
     private static String knot(Map<Path, List<Path>> imports) {
         for (Path start : imports.keySet()) {
             Set<Path> reached = new HashSet<>();

@@ -21,18 +21,18 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.Test;
 
-/** The classes that the developers' pages name are there. */
+/** The classes that the developers' pages name exist. */
 public class NamesInPagesTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
     private static final List<String> PAGES = Arrays.asList("CONTRIBUTING.md", "docs/architecture.md", "docs/panels.md", "docs/add-a-sensor.md",
         "docs/physics.md");
     private static final Pattern CODE = Pattern.compile("(?s)```.*?```|`([^`]+)`");
-    /** Packages, if any, a class, members, if any. */
+    /** Optional packages, a class, optional members. */
     private static final Pattern NAME = Pattern.compile("((?:[a-z]\\w*\\.)*)([A-Z]\\w*[a-z]\\w*)(?:\\.\\w+)*(?:\\(.*\\))?");
     private static final Pattern FILE = Pattern.compile(".*\\.(js|java|py|xml|html|css|sear)");
     private static final Pattern IMPORT = Pattern.compile("(?m)^import (?:static )?(?:\\w+\\.)*(\\w+);$");
     private static final Pattern DECLARED = Pattern.compile("\\b(?:class|interface|enum) (\\w+)");
-    /** The package whose name begins like a class's. */
+    /** Package with a name that begins like a class. */
     private static final Pattern OBJECTS = Pattern.compile("^POJOs(\\.|$)");
 
     @Test
@@ -67,7 +67,7 @@ public class NamesInPagesTest {
         assertFalse(known.contains("Mt3301" + "Type"));
     }
 
-    /** Our classes, also those inside others, and what they import. */
+    /** Returns the names of all classes of the project, nested ones included, and of their imports. */
     private static Set<String> known(List<Path> sources) throws IOException {
         Set<String> names = new HashSet<>();
         for (Path source : sources) {

@@ -3,12 +3,11 @@ package org.SEAR;
 import com.sun.management.OperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
 
-/** Seconds that processors worked for this process: other work on the machine hardly counts, unlike seconds of the clock. */
+/** CPU time of this process, seconds. Unlike the clock it hardly depends on other work on the machine. */
 public final class ProcessorTime {
     private static final OperatingSystemMXBean SYSTEM = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
     private final long start = SYSTEM.getProcessCpuTime();
 
-    /** Since this was made. */
     public double seconds() {
         return (SYSTEM.getProcessCpuTime() - start) / 1e9;
     }

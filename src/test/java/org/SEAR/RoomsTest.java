@@ -25,7 +25,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.Test;
 
-/** The packages of the plug-in and who may call whom: one imports only from those below it. */
+/** Packages of the plug-in and their layers: each imports only from packages below it. */
 public class RoomsTest {
     /** Every package, top to bottom. */
     private static final List<String> ROOMS = Arrays.asList(
@@ -56,21 +56,20 @@ public class RoomsTest {
         "org.SEAR.protocol.firmata", "org.SEAR.protocol.mrlcomm", "org.SEAR.protocol.arduino",
         "org.SEAR.protocol");
     private static final List<String> CORE = ROOMS.subList(ROOMS.indexOf("org.SEAR.simulator"), ROOMS.size());
-    /** Those that make threads and wait for what they do: one for a model's loading only, and that of all cores; see there. */
     private static final List<String> THREADS = Arrays.asList("EngineThread.java", "WorkerPool.java");
-    /** Files that all use each other, directly or through others. */
+    /** Largest number of files that all use each other, directly or indirectly. */
     private static final int LARGEST_KNOT = 6;
-    /** The objects of the grammar know their robot, their shapes and how they are kept. */
+    /** Objects of the grammar know their robot, their shapes and their storage. */
     private static final Map<String, Integer> LARGE_KNOTS = Collections.singletonMap("org.SEAR.POJOs", 10);
     private static final int MOST_FILES = 20;
-    /** Lists of kinds, which grow with the kinds there are; the last is MyRobotLab's. */
+    /** Packages of one kind of class, which grow with the number of kinds; the last belongs to MyRobotLab. */
     private static final List<String> LISTS_OF_KINDS = Arrays.asList("org.SEAR.POJOs", "org.SEAR.sensors", "org.myrobotlab.framework.interfaces");
     private static final Pattern WORD = Pattern.compile("(?<![.\\w])[A-Z]\\w*");
     private static final Pattern NAME = Pattern.compile("\\b(?:org|com)\\.[A-Za-z0-9_.]+");
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."), "src");
     private static final Path SOURCES = ROOT.resolve("main/java");
     private static final Path MYROBOTLAB = ROOT.resolve("mrl/java");
-    /** What else there is besides tests. */
+    /** Source folders besides main and test. */
     private static final List<String> OTHERS = Arrays.asList("mrl", "cli", "assets", "jmh");
 
     @Test
@@ -170,7 +169,6 @@ public class RoomsTest {
         said.forEach((name, count) -> assertEquals("package-info.java of " + name, Long.valueOf(1), count));
     }
 
-    /** By folder of any source but tests: how many files it has. */
     private static Map<Path, Long> foldersOfAllSources() throws IOException {
         List<Path> all = new ArrayList<>(sources());
         for (String other : OTHERS) {
@@ -179,13 +177,12 @@ public class RoomsTest {
         return all.stream().collect(Collectors.groupingBy(Path::getParent, Collectors.counting()));
     }
 
-    /** Name of the package in a folder of sources. */
     private static String nameOf(Path folder) {
         Path inside = ROOT.relativize(folder);
         return inside.subpath(2, inside.getNameCount()).toString().replace(java.io.File.separatorChar, '.');
     }
 
-    /** By package and file: which files of the same package it uses. */
+    /** Returns, by package and file, the files of the same package that it uses. */
     private static Map<String, Map<String, Set<String>>> uses() throws IOException {
         Map<String, Map<String, Set<String>>> rooms = new TreeMap<>();
         for (Path file : sources()) {
@@ -218,13 +215,13 @@ public class RoomsTest {
         return found;
     }
 
-    /** The package in the list that a class, or something in it, lies in; empty for others. */
+    /** Returns the listed package that contains a class or member, or an empty text. */
     private static String room(String name) {
         return ROOMS.stream().filter(room -> name.equals(room) || name.startsWith(room + ".")).max(Comparator.comparingInt(String::length))
             .orElse("");
     }
 
-    /** Whether a class is MyRobotLab's own, which shares package names with two of our rooms. */
+    /** Returns whether a class is MyRobotLab's own; MyRobotLab shares two package names with the plug-in. */
     private static boolean isMyRobotLabs(String name) {
         return Files.exists(MYROBOTLAB.resolve(name.replace('.', '/') + ".java"));
     }
@@ -244,7 +241,7 @@ public class RoomsTest {
         return names;
     }
 
-    /** The lines that are code: package declarations and comments left out. */
+    /** Returns the lines of code, without package declarations and comments. */
     private static Stream<String> lines(Path file) throws IOException {
         return Files.readAllLines(file, StandardCharsets.UTF_8).stream()
             .filter(line -> !line.startsWith("package ") && !line.trim().matches("(\\*|/\\*|//).*"));

@@ -6,15 +6,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** The command {@code sear} from the compiled classes, in a JVM of its own. */
+/** The command {@code sear} from the compiled classes, in its own JVM. */
 public final class SearProcess {
     private SearProcess() {
     }
 
     /**
-     * Its command line, for the arguments of {@code sear} to be added. It leaves out the optimizing compiler, whose work does not pay for programs
-     * that end after seconds, and takes the classes from the archive that {@code ./gradlew classArchive} has written.
-     *
+     * Returns the command line, to which the arguments of {@code sear} are added. It turns off the optimizing compiler,
+     * which does not pay off within seconds, and loads classes from the archive of {@code ./gradlew classArchive}.
      * @param options of the JVM
      * @return a list that can grow
      */
@@ -23,9 +22,8 @@ public final class SearProcess {
     }
 
     /**
-     * The same with more than what comes with SEAR.
-     *
-     * @param moreClasses what else is on the class path, at its end; empty for nothing
+     * Returns the command line with a longer class path.
+     * @param moreClasses appended to the class path; empty for nothing
      */
     public static List<String> command(String moreClasses, String[] options) {
         List<String> command = java(moreClasses, options);
@@ -33,7 +31,7 @@ public final class SearProcess {
         return command;
     }
 
-    /** The same for another main class, whose name is the first to be added. */
+    /** Returns the command line for another main class; its name is the first argument to add. */
     public static List<String> java(String moreClasses, String[] options) {
         List<String> command = new ArrayList<>(List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-XX:+UseSerialGC",
             "-XX:TieredStopAtLevel=1"));

@@ -11,12 +11,15 @@ import org.junit.runner.Result;
 import org.junit.runner.notification.Failure;
 import org.junit.runner.notification.RunListener;
 
-/** Runs test classes in this JVM and sums up as {@code ./gradlew test} does, for Javas on which Gradle's own runner can't. */
+/**
+ * Runs test classes in this JVM with the summary of {@code ./gradlew test}, for Javas that Gradle's own runner does not
+ * support.
+ */
 public final class TestRun {
     private TestRun() {
     }
 
-    /** @param arguments the file for the summary, and the names of the test classes */
+    /** @param arguments the file for the summary, then the names of the test classes */
     public static void main(String[] arguments) throws IOException {
         JUnitCore core = new JUnitCore();
         core.addListener(new RunListener() {

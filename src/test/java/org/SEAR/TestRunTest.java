@@ -8,9 +8,9 @@ import org.junit.Ignore;
 import org.junit.Test;
 import org.junit.runner.JUnitCore;
 
-/** The last line of {@code ./gradlew test} counts right on Javas where Gradle's own runner does not work. */
+/** The last line of {@code ./gradlew test} counts correctly on Javas that Gradle's own runner does not support. */
 public class TestRunTest {
-    /** One of each kind. */
+    /** One test of each result. */
     public static class Mixed {
         @Test
         public void good() {

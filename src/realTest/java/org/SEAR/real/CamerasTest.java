@@ -6,7 +6,7 @@ import static org.junit.Assert.assertTrue;
 import org.junit.Test;
 import org.openqa.selenium.WebElement;
 
-/** Pictures of cameras in MyRobotLab's own page: they come by its messages, and a click is answered. */
+/** Camera pictures on MyRobotLab's own page: they arrive as messages, and a click returns the distance. */
 public class CamerasTest extends InPage {
     private static final String EYE = "[data-eye='eye']:not([data-large]) ";
 

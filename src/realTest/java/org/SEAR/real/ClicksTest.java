@@ -20,7 +20,7 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
-/** What SEAR's panels and the Python tab do in MyRobotLab's own page when one clicks, at four widths. */
+/** Clicks in SEAR's panels and in the Python tab on MyRobotLab's own page, at four widths. */
 @RunWith(Parameterized.class)
 public class ClicksTest extends InPage {
     private final int width;
@@ -46,7 +46,6 @@ public class ClicksTest extends InPage {
         page.setSize(0, 0);
     }
 
-    /** The page shows the row of the project when one clicks its name. */
     private void showProjects() {
         page.await("a layout", "layout.room !== undefined");
         if (page.isTrue("layout.isFolded('project')")) {
@@ -95,7 +94,6 @@ public class ClicksTest extends InPage {
         Files.delete(mrl.folder().resolve("run.searlog"));
     }
 
-    /** There and back. */
     private void driveByHeldKeysAndFilm() throws IOException {
         page.browser.click(".sear-video");
         page.await("it films", "video.running");
@@ -148,7 +146,6 @@ public class ClicksTest extends InPage {
         Files.delete(saved);
     }
 
-    /** The devices of the example with a LIDAR and a receiver run. */
     private void startSensors() throws IOException, InterruptedException {
         assertEquals("", mrl.python("sear.setLockStep(False)", "sear.setSpeed(1)",
             "sear.loadProject(" + RealMrl.literal(ROOT + "/examples/sensors.sear") + ")", "sear.startSimulation()"));
@@ -197,7 +194,7 @@ public class ClicksTest extends InPage {
         page.browser.until("the tab of its file", () -> page.browser.all(".nav-tabs a").stream()
             .filter(tab -> tab.getText().startsWith(file)).peek(WebElement::click).count() == 1);
         page.browser.click(".tab-pane.active .ace_content");
-        // on a line of its own: on a busy machine it was written behind the comment that a new script begins with, once
+        // starts on a line of its own: on a busy machine the text can land in the new script's first comment
         new Actions(page.browser.driver()).sendKeys(Keys.chord(Keys.CONTROL, Keys.END), Keys.ENTER, "print sear.getName() + ' says ' + str(7 * "
             + width + ")").perform();
         page.browser.click("[ng-click='exec()']");

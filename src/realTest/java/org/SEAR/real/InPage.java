@@ -12,13 +12,15 @@ import org.junit.rules.TestRule;
 import org.junit.rules.TestWatcher;
 import org.junit.runner.Description;
 
-/** A test with MyRobotLab's page in a browser, whose console has to stay without an error. SEAR, a LIDAR and a GPS service are there. */
+/**
+ * Base of tests with MyRobotLab's page in a browser. The services SEAR, LIDAR and GPS run; the browser's console must
+ * stay free of errors.
+ */
 abstract class InPage extends InRealMrl {
-    /** Width and height in pixels. */
+    /** Width and height, pixels. */
     static final int[][] SIZES = {{800, 1000}, {1024, 768}, {1366, 768}, {1920, 1080}};
     static Page page;
 
-    /** Keeps what the page showed. */
     @Rule
     public final TestRule pictures = new TestWatcher() {
         @Override

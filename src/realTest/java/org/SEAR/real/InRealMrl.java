@@ -8,9 +8,11 @@ import java.util.List;
 import org.junit.After;
 import org.junit.Before;
 
-/** A test in the one MyRobotLab that all tests share: the services that it starts are released afterwards, and its project is put away. */
+/**
+ * Base of tests in the one MyRobotLab that all tests share. After each test it releases the started services and opens
+ * a new project.
+ */
 abstract class InRealMrl {
-    /** The sources of SEAR. */
     static final Path ROOT = Path.of(System.getProperty("sear.root")).toAbsolutePath();
     RealMrl mrl;
 
@@ -24,7 +26,7 @@ abstract class InRealMrl {
         release(mrl);
     }
 
-    /** Puts the project away, releases what was started, and waits until Python has forgotten it. */
+    /** Opens a new project, releases the started services and waits until Python has removed their names. */
     static void release(RealMrl mrl) throws IOException, InterruptedException {
         assertEquals("", mrl.python("Runtime.start('sear', 'SEAR')", "for _name in Runtime.getServiceNames():",
             "    _service = Runtime.getService(_name)",

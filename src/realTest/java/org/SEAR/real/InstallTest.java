@@ -22,7 +22,7 @@ import java.util.zip.ZipFile;
 import org.junit.After;
 import org.junit.Test;
 
-/** Install, update, remove in a real MyRobotLab: afterwards its folder is what it was, to the byte. */
+/** Install, update and removal in a real MyRobotLab: afterwards its folder is the same to the byte. */
 public class InstallTest {
     private static final Path OLDER = RealMrlCopy.BUILD.resolve("older-sear");
 
@@ -32,7 +32,10 @@ public class InstallTest {
         RealMrlCopy.delete(OLDER);
     }
 
-    /** Each file's length and check sum by its path; folders end in '/'. A hash takes 10 s more of processor time without the optimizing compiler. */
+    /**
+     * Returns length and checksum of each file by path; folder names end in '/'. CRC is used because a hash costs 10 s
+     * more CPU time without the optimizing compiler.
+     */
     private static Map<String, List<Long>> bytes(Path folder) throws IOException {
         Map<String, List<Long>> bytes = new TreeMap<>();
         for (Path path : RealMrlCopy.tree(folder)) {
@@ -49,7 +52,10 @@ public class InstallTest {
         return bytes;
     }
 
-    /** A distribution of an older SEAR: another plug-in, and a library that today's has no more. */
+    /**
+     * Makes a distribution of an older SEAR: a different plug-in jar, and a library that the current version does not
+     * ship.
+     */
     private static void makeOlder() throws IOException {
         RealMrlCopy.delete(OLDER);
         RealMrlCopy.copy(RealMrlCopy.SEAR.getParent().getParent(), OLDER);
@@ -76,7 +82,7 @@ public class InstallTest {
         assertItIsAsItWas(copy.folder());
     }
 
-    /** With what MyRobotLab and SEAR's panels have put there since. */
+    /** Includes the files that MyRobotLab and SEAR's panels have written since. */
     @Test
     public void oneThatHasRunIsAsItWas() throws Exception {
         Path running = RealMrl.shared().folder();

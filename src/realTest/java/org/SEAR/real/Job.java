@@ -11,7 +11,6 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** A script that comes with SEAR, with what it needs around it: its own project, and that the simulation ends. */
 final class Job {
     private static final Path ROOT = InRealMrl.ROOT;
     private static final String WHAT_IS_THERE = "sear.startSimulation()\nsear.simSleep(1)\nfor part in sear.getSensorNames():\n"
@@ -30,11 +29,9 @@ final class Job {
     private final String text;
 
     /**
-     * What to run.
-     *
      * @param name for the report
      * @param sear the name of its SEAR service
-     * @param byTheClock whether it waits by sleep(), which passes no simulated time in a MyRobotLab's lock-step
+     * @param byTheClock whether the script waits by sleep(), which passes no simulated time in lock-step
      * @param body lines of Python
      */
     private Job(String name, String sear, boolean byTheClock, String body) {
@@ -44,7 +41,7 @@ final class Job {
             + "sear = Runtime.getService('" + sear + "')\nif sear.isSimulating(): sear.stopSimulation()\n";
     }
 
-    /** Every script, and the listings of the dissertation each after those that it builds on. */
+    /** Returns every script; each listing of the dissertation follows the listings that it builds on. */
     static List<Job> all() throws IOException {
         List<Job> jobs = new ArrayList<>();
         for (int[] numbers : new int[][] {{1, 2, 3}, {1, 4, 5}, {1, 4, 6}, {1, 7, 8}, {9}}) {
@@ -99,12 +96,12 @@ final class Job {
         return byTheClock;
     }
 
-    /** For the embedded MyRobotLab. */
+    /** Returns the text for the embedded MyRobotLab. */
     String alone() {
         return text;
     }
 
-    /** For one session of a real MyRobotLab. */
+    /** Returns the text for one session of a real MyRobotLab. */
     String inSession() {
         return text.replaceFirst("\n", "\nsear.setLockStep(" + (byTheClock ? "False" : "True") + ")\nsear.setSpeed("
             + (byTheClock ? "1" : "float('inf')") + ")\n");

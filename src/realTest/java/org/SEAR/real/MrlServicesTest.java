@@ -14,16 +14,16 @@ import org.junit.runner.RunWith;
 import org.junit.runners.Parameterized;
 
 /**
- * MyRobotLab's own services at the simulated ports: each script of {@code src/realTest/python/mrl_services} holds one of them against the
- * simulation, and raises where it is not as it must be.
+ * MyRobotLab's own services at the simulated ports. Each script of {@code src/realTest/python/mrl_services} compares
+ * one service with the simulation and raises on a difference.
  */
 @RunWith(Parameterized.class)
 public class MrlServicesTest extends InRealMrl {
     private static final Path SCRIPTS = ROOT.resolve("src/realTest/python");
 
     /**
-     * What MyRobotLab's Arduino says of each board that has not told what it is when its port opens, its Pir whenever it starts, and any service
-     * whose message calls a function of a script at once.
+     * Errors that MyRobotLab always logs: its Arduino for a board that has not yet identified itself when the port
+     * opens, its Pir at each start, and any service that calls a function of a script from a message.
      */
     private static final Pattern ALWAYS_SAID = Pattern.compile(
         "board info is null|pir error pin control not set|Method Cache look up Failed! org.myrobotlab.service.Python");

@@ -8,8 +8,8 @@ import java.nio.file.Path;
 import org.junit.Test;
 
 /**
- * In lock-step the callbacks of six services come in one order always: each run in one session of the real MyRobotLab ends with the log and the poses
- * of the embedded one. {@code -Dsear.orderRuns=200} has the script run that often.
+ * In lock-step the callbacks of six services always come in the same order. Each run in one session of the real
+ * MyRobotLab ends with the log and the poses of the embedded one. {@code -Dsear.orderRuns=200} sets the number of runs.
  */
 public class OneOrderTest extends InRealMrl {
     private static final int RUNS = Integer.getInteger("sear.orderRuns", 5);

@@ -9,10 +9,13 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.Test;
 
-/** A program in Python 3 looks by OpenCV through a camera that MyRobotLab's SEAR exports, and drives by its web server. */
+/**
+ * A Python 3 program reads a camera with OpenCV, as exported by SEAR in MyRobotLab, and drives the robot through the
+ * web server.
+ */
 public class OpencvTest extends InRealMrl {
     private static final int PATIENCE_SECONDS = 900;
-    /** In examples/dock.py, the dock's front less half of the robot. */
+    /** Docked position in examples/dock.py: the dock's front minus half the robot's length, metres. */
     private static final double DOCKED = 2.997 - 0.17;
 
     @Test

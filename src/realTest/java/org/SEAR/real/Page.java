@@ -7,11 +7,11 @@ import java.nio.file.Path;
 import java.util.List;
 import org.SEAR.web.Browser;
 
-/** MyRobotLab's page in a browser, with panels as its user sees them. */
+/** MyRobotLab's page in a browser, with its panels. */
 final class Page implements AutoCloseable {
     static final String SEAR = ".sear-main";
     private static final Path PICTURES = RealMrlCopy.BUILD.resolve("pictures");
-    /** What MyRobotLab's own scripts say in the console. */
+    /** Source of the console messages of MyRobotLab's own scripts. */
     private static final String OWN = "/lib/atmosphere-";
     private static final String CLICK = "var name = arguments[0], one = [].find.call(document.querySelectorAll('#mySidenav a'),"
         + " function(a) { return a.textContent.trim() === name }); if (one) { one.click() } return Boolean(one)";
@@ -23,7 +23,7 @@ final class Page implements AutoCloseable {
         browser = Browser.whole(1366, 768);
     }
 
-    /** Loads the page anew, as one who comes for the first time. */
+    /** Loads the page as on a first visit, without stored settings. */
     void open(RealMrl mrl, String service) {
         String url = "http://localhost:" + mrl.port() + "/";
         if (browser.driver().getCurrentUrl().startsWith(url)) {
@@ -35,7 +35,7 @@ final class Page implements AutoCloseable {
         see(service);
     }
 
-    /** Shows a service by a click in the list. */
+    /** Shows a service by a click on its name in the list. */
     void show(String service) {
         browser.until(service + " in the list", () -> Boolean.TRUE.equals(browser.script(CLICK, service)));
         see(service);
@@ -51,7 +51,7 @@ final class Page implements AutoCloseable {
         browser.setPageSize(width, height);
     }
 
-    /** Keeps what the window shows. */
+    /** Saves a screenshot of the window. */
     Path keep(String name) throws IOException {
         Path file = PICTURES.resolve(name + ".png");
         browser.picture(file);

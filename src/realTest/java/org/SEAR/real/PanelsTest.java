@@ -8,13 +8,13 @@ import java.util.Map;
 import org.junit.Test;
 import org.openqa.selenium.WebElement;
 
-/** SEAR's panels in MyRobotLab's own page: what they look like at four widths. */
+/** Layout of SEAR's panels on MyRobotLab's own page at four widths. */
 public class PanelsTest extends InPage {
-    /** Pixels. */
+    /** Least width of a control, pixels. */
     private static final int NARROWEST = 24;
     /**
-     * Of the service in front: panels of SEAR's that are off from the sides of its area or reach into the header, rows of MyRobotLab's that are off
-     * from the sides, and what stands out to the right.
+     * Script that returns the layout errors of the front service: SEAR panels that miss the sides of their area or
+     * overlap the header, MyRobotLab rows that miss the sides, and content beyond the right edge.
      */
     private static final String FAULTS = String.join("\n",
         "var area = [].find.call(document.querySelectorAll('.tab-content > div'), function(e) { return e.getClientRects().length })",
@@ -50,7 +50,7 @@ public class PanelsTest extends InPage {
         page.setSize(0, 0);
     }
 
-    /** The controls that were beside the header, or of no width; the narrowest has an icon. */
+    /** Checks that the controls of a service lie beside its header and have a width; the narrowest is an icon. */
     private void checkWhatOneNeeds(String service) {
         List<String> controls = Map.of("sear", List.of(".sear-start", ".sear-stop", ".sear-stage canvas", ".sear-record"),
             "lidar", List.of(".lidar-port", ".sear-lidar canvas, .sear-lidar svg"), "gps", List.of(".gps-port", ".sear-gps table"),
@@ -96,7 +96,10 @@ public class PanelsTest extends InPage {
         }
     }
 
-    /** What the first panel of a page asks for late, since its files have to come first, all others ask for at once. */
+    /**
+     * The first panel of a page sends some requests late because its files load first. Later panels send them
+     * immediately.
+     */
     @Test
     public void aServiceThatIsStartedWhileThePageIsOpenHasAllInItsPanel() throws Exception {
         page.open(mrl, "sear");

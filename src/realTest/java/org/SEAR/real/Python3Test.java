@@ -10,7 +10,10 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.Test;
 
-/** A program in Python 3 connects to MyRobotLab's SEAR: calls, readings, errors and callbacks, twice with the same numbers. */
+/**
+ * A Python 3 program connects to SEAR in MyRobotLab: calls, readings, errors and callbacks, twice with the same
+ * numbers.
+ */
 public class Python3Test extends InRealMrl {
     private static final int PATIENCE_SECONDS = 300;
 

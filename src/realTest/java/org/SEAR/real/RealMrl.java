@@ -20,14 +20,14 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.SEAR.FreePort;
 
-/** A running MyRobotLab with WebGui and Python, and SEAR installed: told over its WebGui's HTTP what to do. */
+/** A running MyRobotLab with WebGui, Python and SEAR, controlled over HTTP. */
 final class RealMrl {
     private static final long PATIENCE_SECONDS = 240;
-    /** The Java that MyRobotLab runs on. */
     private static final Path JAVA = Path.of(System.getProperty("sear.mrlJava", System.getProperty("java.home")), "bin", "java");
     /**
-     * Runs a script with a file for its output. Whether "print a, b" still owes a space is kept for each thread by itself: MyRobotLab's Python
-     * service executes a line of its own after each service that starts, which would end the line of another thread.
+     * Runs a script and writes its output to a file. The pending space of "print a, b" is tracked per thread, because
+     * MyRobotLab's Python service executes a line of its own after each service start, which would end another thread's
+     * line.
      */
     private static final String WRAPPER = "import os, sys, threading, traceback\n"
         + "class _Output(object):\n"
@@ -46,13 +46,13 @@ final class RealMrl {
         + "        traceback.print_exc(None, sys.stdout)\n"
         + "finally:\n"
         + "    _file = sys.stdout\n"
-        + "    sys.stdout, sys.stderr = _console\n"    // a callback that ends now is not to find the file closed
+        + "    sys.stdout, sys.stderr = _console\n"    // a callback that ends now must not find the file closed
         + "    _file.close()\n"
         + "    os.rename(%1$s, %3$s)\n";
     private static RealMrl shared;
     private static int runs;
 
-    /** Of HTTP 1: an offer of HTTP 2 is a request for a web socket to this WebGui, which it refuses. */
+    /** HTTP/1.1: this WebGui takes an HTTP/2 upgrade for a web socket request and rejects it. */
     private final HttpClient client = HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
     private final Path folder;
     private final Path log;
@@ -61,9 +61,8 @@ final class RealMrl {
     private final List<String> firstServices;
 
     /**
-     * Starts it as its own start script does, without a browser and without the optimizing compiler, whose work does not pay for minutes, and waits
-     * until it answers.
-     *
+     * Starts MyRobotLab as its own start script does, but without a browser and without the optimizing compiler, which
+     * does not pay off within minutes. Waits until the web server answers.
      * @param folder of the copy
      * @param config the configuration's name
      */
@@ -88,7 +87,6 @@ final class RealMrl {
         }
     }
 
-    /** The one that all tests use, started by the first and again if it was closed. */
     static synchronized RealMrl shared() throws IOException, InterruptedException {
         if (shared == null || !shared.process.isAlive()) {
             RealMrlCopy copy = new RealMrlCopy("mrl");
@@ -98,7 +96,7 @@ final class RealMrl {
         return shared;
     }
 
-    /** Makes one that runs the one for all tests. */
+    /** Makes a MyRobotLab the shared one. */
     static synchronized void share(RealMrl running) {
         if (shared == null) {
             Runtime.getRuntime().addShutdownHook(new Thread(() -> shared.process.destroyForcibly()));
@@ -110,7 +108,6 @@ final class RealMrl {
         return folder;
     }
 
-    /** Of its WebGui. */
     int port() {
         return port;
     }
@@ -119,7 +116,7 @@ final class RealMrl {
         return Files.readString(log);
     }
 
-    /** Something that comes true in time. */
+    /** A condition to wait for. */
     interface Condition {
         boolean holds() throws IOException, InterruptedException;
     }
@@ -139,7 +136,7 @@ final class RealMrl {
         }
     }
 
-    /** The log's last lines. */
+    /** Returns the last lines of the log. */
     String tail() throws IOException {
         List<String> lines = Files.readAllLines(log);
         return log + ":\n" + String.join("\n", lines.subList(Math.max(0, lines.size() - 30), lines.size()));
@@ -161,11 +158,6 @@ final class RealMrl {
         return answer.body();
     }
 
-    /**
-     * Runs lines of Python.
-     *
-     * @return what they printed, with the traceback if they raised
-     */
     String python(String... lines) throws IOException, InterruptedException {
         return run(write("lines", String.join("\n", Arrays.asList(lines)) + "\n"));
     }
@@ -178,8 +170,7 @@ final class RealMrl {
 
     /**
      * Runs a script file in the Python service.
-     *
-     * @return what it printed, with the traceback if it raised
+     * @return its output, with the traceback if it raised
      */
     String run(Path script) throws IOException, InterruptedException {
         Path wrapper = write("run", "");
@@ -190,12 +181,12 @@ final class RealMrl {
         return Files.readString(output);
     }
 
-    /** A text as Python writes it. */
+    /** Returns a text as a Python literal. */
     static String literal(String text) {
         return "'" + text.replace("\\", "\\\\").replace("'", "\\'").replace("\n", "\\n") + "'";
     }
 
-    /** Names of all services, as the registry has them, without MyRobotLab's id. */
+    /** Returns the names of all services in the registry, without MyRobotLab's id. */
     List<String> services() throws IOException, InterruptedException {
         List<String> names = new ArrayList<>();
         for (String name : python("for name in sorted(Runtime.getServiceNames()): print name").split("\n")) {
@@ -204,12 +195,11 @@ final class RealMrl {
         return names;
     }
 
-    /** Those that came with it. */
     List<String> firstServices() {
         return firstServices;
     }
 
-    /** Ends it as its shut-down button does; it may be gone before it answers. */
+    /** Shuts MyRobotLab down as its shut-down button does; the process may end before it answers. */
     void close() throws IOException, InterruptedException {
         client.sendAsync(request("/api/service/runtime/shutdown").build(), HttpResponse.BodyHandlers.discarding());
         boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);

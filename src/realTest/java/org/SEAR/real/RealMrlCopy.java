@@ -15,9 +15,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** A copy of the user's MyRobotLab in a folder of the build: its jar and its libraries, as before its first start and without SEAR. */
+/**
+ * A copy of the user's MyRobotLab in a folder of the build: jar and libraries, as before the first start and without
+ * SEAR.
+ */
 final class RealMrlCopy {
-    /** Where copies, logs and pictures are kept. */
+    /** Folder of copies, logs and pictures. */
     static final Path BUILD = Path.of(System.getProperty("sear.realMrl"));
     private static final Path ORIGINAL = Path.of(System.getProperty("sear.myRobotLab"));
     static final Path SEAR = Path.of(System.getProperty("sear.home"), "bin", "sear");
@@ -25,7 +28,7 @@ final class RealMrlCopy {
 
     private final Path folder;
 
-    /** @param name of the folder in {@link #BUILD}; what was there before is deleted */
+    /** @param name of the folder in {@link #BUILD}, whose previous content is deleted */
     RealMrlCopy(String name) throws IOException, InterruptedException {
         folder = BUILD.resolve(name);
         delete(folder);
@@ -37,12 +40,12 @@ final class RealMrlCopy {
         }
     }
 
-    /** Runs SEAR's own installer on it. */
+    /** Runs SEAR's own installer on this copy. */
     void install(String... options) throws IOException, InterruptedException {
         install(SEAR, folder, options);
     }
 
-    /** The same by another distribution's, or elsewhere. */
+    /** Runs the installer of a distribution on a folder. */
     static void install(Path sear, Path folder, String... options) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(sear.toString(), "install"));
         command.addAll(Arrays.asList(options));
@@ -56,7 +59,7 @@ final class RealMrlCopy {
         }
     }
 
-    /** Everything below a folder and the folder itself, parents first. */
+    /** Returns a folder and everything below it, parents first. */
     static List<Path> tree(Path folder) throws IOException {
         try (Stream<Path> paths = Files.walk(folder)) {
             return paths.sorted().collect(Collectors.toList());
@@ -78,9 +81,8 @@ final class RealMrlCopy {
     }
 
     /**
-     * Runs SEAR's own program, {@code sear install} for example, which has to end well.
-     *
-     * @return what it printed
+     * Runs SEAR's own program, for example {@code sear install}, and expects status 0.
+     * @return its output
      */
     static String sear(Path folder, String... arguments) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(SEAR.toString()));
@@ -88,7 +90,7 @@ final class RealMrlCopy {
         return output(folder, command);
     }
 
-    /** @return what a program printed that has to end well */
+    /** @return the output of a program, which must end with status 0 */
     static String output(Path folder, List<String> command) throws IOException, InterruptedException {
         File output = File.createTempFile("output", ".txt", BUILD.toFile());
         File errors = File.createTempFile("errors", ".txt", BUILD.toFile());

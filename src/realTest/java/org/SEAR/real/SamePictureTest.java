@@ -13,22 +13,24 @@ import javax.imageio.ImageIO;
 import org.SEAR.web.MyRobotLab;
 import org.junit.Test;
 
-/** The embedded MyRobotLab shows SEAR's panel as the real one does: every part at the same place, and nearly the same pixels. */
+/**
+ * The embedded MyRobotLab shows SEAR's panel as the real one does: every part at the same place, and nearly the same
+ * pixels.
+ */
 public class SamePictureTest extends InRealMrl {
     private static final int[][] SIZES = {{800, 1000}, {1024, 768}, {1366, 768}, {1920, 1080}};
     private static final String PROJECT = "sear.loadProject(" + RealMrl.literal(ROOT + "/examples/office.sear") + ")";
-    /** Pixels. */
+    /** Tolerance of positions and sizes, pixels. */
     private static final double NEAR = 2;
-    /** Of red, green and blue together, from which on two pixels are different. */
+    /** Sum of the differences of red, green and blue from which two pixels count as different. */
     private static final int DIFFERENT = 60;
-    /** Of all pixels; the embedded one's buttons and grey words are darker, so that one can read them. */
+    /** Largest share of different pixels. The embedded page's buttons and grey text are darker for legibility. */
     private static final double MOST_DIFFERENT = 0.015;
-    /** The list of examples says where they lie, which is another folder here and there. */
     private static final String PREPARE = "if (!document.querySelector('.sear-example')) { document.querySelector('.sear-fold-project').click() }"
         + "document.querySelector('.sear-example').style.width = '190px'";
     private static final String READY =
         "world.preview !== null && edits.grammar !== null && world.shown() && world.shown().robots.length == 1 && view.fitted";
-    /** Of each visible part of the panel: what it is, and left, top, width and height in the window. */
+    /** Script that returns type, left, top, width and height of each visible part of the panel, in window pixels. */
     private static final String BOXES = String.join("\n",
         "return [].filter.call(document.querySelectorAll('.sear-main, .sear-main *'), function(e) {",
         "    return e.getClientRects().length && !e.closest('option')",
@@ -53,7 +55,7 @@ public class SamePictureTest extends InRealMrl {
         }
     }
 
-    /** What the page shows at a size. */
+    /** Parts and picture of the page at one window size. */
     private static final class View {
         private final String size;
         private final List<Map<String, Object>> parts;

@@ -21,8 +21,8 @@ import org.junit.runner.RunWith;
 import org.junit.runners.Parameterized;
 
 /**
- * Every script that comes with SEAR, twice in one session of the real MyRobotLab, prints what it prints alone in the embedded one: the same to the
- * letter in lock-step, nearly the same numbers where a script waits by the clock.
+ * Every script that comes with SEAR, twice in one session of the real MyRobotLab, prints the output of a run in the
+ * embedded one: identical in lock-step, nearly the same numbers if the script waits by the clock.
  */
 @RunWith(Parameterized.class)
 public class ScriptsTest {
@@ -43,7 +43,7 @@ public class ScriptsTest {
         return Job.all();
     }
 
-    /** While the real MyRobotLab runs one script, the embedded one runs another. */
+    /** Runs the scripts in the embedded MyRobotLab in parallel to the real one. */
     @BeforeClass
     public static void startTheEmbeddedOnes() throws Exception {
         others = Executors.newSingleThreadExecutor();
@@ -75,7 +75,10 @@ public class ScriptsTest {
         }
     }
 
-    /** The same kinds of lines, with numbers from the same ranges: by the clock, a receiver has a fix more or less. */
+    /**
+     * Checks that both outputs have the same kinds of lines with numbers from the same ranges. By the clock, the number
+     * of GPS fixes varies.
+     */
     private static void assertNear(String expected, String output) {
         Map<String, List<double[]>> one = ranges(expected);
         Map<String, List<double[]>> other = ranges(output);
@@ -90,7 +93,7 @@ public class ScriptsTest {
         });
     }
 
-    /** Least and greatest of each number in all lines that are the same but for their numbers. */
+    /** Returns minimum and maximum of each number over all lines that differ only in numbers. */
     private static Map<String, List<double[]>> ranges(String text) {
         Map<String, List<double[]>> ranges = new TreeMap<>();
         for (String line : text.split("\n")) {

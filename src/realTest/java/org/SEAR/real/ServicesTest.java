@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.Locale;
 import org.junit.Test;
 
-/** SEAR, LIDAR and GPS are released and started again, and come back with a saved configuration. */
+/** Services SEAR, LIDAR and GPS are released, started again and restored from a saved configuration. */
 public class ServicesTest extends InRealMrl {
     private static final String WORLD = "sear.loadProject(" + RealMrl.literal(ROOT + "/examples/sensors.sear") + ")\n";
-    /** In lock-step: whether scans and fixes come. */
+    /** Script that checks in lock-step whether scans and fixes arrive. */
     private static final String READ = String.join("\n",
         "def readings():",
         "    scans, sentences = lidar.getScanCount(), gps.getSentenceCount()",
@@ -35,7 +35,7 @@ public class ServicesTest extends InRealMrl {
         assertEquals("(True, 361, True)\n", mrl.python("print readings()"));
     }
 
-    /** Python has another variable of that name when it has heard of it, a moment later. */
+    /** Waits until Python has removed the variable of the released service, which happens a moment later. */
     private void release(String... names) throws IOException, InterruptedException {
         for (String name : names) {
             assertEquals("", mrl.python("Runtime.release('" + name + "')"));
@@ -73,7 +73,7 @@ public class ServicesTest extends InRealMrl {
         assertRead();
     }
 
-    /** MyRobotLab itself takes it, and the service breaks at the next look into it. */
+    /** MyRobotLab itself accepts it, and the service would fail at the next access. */
     @Test
     public void aConfigurationOfAnotherServiceIsRefused() throws Exception {
         assertEquals("", mrl.python(READ, "services()"));
@@ -88,7 +88,7 @@ public class ServicesTest extends InRealMrl {
         }
     }
 
-    /** The LIDAR's unit, the ports and the project; the drivers connect as soon as their ports come. */
+    /** Restores the LIDAR's unit, the ports and the project. The drivers connect as soon as their ports appear. */
     @Test
     public void aSavedConfigurationBringsEverythingBackAfterARestart() throws Exception {
         start();
@@ -106,7 +106,7 @@ public class ServicesTest extends InRealMrl {
         assertEquals("", mrl.python(READ, "services()", "sear.setLockStep(True)", "sear.startSimulation()", "sear.simSleep(3)"));
         assertEquals("True True\n" + unit, mrl.python("print lidar.isConnected(), gps.isConnected()", "print lidar.getUnit()"));
         assertRead();
-        mrl.close();    // the other tests' MyRobotLab has no services of its configuration's
+        mrl.close();    // the other tests' MyRobotLab has none of the services of this configuration
         mrl = new RealMrl(mrl.folder(), "tests");
         RealMrl.share(mrl);
     }

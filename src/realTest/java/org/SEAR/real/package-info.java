@@ -1,5 +1,5 @@
 /**
- * Tests in a real MyRobotLab, a copy of the one that {@code -PmyRobotLab} names: {@code RealMrlCopy} lays it out and installs SEAR,
- * {@code RealMrl} runs it and its scripts, {@code InRealMrl} is what the tests have in common.
+ * Tests in a real MyRobotLab, a copy of the one that {@code -PmyRobotLab} names. {@code RealMrlCopy} lays the copy out
+ * and installs SEAR, {@code RealMrl} runs it and its scripts. {@code InRealMrl} is the base of the tests.
  */
 package org.SEAR.real;

@@ -8,7 +8,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Names of the classes that a class file refers to, out of its constant pool (JVMS, section 4.4). */
+/** Names of the classes that a class file refers to, from its constant pool (JVMS, section 4.4). */
 final class ClassNames {
     private static final int UTF8 = 1;
     private static final int LONG = 5;
@@ -20,7 +20,7 @@ final class ClassNames {
     private ClassNames() {
     }
 
-    /** Names with slashes: of its constants, and those in descriptors and signatures. */
+    /** Returns names with slashes, from class constants, descriptors and signatures. */
     static Set<String> in(byte[] classFile) throws IOException {
         DataInputStream in = new DataInputStream(new ByteArrayInputStream(classFile));
         in.skipBytes(HEADER);
@@ -40,7 +40,7 @@ final class ClassNames {
         return names(texts, classes);
     }
 
-    /** Bytes of the other constants, behind the tag. */
+    /** Returns the length of a fixed-size constant after its tag, bytes. */
     private static int size(int tag) {
         switch (tag) {
             case LONG:

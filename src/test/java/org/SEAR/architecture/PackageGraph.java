@@ -18,11 +18,11 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.myrobotlab.service.SEAR;
 
-/** Which package of the plug-in uses which, read from its class files. */
+/** Dependencies between the packages of the plug-in, read from class files. */
 final class PackageGraph {
     private final SortedMap<String, SortedSet<String>> uses = new TreeMap<>();
 
-    /** @param uses each package and those that it uses */
+    /** @param uses each package with the packages that it uses */
     PackageGraph(Map<String, ? extends Collection<String>> uses) {
         uses.forEach((name, others) -> {
             this.uses.computeIfAbsent(name, any -> new TreeSet<>()).addAll(others);
@@ -30,12 +30,11 @@ final class PackageGraph {
         });
     }
 
-    /** Writes the picture to the path that is the argument. */
+    /** Writes the picture to the path given as argument. */
     public static void main(String[] arguments) throws IOException, URISyntaxException {
         Files.write(Path.of(arguments[0]), new PackagePicture(ofPlugin()).svg().getBytes(StandardCharsets.UTF_8));
     }
 
-    /** The plug-in as it was compiled. */
     static PackageGraph ofPlugin() throws IOException, URISyntaxException {
         return read(Path.of(SEAR.class.getProtectionDomain().getCodeSource().getLocation().toURI()));
     }
@@ -75,12 +74,12 @@ final class PackageGraph {
         return uses;
     }
 
-    /** The packages that lie on a circle. */
+    /** Returns the packages that are part of a cycle. */
     SortedSet<String> circles() {
         return uses.keySet().stream().filter(name -> below(name).contains(name)).collect(Collectors.toCollection(TreeSet::new));
     }
 
-    /** Everything that a package needs, directly or not. */
+    /** Returns all packages that a package needs, directly or indirectly. */
     SortedSet<String> below(String name) {
         SortedSet<String> seen = new TreeSet<>();
         collect(name, seen);
@@ -95,13 +94,13 @@ final class PackageGraph {
         }
     }
 
-    /** What a package uses and would not reach by way of another that it uses. */
+    /** Returns the packages that a package uses and does not also reach through another package. */
     SortedSet<String> direct(String name) {
         return uses.get(name).stream().filter(target -> uses.get(name).stream().noneMatch(other -> below(other).contains(target)))
             .collect(Collectors.toCollection(TreeSet::new));
     }
 
-    /** How many packages lie on the longest way down. */
+    /** Returns the number of packages on the longest path down. */
     int height(String name) {
         return uses.get(name).stream().mapToInt(this::height).max().orElse(-1) + 1;
     }

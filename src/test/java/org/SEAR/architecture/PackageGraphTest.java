@@ -14,7 +14,7 @@ import org.SEAR.Slow;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** The packages as the compiler left them. */
+/** Dependencies between the compiled packages: no cycles, and the picture in the docs is up to date. */
 @Category(Slow.class)
 public class PackageGraphTest {
     private static final Path PICTURE = Path.of(System.getProperty("sear.root", "."), "docs/images/packages.svg");
@@ -45,7 +45,7 @@ public class PackageGraphTest {
         assertEquals(2, graph.height("a"));
     }
 
-    /** A descriptor alone, a constant, a generic argument: each is a use. */
+    /** A descriptor, a constant and a generic argument each count as a use. */
     @Test
     public void namesAreReadFromAClassFile() throws Exception {
         try (java.io.InputStream in = PackageGraphTest.class.getResourceAsStream("PackagePicture.class")) {

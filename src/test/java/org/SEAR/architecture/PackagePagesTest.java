@@ -15,11 +15,11 @@ import org.SEAR.Slow;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** What the pages of packages say of their uses is what the compiler found. */
+/** The uses that each package-info states match the compiled classes. */
 @Category(Slow.class)
 public class PackagePagesTest {
     private static final Path SOURCES = Path.of(System.getProperty("sear.root", "."), "src/main/java");
-    /** A sentence; the dot of a name is followed by no blank. */
+    /** A sentence; a dot within a name is not followed by a blank. */
     private static final Pattern USES = Pattern.compile("\\bUses (?:[^.]|\\.(?! |$))*\\.");
     private static final Pattern LINK = Pattern.compile("\\{@link ([\\w.]+)\\}");
 
@@ -35,7 +35,7 @@ public class PackagePagesTest {
         assertEquals("after \"Uses\" in package-info.java", lines(used), lines(said));
     }
 
-    /** A package a line, so that a difference shows all that are wrong. */
+    /** One package per line, so that a difference shows all errors. */
     private static String lines(SortedMap<String, SortedSet<String>> packages) {
         return packages.entrySet().stream().map(Object::toString).collect(Collectors.joining("\n"));
     }
@@ -46,7 +46,7 @@ public class PackagePagesTest {
             said("/**\n * Of {@link org.d}. Uses {@link org.a.b}\n * and {@link org.c}, and what these use. Not {@link org.e}.\n */\npackage x;"));
     }
 
-    /** The packages in the one sentence that begins with "Uses". */
+    /** Returns the packages in the one sentence that begins with "Uses". */
     private static SortedSet<String> said(String page) {
         Matcher sentence = USES.matcher(page.replaceAll("\\s+\\*?\\s*", " "));
         SortedSet<String> names = new TreeSet<>();

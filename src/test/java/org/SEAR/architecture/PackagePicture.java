@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** The graph of packages as SVG: who uses stands above what is used; an arrow that follows from others is left out. */
+/** Dependency graph of packages as SVG: users above the packages they use, transitive arrows left out. */
 final class PackagePicture {
     private static final int WIDTH = 1100;
     private static final int ROW = 76;
@@ -23,7 +23,7 @@ final class PackagePicture {
     private final Map<String, Integer> found = new HashMap<>();
     private final int height;
 
-    /** @param graph without a circle */
+    /** @param graph without a cycle */
     PackagePicture(PackageGraph graph) {
         this.graph = graph;
         Map<Integer, List<String>> rows = graph.uses().keySet().stream().collect(Collectors.groupingBy(this::row));
@@ -33,7 +33,7 @@ final class PackagePicture {
         }
     }
 
-    /** Puts a row's boxes side by side, those under the middle of what uses them first to the left. */
+    /** Places the boxes of a row side by side, ordered by the mean position of their users. */
     private void place(List<String> names, int top) {
         names.sort((a, b) -> {
             int order = Double.compare(wanted(a), wanted(b));
@@ -48,7 +48,7 @@ final class PackagePicture {
         }
     }
 
-    /** Right below the lowest of those who use it, so that arrows are short; counted from the bottom. */
+    /** Returns the row directly below the lowest user, so that arrows are short; counted from the bottom. */
     private int row(String name) {
         Integer known = found.get(name);
         if (known == null) {

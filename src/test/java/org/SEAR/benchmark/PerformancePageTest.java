@@ -23,11 +23,11 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** {@code scripts/benchmark}: it runs, and docs/performance.md is what it makes of its numbers. */
+/** {@code scripts/benchmark} runs, and docs/performance.md matches its figures. */
 @Category(Slow.class)
 public class PerformancePageTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
-    /** Seconds; a busy machine may take many times what a quiet one does. */
+    /** Timeout, seconds. A busy machine can take many times as long as a quiet one. */
     private static final int LONGEST = 600;
 
     @Rule
@@ -39,7 +39,7 @@ public class PerformancePageTest {
         Path output = folder.newFile().toPath();
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
         builder.environment().put("PYTHONIOENCODING", "utf-8");
-        builder.environment().put("JDK_JAVA_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC");    // figures of a quick run mean nothing
+        builder.environment().put("JDK_JAVA_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC");    // figures of a quick run have no meaning
         Process process = builder.start();
         boolean ended = process.waitFor(LONGEST, TimeUnit.SECONDS);
         process.destroyForcibly();
@@ -55,7 +55,7 @@ public class PerformancePageTest {
         }
     }
 
-    /** That they run is shown by a quick run with all options that make it shorter. */
+    /** The quick run shows that these commands work; here only their options are checked. */
     @Test
     public void theCommandsOfThePageHaveOptionsThatThereAre() throws Exception {
         String help = run("--help");
@@ -85,7 +85,7 @@ public class PerformancePageTest {
         }
     }
 
-    /** As soon as a run on a quiet machine has been recorded. */
+    /** Applies as soon as a run on a quiet machine is recorded. */
     @Test
     public void thePageBelongsToItsNumbers() throws Exception {
         Path numbers = ROOT.resolve("docs/performance.json");

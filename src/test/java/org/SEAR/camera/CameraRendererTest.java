@@ -15,7 +15,7 @@ import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.solid.RayRound;
 import org.junit.Test;
 
-/** What pixels see: the lens, light and shadow, the sky. */
+/** Pixels of the camera: lens, light, shadow, sky. */
 public class CameraRendererTest {
     private static final int WIDTH = 64;
     private static final int HEIGHT = 48;
@@ -29,7 +29,7 @@ public class CameraRendererTest {
         return new BrownLens(50, 31.5, 23.5, distortion.length == 0 ? new double[4] : distortion);
     }
 
-    /** A grey plate below, and a grey box above a part of it. */
+    /** A grey plate with a grey box above a part of it. */
     private static BeamScene plate() {
         BeamScene scene = new BeamScene();
         scene.setPose(scene.addBox(10, 0.1, 10, BeamScene.WORLD), 0, -0.1, 0, 0, 0, 0, 1);
@@ -104,7 +104,10 @@ public class CameraRendererTest {
         assertTrue("below the horizon is land", (land >> 8 & 0xff) > (land & 0xff));
     }
 
-    /** Boxes and a cylinder on hills: each strip has the same pixels, whichever thread makes it and what it made before. */
+    /**
+     * Boxes and a cylinder on hills: each strip has the same pixels, whichever thread renders it and whatever it
+     * rendered before.
+     */
     @Test
     public void anyNumberOfThreadsMakesTheSameBytes() {
         float[] heights = new float[60 * 60];

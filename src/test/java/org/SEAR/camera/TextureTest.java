@@ -5,12 +5,12 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** Pictures on surfaces: where their pixels are, how they go on beyond their edges, and what is seen of them far away. */
+/** Textures on surfaces: pixel positions, repetition or clamping beyond the edges, and filtering at a distance. */
 public class TextureTest {
     private static final double EVEN = 0.51;
     private final SurfaceHit spot = new SurfaceHit();
 
-    /** 2 x 2: red and green above, blue and white below. */
+    /** Returns 2 x 2 pixels: red and green above, blue and white below. */
     private static Texture four(boolean repeated) {
         return new Texture(2, 2, new int[] {0xff0000, 0x00ff00, 0x0000ff, 0xffffff}, repeated);
     }

@@ -21,8 +21,9 @@ import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
 /**
- * Whatever broken model, picture or folder {@code sear check} is given, it ends with status 2 and the message for it, within 5 s of processor time
- * and 200 MB above the idle program, which takes more than 20: it runs in a Java that has no more than 220 MB of heap and direct memory.
+ * For every broken model, picture or folder {@code sear check} ends with status 2 and the right message, within 5 s of
+ * CPU time and 200 MB above the idle program. The idle program needs more than 20 MB; the JVM has at most 220 MB of
+ * heap and direct memory.
  */
 public class BrokenCorpusTest {
     private static final int LEAST = 120;
@@ -35,7 +36,7 @@ public class BrokenCorpusTest {
 
     private int count;
 
-    /** A project, and what is to be said of it. */
+    /** Makes a project folder with its expected messages. */
     private Path folder(String name, String... expected) throws IOException {
         Path folder = temporary.getRoot().toPath().resolve("corpus").resolve(String.format("%03d %s", count++, name.replace('/', '-')));
         Files.createDirectories(folder.resolve("SEARproject/environment"));
@@ -101,7 +102,6 @@ public class BrokenCorpusTest {
         }
     }
 
-    /** Once for what every program loads anyway. */
     private void good() throws IOException {
         put(folder("good", "no problems"), "environment/o.xml", BOX + "</Box>");
     }

@@ -29,10 +29,12 @@ import org.junit.Rule;
 import org.junit.Test;
 import picocli.CommandLine;
 
-/** What {@code sear check} and the start say of maps and aerial pictures that are broken, cut off, or too much to read. */
+/**
+ * Messages of {@code sear check} and of the start for maps and aerial pictures that are broken, cut off or too large.
+ */
 public class BrokenMapsTest {
     private static final int SIDE = 40;
-    /** Bytes of a row of the map. */
+    /** Bytes per row of the map. */
     private static final int ROW = 2 * SIDE;
     private static final double STEP = 0.001;
 
@@ -104,7 +106,7 @@ public class BrokenMapsTest {
         refused("cut.tif", aerial, "cut.tif: strip 0 is 1600 bytes at 60000, legal: inside the file, which has ");
     }
 
-    /** A picture of another place is none of this ground. */
+    /** A picture of another place does not cover this terrain. */
     @Test
     public void aPictureOfAnotherPlaceIsRefused() throws Exception {
         asset("map.tif", map().bytes());
@@ -113,7 +115,7 @@ public class BrokenMapsTest {
             + "legal: over the terrain");
     }
 
-    /** Shared with a box, which only is shown plain with a warning, it is a problem all the same. */
+    /** A broken picture shared with a box, which alone would cause only a warning, is still an error. */
     @Test
     public void aBrokenPictureOfAThingIsAWarning() throws Exception {
         asset("map.tif", map().bytes());
@@ -142,7 +144,7 @@ public class BrokenMapsTest {
         assertTrue(said, said.contains("map.tif: strip 30 is 80 bytes at 52400, legal: inside the file"));
     }
 
-    /** The Eiffel tower: longitude 2.2945, latitude 48.8584. */
+    /** The Eiffel Tower: longitude 2.2945, latitude 48.8584. */
     @Test
     public void aGridInLambert93LiesInFrance() throws Exception {
         asset("paris.asc", "ncols 3\nnrows 3\nxllcenter 648212\nyllcenter 6862246\ncellsize 25\n33 33 33\n33 35 33\n33 33 33\n");
@@ -172,7 +174,10 @@ public class BrokenMapsTest {
         assertTrue(said, said.contains("tiles.tif: the number of strips or tiles in the area is 4000000, legal: 1 to 100000"));
     }
 
-    /** By who loads or imports the project, which stays as it was, and by the start; what stands behind a head is read by the start alone. */
+    /**
+     * Loading, importing and starting report all broken maps together, and the project stays unchanged. Data behind a
+     * file's header are only read at the start.
+     */
     @Test
     public void allBrokenMapsAreNamedAtOnce() throws Exception {
         asset("map.tif", map().bytes());
@@ -201,7 +206,7 @@ public class BrokenMapsTest {
         assertTrue(said, said.contains("path is \"word.asc\", legal: an elevation map that can be used (word.asc: "));
     }
 
-    /** None of these gigabytes is read: the head says enough, or the first zero does. */
+    /** None of these gigabytes is read: the header or the first zero byte is enough to reject the file. */
     @Test
     public void gigabytesOfNothingAreRefusedByWhatStandsBeforeThem() throws Exception {
         asset("huge.asc", "ncols 4000\nnrows 4000\nxllcorner 8\nyllcorner 47\ncellsize 0.0001\n1 2 ");

@@ -13,8 +13,8 @@ import java.util.stream.Stream;
 import picocli.CommandLine;
 
 /**
- * A program that runs {@code sear check} for each folder in a folder, one after the other, and prints a line for each: its name, the exit status, the
- * milliseconds of processor time, and which lines of the file {@code expected} in it were not said. A tab stands between them.
+ * Runs {@code sear check} for each folder in a folder and prints a line for each, separated by tabs: name, exit status,
+ * CPU time in ms, and the lines of its file {@code expected} that are missing in the output.
  */
 final class CheckEach {
     private CheckEach() {

@@ -31,7 +31,7 @@ import org.SEAR.FreePort;
 import org.SEAR.SearProcess;
 import org.myrobotlab.embedded.web.Token;
 
-/** {@code sear class}: programs that end are started again, the others go on, and none stays. */
+/** {@code sear class}: programs that end are started again, the others continue, and none remains at the end. */
 public class ClassCommandTest {
     private static final int PATIENCE_SECONDS = 240;
     private static final String ADA = "Ada-Lovelace";
@@ -60,7 +60,6 @@ public class ClassCommandTest {
         process = new ProcessBuilder(command).directory(folder.getRoot()).redirectErrorStream(true).redirectOutput(path("out.txt").toFile()).start();
     }
 
-    /** A command of the page. */
     private static String command(Predicate<String> wanted) {
         List<String> commands = DocBlock.commands("docs/classroom.md", "sear class --pupils names.txt").stream().filter(wanted)
             .collect(Collectors.toList());
@@ -73,7 +72,7 @@ public class ClassCommandTest {
         return new ArrayList<>(List.of(words).subList(1, words.length));
     }
 
-    /** The example of the page: its command, for a free port. */
+    /** Starts the example of the page by its command, with a free port. */
     private void startClass() throws IOException {
         Files.writeString(path("names.txt"), DocBlock.of("docs/classroom.md", "text").get(0));
         Files.writeString(path("lesson1.py"), "print 'begin'\n");
@@ -112,7 +111,7 @@ public class ClassCommandTest {
         return client().send(request(number, token, method, arguments), HttpResponse.BodyHandlers.ofString());
     }
 
-    /** A new one: connections that one keeps to a killed process are of no use at the next. */
+    /** Returns a new client, because connections kept to a killed process are useless afterwards. */
     private static HttpClient client() {
         return HttpClient.newHttpClient();
     }
@@ -123,7 +122,7 @@ public class ClassCommandTest {
             .POST(HttpRequest.BodyPublishers.ofString(arguments)).build();
     }
 
-    /** Whether Python is there, too, which comes after the port. */
+    /** Returns whether Python runs, which starts after the port opens. */
     private boolean runsScripts(int number, String token) throws IOException, InterruptedException {
         return call(number, token, "python/exec", "[\"pass\"]").body().trim().equals("true");
     }
@@ -140,12 +139,12 @@ public class ClassCommandTest {
         return process.children().filter(one -> commandLine(one).contains("--port\0" + number + "\0")).findFirst().orElseThrow();
     }
 
-    /** All of it: Java's own answer ends after the first 4096 characters. */
+    /** Returns the whole command line; Java's own answer ends after 4096 characters. */
     private static String commandLine(ProcessHandle one) {
         try {
             return Files.readString(Path.of("/proc", String.valueOf(one.pid()), "cmdline"));
         } catch (IOException e) {
-            return "";    // it has ended
+            return "";
         }
     }
 
@@ -169,7 +168,7 @@ public class ClassCommandTest {
         until("Ada's starts again", () -> out().contains(killed)
             && runsScripts(port, token(ADA)));
         client().sendAsync(request(port, token(ADA), "python/exec", "[\"x = []\\nwhile True: x.append('a' * 1000000)\"]"),
-            HttpResponse.BodyHandlers.ofString());    // nobody answers any more
+            HttpResponse.BodyHandlers.ofString());
         until("Ada's is out of memory", () -> out().contains("Ada Lovelace: out of memory; starts again (2 of 5)")
             && runsScripts(port, token(ADA)));
         assertTrue("Ben's goes on", ben.isAlive() && ben.pid() == pupil(port + 1).pid());
@@ -180,10 +179,10 @@ public class ClassCommandTest {
         assertTrue(Files.exists(path("class/Ben/begun")));
         List<ProcessHandle> all = process.descendants().collect(Collectors.toList());
         assertTrue("two Javas and a sleep: " + all, all.size() >= 3);
-        process.destroy();    // as Ctrl+C does
+        process.destroy();
         assertTrue("it goes on", process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
         for (ProcessHandle one : all) {
-            one.onExit().get(PATIENCE_SECONDS, TimeUnit.SECONDS);    // what it has killed may take a moment to be gone
+            one.onExit().get(PATIENCE_SECONDS, TimeUnit.SECONDS);
         }
         assertEquals("nothing stays", "[]", all.stream().filter(ProcessHandle::isAlive).collect(Collectors.toList()).toString());
         try (Stream<Path> logs = Files.list(path("class/.logs"))) {

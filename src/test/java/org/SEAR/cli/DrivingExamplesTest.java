@@ -23,7 +23,9 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** The scripts in examples/drive, each in lock-step: the robot gets where the script wants it to be, and its record is the one of the list. */
+/**
+ * Scripts of examples/drive in lock-step: the robot reaches the script's goal, and its record has the listed checksum.
+ */
 public class DrivingExamplesTest {
     private static final Path EXAMPLES = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples");
 
@@ -40,12 +42,6 @@ public class DrivingExamplesTest {
         }
     }
 
-    /**
-     * Runs a script.
-     *
-     * @param things whose poses are asked for when it has ended
-     * @return what it printed, and x and z of each of these
-     */
     private String run(String script, String... things) throws Exception {
         StringBuilder code = new StringBuilder(Files.readString(EXAMPLES.resolve("drive").resolve(script)));
         for (String thing : things) {
@@ -155,7 +151,7 @@ public class DrivingExamplesTest {
         assertEquals("of 48 square metres", 44, counts[1], 4);
     }
 
-    /** By x and z where the scripts in examples put them: nothing has moved. */
+    /** Checks that objects stand at the x and z where the scripts of the examples put them. */
     private static void assertUntouched(String text, Map<String, double[]> places) {
         places.forEach((name, place) -> assertArrayEquals(name + "\n" + text, place, end(text, name), 0.001));
     }

@@ -26,7 +26,7 @@ import org.junit.Test;
 import org.SEAR.FreePort;
 import org.SEAR.SearProcess;
 
-/** {@code sear} without a script: tabs, browser and the project that was asked for; and how it ends. */
+/** {@code sear} without a script: tabs, browser, the requested project and the end of the program. */
 public class FrontDoorTest {
     private static final int PATIENCE_SECONDS = 240;
 
@@ -87,14 +87,13 @@ public class FrontDoorTest {
         assertTrue(read("err"), read("err").startsWith("Open this in a browser:\nhttp://localhost:" + port + "/\n"));
     }
 
-    /** What a service's method answers, as JSON. */
     private String call(String path) throws IOException, InterruptedException {
         HttpRequest request = HttpRequest.newBuilder(URI.create("http://localhost:" + port + "/api/service/" + path))
             .header("Content-Type", "application/json").POST(HttpRequest.BodyPublishers.ofString("[]")).build();
         return HttpClient.newHttpClient().send(request, HttpResponse.BodyHandlers.ofString()).body();
     }
 
-    /** Ctrl+C, with nothing to be seen of it but the prompt. */
+    /** Ends the program with Ctrl+C; only the prompt appears. */
     private void endsQuietly() throws Exception {
         process.destroy();
         assertTrue("it goes on", process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));

@@ -16,9 +16,10 @@ import java.util.stream.Stream;
 import org.myrobotlab.embedded.python.PythonEngine;
 
 /**
- * Runs {@code script.py} of each folder in a folder as {@code sear --headless --port none --speed max} would, one behind the other in one JVM, and
- * leaves what a user saw in {@code output.txt}, the exit status in {@code status.txt} and the seconds of processor time in {@code seconds.txt}. A
- * script whose folder has {@code message.txt} does not end by itself: it is broken off as soon as that message is there.
+ * Runs {@code script.py} of each folder in a folder as {@code sear --headless --port none --speed max} does, one after
+ * the other in one JVM. Writes the user's view to {@code output.txt}, the exit status to {@code status.txt} and the CPU
+ * time in seconds to {@code seconds.txt}. A script whose folder has {@code message.txt} runs endlessly and is aborted
+ * when that message appears.
  */
 public final class MistakesRun {
     private static final long PATIENCE = TimeUnit.SECONDS.toNanos(120);
@@ -27,7 +28,7 @@ public final class MistakesRun {
     private MistakesRun() {
     }
 
-    /** @param arguments the folder of folders */
+    /** @param arguments the folder of the folders */
     public static void main(String[] arguments) throws Exception {
         Console.quiet();
         System.setProperty("sear.headless", "true");
@@ -68,7 +69,7 @@ public final class MistakesRun {
             while (script.isAlive() && !text(seen, folder).contains(wanted) && System.nanoTime() < end) {
                 script.join(LOOK_MILLIS);
             }
-            while (script.isAlive()) {    // it may not have begun yet
+            while (script.isAlive()) {    // it may not have started yet
                 PythonEngine engine = PythonEngine.of("python");
                 if (engine != null) {
                     engine.interrupt();
@@ -83,7 +84,6 @@ public final class MistakesRun {
         Files.writeString(folder.resolve("seconds.txt"), String.valueOf(seconds));
     }
 
-    /** As one sees it who is in the script's folder. */
     private static String text(ByteArrayOutputStream seen, Path folder) {
         return seen.toString(StandardCharsets.UTF_8).replace(folder + "/", "");
     }

@@ -19,21 +19,20 @@ import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
 /**
- * The mistakes that beginners make, {@code mistakes.txt}: each ends in a message that names the line, the thing and what to do. The file has for each
- * a title, the script, the exit status (or {@code endless}), and what has to stand in its output, a line each, or behind {@code without} what must
- * not.
+ * Mistakes that beginners make, from {@code mistakes.txt}: each ends in a message that names line, object and remedy.
+ * For each mistake the file has a title, the script, the exit status (or {@code endless}), the expected output lines,
+ * and after {@code without} text that must not appear.
  */
 public class MistakesTest {
     private static final int LEAST = 42;
     private static final String WITHOUT = "without ";
     private static final long PATIENCE_MINUTES = 10;
-    /** Seconds of processor time from the start of MyRobotLab to its end: a busy machine does not make them more. */
+    /** Limit of CPU time from MyRobotLab's start to its end, seconds; it does not grow on a busy machine. */
     private static final double MOST_SECONDS = 3;
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
 
-    /** One of them. */
     private static final class Mistake {
         private final String title;
         private final StringBuilder script = new StringBuilder();

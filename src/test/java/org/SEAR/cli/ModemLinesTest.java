@@ -15,7 +15,7 @@ import java.util.List;
 import org.SEAR.SearProcess;
 import org.junit.Test;
 
-/** A program that sets DTR runs at a pseudo-terminal. */
+/** A program that sets DTR works at a pseudo-terminal. */
 public class ModemLinesTest {
     private static final String DTR = String.join("\n", "import fcntl, os, struct, sys, termios",
         "master, slave = os.openpty()",

@@ -24,7 +24,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** What README and docs promise: their scripts run, their links and pictures are there. */
+/** Promises of README and docs: scripts run, links and pictures exist. */
 public class ReadmeTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final Pattern TABS = Pattern.compile("Open this in a browser:\\s+(http://localhost:\\d+/)");
@@ -54,7 +54,7 @@ public class ReadmeTest {
         assertEquals(2, scripts);
     }
 
-    /** A command, on a computer without a display, in the folder of the test. */
+    /** Starts a command without a display in the folder of the test. */
     private Process start(String command) throws IOException {
         ProcessBuilder shell = new ProcessBuilder("sh", "-c", "exec " + command).directory(folder.getRoot()).redirectErrorStream(true)
             .redirectOutput(output().toFile());
@@ -96,7 +96,7 @@ public class ReadmeTest {
         }
     }
 
-    /** All ways to export that the page shows, in the world of its script. */
+    /** Runs all exports that the page shows, in the world of its script. */
     @Test
     public void theScriptsForOtherProgramsExportPorts() throws Exception {
         List<String> blocks = DocBlock.of("docs/other-programs.md", "python");
@@ -129,7 +129,10 @@ public class ReadmeTest {
         assertTrue(file, file.contains("<export>tcp:2112</export>") && file.contains("<model>LMS111</model>"));
     }
 
-    /** The dissertation's experiment 5.6.2.1: beside each obstacle of the row the sonar reads the way to its nearest point. */
+    /**
+     * Experiment 5.6.2.1 of the dissertation: beside each obstacle of the row the sonar measures the distance to its
+     * nearest point.
+     */
     @Test
     public void theDriveAlongTheRowLogsWhatTheSonarSees() throws Exception {
         run(Files.readString(ROOT.resolve("scripts/beam_experiment.py")));

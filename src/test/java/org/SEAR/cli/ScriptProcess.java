@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.List;
 import org.SEAR.SearProcess;
 
-/** Runs scripts with {@code sear} in a process of its own: headless, in lock-step, without tabs. */
+/** Runs scripts with {@code sear} in a separate process: headless, in lock-step, without tabs. */
 public final class ScriptProcess {
     private static final long PATIENCE_SECONDS = 300;
 
@@ -20,10 +20,9 @@ public final class ScriptProcess {
     }
 
     /**
-     * Runs a script file, which has to end by itself and well.
-     *
-     * @param folder to run in
-     * @return what it printed
+     * Runs a script file, which must end with status 0.
+     * @param folder working directory
+     * @return its output
      */
     public static String run(Path folder, Path script, String... arguments) throws IOException, InterruptedException {
         List<String> command = SearProcess.command("-Xmx512m");

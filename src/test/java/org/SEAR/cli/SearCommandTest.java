@@ -25,7 +25,7 @@ import org.SEAR.FreePort;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.SearProcess;
 
-/** The command {@code sear}, in a JVM of its own. */
+/** The command {@code sear} in its own JVM. */
 public class SearCommandTest {
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
@@ -238,7 +238,7 @@ public class SearCommandTest {
         assertEquals(2, sear("check", "nix"));
     }
 
-    /** {@code sear help check} checked the project. */
+    /** {@code sear help check} shows help and does not check the project. */
     @Test
     public void helpIsOfACommandAndDoesNothing() throws Exception {
         assertEquals(0, sear("help", "check"));
@@ -253,7 +253,7 @@ public class SearCommandTest {
         assertTrue(err, err.contains("sear: nix.py can't be read: there is no such file. Try sear --help."));
     }
 
-    /** As sear.loadProject finds them. */
+    /** Finds examples like sear.loadProject. */
     @Test
     public void checkFindsTheExamplesInEveryFolder() throws Exception {
         assertEquals(out + err, 0, sear("check", "examples/office.sear"));
@@ -262,7 +262,7 @@ public class SearCommandTest {
         assertTrue(err, err.contains("examples/nowhere.sear can't be read: there is no such file or folder"));
     }
 
-    /** The pages' crate with another mass, and the page's rover without its eye. */
+    /** The crate of the docs with another mass, and the rover of the docs without its camera. */
     @Test
     public void checkSaysWhatThePageAboutProjectsShows() throws Exception {
         Path project = folder.getRoot().toPath().resolve("SEARproject");

@@ -29,7 +29,7 @@ import org.myrobotlab.service.Runtime;
 import org.python.util.PythonInterpreter;
 import picocli.CommandLine;
 
-/** {@code sear contest}, by the words of docs/contests.md and with entries that go wrong. */
+/** {@code sear contest} with the commands of docs/contests.md and with failing entries. */
 @Category(Slow.class)
 public class ContestTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
@@ -53,7 +53,7 @@ public class ContestTest {
         return line.execute(arguments.toArray(new String[0])) + "\n" + out;
     }
 
-    /** The race of the page, with results in a folder of that name. */
+    /** Runs the race of the page, with results in this folder. */
     private String race(String out) {
         List<String> words = new ArrayList<>();
         for (String word : DocBlock.commands("docs/contests.md", "sear contest").get(0).split(" ")) {
@@ -82,7 +82,7 @@ public class ContestTest {
         assertEquals(0, Math.max(0, 5.5 - Arrays.stream(again.trail("blue").getZ()).max().orElse(0)), 0);
     }
 
-    /** A contest of seven rovers that stand side by side. */
+    /** Makes a contest of seven rovers side by side. */
     private Path rovers(String referee) throws Exception {
         Path contest = folder.newFolder().toPath();
         Files.writeString(contest.resolve("referee.py"), referee);
@@ -115,7 +115,7 @@ public class ContestTest {
         return arguments;
     }
 
-    /** It ended the contest with status 0 and without a word, as if that had come to its end. */
+    /** A script that ends the process must not end the contest with status 0. */
     @Test
     public void aScriptThatEndsTheProgramIsNamed() throws Exception {
         List<String> arguments = entered(rovers(REFEREE), "good", START + "while True:\n    sear.simSleep(0.5)\n",
@@ -165,7 +165,7 @@ public class ContestTest {
         assertTrue(told, scores.get("spy").contains("no sensor of your robot is called \"\"ping0\"\", legal: ping6"));
         for (String name : List.of("failing", "hanging", "short")) {
             double metres = Double.parseDouble(scores.get(name).split(",")[0]);
-            assertTrue(name + " " + metres, metres > 0.25 && metres < 0.4);     // it stands from then on
+            assertTrue(name + " " + metres, metres > 0.25 && metres < 0.4);     // the robot then stands still
         }
         assertEquals("[ping0]", Files.readString(contest.resolve("result/good.txt")).trim());
         assertEquals(List.of(), Thread.getAllStackTraces().keySet().stream().map(Thread::getName).filter(name -> name.startsWith("contest "))
@@ -173,7 +173,7 @@ public class ContestTest {
         assertTrue(Files.readString(contest.resolve("result/failing.txt")).contains("ZeroDivisionError"));
     }
 
-    /** In the words of the script, whose calls are none of a service. */
+    /** Messages use the script's words, without the name of a service. */
     @Test
     public void whatIsNotThereInAContestIsTold() throws Exception {
         Path contest = rovers(REFEREE);

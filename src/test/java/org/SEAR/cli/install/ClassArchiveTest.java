@@ -14,17 +14,20 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** What was built starts with the classes that the build has written down. */
+/** The distribution starts with the classes of the archive that the build made. */
 public class ClassArchiveTest {
     private static final Path HOME = Path.of(System.getProperty("sear.classArchive")).getParent().getParent();
     private static final String SHARED = "source: shared objects file";
-    /** 60 of 5000 on Java 17; Java 25 leaves classes in the form of before Java 6 out of its archive, as all of Jython's are, which makes 1400. */
+    /**
+     * Largest number of classes loaded from elsewhere: about 60 of 5000 on Java 17. Java 25 cannot archive classes of
+     * the format before Java 6, such as all of Jython's, which makes 1400.
+     */
     private static final int MOST_OTHERS = Runtime.version().feature() == 17 ? 150 : 2000;
 
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
 
-    /** The classes that are read for a command, each with where it came from. */
+    /** Returns the classes loaded for a command, each with its source. */
     private List<String> classes(Path home, String... arguments) throws Exception {
         Path log = folder.newFile().toPath();
         Path out = folder.newFile().toPath();
@@ -40,7 +43,6 @@ public class ClassArchiveTest {
         return Files.readAllLines(log);
     }
 
-    /** The class of the command itself, with where it came from. */
     private List<String> command(Path home) throws Exception {
         return classes(home, "--version").stream().filter(line -> line.contains(" org.SEAR.cli.SearCommand ")).collect(Collectors.toList());
     }
@@ -52,7 +54,7 @@ public class ClassArchiveTest {
         assertTrue(classes.toString(), classes.get(0).contains(SHARED));
     }
 
-    /** From the start to a first reading next to nothing is read or made that the build could have written down. */
+    /** From the start to a first reading, next to no class comes from outside the archive. */
     @Test
     public void aScriptBeginsWithClassesFromTheArchive() throws Exception {
         Path script = folder.newFile("first.py").toPath();
@@ -67,7 +69,7 @@ public class ClassArchiveTest {
             classes.stream().filter(line -> line.contains(" com.thoughtworks.xstream.core.JVM ")).collect(Collectors.toList()));
     }
 
-    /** Where the folder was copied to, or where the archive is broken, it starts without it and says nothing. */
+    /** With a moved folder or a broken archive the program starts without the archive and without a message. */
     @Test
     public void anArchiveThatDoesNotFitIsPassedOver() throws Exception {
         Path copy = folder.newFolder("sear").toPath();

@@ -20,7 +20,7 @@ import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 
-/** The zip that users get, unpacked for a test. */
+/** The release zip, unpacked for a test. */
 final class Distribution {
     private static final int PATIENCE = 240;
     private static int runs;
@@ -54,7 +54,6 @@ final class Distribution {
         return home.resolve("bin/sear");
     }
 
-    /** A finished process. */
     static final class Result {
         final int status;
         final String out;
@@ -91,14 +90,17 @@ final class Distribution {
         return new Result(process.exitValue(), Files.readString(out.toPath()), Files.readString(err.toPath()));
     }
 
-    /** All jars of a folder of the distribution. */
+    /** Returns all jars of a folder of the distribution. */
     Path[] jars(String folder) throws IOException {
         try (java.util.stream.Stream<Path> files = Files.list(home.resolve(folder))) {
             return files.filter(file -> file.toString().endsWith(".jar")).sorted().toArray(Path[]::new);
         }
     }
 
-    /** Makes a folder a MyRobotLab, the embedded one. MyRobotLab's jar holds its libraries; here it names them. */
+    /**
+     * Makes a folder look like a MyRobotLab, with the embedded one. MyRobotLab's jar contains its libraries; here its
+     * manifest names them.
+     */
     void layOut(Path mrl) throws IOException {
         Files.createDirectories(mrl.resolve("libraries/jar"));
         Manifest manifest = new Manifest();

@@ -34,7 +34,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** The zip that users get: what is in it, that its launcher runs from anywhere, and that it installs. */
+/** The release zip: its content, its launcher in any folder, and its installer. */
 public class DistributionTest {
     @ClassRule
     public static final TemporaryFolder SHARED = new TemporaryFolder();
@@ -64,7 +64,6 @@ public class DistributionTest {
         return Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), command);
     }
 
-    /** A folder laid out as MyRobotLab's. */
     private Path myRobotLab() throws IOException {
         Path mrl = folder.newFolder("my robot lab").toPath();
         Files.createDirectories(mrl.resolve("libraries/jar"));
@@ -100,7 +99,7 @@ public class DistributionTest {
         }
     }
 
-    /** In a folder that has no examples of its own those inside the jar are offered. */
+    /** In a folder without examples the ones inside the jar are offered. */
     @Test
     public void theExamplesThatDriveAreOfferedEverywhere() throws Exception {
         Path script = folder.newFile("offered.py").toPath();
@@ -113,7 +112,7 @@ public class DistributionTest {
         assertTrue(result.toString(), result.out.contains("# Follows the wall on its right"));
     }
 
-    /** The window's libraries for the three systems, on both kinds of processor where the system has two. */
+    /** Native libraries of the window for the three systems, and for both processor types where the system has two. */
     @Test
     public void thePluginHasTheWindowsNativesForLinuxMacAndWindows() throws IOException {
         Set<String> natives = new TreeSet<>();
@@ -144,7 +143,7 @@ public class DistributionTest {
         }
     }
 
-    /** A container has no locale, and Java then takes file names for ASCII. */
+    /** A container has no locale; Java then assumes ASCII file names. */
     @Test
     public void umlautsAreWrittenWithoutALocaleToo() throws Exception {
         Path script = folder.newFile("umlaut.py").toPath();
@@ -182,11 +181,11 @@ public class DistributionTest {
         assertEquals(result.toString(), 0, result.status);
         String[] metres = result.out.split(" m to the wall\\R");
         assertEquals(result.toString(), 5, metres.length);
-        double wall = 2.95 - 0.15; // from where the sensor starts to the wall's near face
+        double wall = 2.95 - 0.15; // distance from the sensor's start to the wall's near face
         assertEquals(result.toString(), wall - 5 * 0.3, Double.parseDouble(metres[4]), 0.1);
     }
 
-    /** As in MyRobotLab's Python tab, where a simulation with these sensors runs. */
+    /** Runs as in MyRobotLab's Python tab while a simulation with these sensors runs. */
     @Test
     public void theExamplesOfLidarAndGpsPrintWhatTheyMeasure() throws Exception {
         Path resources = Path.of(System.getProperty("sear.root", "."), "resources/resource").toAbsolutePath();
@@ -249,7 +248,7 @@ public class DistributionTest {
         assertEquals(before, tree(mrl));
     }
 
-    /** In the unpacked folder, on a free port. */
+    /** Runs in the unpacked folder on a free port. */
     @Test
     public void theCommandOfThePageStartsTheEmbeddedMyRobotLab() throws Exception {
         Path here = folder.newFolder("here").toPath();
@@ -280,7 +279,7 @@ public class DistributionTest {
         }
     }
 
-    /** Empty as long as nobody answers. */
+    /** Returns an empty text until the server answers. */
     private static String answer(URL address) throws IOException {
         try (InputStream in = address.openStream()) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
@@ -297,7 +296,7 @@ public class DistributionTest {
         assertEquals(2, sear("install").status);
     }
 
-    /** As another user when the tests run as root, who may write everywhere. */
+    /** Runs as another user if the tests run as root, who may write everywhere. */
     @Test
     public void aFolderOfAnotherUserIsRefused() throws Exception {
         Path mrl = myRobotLab();
@@ -323,7 +322,7 @@ public class DistributionTest {
         }
     }
 
-    /** Lets everybody write, so that one closed path is what stops them. */
+    /** Makes everything writable, so that the one closed path causes the error. */
     private static void openAll(Path root) throws IOException {
         try (Stream<Path> paths = Files.walk(root)) {
             for (Path path : (Iterable<Path>) paths::iterator) {
@@ -332,7 +331,7 @@ public class DistributionTest {
         }
     }
 
-    /** A shell that names myrobotlab.jar and calls the installer is no running MyRobotLab. */
+    /** A shell whose command line names myrobotlab.jar and calls the installer is not a running MyRobotLab. */
     @Test
     public void theCallerIsNotTakenForMyRobotLab() throws Exception {
         Path mrl = myRobotLab();

@@ -8,27 +8,27 @@ import java.nio.file.Files;
 import java.util.Map;
 import org.junit.Test;
 
-/** A call that is killed before any one of its changes of the disk is undone by the next. */
+/** The next call undoes a call that was killed before any of its changes of the disk. */
 public class InstallJournalTest extends LaidOutMrl {
     private static final String UNDONE = "An earlier call was interrupted. What it had begun was undone.";
 
-    /** The journal and two files at least, each with two changes of the disk, and the end. */
+    /** At least the journal and two files, with two changes of the disk each, and the end. */
     private static final int LEAST_STEPS = 7;
 
-    /** No catch clause of the installer is meant for this. */
+    /** An error that no catch clause of the installer handles. */
     private static final class Killed extends Error {
         private static final long serialVersionUID = 1L;
     }
 
-    /** What is planned anew for each attempt. */
+    /** Makes a new plan for each attempt. */
     private interface Planning {
         InstallPlan plan() throws Exception;
     }
 
     /**
-     * Kills before the first step, the second, ..., until one goes through; each time all is as before.
-     *
-     * @return after
+     * Kills before the first step, then before the second, and so on until one attempt completes; each killed attempt
+     * leaves everything unchanged.
+     * @return the tree after the complete attempt
      */
     private Map<String, String> killEverywhere(Planning planning) throws Exception {
         Map<String, String> before = tree();

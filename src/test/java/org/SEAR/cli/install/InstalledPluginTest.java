@@ -24,15 +24,15 @@ import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
 /**
- * The plug-in in a folder laid out as MyRobotLab's, whose myrobotlab.jar is the embedded MyRobotLab, started with MyRobotLab's class path order and
- * command line, and used over its WebGui alone.
+ * The plug-in in a folder laid out as MyRobotLab's, with the embedded MyRobotLab as myrobotlab.jar. It starts with
+ * MyRobotLab's class path order and command line and is used over its WebGui only.
  */
 public class InstalledPluginTest {
     private static final int PATIENCE = 240;
     private static final String THREADS = "from java.lang import Thread\n"
         + "print 'threads:' + ','.join([t.getName() for t in Thread.getAllStackTraces().keySet()])\n";
 
-    /** What stands nearest to the robot of examples/sensors.py, and where its GPS is. */
+    /** Expected nearest reading and GPS position of the robot of examples/sensors.py. */
     private static final String NEAREST = "(?s).*\\b181 readings, the nearest at 21[45]\\d mm\\R.*";
     private static final String POSITION = "(?s).*\\blatitude 33\\.6100\\d\\d, longitude -80\\.8650\\d\\d, altitude 182\\.[56] m\\R.*";
 
@@ -67,7 +67,7 @@ public class InstalledPluginTest {
         process.destroyForcibly();
     }
 
-    /** Something that comes true in time. */
+    /** A condition to wait for. */
     private interface Condition {
         boolean holds() throws IOException, InterruptedException;
     }
@@ -124,7 +124,7 @@ public class InstalledPluginTest {
             List<String> lines = log().lines().filter(line -> line.startsWith("threads:")).collect(Collectors.toList());
             return !lines.isEmpty() && !lines.get(lines.size() - 1).matches(".*(SEAR|/dev/|serial time-outs|[:,](sear|lidar|gps)[@_,]).*");
         });
-        client.sendAsync(request("runtime/shutdown", "[]"), HttpResponse.BodyHandlers.discarding()); // the server may be gone before it answers
+        client.sendAsync(request("runtime/shutdown", "[]"), HttpResponse.BodyHandlers.discarding()); // the server may end before it answers
         assertTrue("a thread keeps MyRobotLab alive\n" + log(), process.waitFor(PATIENCE, TimeUnit.SECONDS));
         assertEquals(log(), 0, process.exitValue());
         assertFalse(log(), log().contains("ERROR") || log().contains("Exception"));

@@ -116,7 +116,7 @@ public class InstallerTest extends LaidOutMrl {
         assertFalse(Files.exists(mrl.resolve("resource/.sear-files.properties")));
     }
 
-    /** Folders that lose their last file go, but not what the user has put there, be it a link to a folder. */
+    /** Deletes folders that become empty, but nothing that the user put there, not even a link to a folder. */
     @Test
     public void emptiedFoldersGoAndLinksStay() throws Exception {
         Path elsewhere = folder.newFolder("elsewhere").toPath();
@@ -212,7 +212,9 @@ public class InstallerTest extends LaidOutMrl {
         assertRefused("libraries is a file, and has to be a folder", mrl);
     }
 
-    /** MyRobotLab writes its service data anew now and then, in its own shape: an update must not take that for what was there before. */
+    /**
+     * MyRobotLab sometimes rewrites its service data in its own format. An update must not take that for the original.
+     */
     @Test
     public void anUpdateAfterMrlRewroteServiceDataCanStillBeRemovedWhole() throws Exception {
         install();

@@ -21,7 +21,7 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.rules.TemporaryFolder;
 
-/** A folder laid out as MyRobotLab's, and one as the plug-in folder of a distribution. */
+/** Base of tests with a folder laid out as MyRobotLab's and the plug-in folder of a distribution. */
 abstract class LaidOutMrl {
     private static final String CLOCK = "{\"available\":true,\"description\":\"used to generate pulses\",\"isCloudService\":false,"
         + "\"simpleName\":\"Clock\",\"type\":\"org.myrobotlab.service.Clock\",\"dependencies\":[],\"workingLevel\":null,"
@@ -72,7 +72,7 @@ abstract class LaidOutMrl {
         Files.writeString(file, content);
     }
 
-    /** Each file's content by path; folders end in '/'. */
+    /** Returns the content of each file by path; folder names end in '/'. */
     final Map<String, String> tree() throws IOException {
         Map<String, String> files = new TreeMap<>();
         try (Stream<Path> paths = Files.walk(mrl)) {
@@ -95,7 +95,10 @@ abstract class LaidOutMrl {
         }
     }
 
-    /** A jar whose entries contain their own names; the same bytes whenever it is made, so that an update changes the same files each time. */
+    /**
+     * Makes a jar whose entries contain their own names. Its bytes are reproducible, so that an update changes the same
+     * files each time.
+     */
     static void jar(Path file, String version, String... entries) throws IOException {
         Files.createDirectories(file.getParent());
         Manifest manifest = new Manifest();

@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.Test;
 
-/** The launcher for Windows, which these tests cannot run, starts what the launcher for the others starts. */
+/** The Windows launcher, which these tests cannot run, starts Java as the shell launcher does. */
 public class LaunchersTest {
     private static final Path BIN = Path.of(System.getProperty("sear.root", "."), "src/dist/bin");
 
@@ -22,7 +22,7 @@ public class LaunchersTest {
         return Files.readString(BIN.resolve(name), StandardCharsets.US_ASCII);
     }
 
-    /** The line that starts Java, in the form of the launcher for the others. */
+    /** Returns the line that starts Java, in the shell launcher's form. */
     private static List<String> javaLine(String text) {
         List<String> words = new ArrayList<>();
         String line = text.lines().filter(each -> each.contains("org.SEAR.cli.SearCommand")).collect(Collectors.joining("\n"));
@@ -48,7 +48,7 @@ public class LaunchersTest {
         assertEquals(options("compiler=\"(.*)\"", text("sear")), options("set \"COMPILER=(.*)\"", text("sear.bat")));
     }
 
-    /** The package for Python 3 has Java in its own process, with the same options. */
+    /** The Python 3 package starts Java inside its own process with the same options. */
     @Test
     public void pythonStartsJavaAlike() throws IOException {
         String python = Files.readString(BIN.resolve("../../../python/src/sear/_jvm.py"));
@@ -82,7 +82,10 @@ public class LaunchersTest {
         assertTrue(bat, bat.endsWith("exit /b %ERRORLEVEL%\r\n"));
     }
 
-    /** A parenthesis in a folder's name, as in "Program Files (x86)", ends a block of cmd.exe early: there must be no block. */
+    /**
+     * A parenthesis in a folder's name, as in "Program Files (x86)", ends a block of cmd.exe early, so the launcher
+     * contains no block.
+     */
     @Test
     public void noBlockOfCommandsExpandsAFolder() throws IOException {
         assertEquals(List.of(), text("sear.bat").lines().filter(line -> line.trim().endsWith("(")).collect(Collectors.toList()));

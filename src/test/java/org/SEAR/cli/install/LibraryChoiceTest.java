@@ -17,7 +17,7 @@ import org.junit.Before;
 import org.junit.Test;
 import picocli.CommandLine;
 
-/** What the installer does about libraries that MyRobotLab has in other versions, and what it says about them and in the end. */
+/** Handling of libraries that MyRobotLab has in other versions, and the installer's messages about them. */
 public class LibraryChoiceTest extends LaidOutMrl {
     private static final String OLD_CORE = "libraries/jar/jme3-core-3.3.2-stable.jar";
     private static final String OLD_NATIVES = "libraries/jar/lwjgl-3.2.3-natives-linux.jar";
@@ -34,7 +34,7 @@ public class LibraryChoiceTest extends LaidOutMrl {
         System.clearProperty("sear.home");
     }
 
-    /** As a MyRobotLab from before 2024. */
+    /** Adds the libraries of a MyRobotLab from before 2024. */
     private void olderEngine() throws IOException {
         Files.delete(mrl.resolve("libraries/jar/jme3-core-3.6.1-stable.jar"));
         jar(mrl.resolve(OLD_CORE), "3.3.2", "com/jme3/math/Vector3f.class");
@@ -119,7 +119,7 @@ public class LibraryChoiceTest extends LaidOutMrl {
         assertEquals(before, tree());
     }
 
-    /** It had both, and which one counted was the folder's order. */
+    /** Such a folder has both versions, and the folder's order decides which one loads. */
     @Test
     public void besideANewerEngineTheOlderOneOnlyGoes() throws Exception {
         jar(mrl.resolve(OLD_CORE), "3.3.2", "com/jme3/math/Vector3f.class");

@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.Test;
 
-/** The distribution names the licence of everything that it ships. */
+/** The distribution names the licence of every library that it ships. */
 public class LicencesTest {
     @Test
     public void everyLibraryStandsInTheList() throws IOException {

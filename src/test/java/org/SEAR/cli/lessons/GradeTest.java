@@ -33,7 +33,7 @@ public class GradeTest {
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
 
-    /** What a command prints that is run in this process. */
+    /** Returns the output of a command run in this process. */
     private String here(Object command, String... arguments) {
         String before = System.getProperty("sear.home");
         System.setProperty("sear.home", ROOT.toString());

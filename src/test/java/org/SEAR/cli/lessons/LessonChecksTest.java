@@ -28,8 +28,9 @@ import org.python.core.PySystemState;
 import org.python.util.PythonInterpreter;
 
 /**
- * The check of each lesson: it is content with the reference solution, and tells in words what the script to start from and typical wrong solutions
- * lack. A wrong solution is the right one with some words changed. The scripts run in this process; the checks see their records.
+ * Check of each lesson: it accepts the reference solution and names what the starting script and typical wrong
+ * solutions lack. A wrong solution is the right one with some words changed. The scripts run in this process; the
+ * checks read their records.
  */
 @Category(Slow.class)
 public class LessonChecksTest {
@@ -74,7 +75,7 @@ public class LessonChecksTest {
         return Files.readString(ROOT.resolve("solutions").resolve(name + ".py"));
     }
 
-    /** What the check says of a script. */
+    /** Runs a script and returns its check's result. */
     private LessonRun run(String name, String script) throws Exception {
         Lesson lesson = Lesson.find(name);
         Path place = folder.newFolder().toPath();
@@ -88,7 +89,7 @@ public class LessonChecksTest {
         try (PythonInterpreter python = new PythonInterpreter(null, state)) {
             python.setOut(printed);
             python.exec("from org.myrobotlab.service import Runtime");
-            python.exec(script.replace("while True:", "while sear.getTime() < 100:"));     // a wrong one may never arrive
+            python.exec(script.replace("while True:", "while sear.getTime() < 100:"));     // a wrong script may never arrive
         } finally {
             Runtime.releaseService("sear");
         }
@@ -106,7 +107,7 @@ public class LessonChecksTest {
         assertTrue(name, run.getAsked() > 1);
     }
 
-    /** @param changes what stands in the solution, what stands in this script instead, and what the check says of it */
+    /** @param changes old text of the solution, its replacement, and the expected message of the check */
     private void fails(String name, String[]... changes) throws Exception {
         assertTrue(name, !run(name, Files.readString(ROOT.resolve("lessons").resolve(name).resolve(name + ".py"))).getMissing().isEmpty());
         for (String[] change : changes) {

@@ -6,7 +6,7 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** Hulls against brute force over all planes through three points, and against volumes that are known. */
+/** Hulls compared with brute force over all planes through three points, and with known volumes. */
 public class ConvexHullTest {
     private final RandomShapes shapes = new RandomShapes();
 
@@ -30,7 +30,7 @@ public class ConvexHullTest {
         }
     }
 
-    /** Every plane that has all points on one side is touched by the hull. */
+    /** The hull touches every plane that has all points on one side. */
     @Test
     public void everyPlaneThatBruteForceFindsIsAFace() {
         for (int i = 0; i < 20; i++) {

@@ -5,11 +5,11 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** Depths of overlapping sets against closed forms and brute force. */
+/** Depths of overlapping sets compared with closed forms and brute force. */
 public class EpaTest {
-    /** What flat faces give. */
+    /** Tolerance of depths between flat faces, metres. */
     private static final double FLAT = 2e-6;
-    /** What curved surfaces give before the polytope has all its faces, of sets of a metre. */
+    /** Tolerance for curved surfaces of sets of 1 m, whose polytope runs out of faces, metres. */
     private static final double CURVED = 2e-3;
 
     private final RandomShapes shapes = new RandomShapes();
@@ -69,7 +69,7 @@ public class EpaTest {
         }
     }
 
-    /** As deep as contacts are: a tenth of a millimetre, where the polytope is done at once. */
+    /** Depth of a typical contact, up to 0.1 mm, where the polytope is finished immediately. */
     @Test
     public void aSphereThatTouchesABoxIsAsDeepAsItsLowestPoint() {
         for (int i = 0; i < 200; i++) {
@@ -82,7 +82,9 @@ public class EpaTest {
         }
     }
 
-    /** No direction needs less way to part them, and along its own normal the depth is what it says. */
+    /**
+     * No direction separates the sets over a shorter distance, and the separation along the normal equals the depth.
+     */
     @Test
     public void noDirectionPartsThemSooner() {
         int deep = 0;

@@ -6,7 +6,7 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** Distances against closed forms, witnesses and a dense search. */
+/** Distances compared with closed forms, witness points and a dense search. */
 public class GjkDistanceTest {
     private static final double FAR = 100;
     private static final double EXACT = 2e-7;
@@ -47,7 +47,7 @@ public class GjkDistanceTest {
         }
     }
 
-    /** A plane that parts both by the distance, and a point of each that far from the other: together they prove it. */
+    /** A plane that separates both sets by the distance and a point of each set at that distance together prove it. */
     @Test
     public void everyDistanceHasItsWitnesses() {
         int apart = 0;
@@ -65,7 +65,7 @@ public class GjkDistanceTest {
         assertTrue(apart + " of 2000 were apart", apart > 500);
     }
 
-    /** What a face says without a search is what a search finds. */
+    /** The result of the face test equals the result of the search. */
     @Test
     public void aFaceUnderTheOthersSupportPointIsTheAnswer() {
         int ofFirst = 0;

@@ -5,7 +5,7 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** The points of contact of faces that lie on one another. */
+/** Contact points of faces that lie on each other. */
 public class ManifoldClipperTest {
     private static final double ROUNDING = 1e-6;
 

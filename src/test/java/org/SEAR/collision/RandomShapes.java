@@ -4,15 +4,17 @@ import java.util.Random;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Rotation;
 
-/** Random convex solids at random places; the property {@code sear.seed} gives another series, and messages of failed tests tell the seed. */
+/**
+ * Random convex solids in random poses. The property {@code sear.seed} selects another series; messages of failed tests
+ * contain the seed.
+ */
 final class RandomShapes {
-    /** Of this run. */
     static final long SEED = Long.getLong("sear.seed", 14);
     private static final int POINTS = 30;
 
     final Random random = new Random(SEED);
 
-    /** A ball, which the shapes of the grammar can only come near to. */
+    /** Returns an exact ball, which the shapes of the grammar only approximate. */
     static Convex ball(double x, double y, double z, double radius) {
         return (dx, dy, dz, into) -> {
             double scale = radius / Math.sqrt(dx * dx + dy * dy + dz * dz);
@@ -22,7 +24,7 @@ final class RandomShapes {
         };
     }
 
-    /** A shape of 0.1 to 1 m half size. */
+    /** Returns a shape with half sizes of 0.1 to 1 m. */
     ConvexShape shape() {
         switch (random.nextInt(5)) {
             case 0:
@@ -42,18 +44,17 @@ final class RandomShapes {
         return 0.1 + 0.9 * random.nextDouble();
     }
 
-    /** Points in a cube of 2 m: x, y, z of each. */
     double[] cloud(int count) {
         return random.doubles(3L * count, -1, 1).toArray();
     }
 
-    /** The shape in any pose within so many metres of the origin along each axis. */
+    /** Returns the shape in a random pose within {@code reach} metres of the origin along each axis. */
     PlacedConvex place(ConvexShape shape, double reach) {
         double[] q = direction(4);
         return place(shape, q, reach * (2 * random.nextDouble() - 1), reach * (2 * random.nextDouble() - 1), reach * (2 * random.nextDouble() - 1));
     }
 
-    /** The shape at a place, unturned. */
+    /** Returns the unrotated shape at a place. */
     static PlacedConvex at(ConvexShape shape, double x, double y, double z) {
         return place(shape, new double[] {0, 0, 0, 1}, x, y, z);
     }
@@ -78,7 +79,7 @@ final class RandomShapes {
         return placed;
     }
 
-    /** A vector of length 1. */
+    /** Returns a random vector of length 1. */
     double[] direction(int dimensions) {
         double[] d = new double[dimensions];
         double square = 0;
@@ -92,7 +93,6 @@ final class RandomShapes {
         return d;
     }
 
-    /** How far two sets are apart along a direction from the second to the first; negative where they overlap. */
     static double separation(Convex first, Convex second, double nx, double ny, double nz) {
         double[] a = new double[3];
         double[] b = new double[3];
@@ -101,7 +101,10 @@ final class RandomShapes {
         return nx * (a[0] - b[0]) + ny * (a[1] - b[1]) + nz * (a[2] - b[2]);
     }
 
-    /** The greatest separation along any direction: the best of many, then steps from it that get shorter when none leads on. */
+    /**
+     * Returns the greatest separation along any direction: the best of many directions, improved by steps that shrink
+     * when none leads on.
+     */
     double densest(Convex first, Convex second) {
         double best = Double.NEGATIVE_INFINITY;
         double[] n = new double[3];

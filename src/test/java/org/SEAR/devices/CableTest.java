@@ -18,7 +18,7 @@ public class CableTest {
     private final Echo device = new Echo();
     private final ByteArrayOutputStream host = new ByteArrayOutputStream();
 
-    /** Answers what it hears. */
+    /** A device that sends back each byte. */
     private final class Echo implements SerialDevice {
         private final List<Double> times = new ArrayList<>();
         private final ByteArrayOutputStream heard = new ByteArrayOutputStream();

@@ -41,7 +41,7 @@ public class DeviceTypesTest {
         assertTrue(found.toString(), found.containsAll(Arrays.asList("LIDAR", "Dynamics", "GPS")));
     }
 
-    /** As a sensor's: who adds a device names its class nowhere else. */
+    /** Like a sensor, a registered device needs its class named nowhere else. */
     @Test
     public void theClassOfARegisteredDeviceIsReadFromFiles() {
         List<Class<? extends SearObject>> registered = new ArrayList<>();
@@ -53,7 +53,7 @@ public class DeviceTypesTest {
         assertEquals("no sensor, and registered by its device alone", Arduino.class, readable.get(readable.size() - 1));
     }
 
-    /** A LIDAR that is no LMS200 may be what another jar simulates. */
+    /** Another jar may simulate a LIDAR that is not an LMS200. */
     @Test
     public void theNextKindIsAskedWhenOneHasNoDeviceForAnObject() {
         GPS gps = new GPS("gps", 48, 300, 11);
@@ -113,7 +113,7 @@ public class DeviceTypesTest {
         assertNull(Variant.of(180, 25));
     }
 
-    /** A project that is valid starts. */
+    /** Every legal model name has a receiver, so a valid project starts. */
     @Test
     public void anObjectTakesTheReceiversThatThereAreInAnySpelling() {
         for (String name : Arrays.asList("FV_M8", "fv m11", "mt3329", "MT3301", "u-blox", "NEO-M8N")) {

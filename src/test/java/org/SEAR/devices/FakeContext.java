@@ -9,7 +9,7 @@ import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 
-/** A line of ten bits a byte, a scripted clock and settable hardware around one device. */
+/** A line with ten bits per byte, a scripted clock and settable hardware around one device. */
 public final class FakeContext implements DeviceContext {
     /** 2026-01-01T12:00:00Z. */
     public static final long EPOCH = 1767268800000L;
@@ -21,25 +21,24 @@ public final class FakeContext implements DeviceContext {
     /** Sensors of other components, by name. */
     public final java.util.Map<String, Sensor<?>> parts = new java.util.HashMap<>();
     public Reading reading;
-    /** The simulation's. */
+    /** Seed of the simulation. */
     public long seed = 1;
     public double now;
-    /** How many commands the device knew. */
+    /** Number of commands that the device knew. */
     public int understood;
     public long epoch = EPOCH;
-    /** Times at which bytes began to leave, one a byte, as long as {@link #take} is not called. */
+    /** Start times of the bytes sent since the last {@link #take}, one per byte, seconds. */
     public final List<Double> times = new ArrayList<>();
     private final ByteArrayOutputStream sent = new ByteArrayOutputStream();
     private SerialDevice device;
     private double free;
 
-    /** Puts the device on the line. */
     public <D extends SerialDevice> D attach(D newDevice) {
         device = newDevice;
         return newDevice;
     }
 
-    /** Host to device, at the device's speed. */
+    /** Sends bytes from host to device at the device's speed. */
     public void host(int... bytes) {
         for (int value : bytes) {
             now += byteTime();
@@ -48,8 +47,7 @@ public final class FakeContext implements DeviceContext {
     }
 
     /**
-     * Host to device.
-     *
+     * Sends bytes from host to device.
      * @param hex for example {@code "02 00 01 00 31 15 12"}
      */
     public void host(String hex) {
@@ -62,7 +60,7 @@ public final class FakeContext implements DeviceContext {
         }
     }
 
-    /** Lets time go by in small steps. */
+    /** Passes time in small steps. */
     public void pass(double seconds) {
         double end = now + seconds;
         while (now < end) {
@@ -71,7 +69,7 @@ public final class FakeContext implements DeviceContext {
         }
     }
 
-    /** Power off and on, and simulated time from 0 again. */
+    /** Switches power off and on and sets simulated time to 0. */
     public void restart() {
         now = 0;
         free = 0;
@@ -79,7 +77,7 @@ public final class FakeContext implements DeviceContext {
         take();
     }
 
-    /** What the device has sent since the last call. */
+    /** Returns the bytes sent since the last call. */
     public byte[] take() {
         byte[] bytes = sent.toByteArray();
         sent.reset();

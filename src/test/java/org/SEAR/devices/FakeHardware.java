@@ -17,9 +17,9 @@ public final class FakeHardware implements RobotHardware {
     public boolean dropRight;
     public boolean dropFront;
     public boolean virtualWall;
-    /** Distance of the floor below the front half of the body. */
+    /** Distance to the floor below the front half of the body. */
     public double floorAhead = 0.05;
-    /** Distance of what is around, from the middle. */
+    /** Distance from the middle to the surroundings. */
     public double around = Double.POSITIVE_INFINITY;
 
     @Override

@@ -8,9 +8,9 @@ import org.SEAR.sensors.LidarSource;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 
-/** A LIDAR that measures what a test says. */
+/** A LIDAR whose measurements a test sets. */
 public final class FakeScanner extends Sensor<LidarScan> implements LidarSource {
-    /** Metres by beam, from the right. */
+    /** Range in metres by beam number, from the right. */
     public IntToDoubleFunction world = beam -> Double.POSITIVE_INFINITY;
     public int scans;
 

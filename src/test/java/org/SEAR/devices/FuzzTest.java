@@ -28,18 +28,17 @@ import org.SEAR.sensors.Quantity;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Random bytes, whole commands among them, never stop a device; see {@link Fuzz} for how many. */
+/** Random bytes with whole commands among them never stop a device; {@link Fuzz} has their number. */
 @Category(Slow.class)
 public class FuzzTest {
-    /** Each command of a device is warned of once, in each of a few ways. */
+    /** Limit of warnings: each command of a device warns once for each of a few causes. */
     private static final int MOST_WARNINGS = 200;
     private static final int BLOCK = 1000;
     private static final double MAX_SECONDS_BEHIND = 30;
 
     /**
-     * Bytes that begin or fill commands of each device come often.
-     *
-     * @param flush what ends any unfinished command; null for power off and on
+     * Feeds random bytes in which those that begin or fill the device's commands are frequent.
+     * @param flush ends any unfinished command; null for power off and on
      */
     private void fuzz(Function<FakeContext, SerialDevice> maker, int[] likely, String flush, String probe, String answer) {
         Random random = new Random(Fuzz.SEED);
@@ -102,7 +101,7 @@ public class FuzzTest {
         }
     }
 
-    /** Whole requests with random values: the bytes of the other test hardly ever make one. */
+    /** Whole requests with random values, which random bytes hardly ever form. */
     @Test
     public void requestsOfColaWithRandomValues() {
         Random random = new Random(Fuzz.SEED);
@@ -164,14 +163,17 @@ public class FuzzTest {
             "0D 0A", Bytes.hex("$PMTK000*32\r\n".getBytes(StandardCharsets.US_ASCII)), "50 4D 54 4B 30 30 31 2C 30 2C 33");
     }
 
-    /** Whole frames come seldom by chance; it may be set to say nothing, so that it is switched off before it is asked. */
+    /**
+     * Whole frames are rare among random bytes. A frame may silence the device, so the test switches the power off
+     * before the probe.
+     */
     @Test
     public void neoM8n() {
         fuzz(line -> new NeoM8n(9600, 1, 0, line), Bytes.ints("B5 62 06 01 00 08 09 04 0A F0 07 03 14"), null, "B5 62 0A 04 00 00 0E 34",
             "B5 62 0A 04 FA 00");
     }
 
-    /** Frames that are whole but for what they carry. */
+    /** Whole frames with random payloads. */
     @Test
     public void neoM8nInWholeFrames() {
         Random random = new Random(Fuzz.SEED);

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.Test;
 
-/** Warnings of one cause are told once, and then counted. */
+/** Repeated warnings of one cause are reported once and then counted. */
 public class RepeatedWarningsTest {
     @Test
     public void theFirstIsToldAndThenOnlyTheCount() {

@@ -18,7 +18,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** Follows docs/add-a-sensor.md word for word: writes its files, runs its commands. */
+/** Follows docs/add-a-sensor.md word for word: writes its files and runs its commands. */
 @Category(Slow.class)
 public class AddASensorTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
@@ -31,7 +31,7 @@ public class AddASensorTest {
     private Path sear;
     private Path folder;
 
-    /** An unpacked SEAR, out of what was compiled. */
+    /** Lays out an unpacked SEAR from the compiled classes. */
     @Before
     public void layOut() throws IOException {
         sear = temporary.newFolder("unpacked sear").toPath();
@@ -62,7 +62,7 @@ public class AddASensorTest {
         assertTrue(text, text.contains("\n[u'eye.coldest', u'eye.warmest']\n"));
     }
 
-    /** The classes of the page are those that other tests load. */
+    /** The classes on the page equal those that other tests load. */
     @Test
     public void itsClassesAreThoseOfTheTests() throws IOException {
         String page = Files.readString(ROOT.resolve("docs/add-a-sensor.md"));

@@ -18,7 +18,7 @@ import org.myrobotlab.service.sear.RecordingHost;
 import org.myrobotlab.service.sear.readings.ScriptCameras;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
-/** Takes the pictures of docs/cameras.md by simulated cameras: {@code ./gradlew cameraPictures}. */
+/** Takes the pictures of docs/cameras.md with simulated cameras: {@code ./gradlew cameraPictures}. */
 public final class CameraPictures {
     private static final int BETWEEN = 10;
 
@@ -38,7 +38,7 @@ public final class CameraPictures {
         System.exit(0);
     }
 
-    /** What some cameras see in examples/ball.sear after a second, as the tab shows it. */
+    /** Returns the pictures of cameras in examples/ball.sear after a second, as the tab shows them. */
     private static BufferedImage[] look(Path project, String... names) throws Exception {
         System.setProperty("sear.headless", "true");
         System.setProperty("sear.project", project.toString());
@@ -64,7 +64,7 @@ public final class CameraPictures {
         return image;
     }
 
-    /** What a program of examples/python3 saves. */
+    /** Returns the picture that a program of examples/python3 saves. */
     private static BufferedImage example(MyRobotLab robotLab, Path folder, String name) throws IOException, InterruptedException {
         File file = folder.resolve(name + ".png").toFile();
         ProcessBuilder builder = new ProcessBuilder("python3", "-B", "examples/python3/" + name + ".py", "--fast", "--server",
@@ -77,7 +77,7 @@ public final class CameraPictures {
         return ImageIO.read(file);
     }
 
-    /** Side by side, all as high as that. */
+    /** Writes pictures side by side, scaled to this height in pixels. */
     private static void write(int height, Path file, BufferedImage... pictures) throws IOException {
         List<BufferedImage> all = Arrays.asList(pictures);
         int width = all.stream().mapToInt(picture -> picture.getWidth() * height / picture.getHeight() + BETWEEN).sum() - BETWEEN;

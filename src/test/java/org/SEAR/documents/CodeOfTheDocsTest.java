@@ -40,16 +40,19 @@ import org.myrobotlab.service.thirdparty.ThirdPartyGpsTest;
 import org.myrobotlab.service.thirdparty.ThirdPartyScannersTest;
 
 /**
- * Every block of README, CONTRIBUTING and docs is run: Python that needs nothing but a floor here, everything else by a class of its own, in the
- * surroundings that it needs. Commands are looked at line by line.
+ * Runs every block of README, CONTRIBUTING and docs. Python that needs only a floor runs here, everything else in a
+ * class of its own with the required surroundings. Commands are checked line by line.
  */
 @Category(Slow.class)
 public class CodeOfTheDocsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
-    /** Pages whose Python runs here: page by page, each in a new project, the blocks one after the other. */
+    /** Pages whose Python runs here. Each page gets a new project, and its blocks run in order. */
     private static final List<String> HERE = List.of("docs/arduino.md", "docs/building.md", "docs/cameras.md", "docs/objects.md", "docs/physics.md",
         "docs/projects.md", "docs/records.md", "docs/sensors.md", "docs/terrain.md", "docs/vehicles.md", "docs/window.md");
-    /** By page and language, commands by how they begin, too: the class that takes it from the page and runs it. */
+    /**
+     * By page and language, and for commands also by their beginning: the class that takes the block from the page and
+     * runs it.
+     */
     private static final Map<String, Class<?>> RUN_BY = new TreeMap<>(Map.ofEntries(
         entry("README.md python", ReadmeTest.class),
         entry("README.md sh build/install/sear/bin/sear", ReadmeTest.class),
@@ -148,7 +151,7 @@ public class CodeOfTheDocsTest {
         return run;
     }
 
-    /** So that what is run changes with the page. */
+    /** Ensures that the tests run the current text of the page. */
     @Test
     public void everyNamedClassTakesTheBlocksFromThePage() throws IOException {
         for (Map.Entry<String, Class<?>> one : RUN_BY.entrySet()) {

@@ -13,20 +13,20 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** A fenced block of README.md, CONTRIBUTING.md or a page of docs, as those tests take it that run it. */
+/** Fenced block of README.md, CONTRIBUTING.md or a page of docs, for the tests that run it. */
 public final class DocBlock {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final Pattern BLOCK = Pattern.compile("(?:^`([\\w./-]+)`:\n\n)?^( *)```([^\n]*)\n(.*?)^ *```$",
         Pattern.DOTALL | Pattern.MULTILINE);
     private static final Pattern FENCE = Pattern.compile("^[ \t>]*(```|~~~)", Pattern.MULTILINE);
 
-    /** The page's path below the project, with slashes. */
+    /** Path of the page below the project, with slashes. */
     public final String page;
-    /** What stands behind the fence; empty if nothing does. */
+    /** Text after the opening fence; may be empty. */
     public final String language;
-    /** The lines between the fences, each with its end, without the block's indentation. */
+    /** Lines between the fences, each with its line end, without the block's indentation. */
     public final String text;
-    /** The name of the file that the line before calls it; null without. */
+    /** File name from the line before the block, or null. */
     public final String file;
 
     private DocBlock(String page, Matcher found) {
@@ -36,7 +36,7 @@ public final class DocBlock {
         this.text = found.group(4).replaceAll("(?m)^" + found.group(2), "");
     }
 
-    /** All pages, in the order of their names. */
+    /** Returns all pages, ordered by name. */
     public static List<String> pages() {
         try (Stream<Path> docs = Files.list(ROOT.resolve("docs"))) {
             TreeSet<String> pages = docs.map(file -> "docs/" + file.getFileName()).filter(page -> page.endsWith(".md"))
@@ -49,9 +49,8 @@ public final class DocBlock {
     }
 
     /**
-     * The blocks of a page in their order.
-     *
-     * @throws AssertionError if there is a fence that no block has
+     * Returns the blocks of a page in order.
+     * @throws AssertionError for a fence outside every block
      */
     public static List<DocBlock> of(String page) {
         try {
@@ -70,12 +69,12 @@ public final class DocBlock {
         }
     }
 
-    /** The texts of the blocks of one language. */
+    /** Returns the texts of the blocks of one language. */
     public static List<String> of(String page, String language) {
         return of(page).stream().filter(block -> block.language.equals(language)).map(block -> block.text).collect(Collectors.toList());
     }
 
-    /** The lines of a page's commands that begin so. */
+    /** Returns the command lines of a page that begin with a text. */
     public static List<String> commands(String page, String start) {
         return of(page, "sh").stream().flatMap(String::lines).filter(line -> line.startsWith(start)).collect(Collectors.toList());
     }

@@ -10,14 +10,14 @@ import com.sun.source.doctree.UnknownBlockTagTree;
 import java.util.List;
 import java.util.Map;
 
-/** Javadoc as Markdown: text, code, links to methods by their names, paragraphs. */
+/** Converts javadoc to Markdown: text, code, links to methods by name, paragraphs. */
 final class DocText {
     private static final Map<String, String> ENTITIES = Map.of("lt", "<", "gt", ">", "amp", "&", "quot", "\"");
 
     private DocText() {
     }
 
-    /** On one line, but for paragraphs. */
+    /** Returns the text on one line per paragraph. */
     static String of(List<? extends DocTree> trees) {
         StringBuilder out = new StringBuilder();
         boolean preformatted = false;
@@ -32,7 +32,7 @@ final class DocText {
         return out.toString().replaceAll(" *\n\n *", "\n\n").trim();
     }
 
-    /** A block tag's words as they stand there. */
+    /** Returns the raw text of a block tag. */
     static String raw(UnknownBlockTagTree tag) {
         StringBuilder out = new StringBuilder();
         tag.getContent().forEach(part -> out.append(part));

@@ -15,7 +15,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.Test;
 
-/** The table of drivers that were tried names for each row the test that tried it, and the version that the tests install. */
+/** Each row of the table of drivers names its test, and the version that the tests install. */
 public class DriversTableTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final String HEADING = "## Which drivers were tried?";

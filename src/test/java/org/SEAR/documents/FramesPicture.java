@@ -2,7 +2,7 @@ package org.SEAR.documents;
 
 import java.util.Locale;
 
-/** The frames of world and robot as SVG: axes, heading, rotation, from above. */
+/** Frames of world and robot as SVG: axes, heading and rotation, from above. */
 final class FramesPicture {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 420;
@@ -18,7 +18,6 @@ final class FramesPicture {
     private FramesPicture() {
     }
 
-    /** The picture. */
     static String svg() {
         FramesPicture picture = new FramesPicture();
         picture.out.append(format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" font-family=\"sans-serif\" font-size=\"14\">%n",
@@ -98,7 +97,7 @@ final class FramesPicture {
         out.append(format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-dasharray=\"4 4\"/>%n", x1, y1, x2, y2, GREY));
     }
 
-    /** From one angle to another, degrees counter-clockwise from the right. */
+    /** Draws an arc between two angles, degrees counter-clockwise from the right. */
     private void arc(double x, double y, double radius, double from, double to, String color) {
         double a = Math.toRadians(from);
         double b = Math.toRadians(to);

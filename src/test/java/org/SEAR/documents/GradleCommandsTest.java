@@ -23,8 +23,8 @@ import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /**
- * The calls of Gradle on all pages. Gradle reads the build and says what it would do for them; that it does it, CI shows, which calls the same tasks.
- * The measurement is made, shorter.
+ * Gradle calls on all pages. Gradle resolves them in a dry run; CI runs the same tasks. Only the measurement runs here,
+ * shortened.
  */
 @Category(Slow.class)
 public class GradleCommandsTest {
@@ -37,7 +37,7 @@ public class GradleCommandsTest {
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
 
-    /** What stands behind ./gradlew, of each line once. */
+    /** Returns the arguments after ./gradlew of all command lines, without duplicates. */
     private static List<String> calls() {
         return DocBlock.pages().stream().flatMap(page -> DocBlock.commands(page, GRADLE).stream())
             .map(line -> line.replaceAll(" +#.*", "").substring(GRADLE.length())).distinct().collect(Collectors.toList());

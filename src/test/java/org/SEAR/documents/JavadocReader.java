@@ -30,7 +30,10 @@ import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
-/** Reads the javadoc of a class's public methods with the compiler of the JDK that runs; other classes come from the class path. */
+/**
+ * Reads the javadoc of a class's public methods with the compiler of the running JDK; other classes come from the class
+ * path.
+ */
 final class JavadocReader {
     private static final Pattern SECTION = Pattern.compile("(?m)^ {4}// -{4} (.*?) -+$");
     private static final Map<String, String> PYTHON = Map.of("void", "", "double", "float", "long", "int", "boolean", "bool", "String", "str",
@@ -59,12 +62,12 @@ final class JavadocReader {
         }
     }
 
-    /** What the class is for, its first paragraph. */
+    /** Returns the first paragraph of the class's javadoc. */
     String about() {
         return about;
     }
 
-    /** All public methods, in the order of the source. */
+    /** Returns all public methods in source order. */
     List<ScriptCall> calls() {
         return calls;
     }

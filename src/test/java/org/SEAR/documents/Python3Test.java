@@ -20,7 +20,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** The client of docs/python3-http.md, run by this computer's own python3 against the embedded MyRobotLab. */
+/** The client of docs/python3-http.md, run by the system's python3 against the embedded MyRobotLab. */
 @Category(Slow.class)
 public class Python3Test {
     private static final int LINES_OF_CLIENT = 10;
@@ -45,7 +45,7 @@ public class Python3Test {
         return DocBlock.of("docs/python3-http.md", "python3");
     }
 
-    /** Runs a program beside the page's client, whose address is that of the test. */
+    /** Runs a program beside the page's client, with the address of the test's server. */
     private String run(String program) throws IOException, InterruptedException {
         Path folder = temporary.getRoot().toPath();
         String client = blocks().get(0);

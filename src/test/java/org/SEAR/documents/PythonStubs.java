@@ -20,13 +20,13 @@ import java.util.stream.Stream;
 import org.SEAR.grammar.Described;
 
 /**
- * The names and type hints of the package {@code sear} for Python 3: each call of SEAR, LIDAR and GPS that docs/scripting.md has, and each class of
- * {@code org.SEAR.POJOs}. {@code gradle pythonStubs} writes them.
+ * Generates names and type hints of the Python 3 package {@code sear}: each call of SEAR, LIDAR and GPS in
+ * docs/scripting.md, and each class of {@code org.SEAR.POJOs}. {@code gradle pythonStubs} writes them.
  */
 public final class PythonStubs {
     private static final String WRITTEN = "Written by `gradle pythonStubs`; do not edit.";
     private static final String POJOS = "org.SEAR.POJOs.";
-    /** Python's own words, which can't be names of parameters. */
+    /** Python keywords, which cannot name parameters. */
     private static final List<String> KEYWORDS = List.of("from", "in", "is", "with", "as", "lambda", "global", "del", "pass", "not", "and", "or");
 
     private final Path root;
@@ -38,7 +38,6 @@ public final class PythonStubs {
 
     /**
      * Writes the two files.
-     *
      * @param args the package's folder
      */
     public static void main(String[] args) throws IOException {
@@ -47,7 +46,7 @@ public final class PythonStubs {
         Files.writeString(Path.of(args[0], "__init__.pyi"), stubs.hints());
     }
 
-    /** The classes of the object grammar that a script can import, ordered. */
+    /** Returns the classes of the object grammar that a script can import, ordered by name. */
     private List<Class<?>> objects() throws IOException {
         try (Stream<Path> files = Files.list(root.resolve("src/main/java/org/SEAR/POJOs"))) {
             return files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".java") && !name.startsWith("package-"))
@@ -64,13 +63,13 @@ public final class PythonStubs {
         }
     }
 
-    /** The module of names. */
+    /** Returns the module of names. */
     String names() throws IOException {
         return "\"\"\"The classes of the object grammar. " + WRITTEN + "\"\"\"\n\nOBJECTS = (\n"
             + objects().stream().map(type -> "    \"" + type.getSimpleName() + "\",\n").collect(Collectors.joining()) + ")\n";
     }
 
-    /** The module of type hints. */
+    /** Returns the module of type hints. */
     String hints() throws IOException {
         StringBuilder out = new StringBuilder(Files.readString(root.resolve("src/test/resources/org/SEAR/documents/python-hints-head.pyi"))
             .replace("\r\n", "\n").replace("WRITTEN", WRITTEN));
@@ -110,7 +109,7 @@ public final class PythonStubs {
         }
         Map<String, List<Method>> methods = new TreeMap<>();
         Set<String> own = Arrays.stream(type.getDeclaredMethods()).map(Method::getName).collect(Collectors.toSet());
-        // a type checker takes a method of the same name for all that there is
+        // A declared method hides inherited overloads of the same name from a type checker.
         Arrays.stream(type.getMethods()).filter(one -> known ? own.contains(one.getName()) : one.getDeclaringClass() != Object.class)
             .filter(one -> !one.isSynthetic() && one.getDeclaringClass() != Enum.class)
             .forEach(one -> methods.computeIfAbsent(one.getName(), any -> new ArrayList<>()).add(one));

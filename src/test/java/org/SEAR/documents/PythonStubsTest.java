@@ -10,7 +10,7 @@ import org.SEAR.Slow;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** What the package for Python 3 says of calls and objects is what the services' javadoc and the classes say. */
+/** Names and hints of the Python 3 package match the services' javadoc and the classes. */
 @Category(Slow.class)
 public class PythonStubsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", "."));
@@ -26,7 +26,7 @@ public class PythonStubsTest {
         assertTrue(hints, hints.contains("(self, name: str, length: float, width: float, height: float, mass: float) -> None: ...\n"));
     }
 
-    /** Without their names a type checker takes {@code from sear import *} for an import of nothing. */
+    /** Without these names, {@code from sear import *} imports nothing for a type checker. */
     @Test
     public void theHintsHaveAllThatTheStarBrings() throws IOException, InterruptedException {
         Process python = new ProcessBuilder("python3", "-c", "import ast, sys\n"
@@ -46,7 +46,7 @@ public class PythonStubsTest {
         assertEquals(0, python.waitFor());
     }
 
-    /** Python itself reads them. */
+    /** Python itself parses the hints. */
     @Test
     public void theHintsAreAPythonModule() throws IOException, InterruptedException {
         Process python = new ProcessBuilder("python3", "-c", "import ast, sys; tree = ast.parse(open(sys.argv[1]).read());"

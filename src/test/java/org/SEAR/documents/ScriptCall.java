@@ -5,31 +5,31 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** A public method of a service as its javadoc describes it, in Markdown. */
+/** A public method of a service with its javadoc in Markdown. */
 final class ScriptCall {
-    /** The title that stands above it in the source; empty if there is none. */
+    /** Section title above the method in the source; may be empty. */
     String section = "";
     String name;
-    /** In Python's words; empty if it answers nothing. */
+    /** Return type in Python terms; empty for none. */
     String answers;
-    /** Names of the parameters and what is said of each; empty where nothing is. */
+    /** Description by parameter name; empty if the javadoc has none. */
     final Map<String, String> parameters = new LinkedHashMap<>();
-    /** What each parameter is, in Python's words. */
+    /** Type by parameter name, in Python terms. */
     final Map<String, String> types = new LinkedHashMap<>();
     String text = "";
     String returns = "";
     final Map<String, String> errors = new LinkedHashMap<>();
-    /** A line of Python; empty if there is none. */
+    /** A line of Python; may be empty. */
     String example = "";
-    /** Whether MyRobotLab calls it. */
+    /** Whether the method overrides one of MyRobotLab. */
     boolean overrides;
 
-    /** {@code drive(speed, radius)}. */
+    /** Returns for example {@code drive(speed, radius)}. */
     String signature() {
         return name + parameters.keySet().stream().collect(Collectors.joining(", ", "(", ")"));
     }
 
-    /** What is missing for a page that says all; empty if nothing is. */
+    /** Returns the missing parts of the javadoc. */
     List<String> gaps() {
         List<String> gaps = parameters.entrySet().stream().filter(one -> one.getValue().isEmpty() && !isPlain(one.getKey()))
             .map(one -> signature() + " says nothing of " + one.getKey()).collect(Collectors.toList());
@@ -42,7 +42,10 @@ final class ScriptCall {
         return gaps;
     }
 
-    /** A switch, whose meaning the sentence gives, or the value that a publisher hands on. */
+    /**
+     * Returns whether a parameter needs no description: a switch that the sentence explains, or the value of a
+     * publisher.
+     */
     private boolean isPlain(String parameter) {
         return parameter.equals("on") || name.startsWith("publish");
     }

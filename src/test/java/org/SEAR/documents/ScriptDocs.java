@@ -12,10 +12,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** The page {@code docs/scripting.md}: every call of SEAR, LIDAR and GPS for scripts, from their javadoc. {@code gradle scriptDocs} writes it. */
+/**
+ * Generates {@code docs/scripting.md}: every call of SEAR, LIDAR and GPS for scripts, from their javadoc.
+ * {@code gradle scriptDocs} writes it.
+ */
 public final class ScriptDocs {
     static final List<String> SERVICES = Arrays.asList("SEAR", "LIDAR", "GPS");
-    /** What the examples take as there. */
+    /** Preparation that all examples assume. */
     static final String PREPARATION = "sear = Runtime.start(\"sear\", \"SEAR\")\n"
         + "lidar = Runtime.start(\"guideLidar\", \"LIDAR\")     # the driver of a SICK LMS200, real or simulated\n"
         + "gps = Runtime.start(\"guideGps\", \"GPS\")           # the driver of a GPS receiver, real or simulated\n"
@@ -35,7 +38,6 @@ public final class ScriptDocs {
 
     /**
      * Writes the page and its picture.
-     *
      * @param args the page, the picture
      */
     public static void main(String[] args) throws IOException {
@@ -43,25 +45,25 @@ public final class ScriptDocs {
         Files.write(Path.of(args[1]), FramesPicture.svg().getBytes(StandardCharsets.UTF_8));
     }
 
-    /** The methods that scripts are to call, in the order of the page. */
+    /** Returns the methods for scripts in the order of the page. */
     List<ScriptCall> calls(String service) {
         return services.get(service).calls().stream()
             .filter(call -> !call.overrides && !call.section.equals(PANELS) && !call.section.equals(MYROBOTLAB)).collect(Collectors.toList());
     }
 
-    /** What a service is for. */
+    /** Returns the purpose of a service. */
     String about(String service) {
         return services.get(service).about();
     }
 
-    /** What the javadoc leaves out. */
+    /** Returns the missing parts of the javadoc. */
     List<String> gaps() {
         List<String> gaps = new ArrayList<>();
         SERVICES.forEach(service -> calls(service).forEach(call -> call.gaps().forEach(gap -> gaps.add(service + "." + gap))));
         return gaps;
     }
 
-    /** The page, in Markdown. */
+    /** Returns the page in Markdown. */
     String page() throws IOException {
         List<String> gaps = gaps();
         if (!gaps.isEmpty()) {
@@ -91,7 +93,7 @@ public final class ScriptDocs {
             .replace("PREPARATION\n", PREPARATION);
     }
 
-    /** As GitHub makes them of titles. */
+    /** Returns GitHub's anchor of a title. */
     private static String anchor(String title) {
         return title.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9 -]", "").replace(' ', '-');
     }

@@ -15,7 +15,7 @@ import org.junit.BeforeClass;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** The page about the calls says what the services' javadoc says, and that is whole. */
+/** The page of calls matches the services' javadoc, which has no gaps. */
 @Category(Slow.class)
 public class ScriptDocsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", "."));
@@ -42,7 +42,7 @@ public class ScriptDocsTest {
         assertEquals(List.of(), docs.gaps());
     }
 
-    /** An example calls what it is the example of, on the variable of its service. */
+    /** Each example calls its method on the variable of its service. */
     @Test
     public void everyExampleCallsItsMethod() {
         List<String> wrong = new ArrayList<>();

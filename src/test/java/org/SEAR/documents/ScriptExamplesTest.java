@@ -16,24 +16,24 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** Every example of docs/scripting.md runs, after the preparation that the page names. */
+/** Every example of docs/scripting.md runs after the page's preparation. */
 @Category(Slow.class)
 public class ScriptExamplesTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", "."));
-    /** Blocks of more than one example: the preparation, the callbacks, driving. */
+    /** Number of blocks with more than one example: preparation, callbacks, driving. */
     private static final int LONG_BLOCKS = 3;
     private static final List<String> WHILE_STOPPED = Arrays.asList("startSimulation", "setGroundVisible", "newProject", "loadProject",
         "importRobot", "importEnvironment", "copyTemplate");
 
-    /** Calls that have a vehicle: their examples run with the first block of its page. */
+    /** Calls that need a vehicle; their examples run with the first block of its page. */
     private static final List<String> VEHICLES = Arrays.asList("setMotorPower", "setMotorSpeed", "getMotorSpeed", "getEncoder", "setServo",
         "getServo", "setLed", "getLed", "setSteering");
 
-    /** Calls that have a camera: their examples run with the world of its page. */
+    /** Calls that need a camera; their examples run with the world of its page. */
     private static final List<String> CAMERAS = Arrays.asList("getImage", "getPixels", "getDepth", "getTemperatures", "getPointCloud", "getBlobs",
         "saveImage", "exportCamera", "stopExportCamera");
 
-    /** Brings about what the page takes as there before each example. */
+    /** Restores the state that the page assumes before each example. */
     private static final String READY = String.join("\n",
         "import os",
         "def ready(running):",

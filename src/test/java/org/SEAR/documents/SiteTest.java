@@ -23,7 +23,10 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** The links between pages, to their headings, too; the site that scripts/site makes of them, which with -Pfull is made whole. */
+/**
+ * Links between pages, including links to headings, and the site that scripts/site makes. With -Pfull the whole site is
+ * built.
+ */
 @Category(Slow.class)
 public class SiteTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
@@ -40,7 +43,7 @@ public class SiteTest {
         return Files.readString(page).replaceAll("(?s)```.*?```", "");
     }
 
-    /** As GitHub makes them. */
+    /** Returns GitHub's anchors of the headings. */
     private static Set<String> headings(Path page) throws IOException {
         Set<String> found = new TreeSet<>();
         Matcher heading = HEADING.matcher(text(page));
@@ -75,7 +78,7 @@ public class SiteTest {
         assertTrue(links + " links", links > 100);
     }
 
-    /** What the command says; it ends with that status. */
+    /** Returns the output of the command, which must end with this status. */
     private String make(int status, Path root, Path pages, Path site, String... more) throws IOException, InterruptedException {
         Path output = temporary.newFile().toPath();
         List<String> command = new ArrayList<>(List.of("python3", ROOT.resolve("scripts/site").toString(), pages.toString(), site.toString()));

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.spi.ToolProvider;
 
-/** SEAR as users have it when they have unpacked its zip, made out of what was compiled. */
+/** SEAR as its unpacked zip, made from the compiled classes. */
 public final class UnpackedSear {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
 
@@ -14,8 +14,7 @@ public final class UnpackedSear {
     }
 
     /**
-     * Lays it out in a folder, which may be there: {@code bin/sear} and the jars, the libraries as links.
-     *
+     * Lays SEAR out in a folder, which may exist: {@code bin/sear} and the jars, with the libraries as links.
      * @throws AssertionError if a jar can't be made
      */
     public static void at(Path sear) throws IOException {

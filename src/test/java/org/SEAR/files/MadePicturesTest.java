@@ -15,7 +15,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** Pictures of markers and chessboards, which no file has. */
+/** Generated pictures of markers and chessboards, which need no file. */
 public class MadePicturesTest {
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
@@ -24,7 +24,7 @@ public class MadePicturesTest {
         return ImageIO.read(new ByteArrayInputStream(new Assets(folder.getRoot().toPath()).readPicture(path)));
     }
 
-    /** Cells row by row, # is black. */
+    /** Returns the cells row by row; # is black. */
     private static String cells(BufferedImage image, int columns) {
         int size = image.getWidth() / columns;
         StringBuilder text = new StringBuilder();

@@ -6,7 +6,7 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** Boxes along the axes: what they hold, and what overlaps. */
+/** Axis-aligned bounding boxes: containment and overlap. */
 public class AabbTest {
     private static Aabb box(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
         return new Aabb().add(minX, minY, minZ).add(maxX, maxY, maxZ);

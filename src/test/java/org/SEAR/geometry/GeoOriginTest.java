@@ -4,7 +4,7 @@ import static org.junit.Assert.assertEquals;
 
 import org.junit.Test;
 
-/** A point of the world and its place on Earth belong together. */
+/** Conversion between points of the world and places on Earth, both ways. */
 public class GeoOriginTest {
     @Test
     public void aPlaceIsWhereItsPointIs() {

@@ -4,9 +4,9 @@ import static org.junit.Assert.assertEquals;
 
 import org.junit.Test;
 
-/** The table against values of the whole model and of real receivers. */
+/** The geoid table compared with values of the full model and of real receivers. */
 public class GeoidTest {
-    /** Latitude, longitude and metres that NGA gives to check programs with, and Mount Everest. */
+    /** Latitude, longitude and separation in metres of NGA's test points and Mount Everest. */
     private static final double[][] PUBLISHED = {{38.6281550, 269.7791550, -31.628}, {-14.6212170, 305.0211140, -2.969},
         {46.8743190, 102.4487290, -43.575}, {-23.6174460, 133.8747120, 15.871}, {38.6254730, 359.9995000, 50.066}, {-0.4667440, 0.0023000, 17.329},
         {27.988056, 86.925278, -28.744}};
@@ -18,7 +18,7 @@ public class GeoidTest {
         }
     }
 
-    /** u-blox' example of a GGA sentence has 48.0 m. */
+    /** The GGA example of u-blox has 48.0 m. */
     @Test
     public void aRealReceiverSaysTheSame() {
         assertEquals(48, Geoid.separation(47 + 17.11399 / 60, 8 + 33.91590 / 60), 0.3);

@@ -9,7 +9,7 @@ import static org.junit.Assert.assertTrue;
 import java.util.Random;
 import org.junit.Test;
 
-/** The ground's posts, triangles, blocks and heights agree with each other. */
+/** Samples, triangles, blocks and elevations of the ground agree with each other. */
 public class HeightFieldTest {
     private final HeightField field = new HeightField(3, 2, -10, 4, 10, 2, new float[] {0, 1, 4, 8, 2, 2});
 

@@ -10,7 +10,7 @@ import java.util.Random;
 import java.util.TreeSet;
 import org.junit.Test;
 
-/** Tiles are the field that they are cut out of, however few are held. */
+/** Tiles equal the field that they are cut from, however few are in memory. */
 public class HeightTilesTest {
     private static final int HELD = 2;
     private static final HeightField WHOLE = whole();
@@ -27,7 +27,7 @@ public class HeightTilesTest {
             heights);
     }
 
-    /** The same ground in tiles. */
+    /** Returns the same ground in tiles. */
     public static HeightTiles of(HeightField field, int most) {
         return new HeightTiles(field.rows, field.columns, field.lowX, field.lowZ, field.spacingX, field.spacingZ, (row, column, height, width) -> {
             float[] part = new float[height * width];

@@ -24,11 +24,11 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Episodes of a program that learns. */
+/** Episodes of reinforcement learning. */
 public class EpisodeTest {
     private static final int BEAMS = 181;
     private static final double RANGE = 8;
-    /** Where numbers of the state are. */
+    /** Index of a number in the state. */
     private static final int TIME = 0;
     private static final int X = 1;
     private static final int Z = 3;
@@ -45,7 +45,7 @@ public class EpisodeTest {
 
     private ByteBuffer memory;
 
-    /** A robot in the origin that looks east, and a wall 2 m ahead. */
+    /** Makes a robot at the origin that looks east, and a wall 2 m ahead. */
     private SEARrobot room() {
         new Floor("floor", 20, 20, false);
         Box wall = new Box("wall", 6, 0.2, 1, 0);
@@ -151,7 +151,7 @@ public class EpisodeTest {
         assertEquals(0, state(LEFT) + state(RIGHT) + state(TOUCHED), 0);
     }
 
-    /** Drives somewhere and gives what was seen on the way. */
+    /** Drives a fixed sequence and returns the observations. */
     private byte[] drive(Episode episode) {
         watched(episode);
         byte[] all = bytes();

@@ -20,7 +20,10 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** The environments of {@code sear.gym} in Python 3 with Gymnasium: the scripts of src/test/gymnasium, and the programs of docs/learning.md. */
+/**
+ * The environments of {@code sear.gym} in Python 3 with Gymnasium: scripts of src/test/gymnasium and programs of
+ * docs/learning.md.
+ */
 @Category(Slow.class)
 public class GymnasiumTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
@@ -31,7 +34,7 @@ public class GymnasiumTest {
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
 
-    /** What a program prints. */
+    /** Returns the output of a program, which must end with this status. */
     private String run(int status, String packages, Path program, String... arguments) throws IOException, InterruptedException {
         Path output = folder.newFile().toPath();
         List<String> command = new java.util.ArrayList<>(List.of("python3", program.toString()));
@@ -97,7 +100,7 @@ public class GymnasiumTest {
         assertTrue(text, text.contains("WallFollow by hand ") && text.contains("LineFollow by hand ") && text.contains("Docking by hand "));
     }
 
-    /** The package itself needs no Gymnasium; what needs it says so. */
+    /** The package itself works without Gymnasium; only the import of sear.gym reports that it is missing. */
     @Test
     public void whatIsMissingIsSaid() throws Exception {
         Path program = folder.newFile("program.py").toPath();
@@ -119,7 +122,7 @@ public class GymnasiumTest {
         return DocBlock.of("docs/learning.md", "python3");
     }
 
-    /** What the page's block of that number prints. */
+    /** Returns the output of the page's n-th block. */
     private String block(int number) throws Exception {
         Path program = folder.getRoot().toPath().resolve("block" + number + ".py");
         Files.writeString(program, blocks().get(number));

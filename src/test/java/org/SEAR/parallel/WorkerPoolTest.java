@@ -16,7 +16,7 @@ import java.util.function.IntConsumer;
 import org.junit.After;
 import org.junit.Test;
 
-/** All pieces are done once, side by side, and nothing is left behind. */
+/** All pieces are done once, in parallel, and nothing remains. */
 public class WorkerPoolTest {
     private static final int ROUNDS = 20_000;
     private static final int MOST_ROUNDS = 200;
@@ -47,7 +47,7 @@ public class WorkerPoolTest {
         }
     }
 
-    /** A piece waits for all others, so each has a thread of its own. */
+    /** Each piece waits for all others, so each needs its own thread. */
     @Test(timeout = 600_000)
     public void asManyThreadsWorkAsWereAskedFor() {
         threads(4);
@@ -94,7 +94,7 @@ public class WorkerPoolTest {
                     assertEquals("piece " + i, 1, done.get(i));
                 }
             }
-            pool.forEach(9, piece -> { });    // and nothing is left of it
+            pool.forEach(9, piece -> { });    // and keeps no reference to the piece
         }
         assertSame(AssertionError.class, assertThrows(Error.class, () -> pool.forEach(2, piece -> {
             throw new AssertionError("an error");
@@ -142,7 +142,7 @@ public class WorkerPoolTest {
         assertEquals(Set.of(Thread.currentThread()), seen);
     }
 
-    /** The helpers sleep between some of the rounds and are awake between others. */
+    /** The helper threads sleep between some of the rounds and are awake between others. */
     @Test
     public void sharingAllocatesNothing() {
         threads(2);

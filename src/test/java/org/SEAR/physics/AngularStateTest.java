@@ -6,7 +6,7 @@ import static org.junit.Assert.assertEquals;
 import java.util.Random;
 import org.junit.Test;
 
-/** What turns without torque, and a top, keeps energy and angular momentum. */
+/** Torque-free bodies and a top conserve energy and angular momentum. */
 public class AngularStateTest {
     private final Findings findings = new Findings();
 
@@ -40,7 +40,7 @@ public class AngularStateTest {
         findings.assertHold();
     }
 
-    /** What is held against a surface: its angular velocity changes as that of what turns freely, and it stays as it is turned. */
+    /** A body held against a surface changes its angular velocity like a free one and keeps its orientation. */
     @Test
     public void aLittleTurnChangesTheAngularVelocityAsTheWholeOneDoes() {
         Random random = new Random(1);

@@ -6,7 +6,7 @@ import org.SEAR.POJOs.Sphere;
 import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.BodyRun;
 
-/** What is hardly out of balance moves all the same. */
+/** Scenes with bodies slightly out of balance, which must move. */
 final class BalanceScenes {
     private static final double G = 9.81;
     private static final double OFF = 0.05;
@@ -14,7 +14,7 @@ final class BalanceScenes {
     private BalanceScenes() {
     }
 
-    /** A pole that stands on an edge, a twentieth of a degree past its balance, falls when the closed form says so. */
+    /** A pole on its edge, 0.05 degrees past its balance, falls as fast as the closed form says. */
     static void pole(double width, double height, Findings into) throws Exception {
         double past = Math.toRadians(OFF);
         double fallen = Math.toRadians(30);
@@ -40,13 +40,13 @@ final class BalanceScenes {
         }
     }
 
-    /** How far its middle is past the edge on which it stands, radians. */
+    /** Returns the angle of the pole's middle past its supporting edge, radians. */
     private static double leant(BodyRun run, double width, double height) {
         double[] up = run.pose("pole").rotate(0, 1, 0);
         return Math.atan2(-up[0], up[1]) - Math.atan2(width, height);
     }
 
-    /** A ball without rolling friction rolls down a twentieth of a degree. */
+    /** A ball without rolling friction rolls down a slope of 0.05 degrees. */
     static void ball(Findings into) throws Exception {
         double slope = Math.toRadians(OFF);
         try (Stage stage = new Stage()) {

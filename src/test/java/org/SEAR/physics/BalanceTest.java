@@ -2,7 +2,7 @@ package org.SEAR.physics;
 
 import org.junit.Test;
 
-/** What is hardly out of balance moves all the same. */
+/** Bodies slightly out of balance move. */
 public class BalanceTest {
     private final Findings findings = new Findings();
 

@@ -6,11 +6,11 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Runs the scenes of bodies and prints what they measure beside what it must be. {@code ./gradlew bodyReport} runs all;
- * {@code -Pscenes="drops pile top"} those whose names begin with one of these words.
+ * Runs the scenes of bodies and prints each measured value beside its expected one. {@code ./gradlew bodyReport} runs
+ * all; {@code -Pscenes="drops pile top"} runs those whose names begin with one of these words.
  */
 public final class BodyReport {
-    /** A scene or some of a kind. */
+    /** A scene or a group of similar scenes. */
     interface Scene {
         void play(Findings into) throws Exception;
     }
@@ -18,7 +18,7 @@ public final class BodyReport {
     private BodyReport() {
     }
 
-    /** All scenes by their names. */
+    /** Returns all scenes by name. */
     static Map<String, Scene> scenes() {
         Map<String, Scene> all = new LinkedHashMap<>();
         for (int seed = 1; seed <= 3; seed++) {

@@ -4,7 +4,7 @@ import org.SEAR.Slow;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Far too much at one spot costs a bounded time and comes apart slowly. */
+/** Crowded bodies at one spot cost a bounded time and separate slowly. */
 @Category(Slow.class)
 public class CrowdClockTest {
     private final Findings findings = new Findings();

@@ -4,19 +4,19 @@ import java.lang.management.ManagementFactory;
 import org.SEAR.POJOs.Box;
 import org.SEAR.simulator.BodyRun;
 
-/** Far too much at one spot: it costs a bounded time and comes apart slowly. */
+/** Scenes with crowded bodies at one spot: they cost a bounded time and separate slowly. */
 final class CrowdScenes {
     private static final double SIZE = 0.2;
 
     private CrowdScenes() {
     }
 
-    /** All cubes in the same place. */
+    /** Puts all cubes at the same place. */
     static void oneSpot(int count, Findings into) throws Exception {
         crowd(count + " cubes at one spot", count, count, 0, 120, 1, into);
     }
 
-    /** A block of cubes, each of which reaches into the 26 around it. */
+    /** Makes a block of cubes, each of which overlaps the 26 around it. */
     static void block(int count, Findings into) throws Exception {
         crowd(count + " cubes inside each other", count, (int) Math.ceil(Math.cbrt(count)), 0.75 * SIZE, 60, 2, into);
     }
@@ -47,7 +47,7 @@ final class CrowdScenes {
         }
     }
 
-    /** Processor time of this thread. */
+    /** Returns the CPU time of this thread, seconds. */
     private static double seconds() {
         return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() * 1e-9;
     }

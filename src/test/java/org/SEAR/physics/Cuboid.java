@@ -2,7 +2,7 @@ package org.SEAR.physics;
 
 import org.SEAR.geometry.Pose;
 
-/** A box of a scene, and how deep two of them are in each other: by the fifteen axes that can part two boxes, exact. */
+/** A box of a scene. Exact penetration depth of two boxes by the fifteen separating axes. */
 final class Cuboid {
     final String name;
     /** Half sizes along its axes x, y and z, metres. */
@@ -15,13 +15,13 @@ final class Cuboid {
         half = new double[] {sizeX / 2, sizeY / 2, sizeZ / 2};
     }
 
-    /** Where it stands now. */
+    /** Sets the current pose. */
     void place(Pose pose) {
         at = new double[] {pose.x, pose.y, pose.z};
         axes = new double[][] {pose.rotate(1, 0, 0), pose.rotate(0, 1, 0), pose.rotate(0, 0, 1)};
     }
 
-    /** How far it reaches from its middle along a direction, metres times its length. */
+    /** Returns the extent from the middle along a direction, metres times the direction's length. */
     double reach(double[] direction) {
         double sum = 0;
         for (int i = 0; i < 3; i++) {
@@ -30,7 +30,7 @@ final class Cuboid {
         return sum;
     }
 
-    /** How far along an axis of the world (0 to 2) it begins. */
+    /** Returns the lower bound along an axis of the world (0 to 2), metres. */
     double low(int axis) {
         return at[axis] - reach(unit(axis));
     }
@@ -39,12 +39,12 @@ final class Cuboid {
         return at[axis] + reach(unit(axis));
     }
 
-    /** The greatest share of one of its axes that points up: 1 on a face. */
+    /** Returns the greatest vertical component of its axes: 1 on a face. */
     double flat() {
         return Math.max(Math.abs(axes[0][1]), Math.max(Math.abs(axes[1][1]), Math.abs(axes[2][1])));
     }
 
-    /** How deep it is in another, metres; 0 if they are apart. */
+    /** Returns the penetration depth into another box, metres; 0 if they are apart. */
     double depth(Cuboid other) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < 3; i++) {

@@ -6,13 +6,13 @@ import java.util.List;
 import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.BodyRun;
 
-/** The boxes of a scene, and what is asked of all of them. */
+/** The boxes of a scene, with queries over all of them. */
 final class Cuboids {
     private final List<Cuboid> all = new ArrayList<>();
     private final List<Pose> before = new ArrayList<>();
     private final List<Cuboid> order = new ArrayList<>();
 
-    /** Takes a box; its sizes along its axes, metres. */
+    /** Adds a box with its sizes along its axes, metres. */
     void add(String name, double sizeX, double sizeY, double sizeZ) {
         Cuboid box = new Cuboid(name, sizeX, sizeY, sizeZ);
         all.add(box);
@@ -23,7 +23,7 @@ final class Cuboids {
         all.forEach(box -> box.place(run.pose(box.name)));
     }
 
-    /** How deep the deepest is now in another or in a floor at height 0, metres. */
+    /** Returns the greatest penetration into another box or into a floor at height 0, metres. */
     double deepest(BodyRun run) {
         look(run);
         double deepest = 0;
@@ -39,19 +39,19 @@ final class Cuboids {
         return deepest;
     }
 
-    /** How many stand on no face: more than a degree off. */
+    /** Returns the number of boxes more than a degree off every face. */
     int tilted(BodyRun run) {
         look(run);
         return (int) all.stream().filter(box -> box.flat() < Rest.FLAT).count();
     }
 
-    /** Remembers where all are. */
+    /** Stores all poses. */
     void remember(BodyRun run) {
         before.clear();
         all.forEach(box -> before.add(run.pose(box.name)));
     }
 
-    /** How many have moved since {@link #remember}. */
+    /** Returns the number of boxes that have moved since {@link #remember}. */
     int moving(BodyRun run) {
         int count = 0;
         for (int i = 0; i < all.size(); i++) {
@@ -60,7 +60,7 @@ final class Cuboids {
         return count;
     }
 
-    /** The speed of the fastest, m/s. */
+    /** Returns the greatest speed, m/s. */
     double fastest(BodyRun run) {
         return all.stream().mapToDouble(box -> Rest.speed(run.velocities(box.name))).max().orElse(0);
     }

@@ -3,17 +3,17 @@ package org.SEAR.physics;
 import org.SEAR.POJOs.Box;
 import org.SEAR.simulator.BodyRun;
 
-/** Rows of dominoes fall to the last. */
+/** Rows of dominoes that must fall to the last. */
 final class DominoScenes {
     static final double[] HEIGHTS = {0.05, 0.1, 0.2, 0.4};
-    /** From middle to middle, shares of the height. */
+    /** Distance between centres as a fraction of the height. */
     static final double[] GAPS = {0.25, 0.35, 0.45, 0.55, 0.65};
     private static final int COUNT = 30;
 
     private DominoScenes() {
     }
 
-    /** One row, the first leant over by 20 degrees. */
+    /** One row, whose first domino is tilted by 20 degrees. */
     static void row(double height, double gap, Findings into) throws Exception {
         double thick = 0.15 * height;
         try (Stage stage = new Stage(60)) {

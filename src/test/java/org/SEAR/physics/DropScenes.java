@@ -8,12 +8,12 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.BodyRun;
 
-/** What is dropped singly ends on a face or a side, what is dropped onto a heap ends at rest in it. */
+/** Scenes of drops: single bodies end on a face or a side, bodies on a pile end at rest in it. */
 final class DropScenes {
     private static final double APART = 1.5;
     private static final double FALL = 10;
     private static final double LANDING = 2;
-    /** At impact a corner may be found some hundredths of a degree late, metres. */
+    /** Deepest penetration at impact, metres: a corner may be detected some hundredths of a degree late. */
     private static final double DEEPEST_AT_IMPACT = 2e-3;
     private static final double DEEPEST = 5e-4;
     private static final double SIZE = 0.1;
@@ -21,7 +21,7 @@ final class DropScenes {
     private DropScenes() {
     }
 
-    /** Cubes, cylinders and cones of 5 to 30 cm, each alone on the floor. */
+    /** Drops cubes, cylinders and cones of 5 to 30 cm, each alone on the floor. */
     static void single(int count, long seed, Findings into) throws Exception {
         Random random = new Random(seed);
         int row = (int) Math.ceil(Math.sqrt(count));
@@ -46,7 +46,10 @@ final class DropScenes {
         }
     }
 
-    /** Cubes of 10 to 30 cm land on their corners: friction and push take energy, in no step do they give any. */
+    /**
+     * Cubes of 10 to 30 cm land on their corners. Friction and contact impulses dissipate energy and never add any in a
+     * step.
+     */
     static void landing(int count, Findings into) throws Exception {
         Random random = new Random(1);
         int row = (int) Math.ceil(Math.sqrt(count));
@@ -76,7 +79,7 @@ final class DropScenes {
         }
     }
 
-    /** For each kg, above the floor, J. */
+    /** Returns the energy per kg above the floor, J. */
     private static double energy(String cube, double size, BodyRun run) {
         double[] v = run.velocities(cube);
         return PhysicsWorld.GRAVITY * run.pose(cube).y + (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 2
@@ -102,7 +105,7 @@ final class DropScenes {
         into.atMost("deepest in the floor at the end, mm", 1000 * DEEPEST, 1000 * deepest);
     }
 
-    /** Cubes of 10 cm fall onto one heap. */
+    /** Drops cubes of 10 cm onto one pile. */
     static void pile(int count, long seed, Findings into) throws Exception {
         Random random = new Random(seed);
         int row = count > 200 ? 8 : 4;

@@ -8,21 +8,24 @@ import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.Pose;
 
-/** A cube, cylinder or cone that is dropped onto a floor at height 0: its lowest point and the ways in which it can rest, in closed form. */
+/**
+ * A cube, cylinder or cone dropped onto a floor at height 0: its lowest point and its resting orientations in closed
+ * form.
+ */
 final class Dropped {
-    /** Sines of one degree. */
+    /** Sine of one degree. */
     private static final double SLANT = 0.01745;
-    /** High enough that cylinders and cones stop rolling within some seconds; as all else, of rolling things only. */
+    /** Rolling friction, high enough that cylinders and cones stop rolling within some seconds. */
     private static final double ROLLING = 0.1;
 
     final String name;
     final String what;
-    /** 0 a cube, 1 a cylinder, 2 a cone. */
+    /** 0 for a cube, 1 for a cylinder, 2 for a cone. */
     private final int kind;
     private final double radius;
     private final double half;
 
-    /** Makes one of 5 to 30 cm, turned at random, and drops it from half a metre. */
+    /** Makes a body of 5 to 30 cm in a random orientation and drops it from half a metre. */
     Dropped(int kind, String name, double x, double z, Random random) {
         this.kind = kind;
         this.name = name;
@@ -44,7 +47,7 @@ final class Dropped {
         return 0.05 + 0.25 * random.nextDouble();
     }
 
-    /** Height of its lowest point, metres. */
+    /** Returns the height of the lowest point, metres. */
     double lowest(Pose pose) {
         double up = pose.rotate(0, 1, 0)[1];
         double across = Math.sqrt(Math.max(0, 1 - up * up));
@@ -55,7 +58,7 @@ final class Dropped {
         return Math.min(base, kind == 1 ? pose.y + half * up - radius * across : pose.y + half * up);
     }
 
-    /** Whether it lies as it can lie: on a face, or on the line along the side of what is round. */
+    /** Returns whether the body rests on a face, or on the contact line of its curved side. */
     boolean isSettled(Pose pose) {
         double up = pose.rotate(0, 1, 0)[1];
         if (kind == 0) {

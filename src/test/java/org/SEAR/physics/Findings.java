@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** What scenes have measured, each with what it must be. */
+/** Measured values of scenes with their expected values. */
 final class Findings {
     private final List<Finding> all = new ArrayList<>();
     private String scene = "";
@@ -33,7 +33,7 @@ final class Findings {
             return value >= low && value <= high;
         }
 
-        /** A row of the report. */
+        /** Returns a row of the report. */
         String row() {
             String limit = low == Double.NEGATIVE_INFINITY ? "at most " + number(high) : low == high ? number(low)
                 : high == Double.POSITIVE_INFINITY ? "at least " + number(low) : number(low) + " to " + number(high);
@@ -45,7 +45,7 @@ final class Findings {
         }
     }
 
-    /** What comes now was measured in this scene. */
+    /** Sets the scene of the following values. */
     Findings in(String newScene) {
         scene = newScene;
         return this;
@@ -67,18 +67,18 @@ final class Findings {
         add(what, value, expected, expected);
     }
 
-    /** @param share of the expected value by which the measured one may differ */
+    /** @param share largest relative difference from the expected value */
     void within(String what, double expected, double share, double value) {
         double off = Math.abs(expected) * share;
         add(what, value, expected - off, expected + off);
     }
 
-    /** A value that must lie this near to another. */
+    /** Adds a value with the largest absolute difference from the expected one. */
     void near(String what, double expected, double off, double value) {
         add(what, value, expected - off, expected + off);
     }
 
-    /** Says more about the last value. */
+    /** Adds a note to the last value. */
     void note(String text) {
         all.get(all.size() - 1).note = text;
     }
@@ -87,7 +87,7 @@ final class Findings {
         return all;
     }
 
-    /** Fails with all that does not hold. */
+    /** Fails with all values outside their limits. */
     void assertHold() {
         String wrong = all.stream().filter(finding -> !finding.holds()).map(Finding::row).collect(Collectors.joining("\n"));
         assertTrue("nothing was measured", !all.isEmpty());

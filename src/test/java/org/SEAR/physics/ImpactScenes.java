@@ -14,9 +14,8 @@ final class ImpactScenes {
     }
 
     /**
-     * Some balls come with 1 m/s; as many leave at the other end.
-     *
-     * @param gap between those that wait, metres
+     * Some balls arrive with 1 m/s; the same number leaves at the other end.
+     * @param gap between the waiting balls, metres
      */
     static void cradle(int coming, double gap, Findings into) throws Exception {
         try (Stage stage = new Stage()) {

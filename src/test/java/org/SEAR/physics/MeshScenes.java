@@ -12,7 +12,10 @@ import org.SEAR.POJOs.Sphere;
 import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.BodyRun;
 
-/** What slides and rolls over the edges inside a mesh, against closed forms: a plane along x, 2 m wide, which goes up from x 0 on. */
+/**
+ * Bodies sliding and rolling over inner edges of a mesh, compared with closed forms. The mesh is a plane along x, 2 m
+ * wide, that rises from x = 0 on.
+ */
 final class MeshScenes {
     private static final double G = 9.81;
     private static final double RADIUS = 0.1;
@@ -20,7 +23,7 @@ final class MeshScenes {
     private MeshScenes() {
     }
 
-    /** A model of two planes of triangles, without friction against what has none. */
+    /** Makes a model of two planes of triangles without friction. */
     private static Model ground(Stage stage, int cells, double degrees) throws IOException {
         StringBuilder obj = new StringBuilder();
         double up = Math.toRadians(degrees);
@@ -52,7 +55,7 @@ final class MeshScenes {
         thing.setVelocity(speed, 0, 0);
     }
 
-    /** A ball rolls over the plane, a box slides over it without friction: straight on, as fast as before. */
+    /** A ball rolls, or a box slides without friction, over the plane: straight on and at the same speed. */
     static void over(boolean ball, int cells, Findings into) throws Exception {
         try (Stage stage = new Stage()) {
             ground(stage, cells, 0);
@@ -73,7 +76,10 @@ final class MeshScenes {
         }
     }
 
-    /** A ball rolls on without slipping where the ground goes up: it keeps its angular momentum about the new point of contact. */
+    /**
+     * A ball rolls on without slipping where the ground rises: its angular momentum about the new contact point is
+     * conserved.
+     */
     static void up(double degrees, double speed, int cells, Findings into) throws Exception {
         try (Stage stage = new Stage()) {
             ground(stage, cells, degrees);

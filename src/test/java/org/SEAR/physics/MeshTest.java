@@ -2,7 +2,7 @@ package org.SEAR.physics;
 
 import org.junit.Test;
 
-/** A mesh is as smooth as its faces: the edges between its triangles stop and turn nothing. */
+/** A mesh is as smooth as its faces: inner edges neither stop nor turn a body. */
 public class MeshTest {
     private final Findings findings = new Findings();
 

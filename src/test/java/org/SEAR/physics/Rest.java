@@ -2,15 +2,15 @@ package org.SEAR.physics;
 
 import org.SEAR.geometry.Pose;
 
-/** What rest is, told by poses alone: what the physics calls asleep may be a lie. */
+/** Decides by poses alone whether a body rests, independently of the sleep state of the physics. */
 final class Rest {
     /** Cosine of one degree. */
     static final double FLAT = 0.99985;
-    /** For how long things are watched, seconds. */
+    /** Observation time, seconds. */
     static final double WATCH = 0.5;
-    /** What moves less meanwhile rests, metres. */
+    /** Movement below which a body rests, metres. */
     private static final double MOVED = 1e-4;
-    /** What turns less meanwhile rests, radians. */
+    /** Rotation below which a body rests, radians. */
     private static final double TURNED = 2e-3;
 
     private Rest() {
@@ -20,7 +20,7 @@ final class Rest {
         return distance(from, to) > MOVED || angle(from, to) > TURNED;
     }
 
-    /** Metres. */
+    /** Returns the distance of two poses, metres. */
     static double distance(Pose from, Pose to) {
         double dx = to.x - from.x;
         double dy = to.y - from.y;
@@ -28,7 +28,7 @@ final class Rest {
         return Math.sqrt(dx * dx + dy * dy + dz * dz);
     }
 
-    /** How far one is turned against the other, radians. */
+    /** Returns the angle between two poses, radians. */
     static double angle(Pose from, Pose to) {
         double x = from.qw * to.qx - from.qx * to.qw - from.qy * to.qz + from.qz * to.qy;
         double y = from.qw * to.qy - from.qy * to.qw - from.qz * to.qx + from.qx * to.qz;
@@ -36,7 +36,7 @@ final class Rest {
         return 2 * Math.asin(Math.min(1, Math.sqrt(x * x + y * y + z * z)));
     }
 
-    /** m/s of {vx, vy, vz, ...}. */
+    /** Returns the speed of {vx, vy, vz, ...}, m/s. */
     static double speed(double[] v) {
         return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }

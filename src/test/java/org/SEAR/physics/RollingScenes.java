@@ -8,10 +8,10 @@ import org.SEAR.POJOs.Sphere;
 import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.BodyRun;
 
-/** What rolls without rolling friction down slopes, against closed forms. The slope falls towards -x. */
+/** Bodies without rolling friction on slopes, compared with closed forms. The slope falls towards -x. */
 final class RollingScenes {
     private static final double G = 9.81;
-    /** As near to closed forms as rolling things must come. */
+    /** Largest relative difference from the closed form. */
     private static final double SHARE = 1e-3;
 
     private RollingScenes() {
@@ -31,7 +31,7 @@ final class RollingScenes {
         thing.setFriction(2);
     }
 
-    /** A ball of 5 cm radius; at 30 degrees it turns with 210 rad/s at the end. */
+    /** Rolls a ball of 5 cm radius; at 30 degrees it reaches 210 rad/s. */
     static void ball(double degrees, double seconds, Findings into) throws Exception {
         try (Stage stage = new Stage()) {
             slope(degrees);
@@ -40,7 +40,7 @@ final class RollingScenes {
         }
     }
 
-    /** A cylinder of 5 cm radius. */
+    /** Rolls a cylinder of 5 cm radius. */
     static void cylinder(double degrees, double seconds, Findings into) throws Exception {
         try (Stage stage = new Stage()) {
             slope(degrees);
@@ -64,8 +64,8 @@ final class RollingScenes {
     }
 
     /**
-     * A cone that lies on its side rolls about its apex as a pendulum: with angle phi of its line of contact from the way straight down,
-     * phi'' = -K sin phi. It starts at 60 degrees and is watched until it is straight below its apex.
+     * A cone on its side rolls about its apex like a pendulum: with phi, the angle of its contact line from straight
+     * down, phi'' = -K sin phi. It starts at 60 degrees and runs until it is straight below its apex.
      */
     static void cone(double degrees, Findings into) throws Exception {
         double radius = 0.1;
@@ -104,7 +104,7 @@ final class RollingScenes {
         }
     }
 
-    /** Where a cone lies whose apex is in the origin and whose line of contact is turned by phi from straight down. */
+    /** Returns the pose of a cone with its apex at the origin and its contact line phi radians from straight down. */
     private static Pose coneOnItsSide(double phi, double slope, double lean, double height) {
         Pose plane = Pose.ofDegrees(0, 0, 0, 0, 0, Math.toDegrees(slope));
         Pose turn = Pose.ofDegrees(0, 0, 0, 0, Math.toDegrees(phi), 0);
@@ -113,14 +113,14 @@ final class RollingScenes {
         return plane.times(turn).times(lying).times(apex);
     }
 
-    /** Angle of its line of contact from straight down the slope, radians. */
+    /** Returns the angle of the contact line from straight down the slope, radians. */
     private static double angleOf(Pose pose, double slope, double height) {
         double[] axis = pose.rotate(0, -1, 0);
         double along = axis[0] * Math.cos(slope) + axis[1] * Math.sin(slope);
         return Math.atan2(axis[2], -along);
     }
 
-    /** The rotation of a pose as {@code rotate} takes it: degrees about x, y and z. */
+    /** Returns the rotation of a pose in the convention of {@code rotate}: degrees about x, y and z. */
     private static double[] degrees(Pose pose) {
         double[] x = pose.rotate(1, 0, 0);
         double[] y = pose.rotate(0, 1, 0);
@@ -131,7 +131,7 @@ final class RollingScenes {
         return new double[] {Math.toDegrees(rx), Math.toDegrees(ry), Math.toDegrees(rz)};
     }
 
-    /** One more piece of time of phi'' = k sin phi, by Runge and Kutta: {phi, its rate}. */
+    /** Advances phi'' = k sin phi by one interval with Runge-Kutta: {phi, its rate}. */
     static double[] pendulum(double phi, double rate, double k, double seconds) {
         int parts = 20;
         double h = seconds / parts;

@@ -4,7 +4,10 @@ import org.SEAR.Slow;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** What is dropped singly comes to rest on a face, a rim or a side; {@code -Dsear.singles=1000} drops so many for each seed. */
+/**
+ * Bodies dropped singly come to rest on a face, a rim or a side; {@code -Dsear.singles=1000} sets the number of drops
+ * per seed.
+ */
 @Category(Slow.class)
 public class SingleDropsTest {
     private static final int SINGLES = Integer.getInteger("sear.singles", 200);
@@ -26,8 +29,8 @@ public class SingleDropsTest {
     }
 
     /**
-     * The first three sway on without a brake on what rocks, for in them a cube hangs between others by its corners; the others with one pass in a
-     * substep, for each hears too late of the others.
+     * The first three piles sway on without damping of rocking, because a cube hangs between others by its corners. The
+     * others sway on with one pass per substep, because each contact sees the others' changes too late.
      */
     @Test
     public void heapsComeToRest() throws Exception {
@@ -37,7 +40,7 @@ public class SingleDropsTest {
         findings.assertHold();
     }
 
-    /** So many that each has many others about it. */
+    /** Enough cubes that each has many neighbours. */
     @Test
     public void aHeapOfManyIsNotInItself() throws Exception {
         DropScenes.pile(500, 1, findings);

@@ -11,7 +11,7 @@ import org.SEAR.POJOs.Model;
 import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.BodyRun;
 
-/** What turns free of torque, and a top: energy and angular momentum stay. */
+/** Torque-free bodies and a top, which conserve energy and angular momentum. */
 final class SpinScenes {
     private static final double G = 9.81;
     private static final double SHARE = 0.01;
@@ -21,7 +21,7 @@ final class SpinScenes {
     private SpinScenes() {
     }
 
-    /** A box thrown about its middle axis tumbles over and over (Dzhanibekov). */
+    /** A box thrown about its middle axis flips over repeatedly (Dzhanibekov). */
     static void tumblingBox(Findings into) throws Exception {
         try (Stage stage = new Stage(2)) {
             new Box("thing", 0.4, 0.1, 0.2, 1).move(0, HIGH, 0);
@@ -29,7 +29,7 @@ final class SpinScenes {
         }
     }
 
-    /** A T as it is turned on a space station. Its convex hull has the mass. */
+    /** A T-handle as on a space station. Its convex hull has the mass. */
     static void tumblingT(Findings into) throws Exception {
         try (Stage stage = new Stage(2)) {
             Path file = stage.folder().resolve("assets/t.obj");
@@ -52,7 +52,7 @@ final class SpinScenes {
         }
     }
 
-    /** A long rod that turns fast about its long axis and slowly about another: precession without torque. */
+    /** A long rod turns fast about its long axis and slowly about another: torque-free precession. */
     static void nutatingRod(Findings into) throws Exception {
         try (Stage stage = new Stage(2)) {
             new Cylinder("thing", 0.03, 0.5, 1).move(0, HIGH, 0);
@@ -69,8 +69,9 @@ final class SpinScenes {
     }
 
     /**
-     * @param wy of the first turning, rad/s, about the middle axis where that has to turn over, else about y; likewise wx and wz about the others
-     * @param tips whether the middle axis has to turn over
+     * @param wy of the first angular velocity, rad/s, about the middle axis if {@code tips}, else about y; likewise wx
+     *     and wz about the other axes
+     * @param tips whether the body must flip about its middle axis
      */
     private static void tumble(String scene, Stage stage, double wx, double wy, double wz, boolean tips, Findings into) throws Exception {
         BodyRun run = stage.start();
@@ -124,7 +125,7 @@ final class SpinScenes {
         throw new IllegalStateException("two moments of inertia are the same");
     }
 
-    /** In its own frame, for each kg. */
+    /** Returns the angular velocity in the body's own frame, rad/s. */
     private static double[] own(BodyRun run) {
         double[] v = run.velocities("thing");
         return run.pose("thing").rotateBack(v[3], v[4], v[5]);
@@ -146,7 +147,10 @@ final class SpinScenes {
         return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }
 
-    /** A top, a cone on its tip, leant by 20 degrees and started so that it precesses and does not nod: it goes round as the closed form says. */
+    /**
+     * A top (a cone on its tip), tilted by 20 degrees, starts so that it precesses without nutation. Its rate follows
+     * the closed form.
+     */
     static void top(Findings into) throws Exception {
         double radius = 0.05;
         double height = 0.1;
@@ -188,7 +192,7 @@ final class SpinScenes {
         }
     }
 
-    /** Turning, moving and height of its centre of mass, J for each kg. */
+    /** Returns rotational, kinetic and potential energy per kg, J. */
     private static double energyOfTop(BodyRun run, double far) {
         double[] v = run.velocities("thing");
         return energy(run) + Rest.speed(v) * Rest.speed(v) / 2 + G * run.pose("thing").transform(0, -0.025, 0)[1];

@@ -10,7 +10,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.physics.solid.BoxSolid;
 import org.junit.Test;
 
-/** {@link StackOrder}: how high things stand, and the order in which their contacts are solved. */
+/** {@link StackOrder}: heights of bodies in a stack, and the order in which their contacts are solved. */
 public class StackOrderTest {
     private final NarrowPhase finder = new NarrowPhase(1 / 60.0, 9.81);
     private final StackOrder levels = new StackOrder();

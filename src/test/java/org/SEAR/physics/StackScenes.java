@@ -4,12 +4,12 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.BodyRun;
 
-/** What stands on one another stays there. */
+/** Stacks that must stay. */
 final class StackScenes {
     private StackScenes() {
     }
 
-    /** Ten boxes stand for a minute, neither sinking nor creeping. */
+    /** Ten boxes stand for a minute without sinking or creeping. */
     static void ten(Findings into) throws Exception {
         stack("stack of ten for 60 s", 10, 0.3, 0.2, 2, 60, 5e-4, into);
     }
@@ -48,7 +48,7 @@ final class StackScenes {
         }
     }
 
-    /** A cube of one mass carries one of another, both 30 cm. */
+    /** A cube of one mass carries a cube of another mass, both 30 cm. */
     static void masses(double below, double above, Findings into) throws Exception {
         double size = 0.3;
         try (Stage stage = new Stage(20)) {
@@ -73,7 +73,7 @@ final class StackScenes {
         }
     }
 
-    /** A cube that weighs 1000 times as much, dropped from half a metre onto a light one. */
+    /** A cube 1000 times as heavy is dropped from half a metre onto a light one. */
     static void dropOntoLight(Findings into) throws Exception {
         double size = 0.3;
         try (Stage stage = new Stage(20)) {

@@ -2,7 +2,7 @@ package org.SEAR.physics;
 
 import org.junit.Test;
 
-/** Stacks and towers, and heavy things on light ones. */
+/** Stacks, towers, and heavy bodies on light ones. */
 public class StacksTest {
     private final Findings findings = new Findings();
 

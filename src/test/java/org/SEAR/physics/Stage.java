@@ -7,7 +7,7 @@ import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.BodyRun;
 import org.junit.rules.TemporaryFolder;
 
-/** A project of its own for one scene: what is made while it is open stands in it. */
+/** A project for one scene: objects made while it is open belong to it. */
 final class Stage implements AutoCloseable {
     private static final String KEY = "sear.project";
 
@@ -20,7 +20,10 @@ final class Stage implements AutoCloseable {
         System.setProperty(KEY, folder().toString());
     }
 
-    /** With a square floor whose top is at height 0, metres. */
+    /**
+     * Adds a square floor with its top at height 0.
+     * @param side of the floor, metres
+     */
     Stage(double side) throws IOException {
         this();
         new Floor("floor", side, side);
@@ -30,7 +33,7 @@ final class Stage implements AutoCloseable {
         return folder.getRoot().toPath().resolve("SEARproject");
     }
 
-    /** Starts the world of what stands here. */
+    /** Starts a world with the objects of this project. */
     BodyRun start() throws ProjectException {
         run = new BodyRun(folder());
         return run;

@@ -4,16 +4,15 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.BodyRun;
 
-/** What sleeps on a support wakes when that goes, and what sleeps wakes when it is hit. */
+/** Scenes of sleeping bodies that wake when their support goes or when they are hit. */
 final class WakeScenes {
     private WakeScenes() {
     }
 
     /**
-     * A cube sleeps on a fixed slab that is put elsewhere.
-     *
-     * @param dx how far the slab goes, metres, likewise dy
-     * @param expected how high the cube's middle is afterwards, metres
+     * A cube sleeps on a fixed slab, which is then moved.
+     * @param dx distance of the slab's move, metres, likewise dy
+     * @param expected height of the cube's middle afterwards, metres
      */
     static void support(double dx, double dy, double expected, Findings into) throws Exception {
         try (Stage stage = new Stage(20)) {
@@ -31,7 +30,7 @@ final class WakeScenes {
         }
     }
 
-    /** A cube on a cube on a cube: the lowest is taken away. */
+    /** Removes the lowest of three stacked cubes. */
     static void lowest(Findings into) throws Exception {
         try (Stage stage = new Stage(20)) {
             for (int i = 0; i < 3; i++) {
@@ -46,7 +45,7 @@ final class WakeScenes {
         }
     }
 
-    /** A sleeping cube is hit by a sliding one. */
+    /** A sliding cube hits a sleeping one. */
     static void hit(Findings into) throws Exception {
         try (Stage stage = new Stage(20)) {
             new Box("sleeper", 0.2, 0.2, 0.2, 1).move(0, 0.1, 0);

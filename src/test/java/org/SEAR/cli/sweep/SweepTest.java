@@ -21,7 +21,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** {@code sear sweep} and {@code sear.sweep} with workers of Dask; the programs and commands of docs/sweeps.md. */
+/** {@code sear sweep} and {@code sear.sweep} with Dask workers: programs and commands of docs/sweeps.md. */
 @Category(Slow.class)
 public class SweepTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
@@ -42,7 +42,10 @@ public class SweepTest {
         folder = temporary.newFolder().toPath();
     }
 
-    /** What a command prints, and in {@link #said} what it says besides. */
+    /**
+     * Runs a command; its error output is in {@link #said}.
+     * @return its standard output
+     */
     private String run(int status, String modules, List<String> command) throws IOException, InterruptedException {
         File out = temporary.newFile();
         File err = temporary.newFile();
@@ -70,7 +73,7 @@ public class SweepTest {
         return run(0, String.join(File.pathSeparator, ROOT.resolve("python/src").toString(), PROGRAMS.toString(), LIBRARIES), command);
     }
 
-    /** The page's script by Jython, broken off and gone on with, and a row of it again. */
+    /** Runs the page's Jython script, aborts and resumes it, and repeats one of its rows. */
     @Test
     public void aScriptOfJythonIsSweptGoesOnAndIsTheSameAgain() throws Exception {
         Path script = folder.resolve("ahead.py");
@@ -110,7 +113,10 @@ public class SweepTest {
         assertTrue(said, said.contains("ahead-sweep has the rows of another sweep, with another digest"));
     }
 
-    /** A script of Python 3 that fails, has no end, ends its process, or takes too much memory: each costs one row, which says so. */
+    /**
+     * A Python 3 script that fails, never ends, kills its process or takes too much memory costs one row, which names
+     * the cause.
+     */
     @Test
     public void whatGoesWrongCostsOneRow() throws Exception {
         Path script = folder.resolve("wrong.py");
@@ -148,7 +154,7 @@ public class SweepTest {
         assertTrue(said, said.contains("sear sweep: --limit is \"-1\", legal: a number above 0\n"));
     }
 
-    /** The page's function, and its table read as the page says. */
+    /** Runs the page's function and reads its table as the page describes. */
     @Test
     public void thePagesProgramsRun() throws Exception {
         List<String> blocks = DocBlock.of("docs/sweeps.md", "python3");
@@ -159,7 +165,7 @@ public class SweepTest {
         assertTrue(out, out.matches("(?s).*speed: double.*distance: double.*4 rows\n"));
     }
 
-    /** One of its runs, without Dask. */
+    /** Runs one of the example's runs without Dask. */
     @Test
     public void theExampleFindsTheCone() throws Exception {
         Path program = Files.writeString(folder.resolve("once.py"), "import sys\nsys.path.insert(0, sys.argv[1])\nimport maze_sweep\n"

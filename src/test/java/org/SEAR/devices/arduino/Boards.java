@@ -4,7 +4,7 @@ import java.util.function.Function;
 import org.SEAR.devices.FakeContext;
 import org.SEAR.protocol.arduino.BoardModel;
 
-/** Boards on a line, with things that tests hang on their pins. */
+/** Boards on a line, with probes that tests connect to their pins. */
 final class Boards {
     final FakeContext line = new FakeContext();
     final Pins pins;
@@ -23,21 +23,21 @@ final class Boards {
         return new Boards(model, 115200, MrlCommFirmware::new);
     }
 
-    /** Hangs something on a pin that puts a voltage there and remembers what it gets. */
+    /** Connects a probe to a pin, which applies a voltage and records what the board writes. */
     Probe probe(int pin) {
         Probe probe = new Probe();
         pins.connect(pin, probe);
         return probe;
     }
 
-    /** What is sent for a command. */
+    /** Returns the reply to a command. */
     String answer(String hex) {
         line.take();
         line.host(hex);
         return line.takeHex();
     }
 
-    /** Something on a pin. */
+    /** Probe on a pin. */
     static final class Probe implements PinWire {
         double volts = Double.NaN;
         double level = Double.NaN;

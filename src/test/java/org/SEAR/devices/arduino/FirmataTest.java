@@ -8,7 +8,7 @@ import org.SEAR.Golden;
 import org.SEAR.protocol.arduino.BoardModel;
 import org.junit.Test;
 
-/** Exchanges with StandardFirmata 2.5 as protocol.md has them, in the order in which drivers ask. */
+/** Exchanges with StandardFirmata 2.5 as in protocol.md, in the order of the drivers' requests. */
 public class FirmataTest {
     private static final Golden FIRMATA = Golden.of("firmata");
     private static final String FIRMWARE = FIRMATA.get("StandardFirmata.ino 2.5");
@@ -19,7 +19,7 @@ public class FirmataTest {
 
     private final Boards uno = Boards.firmata(BoardModel.UNO);
 
-    /** A boot loader for a second, blinks for 2.125 s, then version and name. */
+    /** One second of boot loader, 2.125 s of blinking, then version and name. */
     @Test
     public void anOpenedPortResetsTheBoard() {
         uno.line.host(FIRMATA.get("pin 13 an output by its own message, high"));
@@ -38,7 +38,7 @@ public class FirmataTest {
         assertFalse(uno.pins.read(13));
     }
 
-    /** What firmata.js and johnny-five ask: version, name, capabilities, analog mapping. */
+    /** Requests of firmata.js and johnny-five: version, name, capabilities, analog mapping. */
     @Test
     public void theHandshakeOfJohnnyFive() {
         assertEquals(FIRMATA.get("version 2.5"), uno.answer("F9"));
@@ -59,7 +59,7 @@ public class FirmataTest {
         assertTrue(mega.answer(FIRMATA.get("ask for the analog pins")).endsWith("7F 00 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F F7"));
     }
 
-    /** What pyFirmata2 sends for an analog pin and its sampling. */
+    /** Requests of pyFirmata2 for an analog pin and its sampling. */
     @Test
     public void voltagesAreToldAtEachSample() {
         Boards.Probe sharp = uno.probe(14);
@@ -184,7 +184,7 @@ public class FirmataTest {
         assertTrue(uno.line.warnings.toString(), uno.line.warnings.get(0).contains("I2C"));
     }
 
-    /** More than the line can carry is left out, not piled up. */
+    /** Samples beyond the line's capacity are dropped, not queued. */
     @Test
     public void samplesThatTheLineCantCarryAreLeftOut() {
         for (int channel = 0; channel < 6; channel++) {

@@ -16,7 +16,7 @@ import org.SEAR.protocol.mrlcomm.MrlMessage;
 import org.SEAR.protocol.mrlcomm.MrlReader;
 import org.junit.Test;
 
-/** Exchanges with MrlComm 68 as MyRobotLab's Arduino service has them. */
+/** Exchanges with MrlComm 68, as in MyRobotLab's Arduino service. */
 public class MrlCommTest {
     private static final Golden MRL_COMM = Golden.of("mrlcomm");
     private final Boards uno = Boards.mrlComm(BoardModel.UNO);
@@ -37,7 +37,7 @@ public class MrlCommTest {
             .collect(Collectors.toList());
     }
 
-    /** The service waits for the begin, then asks what board it is. */
+    /** The service waits for the begin message, then asks for the board type. */
     @Test
     public void theHello() {
         uno.board.opened(0);
@@ -64,7 +64,7 @@ public class MrlCommTest {
         assertEquals(MRL_COMM.get("echo a number"), uno.answer(MRL_COMM.get("the number echoed")));
     }
 
-    /** How its Motor service drives an H bridge. */
+    /** Messages of MyRobotLab's Motor service for an H bridge. */
     @Test
     public void aMotorByDirectionAndPwm() {
         Boards.Probe direction = uno.probe(8);
@@ -102,7 +102,7 @@ public class MrlCommTest {
         assertEquals(1000 * 2, taken(MrlFunction.PUBLISH_PIN_ARRAY).size(), 300);
     }
 
-    /** The UltrasonicSensor service: whole centimetres, told when they change. */
+    /** The UltrasonicSensor service: whole centimetres, sent on change. */
     @Test
     public void anUltrasonicSensor() {
         Boards.Probe trigger = uno.probe(7);
@@ -123,7 +123,10 @@ public class MrlCommTest {
         assertEquals(MRL_COMM.get("an Uno with device 1", "ask for the board acknowledged"), uno.answer(MRL_COMM.get("ask for the board")));
     }
 
-    /** The Servo service: attached at 1472 us, 90 degrees, then to 2400 with 45 degrees a second, which takes two seconds. */
+    /**
+     * The Servo service: attached at 1472 us (90 degrees), then to 2400 us at 45 degrees a second, which takes two
+     * seconds.
+     */
     @Test
     public void aServo() {
         Boards.Probe servo = uno.probe(10);

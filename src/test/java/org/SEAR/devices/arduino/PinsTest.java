@@ -12,7 +12,7 @@ import org.SEAR.protocol.arduino.BoardModel;
 import org.SEAR.protocol.arduino.WireRole;
 import org.junit.Test;
 
-/** What electricity does at the pins. */
+/** Voltages and levels at the pins. */
 public class PinsTest {
     private final Boards uno = Boards.firmata(BoardModel.UNO);
 
@@ -70,7 +70,10 @@ public class PinsTest {
         assertEquals("a level at an input is its pull-up", Pins.Mode.PULLUP, uno.pins.mode(4));
     }
 
-    /** MyRobotLab's Motor service writes the direction's level and leaves the pin an input: the driver is held all the same. */
+    /**
+     * MyRobotLab's Motor service writes the direction's level and leaves the pin an input; the pull-up then holds the
+     * driver's input.
+     */
     @Test
     public void aDriversInputFollowsThePullUp() {
         Engine engine = new Engine();

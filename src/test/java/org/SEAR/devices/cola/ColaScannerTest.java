@@ -21,7 +21,7 @@ import org.SEAR.sensors.Truth;
 import org.junit.Before;
 import org.junit.Test;
 
-/** LMS111 and TiM561 against recorded telegrams and what their drivers send. */
+/** LMS111 and TiM561 compared with recorded telegrams and the requests of their drivers. */
 public class ColaScannerTest {
     private static final Golden COLA = Golden.of("cola");
     private static final String LOGIN = COLA.get("log in as authorized client");
@@ -48,7 +48,7 @@ public class ColaScannerTest {
         line.hostText("\u0002" + telegram + "\u0003");
     }
 
-    /** The answer in CoLa A without its frame; several with | between. */
+    /** Returns the answer in CoLa A without its frame; several answers are separated by |. */
     private String ask(String telegram) {
         line.take();
         send(telegram);
@@ -198,7 +198,7 @@ public class ColaScannerTest {
         assertEquals("sAN mLMPsetscancfg 0 9C4 1 1388 FFF92230 225510", ask("sMN mLMPsetscancfg 9C4 1 1388 FFF92230 225510"));
     }
 
-    /** Measures 10 m and a centimetre more for each degree to the left of the forward axis, with as many beams as the real sensor. */
+    /** Measures 10 m plus 1 cm per degree to the left of the forward axis, with as many beams as the real sensor. */
     private static final class AngleScanner extends Sensor<LidarScan> implements LidarSource {
         AngleScanner() {
             super(new LIDAR("angles"), 0, 1);
@@ -218,7 +218,7 @@ public class ColaScannerTest {
         }
     }
 
-    /** The fan that the sensor is asked for has the beams that are sent, wherever they begin. */
+    /** The scanner sends exactly the beams of the requested fan, wherever it begins. */
     @Test
     public void anyPartOfTheFanIsSent() {
         line = new FakeContext();
@@ -240,7 +240,10 @@ public class ColaScannerTest {
         }
     }
 
-    /** Spread and resolution that no scanner on sale has, and the first beams, the last, their number and the distance of the last one. */
+    /**
+     * Fans whose spread and resolution no real scanner has: first beams, last beam, number of beams and the last
+     * distance.
+     */
     @Test
     public void anyFanIsSent() {
         double[][] fans = {{360, 0.01}, {360, 6.5535}, {45, 5}, {7.25, 0.7}, {120, 1 / 3.0}, {359.9, 0.1234}};
@@ -287,7 +290,7 @@ public class ColaScannerTest {
         assertEquals("every second one", 25, text().split("sSN LMDscandata", -1).length - 1, 1);
     }
 
-    /** Its drivers ask for it; the form is that of SICK's own emulator. */
+    /** Drivers ask for the input state; the form is that of SICK's own emulator. */
     @Test
     public void nothingIsWiredToTheInputs() {
         line.pass(1);
@@ -353,7 +356,7 @@ public class ColaScannerTest {
         assertEquals("LMS111: 401 beams every 0.25 degrees, 25.0 Hz, measuring", device.status());
     }
 
-    /** The newest scan is the same until the next one is measured. */
+    /** The newest scan stays the same until the next measurement. */
     @Test
     public void countersAndTimes() {
         line.pass(2);

@@ -4,7 +4,7 @@ import org.SEAR.devices.FakeContext;
 import org.SEAR.devices.FakeScanner;
 import org.SEAR.protocol.lidar.LidarModel;
 
-/** Scanners as delivered, for tests of other packages. */
+/** Scanners in their delivery state, for tests of other packages. */
 public final class Devices {
     private Devices() {
     }

@@ -13,7 +13,7 @@ import org.SEAR.sensors.GpsFix;
 import org.junit.Before;
 import org.junit.Test;
 
-/** The receiver against recordings of real ones. */
+/** The receiver compared with recordings of real ones. */
 public class Mt3301Test {
     private static final Golden NMEA = Golden.of("nmea");
     private static final String[] COMMANDS = NMEA.each("test", "hot start", "warm start", "cold start", "full cold start", "a fix each second",

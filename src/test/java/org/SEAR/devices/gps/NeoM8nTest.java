@@ -21,7 +21,7 @@ import org.SEAR.sensors.GpsFix;
 import org.junit.Before;
 import org.junit.Test;
 
-/** The receiver's answers, byte for byte, to what gpsd and others send. */
+/** The receiver's answers, byte for byte, to requests of gpsd and other programs. */
 public class NeoM8nTest {
     private static final Golden UBX = Golden.of("ubx");
     private static final String PVT_ON = UBX.get("position, velocity and time with each solution");
@@ -98,7 +98,7 @@ public class NeoM8nTest {
         assertTrue(lines.toString(), lines.get(8).startsWith("$GNGLL,4717.11399,N,00833.91590,E,120001.00,A,A*"));
     }
 
-    /** As NEO-6 and NEO-M8 say it, but for the talker. */
+    /** NEO-6 and NEO-M8 send the same, except for the talker. */
     @Test
     public void withoutAFixItKnowsNothing() {
         power(100);
@@ -180,7 +180,7 @@ public class NeoM8nTest {
         assertEquals("as delivered", changed(air, 8, 0) + done, ask(frame(UbxMessage.CFG_NAV5)));
     }
 
-    /** A frame with another byte, its check sum right again. */
+    /** Returns a frame with one byte changed and a correct checksum. */
     private static String changed(String frame, int at, int value) {
         byte[] bytes = Bytes.bytes(frame);
         bytes[at] = (byte) value;
@@ -255,7 +255,7 @@ public class NeoM8nTest {
         assertEquals("a speed that there is not", UBX.get("port settings refused"), ask(port(115201)));
     }
 
-    /** UBX only, at a speed. */
+    /** Returns the frame that sets the port to UBX only and this speed. */
     private static String port(int baud) {
         ByteBuffer payload = UbxFrame.room(20).put(0, (byte) 1).putInt(4, 0x8D0).putInt(8, baud);
         return Bytes.hex(new UbxFrame(UbxMessage.CFG_PRT, payload.putShort(12, (short) 1).putShort(14, (short) 1).array()).toBytes());

@@ -8,7 +8,7 @@ import org.SEAR.sensors.Quantity;
 import org.junit.Before;
 import org.junit.Test;
 
-/** The compass' answers to its data sheet's commands and to the dissertation's Listing 9. */
+/** The compass's answers to the commands of its data sheet and to the dissertation's Listing 9. */
 public class Hmc6352Test {
     private FakeContext line;
     private Hmc6352 compass;
@@ -47,7 +47,7 @@ public class Hmc6352Test {
         assertEquals(line.now + 0.006, line.times.get(0), 1e-9);
     }
 
-    /** As receiveMessage of Listing 9 puts the bytes together. */
+    /** Joins the bytes like receiveMessage of Listing 9. */
     @Test
     public void listingNineGetsItsHeading() {
         line.reading = new Quantity(-90);

@@ -14,7 +14,7 @@ import org.SEAR.sensors.ImuReading;
 import org.junit.Before;
 import org.junit.Test;
 
-/** The frames, read as the firmware's list of commands publishes them. */
+/** The frames, as described in the firmware's list of commands. */
 public class RazorTest {
     private static final Pattern NUMBERS = Pattern.compile("#(YPR|YPRAG|[AMG]-[CR])=((-?\\d+\\.\\d\\d,?)+)");
     private static final double G = 9.81;
@@ -36,7 +36,7 @@ public class RazorTest {
             new double[] {0, Math.toRadians(-10), Math.toRadians(90)}, new double[] {0.6, 0, 0.8});
     }
 
-    /** The numbers of a line of text. */
+    /** Returns the numbers of a line of text. */
     private static double[] numbers(String kind, String text) {
         Matcher matcher = NUMBERS.matcher(text);
         assertTrue(text, matcher.matches());
@@ -93,7 +93,10 @@ public class RazorTest {
         assertTrue(line.takeText().length() > 1000);
     }
 
-    /** Gravity is 256 downwards, at rest; the field has a length of 100; 90 degrees a second are 1294 units of the gyroscope. */
+    /**
+     * At rest, gravity is 256 downwards and the field has length 100. 90 degrees a second are 1294 units of the
+     * gyroscope.
+     */
     @Test
     public void theSensorsWithTheirCalibration() {
         String[] lines = new String(one("#osct")).split("\r\n");

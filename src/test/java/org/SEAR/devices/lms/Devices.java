@@ -5,7 +5,7 @@ import org.SEAR.devices.FakeScanner;
 import org.SEAR.protocol.lms.Identity;
 import org.SEAR.protocol.lms.Variant;
 
-/** An LMS200 as delivered, for tests of other packages. */
+/** An LMS200 in its delivery state, for tests of other packages. */
 public final class Devices {
     private Devices() {
     }

@@ -16,7 +16,7 @@ import org.SEAR.protocol.lms.Variant;
 import org.junit.Before;
 import org.junit.Test;
 
-/** The LMS200 against SICK's telegrams and recordings of a real one. */
+/** The LMS200 compared with SICK's telegram listing and recordings of a real one. */
 public class Lms200Test {
     private static final Golden LMS = Golden.of("lms200");
     private static final String ON_REQUEST = LMS.get("scans on request");
@@ -137,7 +137,10 @@ public class Lms200Test {
         assertEquals(MODE_OK, ask(ON_REQUEST));
     }
 
-    /** CARMEN, ARIA, OpenDLV and scripts for the LMS291 write 32 bytes; the telegrams are those of SICK's quick manual and its mode 4. */
+    /**
+     * CARMEN, ARIA, OpenDLV and scripts for the LMS291 write 32 bytes. The telegrams are from SICK's quick manual and
+     * its mode 4.
+     */
     @Test
     public void thirtyTwoBytesOfConfigurationAreTakenAndTheRestStays() {
         ask(INSTALLATION);
@@ -320,7 +323,7 @@ public class Lms200Test {
         assertTrue("180 degrees", ask(LMS.get("ask for a scan")).startsWith("06 02 80 6E 01 B0"));
     }
 
-    /** A driver is restarted in mid-stream: it gets its ACK in time at every moment, and whole telegrams after it. */
+    /** A driver restarts in mid-stream: at every moment it gets its ACK in time, and whole telegrams afterwards. */
     @Test
     public void aScanOnTheLineDoesNotHoldUpAnAck() {
         for (int phase = 0; phase < 40; phase++) {

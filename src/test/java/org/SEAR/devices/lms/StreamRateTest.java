@@ -11,7 +11,7 @@ import org.SEAR.protocol.lms.Variant;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Streams are as fast as SICK's table says, at each speed and variant. */
+/** Stream rates match SICK's table for each speed and variant. */
 @Category(Slow.class)
 public class StreamRateTest {
     private static final double[][] HERTZ = {

@@ -7,7 +7,7 @@ import java.io.ByteArrayOutputStream;
 import org.SEAR.Bytes;
 import org.junit.Test;
 
-/** Numbers, lengths and signs of the sensor packets as the specifications print them. */
+/** Numbers, lengths and signs of the sensor packets, as printed in the specifications. */
 public class PacketTest {
     @Test
     public void groupsHaveTheSizesOfTheSpecifications() {

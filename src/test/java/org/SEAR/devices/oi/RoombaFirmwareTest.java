@@ -10,7 +10,7 @@ import org.SEAR.Golden;
 import org.SEAR.devices.FakeContext;
 import org.junit.Test;
 
-/** The Open Interface against the documents' vectors and mode rules. */
+/** The Open Interface compared with test vectors and mode rules of its documents. */
 public class RoombaFirmwareTest {
     private static final Golden OI = Golden.of("open-interface");
     private FakeContext line = new FakeContext();
@@ -290,7 +290,7 @@ public class RoombaFirmwareTest {
         assertEquals("02 00", ask("95 02 24 25"));
     }
 
-    /** As pycreate2's safe() does it. */
+    /** As in pycreate2's safe(). */
     @Test
     public void aSongOfNoDurationIsASongAndEachMistakeIsNamed() {
         power(OiModel.CREATE2);
@@ -357,7 +357,6 @@ public class RoombaFirmwareTest {
         assertEquals(fresh, roomba.status());
     }
 
-    /** What a killed driver leaves behind: a stream at another speed, wheels that turn. */
     @Test
     public void thePowerSwitchEndsModeStreamAndBaudRate() {
         for (OiModel model : OiModel.values()) {

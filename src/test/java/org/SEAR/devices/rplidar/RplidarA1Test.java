@@ -17,7 +17,7 @@ import org.SEAR.protocol.rplidar.Node;
 import org.junit.Before;
 import org.junit.Test;
 
-/** The A1 against Slamtec's description and what drivers of others check. */
+/** The A1 compared with Slamtec's description and the checks of third-party drivers. */
 public class RplidarA1Test {
     private static final Golden RPLIDAR = Golden.of("rplidar");
     private static final String SCAN = RPLIDAR.get("a scan follows");

@@ -18,7 +18,10 @@ import org.SEAR.protocol.scip.ReplyReader;
 import org.junit.Before;
 import org.junit.Test;
 
-/** The scanners against the specification's examples and what drivers of others check; {@code |} is a line feed. */
+/**
+ * The scanners compared with examples of the specification and the checks of third-party drivers; {@code |} is a line
+ * feed.
+ */
 public class HokuyoTest {
     private static final Golden SCIP = Golden.of("scip");
     private FakeContext line;
@@ -203,7 +206,7 @@ public class HokuyoTest {
         assertEquals("CR05|04T||", ask("CR05"));
     }
 
-    /** As a driver that was killed between TM0 and TM2 leaves it. */
+    /** State that a driver killed between TM0 and TM2 leaves. */
     @Test
     public void aResetEndsTheAdjustingOfItsClock() {
         for (String reset : new String[] {"RS", "RT"}) {

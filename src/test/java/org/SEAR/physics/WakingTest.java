@@ -2,7 +2,7 @@ package org.SEAR.physics;
 
 import org.junit.Test;
 
-/** What sleeps wakes when its support goes, and when it is hit. */
+/** Sleeping bodies wake when their support goes and when they are hit. */
 public class WakingTest {
     private final Findings findings = new Findings();
 

@@ -22,7 +22,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** What stands where on plans. The floor of 10 m has 608 points: a metre is 60.8, its middle at 320, 320. */
+/** Content of plans. The floor of 10 m is 608 points wide: a metre is 60.8 points, and the middle is at 320, 320. */
 public class PlanTest {
     private static final double METRE = 60.8;
     private static final double MIDDLE = 320;
@@ -32,7 +32,7 @@ public class PlanTest {
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
 
-    /** A robot in the origin that looks east, and a red wall 2 m ahead. */
+    /** Makes a robot at the origin that looks east, and a red wall 2 m ahead. */
     private SEARrobot room() {
         new Floor("floor", 10, 10, false);
         Box wall = new Box("wall", 6, 0.2, 1, 0);
@@ -47,7 +47,7 @@ public class PlanTest {
         }
     }
 
-    /** The numbers of the only element that looks so. */
+    /** Returns the numbers of the one element that matches. */
     private static double[] numbers(String svg, String element) {
         Matcher found = Pattern.compile(element).matcher(svg);
         assertTrue(element + " in " + svg, found.find());

@@ -16,7 +16,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** Plots as files: where lines and marks are, what is refused. */
+/** Plots as files: positions of lines and marks, and rejected input. */
 public class PlotTest {
     private static final double[] TIMES = {0, 1, 2, 3, 4};
 

@@ -9,7 +9,7 @@ import org.SEAR.POJOs.Distance;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** A beam is found by every name that people give to the product, in capitals or not. */
+/** Every common name of a product finds its beam, in any letter case. */
 public class BeamNamesTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -9,27 +9,25 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A file of a project that is broken in one way, with the message for it. All stand in one table, {@code broken-files.txt}: a block starts with
- * {@code # file}, then comes the file's text, then a line {@code =>} for each problem, in order.
+ * A project file with one error, and its messages. All cases are in one table, {@code broken-files.txt}: a block starts
+ * with {@code # file}, then the file's text, then a line {@code =>} per problem, in order.
  */
 public final class BrokenFiles {
-    /** What is well in a project that the broken file is put into. */
+    /** Valid files of the project around the broken file. */
     public static final Map<String, String> GOOD = Map.of("robot/r.xml", "<SEARrobot><name>r</name><component>d</component></SEARrobot>",
         "robot/d.xml", "<Dynamics><name>d</name><mass>3</mass></Dynamics>",
         "environment/other.xml", "<Box><name>other</name><length>1</length><width>1</width><height>1</height></Box>");
 
-    /** Its path in the project. */
+    /** Path of the file in the project. */
     public final String file;
-    /** Its text. */
     public final StringBuilder text = new StringBuilder();
-    /** The problems; the end of one may be left out, for which stands "...". */
+    /** Expected problems; "..." replaces the end of a long one. */
     public final List<String> messages = new ArrayList<>();
 
     private BrokenFiles(String file) {
         this.file = file;
     }
 
-    /** The whole table. */
     public static List<BrokenFiles> all() throws IOException {
         List<BrokenFiles> cases = new ArrayList<>();
         try (BufferedReader in = new BufferedReader(new InputStreamReader(BrokenFiles.class.getResourceAsStream("broken-files.txt"),
@@ -47,7 +45,7 @@ public final class BrokenFiles {
         return cases;
     }
 
-    /** Whether these are the problems, and no others. */
+    /** Returns whether exactly these problems were found. */
     public boolean matches(List<String> found) {
         boolean same = messages.size() == found.size();
         for (int i = 0; same && i < messages.size(); i++) {
@@ -56,7 +54,7 @@ public final class BrokenFiles {
         return same;
     }
 
-    /** A message without what is left out of it. */
+    /** Returns a message without its ending "...". */
     public String beginning(int message) {
         String text = messages.get(message);
         return text.endsWith("...") ? text.substring(0, text.length() - 3) : text;

@@ -18,7 +18,7 @@ import org.SEAR.project.xml.Xml;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Each broken file is reported with its message; so are files that are broken in more ways than a table can hold. */
+/** Each broken file is reported with its message, and so are files too large or too broken for the table. */
 public class BrokenFilesTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -9,7 +9,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.function.ThrowingRunnable;
 
-/** A camera's parameters: models by name, and what is said of illegal ones. */
+/** Parameters of a camera: models by name, and messages for illegal values. */
 public class CameraObjectTest {
     private static final String FOLDS = ", legal: a lens that covers the corners of the picture; these four coefficients fold it back before them";
 

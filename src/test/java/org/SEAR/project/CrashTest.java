@@ -29,23 +29,26 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * A process that saves and loads without end is killed at random moments: what is there then is the old or the new project, whole. {@code
- * -Dsear.kills=100} kills that many.
+ * A process that saves and loads in a loop is killed at random moments. Afterwards either the old or the new project is
+ * there, whole. {@code -Dsear.kills=100} sets the number of kills.
  */
 @Category(Slow.class)
 public class CrashTest {
     private static final int KILLS = HowMany.of("sear.kills", 100);
-    /** A process is killed while it does one of so many things from its start on: it loads and saves in turn. */
+    /** Number of loads and saves after the start within which a process is killed. */
     private static final int STEPS = 5;
     private static final long FIRST_GUESS_NS = 20_000_000;
-    /** Processes at a time, each with a folder of its own. */
+    /** Number of parallel processes, each with its own folder. */
     private static final int LANES = 2;
     private static final Pattern NEEDED = Pattern.compile("^(junit|hamcrest)");
 
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** Loads a and b in turn and saves c, until it is killed. Writes a letter when it is quick, and one after each of these. */
+    /**
+     * Loads a and b in turn and saves c until it is killed. Writes a letter when it is warm, and one after each
+     * operation.
+     */
     public static void main(String[] places) throws Exception {
         Path root = Paths.get(places[0]);
         for (int warmUp = 0; warmUp < 3; warmUp++) {
@@ -77,7 +80,7 @@ public class CrashTest {
         return project.files();
     }
 
-    /** What the process needs besides SEAR: opening all jars that tests have would take it longer than all the rest. */
+    /** Class path without the jars that only tests need, which take longer to open than everything else. */
     private static String tests() {
         return Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
             .filter(entry -> entry.endsWith(".jar") ? NEEDED.matcher(new File(entry).getName()).find() : entry.endsWith("test"))
@@ -94,8 +97,7 @@ public class CrashTest {
 
     /**
      * Kills processes that work in one folder.
-     *
-     * @return how often the first project was there then
+     * @return how many times the first project was there afterwards
      */
     private static int kill(Path root, long seed, Map<String, String> a, Map<String, String> b) throws Exception {
         Path folder = root.resolve("SEARproject");
@@ -109,7 +111,7 @@ public class CrashTest {
             for (int step = 0; step < whole; step++) {
                 assertEquals(step % 2 == 0 ? 'l' : 's', process.getInputStream().read());
             }
-            // How long one takes is this machine's matter: the moment lies anywhere in the next.
+            // The duration of one operation depends on the machine. The kill comes at a random moment of the next one.
             each = whole == 0 ? each : (System.nanoTime() - began) / whole;
             boolean ended = process.waitFor((long) (random.nextDouble() * each), TimeUnit.NANOSECONDS);
             process.destroyForcibly().waitFor();

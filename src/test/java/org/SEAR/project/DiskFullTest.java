@@ -22,21 +22,21 @@ import org.junit.experimental.categories.Category;
 import org.myrobotlab.service.sear.files.Projects;
 
 /**
- * A process that may write only so much: the system refuses the rest in the middle of a file, as a full disk does. What was there stays whole, and
- * nothing half-written is left over.
+ * A process with a limit on the size of files: the system rejects further writes in the middle of a file, like a full
+ * disk. Existing files stay whole, and no half-written file remains.
  */
 @Category(Slow.class)
 public class DiskFullTest {
-    /** Blocks of 512 bytes that a file may have. */
+    /** Limit of a file, blocks of 512 bytes. */
     private static final int LIMIT = 600;
-    /** Less than a template has. */
+    /** Limit below the size of a template, blocks. */
     private static final int LITTLE = 4;
     private static final int TOO_MUCH = 500_000;
 
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** Tries to save, to load and to write one object's file, or only to copy a template, and says what became of each. */
+    /** Tries to save, to load and to write one object's file, or only to copy a template, and prints each result. */
     public static void main(String[] arguments) throws Exception {
         Path root = Paths.get(arguments[1]);
         if (Integer.parseInt(arguments[0]) == LITTLE) {
@@ -49,7 +49,7 @@ public class DiskFullTest {
         attempt("small", () -> Bundle.save(root.resolve("SEARproject"), root.resolve("new.sear")));
     }
 
-    /** What may fail. */
+    /** An action that may fail. */
     private interface Deed {
         void run() throws Exception;
     }

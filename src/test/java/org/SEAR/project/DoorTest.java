@@ -30,7 +30,9 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Illegal values are refused at the door: the message names object, value and what is legal, and no file changes. */
+/**
+ * Setters and constructors reject illegal values: the message names object, value and legal range, and no file changes.
+ */
 public class DoorTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

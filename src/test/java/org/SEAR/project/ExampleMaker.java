@@ -13,16 +13,15 @@ import org.SEAR.project.problems.ProjectException;
 import org.myrobotlab.service.Runtime;
 import org.python.util.PythonInterpreter;
 
-/** Makes the example projects: runs each script of examples/ in an empty project and saves that. {@code gradle examples} calls it. */
+/**
+ * Makes the example projects: runs each script of examples/ in an empty project and saves the project.
+ * {@code gradle examples} calls it.
+ */
 public final class ExampleMaker {
     private ExampleMaker() {
     }
 
-    /**
-     * Makes all examples.
-     *
-     * @param args the folder of the scripts
-     */
+    /** @param args the folder of the scripts */
     public static void main(String[] args) throws IOException, ProjectException {
         Path folder = Paths.get(args[0]);
         for (Path script : scripts(folder)) {
@@ -44,7 +43,7 @@ public final class ExampleMaker {
         return script.resolveSibling(script.getFileName().toString().replace(".py", ".sear"));
     }
 
-    /** Runs a script as MyRobotLab's Python service would, in the present project. */
+    /** Runs a script in the present project as MyRobotLab's Python service does. */
     static void run(Path script) {
         Properties settings = new Properties();
         settings.setProperty("python.import.site", "false");

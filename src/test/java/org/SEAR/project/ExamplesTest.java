@@ -20,7 +20,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** The bundles in examples/ are what their scripts make. */
+/** The bundles in examples/ equal the results of their scripts. */
 @Category(Slow.class)
 public class ExamplesTest {
     private static final Path EXAMPLES = Paths.get(System.getProperty("sear.root", "."), "examples");
@@ -51,7 +51,7 @@ public class ExamplesTest {
             robot.getComponents().forEach(c -> kinds.add(c.getClass().getSimpleName()));
         }
         for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
-            if (SensorObject.class.isAssignableFrom(type) && type != Camera.class) {    // that of examples/ball.py
+            if (SensorObject.class.isAssignableFrom(type) && type != Camera.class) {    // the camera is in examples/ball.py
                 assertTrue(type.getSimpleName(), kinds.contains(type.getSimpleName()));
             }
         }

@@ -26,8 +26,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * Bundles and models that are changed at random are opened or refused with a message, never anything else. How many and with which seed: see
- * {@link Fuzz}.
+ * Randomly changed bundles and models are opened or rejected with a message. {@link Fuzz} has their number and seed.
  */
 @Category(Slow.class)
 public class FuzzTest {
@@ -49,7 +48,10 @@ public class FuzzTest {
         engine.setLevel(level);
     }
 
-    /** One to eight changes: a byte, a few equal ones, a part taken out, doubled or cut off. */
+    /**
+     * Returns the bytes with one to eight changes: a changed byte, a run of equal bytes, or a part removed, doubled or
+     * cut off.
+     */
     private static byte[] mutated(byte[] original, Random random) {
         byte[] bytes = original.clone();
         for (int i = random.nextInt(8); i >= 0 && bytes.length > 1; i--) {
@@ -75,7 +77,10 @@ public class FuzzTest {
         return bytes;
     }
 
-    /** The bytes without those from FROM to TO, with those from FROM to COPY twice. */
+    /**
+     * Returns the bytes without those from {@code from} to {@code to}, and with those from {@code from} to {@code copy}
+     * doubled.
+     */
     private static byte[] spliced(byte[] bytes, int from, int to, int copy) {
         byte[] result = new byte[bytes.length - (to - from) + (copy - from)];
         System.arraycopy(bytes, 0, result, 0, from);

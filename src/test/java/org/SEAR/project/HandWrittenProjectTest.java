@@ -21,7 +21,7 @@ import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Projects as users write them: by the page that tells how, and with what they take for granted. */
+/** Projects as users write them: by the instructions of the docs, with typical assumptions. */
 public class HandWrittenProjectTest {
     private static final String ROBOT = "<SEARrobot><name>r</name><wheel><name>left</name><radius>0.1</radius><width>0.1</width></wheel></SEARrobot>";
 
@@ -124,7 +124,7 @@ public class HandWrittenProjectTest {
         }
     }
 
-    /** Jython makes one character of each byte of a plain Python 2 string. */
+    /** Jython turns each byte of a plain Python 2 string into a character. */
     @Test
     public void aPlainPythonStringIsTheNameThatItsAuthorWrote() throws Exception {
         String bytes = new String("T\u00fcr".getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);

@@ -18,7 +18,7 @@ import org.SEAR.project.xml.ObjectClasses;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Every constructor and method from a Jython script; the XML that results is kept beside it. */
+/** Every constructor and method, called from a Jython script; the expected XML is stored beside it. */
 public class JythonTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

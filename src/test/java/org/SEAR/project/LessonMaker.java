@@ -14,7 +14,10 @@ import org.SEAR.project.problems.ProjectException;
 import org.SEAR.sensors.CameraImage;
 import org.SEAR.simulator.Simulation;
 
-/** Makes the worlds of the lessons and their pictures: runs each {@code world.py} in an empty project. {@code gradle lessonWorlds} calls it. */
+/**
+ * Makes the worlds of the lessons and their pictures: runs each {@code world.py} in an empty project.
+ * {@code gradle lessonWorlds} calls it.
+ */
 public final class LessonMaker {
     private static final int PIXELS = 360;
     private static final int AWAY = 50;
@@ -22,11 +25,7 @@ public final class LessonMaker {
     private LessonMaker() {
     }
 
-    /**
-     * Makes all.
-     *
-     * @param args the folder of the lessons
-     */
+    /** @param args the folder of the lessons */
     public static void main(String[] args) throws IOException, ProjectException {
         for (Path script : scripts(Paths.get(args[0]))) {
             Path project = Files.createTempDirectory("sear-lesson").resolve("SEARproject");
@@ -38,7 +37,10 @@ public final class LessonMaker {
         }
     }
 
-    /** From above, north upwards; of a slope from the south. By the camera of another robot, far away, in a project of its own. */
+    /**
+     * Takes a picture from above with north up, or of a slope from the south, by the camera of another, distant robot
+     * in a separate project.
+     */
     private static byte[] picture(Path script, Path made) throws IOException, ProjectException {
         Project world = Project.read(made);
         boolean slope = world.getEnvironment().stream().anyMatch(one -> one.getName().equals("ramp"));
@@ -57,7 +59,7 @@ public final class LessonMaker {
         return png;
     }
 
-    /** The script of each lesson's world. */
+    /** Returns the script of each lesson's world. */
     public static List<Path> scripts(Path lessons) throws IOException {
         try (Stream<Path> all = Files.list(lessons)) {
             return all.map(folder -> folder.resolve("world.py")).filter(Files::exists).sorted().collect(Collectors.toList());

@@ -11,7 +11,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.python.util.PythonInterpreter;
 
-/** What is legal and probably not meant is said when the object is made. */
+/** Warnings about legal but probably unintended values, reported when the object is made. */
 public class NoticesTest {
     private static final String MADE = "from org.SEAR.POJOs import Box\nfor i in range(2):\n    Box('post', 1, 1, 1, 0)\n";
 
@@ -107,7 +107,7 @@ public class NoticesTest {
         assertEquals("the folder robots/ of the project is not read: its objects belong into robot/", warnings.get(1));
     }
 
-    /** As a script sees it that asks what is there before it starts. */
+    /** Returns the answer to a script that lists foreign objects before the start. */
     private String ofOthers(String script, String... names) {
         try (PythonInterpreter python = new PythonInterpreter()) {
             python.set("names", Arrays.asList(names));

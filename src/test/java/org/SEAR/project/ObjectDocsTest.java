@@ -26,7 +26,7 @@ import org.SEAR.project.xml.ObjectClasses;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** The page about the objects says what the program does. */
+/** The page about the objects matches the program. */
 public class ObjectDocsTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -41,7 +41,7 @@ public class ObjectDocsTest {
         assertEquals("run gradle objectDocs", ObjectDocs.page(), text("docs/objects.md"));
     }
 
-    /** Made by the page's script and by the page's file, the box is the same. */
+    /** The page's script and the page's file make the same box. */
     @Test
     public void theFileOfThePageIsWhatItsScriptMakes() throws Exception {
         String file = "environment/crate.xml";
@@ -55,7 +55,7 @@ public class ObjectDocsTest {
         }
     }
 
-    /** Each call of the page is there with that many arguments. */
+    /** Each call of the page exists with that number of arguments. */
     @Test
     public void everyCallOfThePageCanBeMade() throws Exception {
         int calls = 0;

@@ -26,7 +26,7 @@ import org.SEAR.project.xml.Xml;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What objects write, and what is read from it. */
+/** Files that objects write, and objects read from files. */
 public class ObjectFilesTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

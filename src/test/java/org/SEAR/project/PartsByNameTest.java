@@ -13,7 +13,7 @@ import org.SEAR.POJOs.SearObject;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Parts of robots are had, and wired, by their names. */
+/** Scripts get and wire parts of robots by name. */
 public class PartsByNameTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

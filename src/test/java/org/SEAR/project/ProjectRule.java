@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.rules.TemporaryFolder;
 
-/** An empty present project for each test: objects that the test creates write their files there. */
+/** An empty present project for each test; objects that the test creates write their files there. */
 public final class ProjectRule extends TemporaryFolder {
     private String before;
 
@@ -30,29 +30,28 @@ public final class ProjectRule extends TemporaryFolder {
         super.after();
     }
 
-    /** The SEARproject folder; made by the first object. */
+    /** Returns the SEARproject folder, which the first object creates. */
     public Path folder() {
         return getRoot().toPath().resolve("SEARproject");
     }
 
-    /** The text of a file of the project. */
     public String text(String file) throws IOException {
         return new String(Files.readAllBytes(folder().resolve(file)), StandardCharsets.UTF_8);
     }
 
-    /** Writes a file of the project by hand. */
+    /** Writes a file of the project as a user would. */
     public void put(String file, String text) throws IOException {
         Path path = folder().resolve(file);
         Files.createDirectories(path.getParent());
         Files.write(path, text.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** The files of the project by their path, and what is in them. */
+    /** Returns the files of the project: content by path. */
     public Map<String, String> files() throws IOException {
         return files(folder());
     }
 
-    /** The files of a folder by their path, and what is in them (a character a byte). */
+    /** Returns the files of a folder: content by path, one character per byte. */
     public static Map<String, String> files(Path folder) throws IOException {
         Map<String, String> files = new TreeMap<>();
         if (Files.isDirectory(folder)) {

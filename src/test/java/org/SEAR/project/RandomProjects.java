@@ -43,12 +43,12 @@ public final class RandomProjects {
     private final Random random;
     private int counter;
 
-    /** @param seed of all that is chosen */
+    /** @param seed of all choices */
     public RandomProjects(long seed) {
         random = new Random(seed);
     }
 
-    /** Creates one in the present folder. */
+    /** Creates a project in the present folder. */
     public void create() {
         int objects = random.nextInt(4);
         for (int i = 0; i < objects; i++) {
@@ -156,7 +156,7 @@ public final class RandomProjects {
         }
     }
 
-    /** Turns some of the robot's parts, and a light. */
+    /** Makes a servo that turns some of the robot's parts and a light. */
     private Servo servo(SEARrobot robot) {
         Led led = new Led(name(), random.nextBoolean() ? null : String.format("#%06x", random.nextInt(1 << 24)), 0, 0, 0);
         led.setSize(number(0.001, 1));

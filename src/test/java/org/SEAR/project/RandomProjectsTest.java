@@ -19,13 +19,13 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * Two hundred random projects, or a thousand with {@code -Pfull}, or as many as {@code -Dsear.randomProjects=} says: what was
- * written is read, written again the same, saved, loaded and saved again with the same bytes.
+ * Random projects: written files are read, written again unchanged, saved, loaded and saved again with the same bytes.
+ * {@code -Dsear.randomProjects=} sets their number; the default is 200, or 1000 with {@code -Pfull}.
  */
 @Category(Slow.class)
 public class RandomProjectsTest {
     private static final int PROJECTS = HowMany.of("sear.randomProjects", 1000);
-    /** How many of them also go through bundles. */
+    /** Every n-th project also passes through a bundle. */
     private static final int EVERY = 10;
 
     @Rule

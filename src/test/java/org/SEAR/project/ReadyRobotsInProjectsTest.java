@@ -30,7 +30,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Each ready robot comes into a project that has robots already, in each way, and the project starts. */
+/** Each ready-made robot is added in each way to a project that already has robots, and the project starts. */
 @Category(Slow.class)
 public class ReadyRobotsInProjectsTest {
     private static final Path EXAMPLES = Paths.get(System.getProperty("sear.root", ".")).resolve("examples");
@@ -108,7 +108,7 @@ public class ReadyRobotsInProjectsTest {
         }
     }
 
-    /** What an opened project's robot had at the plain place is as it was, in its own folder, and so is what it is called in scripts. */
+    /** The robot of an opened project keeps its files, its parts and its names in scripts. */
     @Test
     public void theRobotOfAnOpenedProjectKeepsItsParts() throws Exception {
         Bundle.load(EXAMPLES.resolve("office.sear"), project.folder());
@@ -155,7 +155,7 @@ public class ReadyRobotsInProjectsTest {
         start();
     }
 
-    /** As the template arduino.py does it. */
+    /** Wires a board and motors like the template arduino.py. */
     @Test
     public void aBoardAndMotorsComeWithIt() throws Exception {
         for (Path example : examples()) {

@@ -16,7 +16,7 @@ import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** The first robot is the one that was made first, whatever its name. */
+/** The first robot is the one made first, whatever its name. */
 public class RobotOrderTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -75,7 +75,7 @@ public class RobotOrderTest {
     public void theSameScriptAgainWritesTheSameFiles() throws Exception {
         makeThree();
         Map<String, String> files = project.files();
-        // another program begins: it knows of no robot made before
+        // another program starts: it knows none of the robots made before
         System.setProperty("sear.project", project.getRoot().toPath().resolve("elsewhere").toString());
         robot("other");
         System.setProperty("sear.project", project.folder().toString());

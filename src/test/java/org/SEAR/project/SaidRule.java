@@ -6,7 +6,7 @@ import java.util.List;
 import org.SEAR.POJOs.ScriptSession;
 import org.junit.rules.ExternalResource;
 
-/** What the grammar said while a test ran. */
+/** Messages of the grammar during a test. */
 final class SaidRule extends ExternalResource {
     final List<String> said = Collections.synchronizedList(new ArrayList<>());
     final ScriptSession bench = new ScriptSession(said::add);

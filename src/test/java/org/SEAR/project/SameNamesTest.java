@@ -24,7 +24,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.python.util.PythonInterpreter;
 
-/** Parts of two robots may have one name; scripts ask for them as robot/part. */
+/** Parts of two robots may share a name; scripts ask for robot/part. */
 public class SameNamesTest {
     private static final String SCRIPT = String.join("\n", "from org.SEAR.POJOs import Box, Distance, Dynamics, Floor, SEARrobot, Wheel",
         "Floor('floor', 40, 40).setVisibleToSensors(False)",
@@ -62,7 +62,7 @@ public class SameNamesTest {
         }
     }
 
-    /** What a new program would start with: nothing is known of the parts that were made before. */
+    /** Forgets the parts made before, like a new program. */
     private void forget() {
         System.setProperty("sear.project", project.getRoot().toPath().resolve("elsewhere").toString());
         run(SCRIPT);

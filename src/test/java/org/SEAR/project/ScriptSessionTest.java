@@ -13,7 +13,7 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Of two services of a program only that hears of an object where it is made. */
+/** With two services in a program, only one receives the messages about a new object. */
 public class ScriptSessionTest {
     private static final String LATE = " was made while a simulation runs: it appears at the next startSimulation()";
 
@@ -72,7 +72,7 @@ public class ScriptSessionTest {
         lidar.setSpread(270);
     }
 
-    /** A thing that a simulation has read is moved by that simulation's service. */
+    /** An object that a simulation has read is moved by that simulation's service. */
     @Test
     public void whatARunningSimulationHasReadIsMovedByItsOwn() {
         Box early = new Box("early", 1, 1, 1, 1);

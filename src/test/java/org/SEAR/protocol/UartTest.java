@@ -4,7 +4,7 @@ import static org.junit.Assert.assertEquals;
 
 import org.junit.Test;
 
-/** A byte is ten bits on the line. */
+/** A byte takes ten bits on the line. */
 public class UartTest {
     @Test
     public void aByteTakesStartBitDataAndStopBit() {

@@ -5,7 +5,7 @@ import static org.junit.Assert.assertEquals;
 import org.SEAR.geometry.Pose;
 import org.junit.Test;
 
-/** The shortest beam of a bundle is the shortest of the same beams cast one by one. */
+/** The shortest beam of a bundle equals the shortest of the same beams cast one by one. */
 public class BundleTest {
     @Test
     public void bundlesAnswerWhatSingleBeamsDo() {

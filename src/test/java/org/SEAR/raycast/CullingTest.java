@@ -11,7 +11,9 @@ import org.SEAR.geometry.Triangles;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** The hierarchies only leave out what a beam misses: it meets the same, to the byte, as when every box and triangle is tried alone. */
+/**
+ * The hierarchies skip only what a beam misses: results equal, to the byte, those of testing every box and triangle.
+ */
 @Category(Slow.class)
 public class CullingTest {
     private static final double[] AXIS = {0, -0.0, 1, -1, 1e-300, 1e-31, -1e-20, 1e-8};
@@ -51,7 +53,7 @@ public class CullingTest {
         scene.commit();
     }
 
-    /** Half of the beams run along an axis or nearly so. */
+    /** Compares random beams; half of them run along an axis or nearly so. */
     private static void compare(String what, RandomScenes world, List<BeamScene> alone, double[] centre) {
         boolean along = world.random.nextBoolean();
         double[] d = new double[3];

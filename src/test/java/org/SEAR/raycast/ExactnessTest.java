@@ -10,15 +10,15 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * Beams and fans against independently written geometry, over 200 random scenes, or a thousand with {@code -Pfull}, or as many as {@code
- * -Dsear.beamWorlds=} says.
+ * Beams and fans compared with independently written geometry in random scenes. {@code -Dsear.beamWorlds=} sets their
+ * number; the default is 200, or 1000 with {@code -Pfull}.
  */
 @Category(Slow.class)
 public class ExactnessTest {
     private static final int WORLDS = HowMany.of("sear.beamWorlds", 1000);
     private static final int BEAMS = 181;
     private static final double EXACT = 1e-9;
-    /** Radians and metres by which a beam is disturbed to find out whether it grazes an edge. */
+    /** Disturbance of a beam that shows whether it grazes an edge, radians and metres. */
     private static final double NUDGE = 1e-7;
 
     @Test
@@ -54,7 +54,7 @@ public class ExactnessTest {
         }
     }
 
-    /** Within 1e-9 m; where a nudge of the beam changes everything, one of the nudged answers. */
+    /** Checks within 1e-9 m; a grazing beam may also have the result of one of its disturbed copies. */
     private static void check(String beam, Oracle oracle, double[] o, double[] d, double range, double measured) {
         double expected = oracle.cast(o, d, range);
         if (expected == measured || Math.abs(expected - measured) <= EXACT) {

@@ -18,7 +18,10 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** The guard against what grows faster than the number of robots: work of a robot in a step, in counts and bytes, not in times. */
+/**
+ * Guards against costs that grow faster than the number of robots. It counts a robot's operations and bytes per step
+ * instead of times.
+ */
 @Category(Slow.class)
 public class FleetWorkTest {
     private static final int MANY = 36;
@@ -30,7 +33,10 @@ public class FleetWorkTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** Robots that go in circles, each among boxes of its own, without walls between them; each has a scanner with a port. */
+    /**
+     * Makes robots that drive in circles, each among its own boxes and with a scanner at a port, without walls between
+     * them.
+     */
     private void fleet(int robots) throws Exception {
         int columns = (int) Math.ceil(Math.sqrt(robots));
         new Floor("floor", CELL * columns, CELL * columns);
@@ -50,7 +56,10 @@ public class FleetWorkTest {
         }
     }
 
-    /** Of a robot in a step: shapes moved, bodies looked at, turns of the solver, boxes and shapes that beams are tried against, bytes. */
+    /**
+     * Returns the work per robot and step: shapes moved, busy bodies, solver iterations, boxes and shapes tested by
+     * beams, bytes allocated.
+     */
     private double[] work(int robots) throws Exception {
         fleet(robots);
         try (Simulation simulation = Worlds.start(project)) {

@@ -13,7 +13,7 @@ import org.SEAR.physics.solid.Grounds;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Beams over a height field meet, to the bit, what they meet over a mesh of the same triangles. */
+/** Beams over a height field hit, to the bit, the points that they hit over a mesh of the same triangles. */
 @Category(Slow.class)
 public class HeightBeamsTest {
     private static final int BEAMS = 361;
@@ -28,7 +28,7 @@ public class HeightBeamsTest {
         return low + random.nextDouble() * (high - low);
     }
 
-    /** Ground of a random size, roughness and place; every third one has flat parts and steps. */
+    /** Makes ground of random size, roughness and place; every third one has flat parts and steps. */
     private HeightField ground(int number) {
         int rows = 2 + random.nextInt(number % 4 == 0 ? 4 : 60);
         int columns = 2 + random.nextInt(number % 5 == 0 ? 3 : 60);
@@ -70,7 +70,9 @@ public class HeightBeamsTest {
         }
     }
 
-    /** A place over, on, under or beside the field, in its frame; half of them on posts, edges or diagonals. */
+    /**
+     * Returns a place above, on, below or beside the field in its frame; half of them on samples, edges or diagonals.
+     */
     private double[] origin(int kind) {
         double row = between(-0.2, 1.2) * (field.rows - 1);
         double column = between(-0.2, 1.2) * (field.columns - 1);

@@ -6,8 +6,8 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
 
 /**
- * What beams meet, computed the slow and plain way for the tests: every shape, in the world's frame, from the textbook's vector formulas (planes,
- * cross products, apex and axis) and with none of the code under test.
+ * Expected hits of beams, computed slowly and independently of the code under test: every shape in the world's frame by
+ * textbook vector formulas (planes, cross products, apex and axis).
  */
 final class Oracle {
     private static final double MISS = Double.POSITIVE_INFINITY;
@@ -43,12 +43,12 @@ final class Oracle {
         return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     }
 
-    /** The world directions of a pose's three axes. */
+    /** Returns the world directions of a pose's three axes. */
     static double[][] axes(Pose pose) {
         return new double[][] {pose.rotate(1, 0, 0), pose.rotate(0, 1, 0), pose.rotate(0, 0, 1)};
     }
 
-    /** Six squares of a plane each. */
+    /** Tests the six squares of a box, each in its plane. */
     static Surface box(Pose pose, double hx, double hy, double hz) {
         double[] half = {hx, hy, hz};
         double[] centre = {pose.x, pose.y, pose.z};
@@ -76,7 +76,7 @@ final class Oracle {
         return t >= 0 && dot(off, off) <= radius * radius ? t : MISS;
     }
 
-    /** Distance of the beam's points from the axis line by cross products; two discs. */
+    /** Tests the distance of the beam's points from the axis by cross products, and two discs. */
     static Surface cylinder(Pose pose, double radius, double h) {
         double[] centre = {pose.x, pose.y, pose.z};
         double[] axis = axes(pose)[1];
@@ -100,7 +100,7 @@ final class Oracle {
         };
     }
 
-    /** Points whose direction from the apex makes the half-angle with the axis; one disc. */
+    /** Tests points whose direction from the apex makes the half-angle with the axis, and one disc. */
     static Surface cone(Pose pose, double radius, double h) {
         double[] axis = axes(pose)[1];
         double[] centre = {pose.x, pose.y, pose.z};
@@ -125,7 +125,10 @@ final class Oracle {
         };
     }
 
-    /** Points whose coordinates along the axes, each by its half size, have squares that make 1, sought from the beam's point beside the centre. */
+    /**
+     * Solves for points whose coordinates along the axes, divided by the half sizes, have squares that sum to 1. It
+     * starts from the beam's point beside the centre.
+     */
     static Surface ellipsoid(Pose pose, double... half) {
         double[] centre = {pose.x, pose.y, pose.z};
         double[][] axes = axes(pose);
@@ -152,7 +155,7 @@ final class Oracle {
         };
     }
 
-    /** Every triangle: plane, then the side of its three edges. */
+    /** Tests every triangle: its plane, then the side of its three edges. */
     static Surface mesh(Pose pose, Triangles triangles, double sx, double sy, double sz) {
         double[][] corner = new double[triangles.vertices.length / 3][];
         for (int i = 0; i < corner.length; i++) {

@@ -10,11 +10,11 @@ import java.lang.management.ManagementFactory;
 import org.SEAR.geometry.Pose;
 import org.junit.Test;
 
-/** The beams of a picture answer what single ones do, whatever the tiles, the hierarchy and what was cast before. */
+/** The beams of a picture return the results of single beams, whatever the tiles, the hierarchy and earlier casts. */
 public class PictureBeamsTest {
     private static final double NEAR = 1e-9;
 
-    /** A pinhole camera's beams; the last one of a row is bent a little, as by a lens. */
+    /** Returns the beams of a pinhole camera; the last beam of a row is bent slightly, as by a lens. */
     private static PictureBeams beams(int width, int height, double pitch) {
         double[] left = new double[width * height];
         double[] up = new double[width * height];
@@ -111,7 +111,7 @@ public class PictureBeamsTest {
         }
     }
 
-    /** A row of tiles, its tiles one by one from the right. */
+    /** Casts a row of tiles one by one from the right. */
     private static void strip(BeamScene scene, PictureBeams beams, Pose pose, int row, Cast into) {
         int count = beams.width * PictureBeams.TILE;
         double[] depths = new double[count];

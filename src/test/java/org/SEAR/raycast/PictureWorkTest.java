@@ -10,7 +10,9 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Pose;
 import org.junit.Test;
 
-/** What the beams of a picture cost, in blocks, triangles and boxes that are looked at: work that neighbours can share is done once for a tile. */
+/**
+ * Cost of a picture's beams in tested blocks, triangles and boxes: work that neighbours share is done once per tile.
+ */
 public class PictureWorkTest {
     private static final int WIDTH = 320;
     private static final int HEIGHT = 240;
@@ -149,7 +151,7 @@ public class PictureWorkTest {
         cast(scene, all, pose, 0);
         double[] left = new double[WIDTH * HEIGHT];
         double[] up = new double[WIDTH * HEIGHT];
-        // the same beams in another order: each tile has neighbours that are far apart, and asks all sides
+        // The same beams in another order: the beams of a tile are far apart and test all sides.
         for (int i = 0; i < left.length; i++) {
             left[i] = all.left(mixed(i));
             up[i] = all.up(mixed(i));
@@ -164,7 +166,7 @@ public class PictureWorkTest {
         assertArrayEquals(wanted, depths, 0);
     }
 
-    /** Every pixel once, far from each other. */
+    /** Returns a permutation that places neighbours far apart. */
     private static int mixed(int i) {
         return (int) (i * 30_011L % (WIDTH * HEIGHT));
     }

@@ -20,7 +20,7 @@ final class RandomScenes {
         return low + random.nextDouble() * (high - low);
     }
 
-    /** A pose within the cube of this half size, turned anyhow, upright or not at all. */
+    /** Returns a pose within the cube of this half size: with any rotation, upright or unrotated. */
     Pose pose(double size) {
         double x = between(-size, size);
         double y = between(-size, size) / 3;
@@ -83,7 +83,7 @@ final class RandomScenes {
         return new Triangles(vertices, indices);
     }
 
-    /** Hills of 2 * cells * cells triangles over a square, heights within +-height. */
+    /** Returns hills of 2 * cells * cells triangles over a square, with elevations within +-height. */
     static Triangles terrain(int cells, double side, double height, long seed) {
         Random random = new Random(seed);
         double[] wave = new double[12];

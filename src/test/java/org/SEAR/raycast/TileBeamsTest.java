@@ -12,7 +12,7 @@ import org.SEAR.geometry.HeightTilesTest;
 import org.SEAR.geometry.Pose;
 import org.junit.Test;
 
-/** Beams of all kinds meet on tiles, to the bit, what they meet on the field that these are cut out of. */
+/** Beams of all kinds hit tiles, to the bit, where they hit the field that the tiles are cut from. */
 public class TileBeamsTest {
     private static final int HELD = 13;
     private static final double SPACING = 2;

@@ -13,7 +13,10 @@ import org.SEAR.raycast.tree.Bvh;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** The guard against getting slow: counts of work done, not times. The limits are about a third above what was measured. */
+/**
+ * Guards against slowness with counts of operations instead of times. The limits are about a third above the measured
+ * values.
+ */
 @Category(Slow.class)
 public class WorkTest {
     private static final int BEAMS = 361;
@@ -151,7 +154,7 @@ public class WorkTest {
         assertTrue("sorted " + depth + " times each while building", depth < 25);
     }
 
-    /** The sum of the depths of all items: how often the builder had an item in its hands. */
+    /** Returns the sum of the depths of all items, which counts how often the builder moved an item. */
     private static long depths(Bvh tree, int node, int depth) {
         if (tree.count(node) > 0) {
             return (long) depth * tree.count(node);

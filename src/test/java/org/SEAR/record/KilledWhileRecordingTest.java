@@ -30,8 +30,9 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * A process that records a run is killed at random moments, as {@code kill -9} does it: its record opens, is no longer held for one that is being
- * written, lacks no more than the last moments, and what is in it comes again to the byte. {@code -Dsear.kills=100} kills that many.
+ * A process that records a run is killed at random moments, like {@code kill -9}. Its record opens, does not count as
+ * still being written, lacks only the last moments and reruns to the byte. {@code -Dsear.kills=100} sets the number of
+ * kills.
  */
 @Category(Slow.class)
 public class KilledWhileRecordingTest {
@@ -39,14 +40,14 @@ public class KilledWhileRecordingTest {
     private static final int KILLS = Integer.getInteger("sear.kills", 5);
     private static final int STEPS_PER_SECOND = 60;
     private static final int LONGEST_STEPS = 7 * STEPS_PER_SECOND;
-    /** What was done is on the disk a second later; a busy machine may take some more. */
+    /** Limit of lost steps. Events are on the disk after a second; a busy machine may take longer. */
     private static final int MOST_LOST = 4 * STEPS_PER_SECOND;
     private static final String FILE = "run.searlog";
 
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** Records a run, never faster than real time, until it is killed, and says how many steps there are. */
+    /** Records a run, never faster than real time, until it is killed, and prints the step number. */
     public static void main(String[] folder) throws Exception {
         Path root = Paths.get(folder[0]);
         Simulation world = Simulation.of(Project.read(root.resolve("SEARproject")), SEED);
@@ -59,7 +60,9 @@ public class KilledWhileRecordingTest {
             world.step();
             System.out.println(step);
             if (step == STEPS_PER_SECOND / 2) {
-                RunRecord.open(root.resolve(FILE));     // some systems forget the mark then, which others must find all the same
+                // on some systems this drops the lock of the record, yet other processes must find it still being
+                // written
+                RunRecord.open(root.resolve(FILE));
             }
             LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(1) / STEPS_PER_SECOND);
         }
@@ -71,7 +74,7 @@ public class KilledWhileRecordingTest {
             .redirectError(new File(project.getRoot(), "errors.txt")).start();
     }
 
-    /** Kills one when it has said so many steps. */
+    /** Kills a process after it printed this number of steps. */
     private void kill(Process process, int steps) throws Exception {
         try (BufferedReader in = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.US_ASCII))) {
             for (int step = 1; step <= steps; step++) {

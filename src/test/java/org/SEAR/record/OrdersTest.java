@@ -33,7 +33,7 @@ import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Orders to motors, servos, lights and the steering are in records, and have the same effect when these are run again. */
+/** Commands to motors, servos, lights and the steering are in records and have the same effect on a rerun. */
 public class OrdersTest {
     private static final byte[] SCAN = {2, 0, 2, 0, 0x30, 1, 0x31, 0x18};
     private static final int TURNED = 60;
@@ -45,7 +45,7 @@ public class OrdersTest {
         return project.getRoot().toPath().resolve("run.searlog");
     }
 
-    /** A car whose bytes tell where it is, and which way its LIDAR looks. */
+    /** Makes a car whose bytes contain its position and the direction of its LIDAR. */
     private Simulation world() throws Exception {
         new Floor("floor", 40, 40);
         new Box("wall", 0.1, 6, 0.5).move(3, 0.25, 0);
@@ -128,7 +128,7 @@ public class OrdersTest {
             "150 POWER engine -0.5"), orders);
     }
 
-    /** Where in the file the servo's order stands. */
+    /** Returns the offset of the servo's command in the file. */
     private static int place(byte[] bytes) {
         byte[] order = ByteBuffer.allocate(10).put((byte) Kind.ANGLE.ordinal()).putDouble(TURNED).put((byte) 0).array();
         for (int at = 0; at < bytes.length; at++) {
@@ -155,7 +155,7 @@ public class OrdersTest {
         assertTrue(said, said.endsWith("can't be read as a record: after 90 steps it names order 5, legal: below 5"));
     }
 
-    /** What a callback says while the outputs of a step are delivered comes after that step. */
+    /** Commands of a callback during the delivery of a step's outputs come after that step. */
     private void comesAfterItsStep(Consumer<Simulation> callback) throws Exception {
         try (Simulation world = world()) {
             Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
@@ -213,7 +213,7 @@ public class OrdersTest {
         });
     }
 
-    /** What comes of a move that somebody else wrote into the file: its first letter or one of the numbers of where it goes is another. */
+    /** Returns the error for a recorded move with an invalid first letter or an invalid coordinate. */
     private String saidOfMove(int letter, int number, double value) throws Exception {
         byte[] bytes = Files.readAllBytes(file());
         byte[] event = ByteBuffer.allocate(6).put((byte) org.SEAR.record.EventKind.MOVED).putShort((short) 3).put("car".getBytes()).array();

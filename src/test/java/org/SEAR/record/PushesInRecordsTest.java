@@ -26,7 +26,7 @@ import org.SEAR.simulator.orders.DragSpring;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Pushes and velocities are in records, and have the same effect when these are run again. */
+/** Pushes and velocities are in records and have the same effect on a rerun. */
 public class PushesInRecordsTest {
     private static final double FORCE = 123.5;
 
@@ -37,7 +37,7 @@ public class PushesInRecordsTest {
         return project.getRoot().toPath().resolve("run.searlog");
     }
 
-    /** A car whose bytes tell where it is, and a box that is thrown at it. */
+    /** Records a car whose bytes contain its position, and a box thrown at it. */
     private void record() throws Exception {
         new Floor("floor", 40, 40);
         new Box("box", 0.2, 0.2, 0.2, 5, 0, 0.1, 4);

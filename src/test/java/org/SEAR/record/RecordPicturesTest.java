@@ -32,7 +32,7 @@ import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Pictures of cameras in records: as many as were asked for, those that were taken, the same bytes each time, and what becomes of broken ones. */
+/** Camera pictures in records: their number, the same bytes each time, and the handling of broken ones. */
 public class RecordPicturesTest {
     private static final int WIDTH = 32;
     private static final int HEIGHT = 24;
@@ -62,7 +62,10 @@ public class RecordPicturesTest {
         return Project.read(project.folder());
     }
 
-    /** Drives towards the box for two seconds; the pictures of one camera that were taken on the way, the present one at the start. */
+    /**
+     * Drives towards the box for two seconds.
+     * @return the pictures that one camera took, beginning with the present one at the start
+     */
     private List<CameraImage> record(Project of, Path file, double rate, String camera) throws Exception {
         List<CameraImage> taken = new ArrayList<>();
         try (Simulation world = Simulation.of(of, 7)) {
@@ -72,7 +75,8 @@ public class RecordPicturesTest {
             for (int i = 0; i < STEPS; i++) {
                 world.step();
                 CameraImage now = (CameraImage) world.read(camera);
-                if (now.getTime() > 0.09 && now != taken.get(taken.size() - 1)) {     // before the first there is one of each moment
+                // before the first picture is due, each reading is of its own moment
+                if (now.getTime() > 0.09 && now != taken.get(taken.size() - 1)) {
                     taken.add(now);
                 }
             }
@@ -149,7 +153,7 @@ public class RecordPicturesTest {
         assertTrue("it is whole", RunRecord.open(file("run.searlog")).read(new RunRecord.Visitor() { }));
     }
 
-    /** The first picture of a record, as it stands in its file. */
+    /** Returns the offset of a record's first picture in its file. */
     private int firstPicture() throws IOException {
         long[] found = {-1};
         RunRecord.open(file("run.searlog")).read(new RunRecord.Visitor() {
@@ -187,7 +191,7 @@ public class RecordPicturesTest {
         }
     }
 
-    /** Some bytes that would take gigabytes of memory. */
+    /** A few bytes that claim gigabytes of memory. */
     @Test
     public void aPictureThatIsTooLargeIsRefusedBeforeItIsUnpacked() {
         ByteBuffer head = ByteBuffer.allocate(17).put("IHDR".getBytes(StandardCharsets.US_ASCII)).putInt(60_000).putInt(60_000).putInt(0x10000000);

@@ -44,7 +44,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Records of runs: what is in them, that they can be run again to the byte, and what becomes of files that are none. */
+/** Records of runs: their content, reruns to the byte, and the handling of invalid files. */
 @Category(Slow.class)
 public class RecordTest {
     private static final byte[] FULL_MODE = {(byte) 0x80, (byte) 0x84};
@@ -96,7 +96,7 @@ public class RecordTest {
         return world.getLines().stream().filter(line -> line.getObjectName().equals(object)).findFirst().orElseThrow(AssertionError::new);
     }
 
-    /** Drives by bytes and by calls, switches a device off and on, changes the baud rate, goes back to the start. */
+    /** Drives by bytes and by calls, switches a device off and on, changes the baud rate and resets. */
     private static void drive(Simulation world) {
         run(world, 60);
         line(world, "drive").write(FULL_MODE);
@@ -133,7 +133,7 @@ public class RecordTest {
         return recorder;
     }
 
-    /** Steps that can be read from the file as it is now. */
+    /** Returns the number of steps that the file has at this moment. */
     private int stepsOnDisk() throws IOException {
         if (Files.size(file()) == 0) {
             return -1;
@@ -169,7 +169,7 @@ public class RecordTest {
         }
     }
 
-    /** After a script's waits in lock-step, which may all come within a moment. */
+    /** Follows a script's waits in lock-step, which may all fall into one moment. */
     @Test(timeout = 120_000)
     public void whileTimeStandsStillAllThatHappenedComesOnTheDisk() throws Exception {
         SimulationRunner runner = new SimulationRunner(world());
@@ -211,7 +211,7 @@ public class RecordTest {
         assertEquals(1, moved.apart, 0.01);
     }
 
-    /** As by the clock, where the simulation thread attends to lines whenever something comes. */
+    /** Runs as by the clock, where the simulation thread services devices whenever bytes arrive. */
     @Test
     public void whatCameBetweenTwoStepsComesThereAgain() throws Exception {
         Random random = new Random(Fuzz.SEED);
@@ -300,7 +300,7 @@ public class RecordTest {
         assertTrue(said, said.contains("no value is called \"rover.q\", legal: rover.x, "));
     }
 
-    /** A sensor may be called as a value of its robot is: both are there. */
+    /** A sensor may share its name with a value of its robot: the record has both. */
     @Test
     public void valuesOfOneNameAreNumbered() throws Exception {
         try (Simulation world = world(new Compass("rover.x"))) {

@@ -7,7 +7,7 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** When robots tip over, against closed forms. */
+/** Tipping angles of robots compared with closed forms. */
 public class StabilityTest {
     private static final double EXACT = 1e-9;
     /** A rectangle 0.4 m wide and 0.6 m long, and a foot inside. */
@@ -31,7 +31,7 @@ public class StabilityTest {
         assertArrayEquals(new double[] {0.1, 0.3, 0}, at(0.1, 0.3, 0, FEET).getCentre(), 0);
     }
 
-    /** Two wheels before, a caster behind: the sides run together there. */
+    /** Two wheels in front, a caster behind, where the sides converge. */
     @Test
     public void aTriangleTipsOverASlantedSide() {
         double[][] feet = {{0.1, 0, 0}, {-0.1, 0, 0}, {0, 0, -0.15}};
@@ -72,7 +72,7 @@ public class StabilityTest {
         }
     }
 
-    /** An edge between wheels of different heights: what counts is how high the centre of mass is above it there. */
+    /** An edge between wheels of different heights: the height of the centre of mass above the edge counts. */
     @Test
     public void wheelsAtDifferentHeights() {
         double[][] feet = {{0.2, -0.1, 0.3}, {-0.3, 0, 0.3}, {0.2, -0.3, -0.3}, {-0.3, 0, -0.3}};

@@ -4,7 +4,7 @@ import static org.junit.Assert.assertEquals;
 
 import org.junit.Test;
 
-/** What is seen of a light. */
+/** Colours of a light, off and on. */
 public class GlowTest {
     @Test
     public void aDarkLightHasAFifthOfItsColourAndALitOneAllOfIt() {

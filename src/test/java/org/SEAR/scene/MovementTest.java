@@ -8,12 +8,12 @@ import java.util.Map;
 import org.SEAR.geometry.Pose;
 import org.junit.Test;
 
-/** What moves is shown between two steps, evenly; what was put elsewhere is there at once. */
+/** The view shows objects between two steps, evenly; teleported objects appear at their new place immediately. */
 public class MovementTest {
     private static final double STEP = 1 / 60.0;
     private static final double EXACT = 1e-12;
 
-    /** One object, that far along z at that step. */
+    /** Returns the state of one object at z at this step. */
     private static SceneState state(long step, double z) {
         return new SceneState(step, step * STEP, List.of(new Pose(0, 0, z, 0, 0, 0, 1)), List.of(), Map.of(), Map.of(), List.of(), List.of());
     }
@@ -22,7 +22,7 @@ public class MovementTest {
     public void itIsShownLateAndEvenlyThoughStatesComeUnevenly() {
         Movement movement = new Movement();
         for (int frame = 0; frame < 600; frame++) {
-            long step = frame / 4 * 4; // four steps at once, with each fourth picture
+            long step = frame / 4 * 4; // four steps together, with every fourth picture
             movement.advance(state(step, step * STEP), 1, STEP);
             if (frame > 300) {
                 double behind = frame * STEP - movement.environment(0).z;

@@ -9,7 +9,10 @@ import org.SEAR.POJOs.Distance;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.solid.RayRound;
 
-/** The data sheets' test again: an upright pole is put on each point of a grid before a sensor that answers whether it sees it. */
+/**
+ * The test of the data sheets: an upright pole stands on each point of a grid before a sensor, which reports whether it
+ * sees the pole.
+ */
 final class BeamGrid {
     private static final double POLE_HALF_HEIGHT = 0.61;
     private static final double MARGIN = 0.25;
@@ -21,7 +24,7 @@ final class BeamGrid {
     final int rows;
     private final boolean[][] seen;
 
-    /** @param cell metres between two points */
+    /** @param cell distance between two points, metres */
     BeamGrid(BeamOutline outline, double cell) {
         this.outline = outline;
         this.cell = cell;
@@ -52,17 +55,17 @@ final class BeamGrid {
         }
     }
 
-    /** Metres to the left. */
+    /** Returns the distance to the left, metres. */
     double side(int column) {
         return (column + 0.5 - columns / 2) * cell;
     }
 
-    /** Metres ahead. */
+    /** Returns the distance ahead, metres. */
     double depth(int row) {
         return (row + 0.5) * cell;
     }
 
-    /** Area that is both seen and inside the outline, over the area that is one of the two. */
+    /** Returns intersection over union of the seen area and the outline. */
     double overlap() {
         int both = 0;
         int either = 0;
@@ -76,7 +79,7 @@ final class BeamGrid {
         return both / (double) either;
     }
 
-    /** The picture: detections as squares, the data sheet's outline as a line, a scale in metres. */
+    /** Draws detections as squares, the data sheet's outline as a line, and a scale in metres. */
     void draw(Path file) throws IOException {
         double width = columns * cell * SCALE;
         double height = rows * cell * SCALE;

@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Where a data sheet says that a sensor sees an upright pole: half the width by depth, metres. */
+/** Region of a data sheet in which a sensor sees an upright pole: half width by depth, metres. */
 final class BeamOutline {
     private static final double FOOT = 0.3048;
     private static final double INCH = 0.0254;
@@ -45,7 +45,7 @@ final class BeamOutline {
         return depths[depths.length - 1];
     }
 
-    /** Half the width at a depth, 0 beyond the end. */
+    /** Returns the half width at a depth, 0 beyond the end. */
     double width(double depth) {
         for (int i = 1; i < depths.length; i++) {
             if (depth <= depths[i]) {

@@ -18,8 +18,8 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * The beams of real products see a pole where their data sheets say: intersection over union at least 90 %. Each test also draws its picture into
- * {@code build/pictures}; those that the documentation shows have to be the same.
+ * The beams of real products see a pole where their data sheets say, with an intersection over union of at least 90 %.
+ * Each test also draws its picture into {@code build/pictures}; pictures of the documentation must be up to date.
  */
 @Category(Slow.class)
 public class BeamOutlineTest {

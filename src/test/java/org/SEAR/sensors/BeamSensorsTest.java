@@ -23,7 +23,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** LIDAR and distance sensors against beams that are marched through the same world. */
+/** LIDAR and distance sensors compared with ray marching in the same world. */
 @Category(Slow.class)
 public class BeamSensorsTest {
     @Rule
@@ -51,7 +51,7 @@ public class BeamSensorsTest {
         return truth;
     }
 
-    /** A long box across the way, its near face 2 m ahead (+Z). */
+    /** Makes a long box across the view, its near face 2 m ahead (+Z). */
     private static BeamScene wall(int owner) {
         BeamScene scene = new BeamScene();
         int wall = scene.addBox(10, 1, 0.5, owner);

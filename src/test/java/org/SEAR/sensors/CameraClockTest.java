@@ -15,7 +15,7 @@ import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** A camera that nobody looks at does not slow a simulation down, and one that is looked at only as much as its pictures take. */
+/** A camera without viewers does not slow a simulation down; a viewed one costs only its pictures. */
 public class CameraClockTest {
     private static final int SECONDS = 4;
 
@@ -34,7 +34,7 @@ public class CameraClockTest {
         return Simulation.load(folder, 1);
     }
 
-    /** Seconds of this thread's processor time for some simulated seconds. */
+    /** Returns CPU time of this thread for some simulated seconds, s. */
     private static double time(Simulation world, boolean look) {
         long start = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
         for (int step = 1; step <= 60 * SECONDS; step++) {

@@ -31,14 +31,14 @@ import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What cameras see, when, and how wrong. */
+/** Pictures of cameras: content, times and errors. */
 public class CameraSensorTest {
     private static final double NEAR = 1e-6;
 
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** A plate that lies on the ground, with cameras 0.3 m above it. */
+    /** Makes a plate on the ground with cameras 0.3 m above it. */
     private static SEARrobot plate(SensorObject... sensors) {
         SEARrobot robot = new SEARrobot("plate");
         robot.addComponent(new Dynamics("dynamics", 4, 0, 0.05, 0, 0, 0, 0));
@@ -97,7 +97,10 @@ public class CameraSensorTest {
         }
     }
 
-    /** Of the world as it was when the picture was due, though things have moved on; and of the present one before the first picture is due. */
+    /**
+     * The distance is that of the world when the picture was due, although objects moved since. Before the first
+     * picture is due, it is that of the present.
+     */
     @Test
     public void whoPointsAtAPixelOfColoursIsToldHowFarItIs() throws Exception {
         new Floor("floor", 20, 20);

@@ -10,7 +10,7 @@ import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Compass headings: clockwise from north, which is +X unless told otherwise; a robot without rotation looks east (+Z). */
+/** Compass headings: clockwise from north, which is +X by default; an unrotated robot looks east (+Z). */
 public class CompassSensorTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

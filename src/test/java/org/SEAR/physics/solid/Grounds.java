@@ -5,17 +5,17 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
 
-/** The same ground as a mesh and as heights. */
+/** The same ground as a mesh and as a height field. */
 public final class Grounds {
     private Grounds() {
     }
 
-    /** A mesh of the very triangles of a height field. */
+    /** Returns a mesh of exactly the triangles of a height field. */
     public static Solid mesh(HeightField field) {
         return new MeshSolid(triangles(field), new double[] {1, 1, 1}, Pose.IDENTITY);
     }
 
-    /** The triangles of a height field. */
+    /** Returns the triangles of a height field. */
     public static Triangles triangles(HeightField field) {
         float[] vertices = new float[3 * field.heights.length];
         int[] indices = new int[6 * (field.rows - 1) * (field.columns - 1)];
@@ -37,7 +37,7 @@ public final class Grounds {
         return new Triangles(vertices, indices);
     }
 
-    /** Gentle waves with a few centimetres of roughness on them, 40 m x 40 m. */
+    /** Returns gentle waves with some centimetres of roughness, 40 m x 40 m. */
     public static HeightField rough(int posts, double roughness, long seed) {
         Random random = new Random(seed);
         float[] heights = new float[posts * posts];
@@ -50,7 +50,7 @@ public final class Grounds {
         return new HeightField(posts, posts, -20.013, -19.987, spacing, spacing, heights);
     }
 
-    /** A plane that climbs to the north. */
+    /** Returns a plane that rises to the north. */
     public static HeightField slope(double rise) {
         float[] heights = new float[81 * 81];
         for (int i = 0; i < heights.length; i++) {

@@ -29,9 +29,9 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What a shape is to contacts, beams, the window and the tab is the same body. */
+/** Each shape is the same body to contacts, beams, the window and the tab. */
 public class SolidsTest {
-    /** By how much the window's polygons may be smaller than what is round, and the tab's outline narrower. */
+    /** Largest relative deficit of the window's polygons on round shapes, and of the tab's outline. */
     private static final double COARSE = 0.03;
     private static final double EXACT = 1e-6;
     private static final Solids.Sources NO_MODELS = null;
@@ -102,7 +102,10 @@ public class SolidsTest {
         }
     }
 
-    /** Its triangles look outward, no corner is outside of what collides, and they fill it; so do volume, centre of mass and moments of inertia. */
+    /**
+     * The triangles face outward, no corner lies outside the colliding body, and they fill it. Volume, centre of mass
+     * and moments of inertia agree.
+     */
     @Test
     public void theWindowShowsWhatCollides() {
         for (int i = 0; i < solids.size(); i++) {
@@ -129,7 +132,10 @@ public class SolidsTest {
         }
     }
 
-    /** Volume, and the integrals of x, y, z and of their squares, of what triangles enclose: tetrahedra to the origin. */
+    /**
+     * Returns volume and the integrals of x, y, z and their squares over the enclosed space, summed over tetrahedra to
+     * the origin.
+     */
     private static double[] moments(SurfaceMesh look) {
         float[] at = look.getPositions();
         int[] corners = look.getIndices();
@@ -152,7 +158,7 @@ public class SolidsTest {
         return sum;
     }
 
-    /** Where a beam to the centre ends, a little farther is inside and a little nearer outside. */
+    /** Just beyond the end of a beam to the centre is inside; just before it is outside. */
     @Test
     public void beamsMeetWhatCollides() {
         for (int i = 0; i < solids.size(); i++) {
@@ -171,7 +177,7 @@ public class SolidsTest {
         }
     }
 
-    /** Whether a point of the beam is inside, by the distance of what collides from it. */
+    /** Returns whether a point of the beam is inside, by its distance from the colliding body. */
     private static boolean isInside(Solid solid, double[] d, double t) {
         double[] p = {t * d[0], t * d[1], t * d[2]};
         GjkDistance gjk = new GjkDistance();

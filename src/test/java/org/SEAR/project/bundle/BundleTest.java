@@ -24,7 +24,7 @@ import org.SEAR.project.problems.ProjectException;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Saving, loading and starting anew. */
+/** Saving, loading and starting a new project. */
 public class BundleTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -165,7 +165,10 @@ public class BundleTest {
         assertEquals("a bundle of one's own", place("SEARproject.backup-3"), Bundle.newProject(project.folder(), Progress.NONE));
     }
 
-    /** A project with a map of so many bytes, which nobody has to write, becomes a backup; what is said then. */
+    /**
+     * Makes a backup of a project with a sparse map of this size.
+     * @return the messages
+     */
     private List<String> retireWithMap(long bytes) throws Exception {
         new Box("box", 1, 1, 1, 0);
         Path map = Files.createDirectories(project.folder().resolve("assets")).resolve("map.tif");

@@ -16,9 +16,10 @@ import org.junit.Rule;
 import org.junit.Test;
 
 /**
- * Section 5.1 of the dissertation: SEARproject zipped and renamed. The files of this folder are never changed: {@code ...by-zip...} are Info-ZIP's
- * own, with and without the folder; the others are laid out byte by byte as Windows' Explorer (letters of MS-DOS, no folders), Windows' PowerShell
- * (backslashes) and macOS' Archive Utility (folders, data descriptors, accents apart, {@code __MACOSX}) write them.
+ * Section 5.1 of the dissertation: SEARproject zipped and renamed. The files of this folder are never changed.
+ * {@code ...by-zip...} are from Info-ZIP, with and without the folder. The others copy byte by byte the form of Windows
+ * Explorer (DOS characters, no folders), PowerShell (backslashes) and macOS Archive Utility (folders, data descriptors,
+ * decomposed accents, {@code __MACOSX}).
  */
 public class DissertationBundlesTest {
     @Rule

@@ -21,7 +21,7 @@ import org.junit.Assume;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Files that are in the way, objects that come at a bad moment, and what is said. */
+/** Files that block a save, objects written at a bad moment, and the messages. */
 public class FilesTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -101,7 +101,7 @@ public class FilesTest {
         assertEquals("a reason of its own", FileReasons.of(new IOException("a reason of its own")));
     }
 
-    /** An example that is run again and again must not push the user's own projects out of the ten. */
+    /** Repeated runs of an example must not displace the user's own projects from the ten backups. */
     @Test
     public void theSameProjectIsKeptOnce() throws Exception {
         new Box("mine", 1, 1, 1, 0);

@@ -15,7 +15,9 @@ import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Bundles as released versions made them open for ever: a file of this folder is never changed or removed, new formats add theirs. */
+/**
+ * Bundles of released versions stay readable. A file of this folder is never changed or removed; new formats add files.
+ */
 public class GoldenBundlesTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

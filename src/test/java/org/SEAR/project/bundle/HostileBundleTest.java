@@ -20,7 +20,7 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Bundles that try to do harm are refused, with nothing written outside and the old project as it was. */
+/** Hostile bundles are rejected: nothing is written outside, and the old project stays unchanged. */
 public class HostileBundleTest {
     private static final String BOX = "<Box><name>b</name><length>1</length><width>1</width><height>1</height></Box>";
 

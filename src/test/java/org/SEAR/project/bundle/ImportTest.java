@@ -17,7 +17,7 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Robots and environments out of other projects. */
+/** Imports of robots and environments from other projects. */
 public class ImportTest {
     private static final String BEAM = "<Beam><name>own</name><minRange>0</minRange><cone><halfAngle>5</halfAngle><range>RANGE</range></cone></Beam>";
 

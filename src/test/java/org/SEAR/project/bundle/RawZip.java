@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 
-/** Makes zip files byte by byte, with any lie that a test wants. */
+/** Writes zip files byte by byte, with any false field that a test needs. */
 final class RawZip {
-    /** One entry; the fields are what the zip file says, true unless a test changes them. */
+    /** One entry. Its fields are those of the zip file and true unless a test changes them. */
     static final class Entry {
         byte[] name;
         byte[] localName;
@@ -75,7 +75,7 @@ final class RawZip {
 
     private final List<Entry> entries = new ArrayList<>();
 
-    /** A bundle with its version entry. */
+    /** Makes a bundle with its version entry. */
     static RawZip bundle() {
         RawZip zip = new RawZip();
         zip.stored("sear-version.txt", "1\n");

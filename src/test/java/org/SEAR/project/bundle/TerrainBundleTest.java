@@ -21,7 +21,7 @@ import org.SEAR.terrain.Ground;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Elevation maps in bundles: whole, or cut to the area that is used. */
+/** Elevation maps in bundles: whole, or cut to the used area. */
 public class TerrainBundleTest {
     private static final String MAP = "maps/jacksboro.tif";
 

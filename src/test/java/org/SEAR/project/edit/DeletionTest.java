@@ -21,7 +21,7 @@ import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.xml.ObjectClasses;
 import org.junit.Test;
 
-/** What others name can be deleted: what they have of it goes, too, and one undo brings back every byte. */
+/** Deleting an object removes all references to it, and one undo restores every byte. */
 public class DeletionTest extends EditedProject {
     private void add(String type, String name, Object... set) throws Exception {
         edit("do", "add", "type", type, "name", name, "to", "rover", "set", map(set));
@@ -33,7 +33,7 @@ public class DeletionTest extends EditedProject {
 
     // ---- every kind of reference -------------------------------------------------------------------------------------------
 
-    /** A robot in which something names something, what is deleted, and what is said then. */
+    /** A robot with a reference, the object to delete and the expected message. */
     private static final class Case {
         final String object;
         final String note;
@@ -50,7 +50,7 @@ public class DeletionTest extends EditedProject {
         void make() throws Exception;
     }
 
-    /** By class and parameter that names: {@code Arduino.wire.part}. */
+    /** Returns the cases by class and parameter of the reference: {@code Arduino.wire.part}. */
     private Map<String, Case> cases() {
         Map<String, Case> cases = new TreeMap<>();
         cases.put("SEARrobot.component", new Case("ping", null, () -> add("Distance", "ping", "beam", "laser")));
@@ -83,7 +83,7 @@ public class DeletionTest extends EditedProject {
         });
     }
 
-    /** The parameters that name parts, of an object or group. */
+    /** Adds the parameters of an object or group that refer to parts. */
     private static void addReferences(TreeSet<String> found, TreeSet<String> unknown, List<Object> all, Class<?> type, String path) {
         for (Parameter parameter : ParameterTable.of(type).getParameters()) {
             String name = path + "." + parameter.getName();

@@ -8,7 +8,7 @@ import org.SEAR.project.problems.ProjectException;
 import org.junit.Before;
 import org.junit.Rule;
 
-/** A project of its own for each test, and an editor of it. */
+/** A new project and its editor for each test. */
 public abstract class EditedProject {
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -31,7 +31,7 @@ public abstract class EditedProject {
         return map;
     }
 
-    /** Files of objects. */
+    /** Returns the files of objects. */
     Map<String, String> objects() throws IOException {
         Map<String, String> files = project.files();
         files.keySet().removeIf(file -> file.startsWith(".edits/"));

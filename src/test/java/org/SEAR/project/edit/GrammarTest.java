@@ -22,7 +22,7 @@ import org.SEAR.project.xml.ObjectClasses;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What pages are told of the grammar is all of it, and what they make with nothing but it is legal. */
+/** Pages receive the whole grammar, and objects made from it alone are legal. */
 public class GrammarTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

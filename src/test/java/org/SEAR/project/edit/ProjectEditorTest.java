@@ -24,7 +24,7 @@ import org.SEAR.project.problems.ProjectException;
 import org.junit.Test;
 import org.junit.function.ThrowingRunnable;
 
-/** Edits do what scripts do, refuse what files refuse, and all of them can be taken back. */
+/** Edits do what scripts do, reject what files may not have, and can all be undone. */
 public class ProjectEditorTest extends EditedProject {
     private String refusal(Object... pairs) {
         return assertThrows(ProjectException.class, () -> edit(pairs)).getMessage();
@@ -32,7 +32,7 @@ public class ProjectEditorTest extends EditedProject {
 
     // ---- like scripts ------------------------------------------------------------------------------------------------------
 
-    /** An object that a script still has can't bring back by its old name what has another one now, or is gone. */
+    /** An object that a script still holds can't recreate a renamed or deleted object under its old name. */
     @Test
     public void whatTheProjectHasNoMoreStaysGone() throws Exception {
         Box crate = new Box("crate", 1, 1, 1, 1);

@@ -11,15 +11,15 @@ import java.util.Map;
 import java.util.TreeSet;
 
 /**
- * Writes small files as Blender 2.79 does: a header, blocks of structures that point to each other by the addresses that they had in memory, and a
- * description of the structures (DNA1). Little-endian, 64-bit pointers.
+ * Writes small files like Blender 2.79: a header, blocks of structures that refer to each other by their former memory
+ * addresses, and a description of the structures (DNA1). Little-endian, 64-bit pointers.
  */
 final class BlendFile {
     private static final String HEADER = "BLENDER-v279";
     private static final int POINTER = 8;
     private static final long FIRST_ADDRESS = 0x10000;
     private static final Map<String, Integer> SIMPLE = new LinkedHashMap<>();
-    /** A structure a line: its name, then type and name of each field. */
+    /** One structure per line: its name, then type and name of each field. */
     private static final String[] STRUCTURES = {
         "ListBase void *first void *last",
         "ID void *next void *prev void *newid void *lib char name[66] short us int flag void *properties",
@@ -74,11 +74,10 @@ final class BlendFile {
     }
 
     /**
-     * A scene with one object, a mesh of polygons.
-     *
+     * Makes a scene with one object, a mesh of polygons.
      * @param corners x, y, z of each vertex in Blender's frame: z up, y forward
      * @param polygons the vertex numbers of each polygon
-     * @param place where the object stands, in Blender's frame
+     * @param place position of the object in Blender's frame
      */
     static byte[] mesh(float[] corners, int[][] polygons, float[] place) {
         BlendFile file = new BlendFile();
@@ -86,8 +85,7 @@ final class BlendFile {
     }
 
     /**
-     * The same object, but its mesh is in another file.
-     *
+     * Makes the same object with its mesh in another file.
      * @param path of that file, as Blender writes it
      */
     static byte[] linked(String path) {
@@ -216,7 +214,7 @@ final class BlendFile {
         out.put(new byte[(4 - out.position() % 4) % 4]);
     }
 
-    /** Structures of one type, one behind the other. */
+    /** Consecutive structures of one type. */
     private final class Block {
         private final String code;
         private final String type;
@@ -232,13 +230,13 @@ final class BlendFile {
             this.bytes = little(sizes.get(type) * count);
         }
 
-        /** The bytes from a field on. */
+        /** Returns the bytes from a field on. */
         ByteBuffer at(int index, String field) {
             bytes.position(index * sizes.get(type) + offsets.get(type).get(field));
             return bytes;
         }
 
-        /** Names what starts with an ID. */
+        /** Names a structure that starts with an ID. */
         Block name(String name) {
             bytes.position(offsets.get("ID").get("name"));
             bytes.put(name.getBytes(StandardCharsets.US_ASCII));

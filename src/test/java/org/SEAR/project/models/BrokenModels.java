@@ -17,16 +17,16 @@ import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
 import java.util.zip.GZIPOutputStream;
 
-/** Models and pictures that are broken in one way each, and what is said of them. */
+/** Models and pictures with one error each, and their messages. */
 public final class BrokenModels {
     static final ModelFiles TRIANGLE = new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 2}, 1, 0, -3);
 
-    /** Name of the file: content. */
+    /** File content by file name. */
     public final Map<String, byte[]> files = new LinkedHashMap<>();
-    /** Name of the file: a part of the message. */
+    /** Part of the message by file name. */
     public final Map<String, String> messages = new LinkedHashMap<>();
 
-    /** Models. */
+    /** Returns broken models. */
     public static BrokenModels models() throws IOException {
         BrokenModels all = new BrokenModels();
         all.obj();
@@ -40,7 +40,7 @@ public final class BrokenModels {
         return all;
     }
 
-    /** Pictures. */
+    /** Returns broken pictures. */
     public static BrokenModels pictures() throws IOException {
         BrokenModels all = new BrokenModels();
         all.hugePictures();
@@ -209,7 +209,7 @@ public final class BrokenModels {
         put("another.mesh.xml", "<html><body/></html>", "");
     }
 
-    /** With another number of objects, which stands behind the classes. */
+    /** Changes the number of objects, which follows the list of classes. */
     private static byte[] withObjects(byte[] j3o, int count) {
         ByteBuffer in = ByteBuffer.wrap(j3o.clone());
         in.position(8);
@@ -294,7 +294,7 @@ public final class BrokenModels {
         put("empty.png", "", "the file's size is 0, legal: 1 to");
     }
 
-    /** One whose rows are all zero, so that a few kilobytes are as many pixels as wanted. */
+    /** Returns a PNG with rows of zeros, so that some kilobytes hold any number of pixels. */
     static byte[] png(int width, int height) throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         out.write(new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'});
@@ -326,7 +326,7 @@ public final class BrokenModels {
         return gif;
     }
 
-    /** Its head says how much data follows, without which newer Javas don't read the size. */
+    /** Its header states the length of the data; newer Javas do not read the size without it. */
     private static byte[] bmp() {
         return ByteBuffer.allocate(54).order(ByteOrder.LITTLE_ENDIAN).put((byte) 'B').put((byte) 'M').putInt(54 + 12_000 * 8_000 * 3).putInt(0)
             .putInt(54).putInt(40).putInt(12_000).putInt(8_000).putShort((short) 1).putShort((short) 24).putInt(0).putInt(0).array();

@@ -29,7 +29,10 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Each broken model and picture is a problem with the object's file, its field and what is wrong, before anything is made of it. */
+/**
+ * Each broken model and picture is a problem with the object's file, its field and the error, found before anything is
+ * made from it.
+ */
 @Category(Slow.class)
 public class BrokenModelsTest {
     private static final String INDICES = "\"indices\":1";
@@ -43,7 +46,7 @@ public class BrokenModelsTest {
         Files.write(file, bytes);
     }
 
-    /** What is said of a world with this one object. */
+    /** Returns the messages for a world with this one object. */
     private String problem(String object) throws Exception {
         project.put("environment/o.xml", object);
         try (Simulation made = Simulation.load(project.folder(), 1)) {
@@ -115,7 +118,7 @@ public class BrokenModelsTest {
         }
     }
 
-    /** Many a model is handed on without its pictures. */
+    /** Models are often passed on without their pictures. */
     @Test
     public void aModelWithoutItsPicturesIsPlainAndAWarning() throws Exception {
         asset("noise.png", new byte[100]);
@@ -147,7 +150,7 @@ public class BrokenModelsTest {
         assertOneWarning("m.obj", "its materials m.mtl are left out: there is no such file in assets");
     }
 
-    /** A .glb with other JSON. */
+    /** Returns a .glb with changed JSON. */
     private static byte[] glb(byte[] whole, UnaryOperator<String> change) {
         ByteBuffer in = ByteBuffer.wrap(whole).order(ByteOrder.LITTLE_ENDIAN);
         int data = 20 + in.getInt(12);
@@ -157,7 +160,7 @@ public class BrokenModelsTest {
             .put(json).put(whole, data, whole.length - data).array();
     }
 
-    /** Two objects of one model are one warning, and the window shows it, too. */
+    /** Two objects of one model cause one warning, which the window also shows. */
     private void assertOneWarning(String file, String... words) throws Exception {
         project.put("environment/o.xml", model(file, 0));
         project.put("environment/p.xml", model(file, 0).replace("<name>o", "<x>5</x><name>p"));

@@ -9,7 +9,7 @@ import com.jme3.util.TempVars;
 import java.util.concurrent.ExecutionException;
 import org.junit.Test;
 
-/** A thread on which loads of models have failed can load the next one. */
+/** A thread whose model loads failed can load the next model. */
 public class EngineThreadTest {
     @Test
     public void whatALoaderTookAndDidNotGiveBackIsNotMissed() throws Exception {

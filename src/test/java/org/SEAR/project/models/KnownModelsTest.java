@@ -16,7 +16,7 @@ import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What was loaded of a model is used again while its files are the same, and not longer. */
+/** Loaded models are reused as long as their files are the same. */
 public class KnownModelsTest {
     private static final String CORNERS = "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n";
 
@@ -29,7 +29,7 @@ public class KnownModelsTest {
         return ModelLoader.withoutPictures(new Assets(folder.resolve("assets")), warnings::add).triangles(model);
     }
 
-    /** As loadProject does: the start finds what the check has loaded, though the folder is renamed between them. */
+    /** Like loadProject: the start uses the models loaded by the check, although the folder is renamed in between. */
     @Test
     public void whatIsCheckedIsNotLoadedAgain() throws Exception {
         project.put("assets/m.obj", CORNERS);
@@ -46,7 +46,7 @@ public class KnownModelsTest {
         project.put("assets/m.obj", CORNERS);
         Model model = new Model("m", "m.obj");
         load(project.folder(), model);
-        project.put("assets/m.obj", CORNERS.replace('2', '3').replace("f 1 3 3", "f 1 2 3"));       // as long, and within the clock's grain
+        project.put("assets/m.obj", CORNERS.replace('2', '3').replace("f 1 3 3", "f 1 2 3"));       // the same length, within the clock's resolution
         assertEquals(3, load(project.folder(), model).vertices[7], 0);
         Triangles before = load(project.folder(), model);
         project.put("assets/beside.bin", "it may be a part of the model");

@@ -15,7 +15,7 @@ import java.nio.file.Path;
 import java.util.Base64;
 import org.SEAR.project.ProjectRule;
 
-/** Writes one solid in any of the formats of models. */
+/** Writes one solid in any of the model formats. */
 final class ModelFiles {
     private final float[] corners;
     private final int[] indices;
@@ -23,8 +23,8 @@ final class ModelFiles {
 
     /**
      * @param corners x, y, z of each vertex
-     * @param indices three vertex numbers a triangle
-     * @param place the solid is moved by this: by a node where the format has nodes, else by its vertices
+     * @param indices three vertex numbers per triangle
+     * @param place offset of the solid, set in a node if the format has nodes, else in the vertices
      */
     ModelFiles(float[] corners, int[] indices, float... place) {
         this.corners = corners;
@@ -34,7 +34,6 @@ final class ModelFiles {
 
     /**
      * Writes {@code assets/m.ENDING} into a project.
-     *
      * @return the path for {@code Model}
      */
     String put(ProjectRule project, String ending) throws IOException {
@@ -147,7 +146,7 @@ final class ModelFiles {
         return glb.putInt(buffer.length).putInt(0x004e4942).put(buffer).array();
     }
 
-    /** In Blender z points up and -y to where +z is here. */
+    /** In Blender z points up, and -y is SEAR's +z. */
     private byte[] blend() {
         float[] turned = new float[corners.length];
         for (int i = 0; i < corners.length; i += 3) {

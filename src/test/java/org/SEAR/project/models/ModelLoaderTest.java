@@ -30,7 +30,7 @@ import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Every format, from files that the test makes: one triangle (0,0,0) (1,0,0) (0,2,0), moved by (1, 0, -3). */
+/** Every format, with files that the test makes: one triangle (0,0,0) (1,0,0) (0,2,0), moved by (1, 0, -3). */
 public class ModelLoaderTest {
     private static final double[] MOVED = {1, 0, -3, 2, 0, -3, 1, 2, -3};
 
@@ -56,7 +56,7 @@ public class ModelLoaderTest {
         Files.write(project.folder().resolve(file), bytes);
     }
 
-    /** As threads of Python 3 in whose process Java runs. */
+    /** Threads of a Python 3 process that runs Java inside have no class loader. */
     @Test
     public void aThreadWithoutClassLoaderFindsTheModelsThatComeWithSear() throws Exception {
         ClassLoader before = Thread.currentThread().getContextClassLoader();
@@ -68,7 +68,7 @@ public class ModelLoaderTest {
         }
     }
 
-    /** A polygon becomes as many triangles as it takes, none outside of it: their areas and the polygon's are the same. */
+    /** A polygon splits into the expected number of triangles without overlap: the areas are equal. */
     private void assertWhole(String obj, int triangles, double area) throws Exception {
         project.put("assets/polygon.obj", obj);
         Triangles made = load(new Model("polygon", "polygon.obj"));
@@ -138,7 +138,7 @@ public class ModelLoaderTest {
         assertEquals(5, area, 1e-5);
     }
 
-    /** Of a triangle that stands in the plane z = -5. */
+    /** Returns the area of a triangle in the plane z = -5. */
     private static double area(Triangles triangles, int first) {
         double[] x = new double[3];
         double[] y = new double[3];
@@ -234,7 +234,10 @@ public class ModelLoaderTest {
         assertEquals("linked.blend", model.getPath());
     }
 
-    /** Its last access was set to long ago, so that systems that note reads only now and then note the next. */
+    /**
+     * Returns the last access time after setting it far back, because systems with lazy access times then record the
+     * next read.
+     */
     private static FileTime lastRead(Path file) throws IOException {
         Files.getFileAttributeView(file, BasicFileAttributeView.class).setTimes(null, FileTime.fromMillis(0), null);
         return Files.readAttributes(file, BasicFileAttributes.class).lastAccessTime();

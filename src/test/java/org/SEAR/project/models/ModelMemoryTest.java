@@ -18,7 +18,10 @@ import org.junit.experimental.categories.Category;
 import org.myrobotlab.embedded.Json;
 import org.myrobotlab.service.sear.panel.Preview;
 
-/** A thread that lives long makes many worlds: nothing of their models stays. {@code -Dsear.starts=1000} for so many of them. */
+/**
+ * A long-lived thread makes many worlds, and none of their models stays in memory. {@code -Dsear.starts=1000} sets
+ * their number.
+ */
 @Category(Slow.class)
 public class ModelMemoryTest {
     private static final int STARTS = Integer.getInteger("sear.starts", 20);
@@ -33,7 +36,10 @@ public class ModelMemoryTest {
             .mapToLong(BufferPoolMXBean::getMemoryUsed).sum();
     }
 
-    /** Direct memory once what nobody holds is gone: until enough is, or several collections in a row found no more. */
+    /**
+     * Returns the direct memory after garbage collection, once it is at most {@code enough} or several collections
+     * freed no more.
+     */
     private static long held(long enough) {
         long least = direct();
         for (int idle = 0; idle < IDLE_COLLECTIONS && least > enough; idle++) {
@@ -47,7 +53,7 @@ public class ModelMemoryTest {
         return least;
     }
 
-    /** 45000 triangles. */
+    /** Adds a ground of 45000 triangles. */
     private void haveGround() throws Exception {
         int side = 150;
         float[] corners = new float[side * side * 3];
@@ -84,7 +90,7 @@ public class ModelMemoryTest {
         });
     }
 
-    /** The tab makes the world anew each time that a file has changed. */
+    /** The tab rebuilds the world after each change of a file. */
     @Test
     public void manyPreviewsHoldNoMoreDirectMemoryThanOne() throws Exception {
         haveGround();

@@ -21,8 +21,8 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * Models of every format stand in the simulated world where their files and objects say: seen and hit within a millimetre of their triangles.
- * What the beams should measure comes from the triangles by Cramer's rule, without any of SEAR's code.
+ * Models of every format in the simulated world: beams and contacts find them within a millimetre of their triangles.
+ * Cramer's rule gives the expected ranges, independently of SEAR's code.
  */
 @Category(Slow.class)
 public class ModelsInTheWorldTest {
@@ -32,7 +32,7 @@ public class ModelsInTheWorldTest {
     private static final double NOSE = 0.16;
     private static final double HALF_HEIGHT = 0.0381;
     private static final double HEAVY = 2000;
-    /** A wedge as of a doorstop, no two sides alike: 3 wide, 1 high, its front leans back. */
+    /** A wedge like a doorstop without equal sides: 3 wide, 1 high, its front tilted back. */
     private static final float[] WEDGE = {-1, 0, -0.3f, 2, 0, -0.3f, 2, 0, 0.6f, -1, 0, 0.6f, -1, 1, 0.2f, 2, 1, 0.4f};
     private static final int[] WEDGE_TRIANGLES = {0, 1, 2, 0, 2, 3, 0, 4, 5, 0, 5, 1, 3, 2, 5, 3, 5, 4, 0, 3, 4, 1, 5, 2};
     /** A block with its front at z = -0.25. */
@@ -40,7 +40,7 @@ public class ModelsInTheWorldTest {
         0.25f, -1, 0.4f, 0.25f};
     private static final int[] BLOCK_TRIANGLES = {0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6, 0, 5, 1, 0, 4, 5, 3, 2, 6, 3, 6, 7, 0, 3, 7, 0, 7, 4, 1, 6,
         2, 1, 5, 6};
-    /** A plain that rises to a hill at its far end: 12 by 8, from height 0 to 2. */
+    /** A plain that rises to a hill at its far end: 12 by 8, height 0 to 2. */
     private static final float[] HILL = {-6, 0, -4, 6, 0, -4, -6, 0, 2, 6, 0, 2, -6, 2, 4, 6, 2, 4};
     private static final int[] HILL_TRIANGLES = {0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3};
 
@@ -68,7 +68,7 @@ public class ModelsInTheWorldTest {
         }
     }
 
-    /** The corners as they stand in the world: scaled, turned about y, moved. */
+    /** Returns the corners in the world: scaled, turned about y, moved. */
     private static double[] placed(float[] corners, double scale, double heading, double... place) {
         double sin = Math.sin(Math.toRadians(heading));
         double cos = Math.cos(Math.toRadians(heading));
@@ -95,7 +95,7 @@ public class ModelsInTheWorldTest {
         return new double[] {corners[index * 3], corners[index * 3 + 1], corners[index * 3 + 2]};
     }
 
-    /** How far it is along a ray to the nearest of the triangles. */
+    /** Returns the distance along a ray to the nearest triangle. */
     private static double nearest(double[] corners, int[] triangles, double[] from, double[] direction) {
         double nearest = Double.POSITIVE_INFINITY;
         double[] back = {-direction[0], -direction[1], -direction[2]};
@@ -116,9 +116,8 @@ public class ModelsInTheWorldTest {
     }
 
     /**
-     * Compares each beam with the triangles; beams that pass an edge within a tenth of a degree may do either.
-     *
-     * @return beams that hit
+     * Compares each beam with the triangles. Beams within a tenth of a degree of an edge may hit or miss.
+     * @return the number of beams that hit
      */
     private static int assertSeen(String what, LidarScan scan, double[] corners, int[] triangles, double... eye) {
         int hits = 0;
@@ -168,9 +167,8 @@ public class ModelsInTheWorldTest {
     }
 
     /**
-     * Drives against something in front.
-     *
-     * @return where the point of the robot that is foremost is then
+     * Drives against an obstacle in front.
+     * @return final position of the robot's foremost point
      */
     private double stopped(double[]... points) throws Exception {
         try (Simulation simulation = Simulation.load(project.folder(), 1)) {

@@ -12,7 +12,7 @@ public final class MutableModels {
     private MutableModels() {
     }
 
-    /** By the ending of their names. */
+    /** Returns the models by file name extension. */
     public static TreeMap<String, byte[]> all() throws IOException {
         TreeMap<String, byte[]> all = new TreeMap<>();
         for (String ending : ModelLoader.ENDINGS) {
@@ -21,7 +21,7 @@ public final class MutableModels {
         return all;
     }
 
-    /** The triangles of a model in a project folder. */
+    /** Returns the triangles of a model in a project folder. */
     public static Triangles load(Path folder, Model model) throws IOException {
         return ModelLoader.withoutPictures(new Assets(folder.resolve("assets")), warning -> { }).triangles(model);
     }

@@ -12,14 +12,17 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
 import org.SEAR.grammar.TextRule;
 
-/** Legal objects of a class of the grammar: without all that is optional, with each parameter alone, and with as many as go together. */
+/**
+ * Legal objects of a class of the grammar: without optional parameters, with each parameter alone, and with as many as
+ * are legal together.
+ */
 final class EveryParameter {
     private static final List<Object> TEXTS = Arrays.asList("laser", "textures/brick.png", "#12ab34", "ttyX", "MT3329", "LMS291", "roomba400", "1");
     private static final List<Object> NUMBERS = Arrays.asList(0.5, 0.25, 2.5, 1.0, 45.0, 500.0, 9600.0);
     private static final List<Object> WHOLES = Arrays.asList(2, 1, 0, 12, 500, 19200);
     private static final int MOST_COMPANIONS = 3;
     private static final List<String> NUMBERS_THAT_OTHERS_NEED = List.of("mass", "fullWell");
-    /** Of a lens: more would fold its picture back. */
+    /** Coefficients of a lens; larger ones fold its picture. */
     private static final List<String> SMALL = List.of("p1", "p2");
 
     private final Class<?> type;
@@ -37,7 +40,7 @@ final class EveryParameter {
         }
     }
 
-    /** The objects; what no object has is found at {@link #never}. */
+    /** Returns the objects; {@link #never} has the parameters that none of them sets. */
     List<SearObject> objects() {
         List<SearObject> all = new ArrayList<>();
         Map<Parameter, Object> most = new LinkedHashMap<>();
@@ -63,12 +66,12 @@ final class EveryParameter {
         return all;
     }
 
-    /** {@code Type.parameter} of what can't be set at all. */
+    /** Returns {@code Type.parameter} of parameters that can't be set at all. */
     TreeSet<String> never() {
         return never;
     }
 
-    /** The values with as few others as make them legal; null if there are none. */
+    /** Returns the values with the fewest others that make them legal, or null. */
     private Map<Parameter, Object> whole(Map<Parameter, Object> values, int from, int more) {
         if (isLegal(make(values))) {
             return values;
@@ -105,7 +108,7 @@ final class EveryParameter {
         return faults.isEmpty();
     }
 
-    /** A legal value that is not the default; two of a list. */
+    /** Returns a legal value other than the default; for a list two values. */
     private Object another(Parameter parameter) {
         if (parameter.isList()) {
             List<Object> entries = new ArrayList<>();

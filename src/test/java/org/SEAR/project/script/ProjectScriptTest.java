@@ -43,7 +43,7 @@ import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.python.util.PythonInterpreter;
 
-/** Running a project's script in the embedded Jython gives the project's files to the byte. */
+/** A project's script, run in the embedded Jython, reproduces the project's files to the byte. */
 @Category(Slow.class)
 public class ProjectScriptTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
@@ -67,7 +67,7 @@ public class ProjectScriptTest {
         }
     }
 
-    /** The XML files of objects as SEAR writes them. */
+    /** Returns the XML files of objects. */
     private static Map<String, String> objects(Path folder) throws IOException {
         Map<String, String> files = new TreeMap<>(ProjectRule.files(folder));
         files.keySet().removeIf(name -> !name.matches("(environment|robot)/.*\\.xml"));
@@ -85,7 +85,7 @@ public class ProjectScriptTest {
         return files;
     }
 
-    /** Runs a project's script in an empty project that has the same assets and beams. */
+    /** Runs a project's script in an empty project with the same assets and beams. */
     private String checkSame(Path folder) throws Exception {
         String script = ProjectScript.of(Project.read(folder));
         Path again = fresh.newFolder().toPath().resolve("SEARproject");
@@ -137,7 +137,7 @@ public class ProjectScriptTest {
         assertTrue("objects: " + count, count > 200);
     }
 
-    /** Each in a function of its own, in one script. */
+    /** Runs one script with a function for each object. */
     private void checkSame(List<SearObject> wanted) throws Exception {
         StringBuilder script = new StringBuilder();
         Map<String, String> expected = new TreeMap<>();
@@ -229,7 +229,7 @@ public class ProjectScriptTest {
         assertTrue(checkSame(project.folder()).contains("one.setOwnFolder(\"drive\", True)"));
     }
 
-    /** What is legal only together with other objects. */
+    /** Objects that are legal only together with others. */
     @Test
     public void wiresMotorsServosAndCasters() throws Exception {
         SEARrobot robot = new SEARrobot("rover");

@@ -7,7 +7,7 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** The pins as the boards have them printed. */
+/** Pins as printed on the boards. */
 public class BoardModelTest {
     @Test
     public void namesOfPins() {

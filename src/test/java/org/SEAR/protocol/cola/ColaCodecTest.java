@@ -14,13 +14,13 @@ import org.SEAR.Fuzz;
 import org.SEAR.Golden;
 import org.junit.Test;
 
-/** Telegrams of CoLa A and B against recordings and the ones that SICK's drivers print. */
+/** Telegrams of CoLa A and B compared with recordings and with examples of SICK's drivers. */
 public class ColaCodecTest {
     private static final Golden COLA = Golden.of("cola");
-    /** What a real LMS1xx told of 21 beams from 10 degrees on. */
+    /** Scan of a real LMS1xx: 21 beams from 10 degrees on. */
     private static final String REAL_SCAN = "sRA LMDscandata 1 1 89A27F 0 0 343 347 27477BA9 2747813B 0 0 7 0 0 1388 168 0 1 DIST1 3F800000 00000000 "
         + "186A0 1388 15 8A1 8A5 8AB 8AC 8A6 8AC 8B6 8C8 8C2 8C9 8CB 8C4 8E4 8E1 8EB 8E0 8F5 908 8FC 907 906 0 0 0 0 0 0";
-    /** Of the real scan's fields 2 to 19: bytes in CoLa B. */
+    /** Lengths of the fields 2 to 19 of the real scan in CoLa B, bytes. */
     private static final int[] HEAD = {2, 2, 4, 1, 1, 2, 2, 4, 4, 1, 1, 1, 1, 2, 4, 4, 2, 2};
     private static final int BEAMS = 21;
 
@@ -125,7 +125,7 @@ public class ColaCodecTest {
         assertEquals(REAL_SCAN, read(copy(read(binary).get(0), ColaDialect.A)).get(0).toString());
     }
 
-    /** Value by value. */
+    /** Copies a telegram value by value. */
     private static byte[] copy(ColaTelegram from, ColaDialect dialect) throws ColaException {
         ColaPayload to = new ColaPayload(dialect).begin(from.getVerb(), from.getName());
         for (int size : HEAD) {
@@ -171,7 +171,7 @@ public class ColaCodecTest {
         assertEquals("broken off, wrong checksum and too long are left out", "sRN a;sRN b;", names.toString());
     }
 
-    /** For what a driver or a device makes of random bytes. */
+    /** Random bytes to a driver and to a device. */
     @Test
     public void randomBytesNeverStopAReader() {
         Random random = new Random(Fuzz.SEED);

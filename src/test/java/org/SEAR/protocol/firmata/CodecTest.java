@@ -13,7 +13,7 @@ import org.SEAR.Fuzz;
 import org.SEAR.Golden;
 import org.junit.Test;
 
-/** Messages as protocol.md, encoder.md, PingFirmata and johnny-five have them. */
+/** Messages as in protocol.md, encoder.md, PingFirmata and johnny-five. */
 public class CodecTest {
     private static final Golden FIRMATA = Golden.of("firmata");
     private static List<FirmataMessage> read(int most, String hex) {

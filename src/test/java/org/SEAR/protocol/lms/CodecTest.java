@@ -11,7 +11,7 @@ import org.SEAR.Bytes;
 import org.SEAR.Golden;
 import org.junit.Test;
 
-/** Payloads and codes of the LMS2xx as SICK's telegram listing prints them. */
+/** Payloads and codes of the LMS2xx, as printed in SICK's telegram listing. */
 public class CodecTest {
     private static final Golden LMS = Golden.of("lms200");
     private static final String ZEROS = " 00".repeat(21);

@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.SEAR.Bytes;
 
-/** Telegrams that a real LMS200 sent, from recordings of 2017. */
+/** Telegrams of a real LMS200, recorded in 2017. */
 public final class RealFrames {
     private RealFrames() {
     }
 
-    /** Each as it went over the line. */
+    /** Returns each telegram as it went over the line. */
     public static List<byte[]> frames() throws IOException {
         try (BufferedReader in = new BufferedReader(new InputStreamReader(RealFrames.class.getResourceAsStream("real-frames.txt"),
                 StandardCharsets.US_ASCII))) {
@@ -22,7 +22,7 @@ public final class RealFrames {
         }
     }
 
-    /** The telegrams of a command, read. */
+    /** Returns the decoded telegrams of a command. */
     public static List<Telegram> telegrams(int command) throws IOException {
         List<Telegram> found = new ArrayList<>();
         TelegramReader reader = new TelegramReader(address -> address >= 0x80, telegram -> {

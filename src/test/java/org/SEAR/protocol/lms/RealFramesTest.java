@@ -10,7 +10,7 @@ import java.util.List;
 import org.SEAR.Bytes;
 import org.junit.Test;
 
-/** What a real LMS200 sent is read whole, means what it says, and would be written again with the same bytes. */
+/** Telegrams of a real LMS200 are read whole, decoded correctly and encoded again with the same bytes. */
 public class RealFramesTest {
     private static final int STATUS_BYTE = 1;
 

@@ -15,7 +15,7 @@ import org.SEAR.Fuzz;
 import org.SEAR.Golden;
 import org.junit.Test;
 
-/** Telegrams are found in any stream of bytes, whole ones only. */
+/** Finds whole telegrams in any stream of bytes. */
 public class TelegramReaderTest {
     private static final Golden LMS = Golden.of("lms200");
     private static final String MODE_REPLY = LMS.get("mode changed");

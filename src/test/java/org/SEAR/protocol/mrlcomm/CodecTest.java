@@ -12,7 +12,7 @@ import org.SEAR.Fuzz;
 import org.SEAR.Golden;
 import org.junit.Test;
 
-/** Frames as MyRobotLab's schema of its messages has them. */
+/** Frames as in MyRobotLab's schema of messages. */
 public class CodecTest {
     private static final Golden MRL_COMM = Golden.of("mrlcomm");
     private final List<MrlMessage> found = new ArrayList<>();

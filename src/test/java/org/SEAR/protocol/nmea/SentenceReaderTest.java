@@ -9,7 +9,7 @@ import java.util.Random;
 import org.SEAR.Fuzz;
 import org.junit.Test;
 
-/** Sentences of real receivers are read, damaged ones left out. */
+/** Reads sentences of real receivers and skips damaged ones. */
 public class SentenceReaderTest {
     private static final String GGA = "$GPGGA,081436.000,5212.982135,N,00653.101394,E,1,3,2.88,102.907,M,47.093,M,,*5F";
     private static final String MT3329 = "$GPGGA,102128.000,5129.0623,N,00632.2910,E,1,4,1.31,29.7,M,47.4,M,,*6D";

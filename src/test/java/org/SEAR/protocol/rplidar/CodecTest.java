@@ -12,7 +12,7 @@ import org.SEAR.Bytes;
 import org.SEAR.Golden;
 import org.junit.Test;
 
-/** Slamtec's examples, frames of real devices, and such as drivers of others take. */
+/** Slamtec's examples, frames of real devices, and frames that third-party drivers accept. */
 public class CodecTest {
     private static final Golden RPLIDAR = Golden.of("rplidar");
     private static final double ANGLE = 1 / 64.0;

@@ -14,7 +14,7 @@ import org.SEAR.Fuzz;
 import org.SEAR.Golden;
 import org.junit.Test;
 
-/** Frames and their reader against frames of real receivers and of gpsd. */
+/** Frames and their reader compared with frames of real receivers and of gpsd. */
 public class UbxTest {
     private static final Golden UBX = Golden.of("ubx");
     /** From gpsd's log of a NEO-M8N, 2017-07-19. */
@@ -68,7 +68,7 @@ public class UbxTest {
         assertEquals(1, found.size());
     }
 
-    /** A frame that noise seems to begin ends in the midst of good ones, or says that it is 60000 bytes long; a lone byte is none. */
+    /** A false frame start in noise covers parts of good frames or claims 60000 bytes; a lone byte is not a frame. */
     @Test
     public void aDamagedFrameCostsNoGoodOne() {
         String wrongSum = FRAMES[2].substring(0, FRAMES[2].length() - 2) + "39";

@@ -10,12 +10,12 @@ import org.SEAR.geometry.Triangles;
 import org.SEAR.raycast.tree.Bvh;
 import org.junit.Test;
 
-/** Patches hold the triangles of a model, each once. */
+/** Patches contain each triangle of a model once. */
 public class PatchesTest {
     private int patches;
     private int corners;
 
-    /** A net of cells of two triangles each, of which some are missing. */
+    /** Returns a grid of cells with two triangles each, some of them missing. */
     private static Triangles net(int cells) {
         Random random = new Random(5);
         float[] vertices = new float[3 * (cells + 1) * (cells + 1)];
@@ -39,7 +39,7 @@ public class PatchesTest {
         return new Triangles(vertices, Arrays.copyOf(indices, n));
     }
 
-    /** Triangles that share nothing. */
+    /** Returns triangles that share nothing. */
     private static Triangles soup(int count) {
         int[] indices = new int[3 * count];
         Arrays.setAll(indices, i -> i);

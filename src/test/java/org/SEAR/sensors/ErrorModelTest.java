@@ -15,7 +15,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Errors have the statistics that their parameters say, and depend on seed, name and step alone. */
+/** Measurement errors have the statistics of their parameters and depend only on seed, name and step. */
 @Category(Slow.class)
 public class ErrorModelTest {
     @Rule

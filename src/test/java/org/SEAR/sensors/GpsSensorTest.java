@@ -13,7 +13,7 @@ import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** GPS against geodesics of the WGS84 ellipsoid and against the printed lengths of a degree. */
+/** GPS compared with geodesics of the WGS84 ellipsoid and with published lengths of a degree. */
 public class GpsSensorTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -21,7 +21,10 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** A sensor that reads the floor wherever nothing is nearer is named at the start, and all grounds can be hidden from beams at once. */
+/**
+ * A start warning names each sensor that reads the floor when nothing else is nearer. One call hides all grounds from
+ * beams.
+ */
 public class GroundCheckTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

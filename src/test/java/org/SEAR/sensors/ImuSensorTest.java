@@ -10,7 +10,7 @@ import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Attitude and what moves it, in axes forward, right and down; a robot without rotation looks east. */
+/** Attitude, acceleration and rotation in axes forward, right and down; an unrotated robot looks east. */
 public class ImuSensorTest {
     private static final double G = 9.81;
 
@@ -50,7 +50,7 @@ public class ImuSensorTest {
         }
     }
 
-    /** The tilt compensation that the firmware publishes. */
+    /** The tilt compensation published with the firmware. */
     @Test
     public void theFieldGivesTheYaw() {
         for (double[] turn : new double[][] {{0, 0, 0}, {-20, 0, 0}, {0, 0, 30}, {-20, 77, 0}, {10, -40, 25}}) {

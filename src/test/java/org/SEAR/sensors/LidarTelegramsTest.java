@@ -26,8 +26,8 @@ import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
 /**
- * The whole way from objects to bytes: a LIDAR on a robot among rotated boxes, cylinders and cones, asked by LMS200 telegrams; each value it
- * sends is held against beams marched through distance functions.
+ * The whole path from objects to bytes: a LIDAR on a robot among rotated boxes, cylinders and cones answers LMS200
+ * telegrams. Each value is compared with ray marching through distance functions.
  */
 public class LidarTelegramsTest {
     private static final long SEED = 20261121;
@@ -37,7 +37,7 @@ public class LidarTelegramsTest {
     private static final int NOTHING_HIT = 8191;
     private static final int TOO_FAR = 8183;
     private static final String SINGLE_SCAN = "02 00 02 00 30 01 31 18";
-    /** Request, values, first angle from the forward axis in degrees, degrees between values. */
+    /** Request, number of values, first angle from the forward axis in degrees, degrees between values. */
     private static final Object[][] VARIANTS = {
         {"02 00 05 00 3B 64 00 64 00 1D 0F", 101, -50.0, 1.0},
         {"02 00 05 00 3B B4 00 64 00 97 49", 181, -90.0, 1.0},
@@ -95,7 +95,7 @@ public class LidarTelegramsTest {
         assertTrue(hits + " beams hit, " + misses + " did not", hits > 500 && misses > 500);
     }
 
-    /** As CARMEN and others ask for it: 32 bytes of configuration with measuring mode 4 (16 m) and 6 (32 m). */
+    /** Requests like CARMEN's and others': 32 bytes of configuration with measuring mode 4 (16 m) and 6 (32 m). */
     @Test
     public void aPostBeyondEightMetresIsMeasuredInTheModesOfSixteenAndThirtyTwo() throws Exception {
         String zeros = " 00".repeat(21);
@@ -129,7 +129,7 @@ public class LidarTelegramsTest {
         }
     }
 
-    /** Objects anywhere but where the robot stands, the same in both worlds. */
+    /** Makes random objects away from the robot, the same in both worlds. */
     private MarchedWorld build(Random random) {
         MarchedWorld marched = new MarchedWorld();
         new Floor("floor", 30, 30, false).move(0, 0, 0);
@@ -178,9 +178,8 @@ public class LidarTelegramsTest {
     }
 
     /**
-     * Sends a request and answers the reply telegram without its ACK.
-     *
-     * @param length of the reply telegram in bytes
+     * Sends a request and returns the reply telegram without its ACK.
+     * @param length of the reply telegram, bytes
      */
     private byte[] ask(Simulation simulation, SerialLine line, String request, int length) {
         received.reset();

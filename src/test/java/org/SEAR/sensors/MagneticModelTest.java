@@ -17,7 +17,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** The magnetic field against the test values that NOAA publishes with the model. */
+/** The magnetic field compared with the test values that NOAA publishes with the model. */
 public class MagneticModelTest {
     private static final double PRINTED_NANOTESLA = 0.051;
     private static final double PRINTED_DEGREES = 0.00501;

@@ -7,10 +7,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.solid.RayRound;
 
-/**
- * A world of solids twice over: in a beam scene, and as exact distance functions along which a beam is marched. The two ways to a range
- * have nothing in common.
- */
+/** Solids both in a beam scene and as exact distance functions for ray marching. The two methods share no code. */
 final class MarchedWorld {
     private static final double CLOSE = 1e-7;
     private static final int STEPS = 200_000;
@@ -65,7 +62,7 @@ final class MarchedWorld {
         return value * value;
     }
 
-    /** Distance from a point of the (radius, y) half-plane to a segment in it. */
+    /** Returns the distance from a point of the (radius, y) half-plane to a segment in it. */
     private static double segment(double r, double y, double r1, double y1, double r2, double y2) {
         double t = ((r - r1) * (r2 - r1) + (y - y1) * (y2 - y1)) / (sq(r2 - r1) + sq(y2 - y1));
         double clamped = Math.max(0, Math.min(1, t));
@@ -86,7 +83,7 @@ final class MarchedWorld {
         }
     }
 
-    /** Puts every solid anywhere within a cube about the origin. */
+    /** Places every solid at random within a cube about the origin. */
     void scatter(Random random, double size) {
         for (Solid solid : solids) {
             move(solid.shape, pose(random, size));
@@ -119,7 +116,7 @@ final class MarchedWorld {
         return world;
     }
 
-    /** Range of a beam by marching: each step goes as far as nothing can be. */
+    /** Returns the range of a beam by ray marching: each step is as long as the distance to the nearest solid. */
     double march(double[] origin, double[] direction, double maxRange, int ignoredOwner) {
         double far = 0;
         for (int step = 0; step < STEPS && far <= maxRange; step++) {

@@ -10,7 +10,7 @@ import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** The odometer: whole millimetres, 16 bit, cleared by taking. */
+/** The odometer: whole millimetres, 16 bit, cleared by take. */
 public class OdometerSensorTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

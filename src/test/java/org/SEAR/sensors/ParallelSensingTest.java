@@ -19,7 +19,7 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Sensors that measure at the same time answer what they would one by one. */
+/** Sensors that measure in parallel return the same as one by one. */
 public class ParallelSensingTest {
     private static final double SPREAD = 180;
     private static final double RESOLUTION = 0.2;
@@ -41,7 +41,7 @@ public class ParallelSensingTest {
         workers.close();
     }
 
-    /** Fails with its name, if it is to. */
+    /** A sensor that fails with its name if its flag is set. */
     private final class Broken extends Sensor<LidarScan> {
         private final Throwable failure;
         private final int beams;

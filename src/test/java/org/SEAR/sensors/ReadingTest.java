@@ -17,7 +17,7 @@ import org.example.ThermometerSensor;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What readings say of themselves; the unit is the sensor type's. */
+/** Text, numbers and units of readings; the unit belongs to the sensor type. */
 public class ReadingTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -84,7 +84,7 @@ public class ReadingTest {
         assertEquals("35.1234568, -97.5000000 deg, 350.25 m", new GpsFix(35.12345678, -97.5, 350.25, 0, 0, 0).words("deg, deg, m"));
     }
 
-    /** All that a class of its own has to say. */
+    /** A reading class needs nothing besides its numbers. */
     @Test
     public void numbersAreEnough() {
         Reading two = () -> new double[] {1, 2.5};

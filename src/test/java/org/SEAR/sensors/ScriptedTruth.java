@@ -3,7 +3,7 @@ package org.SEAR.sensors;
 import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
 
-/** A truth that a test moves by hand, one step at a time. */
+/** Ground truth that a test moves step by step. */
 final class ScriptedTruth implements Truth {
     static final double STEP = 1 / 60.0;
     /** 2026-01-01T12:00:00Z. */
@@ -42,7 +42,7 @@ final class ScriptedTruth implements Truth {
         return true;
     }
 
-    /** The next step; the sensors see it. */
+    /** Advances one step and lets the sensors track it. */
     ScriptedTruth advance(Sensor<?>... sensors) {
         step++;
         for (Sensor<?> sensor : sensors) {

@@ -29,7 +29,7 @@ import org.SEAR.raycast.BeamScene;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Same seed, same bytes, whoever reads and whatever other sensors there are; reset is a fresh start. */
+/** The same seed gives the same bytes, independently of readers and other sensors. A reset is a fresh start. */
 public class SensorIndependenceTest {
     private static final int STEPS = 120;
 
@@ -45,7 +45,7 @@ public class SensorIndependenceTest {
         return objects;
     }
 
-    /** Its pictures come between two readings, so that they are made of the past. */
+    /** Makes a camera whose pictures fall between two readings, so that they are rendered from past states. */
     private static Camera camera(String name, String kind) {
         Camera camera = new Camera(name);
         camera.setKind(kind);
@@ -74,9 +74,8 @@ public class SensorIndependenceTest {
     }
 
     /**
-     * All readings of a drive by sensor name.
-     *
-     * @param every how many steps lie between two readings
+     * Returns all readings of a drive by sensor name.
+     * @param every number of steps between two readings
      */
     private static Map<String, String> run(List<Sensor<?>> sensors, int every) {
         ScriptedTruth truth = new ScriptedTruth();

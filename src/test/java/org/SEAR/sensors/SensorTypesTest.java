@@ -24,7 +24,7 @@ import org.example.OtherJar;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** The registry: SEAR's own sensors, and one that comes from another jar. */
+/** The registry: SEAR's own sensors, and one from another jar. */
 public class SensorTypesTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -18,10 +18,10 @@ import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Sensors on a Roomba that really drives: the whole simulation, headless. */
+/** Sensors on a driving Roomba in the whole simulation, headless. */
 public class SensorsInTheWorldTest {
     private static final double GRAVITY = 9.81;
-    /** What the simulator's damping takes from a fall of a quarter second, m/s^2. */
+    /** Deceleration by the simulator's damping during a fall of a quarter second, m/s^2. */
     private static final double AIR = 0.04;
 
     @Rule

@@ -50,7 +50,7 @@ public class SurfaceSensorsTest {
         return name;
     }
 
-    /** A plate that lies on the ground, whose middle is 0.05 m above it. */
+    /** Makes a plate on the ground, its middle 0.05 m above the ground. */
     private static void plate(SensorObject... sensors) {
         SEARrobot robot = new SEARrobot("plate");
         robot.addComponent(new Dynamics("dynamics", 4, 0, 0.05, 0, 0, 0, 0));
@@ -183,7 +183,7 @@ public class SurfaceSensorsTest {
         }
     }
 
-    /** What is more than half there, of a colour that is mixed between the centres of four pixels. */
+    /** Returns the dominant colour of a mixture from the centres of four pixels. */
     private static ColorReading mostly(Object reading) {
         ColorReading color = (ColorReading) reading;
         return new ColorReading(Math.round(color.getRed() / 255) * 255, Math.round(color.getGreen() / 255) * 255,
@@ -203,7 +203,7 @@ public class SurfaceSensorsTest {
         }
     }
 
-    /** Another robot's parts: a plain one, one with a picture, one that a servo turns away, and a wheel. */
+    /** Parts of another robot: a plain one, one with a picture, one that a servo turns away, and a wheel. */
     @Test
     public void partsOfOtherRobotsAreSeenWhereTheyAre() throws Exception {
         new Floor("floor", 9, 9).setColor("black");

@@ -16,7 +16,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** How early a device answers by the clock. What is held is counted in steps of the simulation, which a busy machine delays alike. */
+/** Response time of a device by the clock, in steps of the simulation, which a busy machine delays equally. */
 @Category(Slow.class)
 public class AnswersClockTest {
     private static final int QUESTIONS = 300;

@@ -19,7 +19,7 @@ public final class BodyRun implements AutoCloseable {
         simulation.getWorld().getPhysics().getBodies().forEach(body -> bodies.put(body.name, body));
     }
 
-    /** Runs so many simulated seconds, whole steps. */
+    /** Runs this many simulated seconds in whole steps. */
     public void run(double seconds) {
         Worlds.run(simulation, seconds);
     }
@@ -28,7 +28,7 @@ public final class BodyRun implements AutoCloseable {
         simulation.step();
     }
 
-    /** Simulated seconds. */
+    /** Returns simulated time, seconds. */
     public double time() {
         return simulation.getTime();
     }
@@ -41,24 +41,24 @@ public final class BodyRun implements AutoCloseable {
         return bodies.get(name);
     }
 
-    /** Bodies that the physics looks at now. */
+    /** Returns the number of awake bodies. */
     public int busy() {
         return simulation.getWorld().getPhysics().getBusyBodies();
     }
 
-    /** {vx, vy, vz, wx, wy, wz} of the centre of mass, world frame, m/s and rad/s. */
+    /** Returns {vx, vy, vz, wx, wy, wz} of the centre of mass, world frame, m/s and rad/s. */
     public double[] velocities(String name) {
         double[] v = new double[6];
         body(name).velocities(v);
         return v;
     }
 
-    /** Gives a body these velocities at once, world frame, m/s and rad/s. */
+    /** Sets the velocities of a body immediately, world frame, m/s and rad/s. */
     public void set(String name, double vx, double vy, double vz, double wx, double wy, double wz) {
         body(name).setVelocities(vx, vy, vz, wx, wy, wz);
     }
 
-    /** Puts a thing elsewhere while the world runs, as an edit does. */
+    /** Teleports an object while the world runs, as an edit does. */
     public void move(String name, Pose to) {
         simulation.move(name, to, to);
     }

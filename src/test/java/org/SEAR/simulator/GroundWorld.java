@@ -22,7 +22,7 @@ import org.SEAR.robot.VirtualWalls;
 import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
 
-/** A world on a ground that no object of the grammar describes. */
+/** A world on ground that no object of the grammar describes. */
 public final class GroundWorld {
     public final PhysicsWorld physics = new PhysicsWorld();
     final RaycastScenes scenes = new RaycastScenes(false);

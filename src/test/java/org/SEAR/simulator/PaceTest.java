@@ -6,7 +6,7 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** When steps are due, and what of the time between two of them has passed, by a clock that the test sets. */
+/** Due times of steps, and the elapsed fraction between two of them, by a clock that the test sets. */
 public class PaceTest {
     private static final long STEP = 16_666_666;
     private final Pace pace = new Pace();

@@ -23,7 +23,7 @@ import org.junit.Test;
 import org.junit.runner.RunWith;
 import org.junit.runners.Parameterized;
 
-/** Each example project, driven and asked the same: on every port and from every sensor come the bytes and numbers of the list. */
+/** Each example project with the same drive and queries: every port and sensor produces the listed checksums. */
 @RunWith(Parameterized.class)
 public class ProjectDigestsTest {
     private static final Path EXAMPLES = Path.of(System.getProperty("sear.root", "."), "examples");
@@ -31,11 +31,11 @@ public class ProjectDigestsTest {
     private static final int STEPS = 300;
     private static final int ASKED = 10;
     private static final int TURNED = 150;
-    /** From one look at all sensors to the next. */
+    /** Steps between two readings of all sensors. */
     private static final int LOOK = 20;
     /** Open Interface: start, safe, stream bumps, distance and angle. */
     private static final byte[] STREAM = Bytes.bytes("80 83 94 03 07 13 14");
-    /** Asks a scanner for scans, whichever it is: LMS200, CoLa, SCIP, RPLIDAR. */
+    /** Requests scans from any scanner: LMS200, CoLa, SCIP, RPLIDAR. */
     private static final List<byte[]> SCANS = List.of(Bytes.bytes("02 00 02 00 20 24 34 08"), ascii("\2sEN LMDscandata 1\3"),
         ascii("BM\nMS0044072501000\n"), Bytes.bytes("A5 20"));
 
@@ -63,7 +63,7 @@ public class ProjectDigestsTest {
         }
     }
 
-    /** Drives and asks an example with a seed. */
+    /** Drives and queries an example with a seed. */
     private static String run(Project example, long seed) throws Exception {
         MessageDigest all = Digests.sha256();
         try (Simulation simulation = Simulation.of(example, seed)) {

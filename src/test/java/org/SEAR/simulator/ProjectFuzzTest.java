@@ -23,8 +23,8 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * Projects whose files are changed at random, mostly their numbers, are refused with a message or make a world that steps, whose sensors can be read
- * and whose poses are numbers. An eighth as many as {@link Fuzz} says of other files.
+ * Projects with randomly changed files, mostly numbers. SEAR rejects them with a message, or makes a world that steps,
+ * with readable sensors and finite poses. It tries an eighth of the number of other files in {@link Fuzz}.
  */
 @Category(Slow.class)
 public class ProjectFuzzTest {

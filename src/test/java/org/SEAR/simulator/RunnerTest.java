@@ -20,7 +20,7 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** The simulation thread: pace, pause, questions, steps on request, end. */
+/** The simulation thread: pace, pause, queries, steps on request, end. */
 public class RunnerTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -14,7 +14,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** A simulation and the clock. What is held is a ratio within one run, or a bound that a busy machine can't break. */
+/** A simulation and the clock. Tests check a ratio within one run, or a bound that holds on a busy machine. */
 @Category(Slow.class)
 public class SimulationClockTest {
     @Rule
@@ -25,7 +25,7 @@ public class SimulationClockTest {
         new Floor("floor", 50, 50);
     }
 
-    /** Simulated seconds a second of the clock. */
+    /** Returns simulated seconds per second of the clock. */
     private double pace(double speed, double simulated) throws Exception {
         SimulationRunner runner = new SimulationRunner(Worlds.start(project));
         Thread thread = new Thread(runner, "simulation under test");

@@ -20,7 +20,7 @@ import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What a snapshot tells, and that it keeps nothing of the running world. */
+/** Content of a snapshot, which keeps no reference to the running world. */
 public class SnapshotTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -17,7 +17,7 @@ import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What is legal but hardly meant is told at the start, and nothing else is. */
+/** The start warns about legal but probably unintended values, and about nothing else. */
 public class StartWarningsTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -36,7 +36,7 @@ public class StartWarningsTest {
         }
     }
 
-    /** A robot whose springs are its maker's, and which stands on three wheels. */
+    /** Makes a robot with its own spring rate on three wheels. */
     private static SEARrobot threeWheels(double leftY, double rightY, double casterY) {
         SEARrobot robot = new SEARrobot("robot");
         robot.addComponent(new Dynamics("drive", 2, 1000, 0.5, 0.5, 10000, 0.02, 0, 0.15, 0, 0, 0, 0));

@@ -19,20 +19,20 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** The guard against getting slow: what a step has to do, in counts and bytes, not in times. */
+/** Guards against slowness: operations and bytes per step instead of times. */
 @Category(Slow.class)
 public class StepWorkTest {
     private static final int FIXED = 200;
     private static final int LOOSE = 40;
     private static final int STEPS = 300;
     private static final int TURNING_STEPS = 30;
-    /** Rounds of which the best counts: bytes get fewer once the compiler has found out what need not be made. */
+    /** Limit of rounds, of which the best counts: allocations shrink once the compiler has removed avoidable ones. */
     private static final int MOST_ROUNDS = 100;
 
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** The robot, on a circle of 1 m about the origin. */
+    /** Starts the robot on a circle of 1 m about the origin. */
     private Simulation circling() throws Exception {
         new Floor("floor", 80, 80);
         SEARrobot robot = Worlds.roomba("roomba", -1, 0, 0);
@@ -51,7 +51,7 @@ public class StepWorkTest {
         }
     }
 
-    /** Shapes moved and bodies looked at by the physics in some steps. */
+    /** Returns the number of shapes moved and of awake bodies during some steps. */
     private static long[] work(Simulation simulation) {
         BeamScene scene = simulation.getWorld().getRobots().get(0).truth().scene();
         long moves = scene.getMoves();
@@ -104,8 +104,8 @@ public class StepWorkTest {
     }
 
     /**
-     * @param scan bytes of the scan that is read after each step, 0 = none is read
-     * @param most bytes a step besides
+     * @param scan bytes of the scan read after each step; 0 for none
+     * @param most other bytes per step
      */
     private static void allocates(String what, Simulation simulation, long scan, long most) {
         com.sun.management.ThreadMXBean threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -124,7 +124,10 @@ public class StepWorkTest {
         assertTrue(what + ": " + least + " bytes a step, legal: " + most, least <= most);
     }
 
-    /** Turns of the contact solver in the first simulated half second of boxes that fall from a hand's breadth, two at a place or one. */
+    /**
+     * Returns the iterations of the contact solver in the first half second of boxes that fall from 10 cm, one or two
+     * at a place.
+     */
     private long turns(double[] places) throws Exception {
         new Floor("floor", 80, 80);
         for (int i = 0; i < places.length; i++) {
@@ -150,7 +153,7 @@ public class StepWorkTest {
         assertTrue("turns: " + turns, turns > 10 * 16 && turns <= 2 * 40 * TURNING_STEPS);
     }
 
-    /** Each turn is one over the wheels as well. */
+    /** Each iteration also covers the wheels. */
     @Test
     public void aBallOnARobotOfManyTimesItsMassIsSolvedWithFewTurns() throws Exception {
         new Floor("floor", 80, 80);

@@ -30,7 +30,7 @@ import org.SEAR.sensors.Reading;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** However many threads measure, the same comes out. */
+/** The results do not depend on the number of measuring threads. */
 public class ThreadsTest {
     private static final int LIDARS = 4;
     private static final int STEPS = 150;
@@ -109,7 +109,10 @@ public class ThreadsTest {
         }
     }
 
-    /** What comes out of a run: digests of readings, of each line's telegrams, of the record; and the pieces of work that were shared. */
+    /**
+     * Returns digests of the readings, of each line's telegrams and of the record, then the number of shared pieces of
+     * work.
+     */
     private List<String> run(int threads) throws Exception {
         Path record = project.getRoot().toPath().resolve("run" + threads + ".searlog");
         MessageDigest readings = Digests.sha256();
@@ -161,7 +164,7 @@ public class ThreadsTest {
         assertEquals(expected, run(4));
     }
 
-    /** Scanners that send all the time, and so many that it pays. */
+    /** Scanners that send all the time, enough of them for threads to pay off. */
     @Test
     public void scansOfDevicesAreMadeBesideEachOther() throws Exception {
         new Floor("floor", 50, 50);

@@ -21,7 +21,7 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What a world does with robots and objects that are out of the ordinary. */
+/** Worlds with unusual robots and objects. */
 public class WorldTest {
     private static final double STRAIGHT = Double.POSITIVE_INFINITY;
     private static final double FRONT = 0.1666875;

@@ -16,22 +16,21 @@ public final class Worlds {
     private Worlds() {
     }
 
-    /** The bodies of a simulation, which only it may move. */
+    /** Returns the physics of a simulation, whose bodies only the simulation may move. */
     public static PhysicsWorld physics(Simulation of) {
         return of.getWorld().getPhysics();
     }
 
-    /** A body by the name of its object or robot. */
     public static Body body(Simulation of, String name) {
         return physics(of).getBodies().stream().filter(body -> body.name.equals(name)).findFirst().orElseThrow();
     }
 
-    /** The robot of the dissertation's Listing 2, the right way up. */
+    /** Makes the robot of the dissertation's Listing 2, upright. */
     public static SEARrobot roomba(String name, double x, double z, double heading) {
         return roomba(name, 400, x, z, heading);
     }
 
-    /** The same of another mass, kg: what is much lighter than a robot that touches it takes the solver long. */
+    /** Makes the robot with another mass, kg. Contacts with much lighter bodies need many solver iterations. */
     public static SEARrobot roomba(String name, double mass, double x, double z, double heading) {
         SEARrobot robot = new SEARrobot(name);
         robot.addComponent(new Dynamics(name + "Dynamics", mass, 60, 0.3, 0.4, 10000, 0.1, x, 0.1, z, 0, heading, 0));
@@ -43,7 +42,9 @@ public final class Worlds {
         return robot;
     }
 
-    /** A box-shaped robot of any size with wheels at (+-halfTrack, 0, z) and one idler at (0, 0, idlerZ) unless that is 0. */
+    /**
+     * Makes a box-shaped robot with wheels at (+-halfTrack, 0, z) and an idler at (0, 0, idlerZ) unless idlerZ is 0.
+     */
     public static SEARrobot cart(String name, double mass, double radius, double halfTrack, double[] axles, double idlerZ,
             double x, double z, double heading) {
         SEARrobot robot = new SEARrobot(name);

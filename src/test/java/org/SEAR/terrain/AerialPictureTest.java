@@ -16,7 +16,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** Pictures from above that say where they lie. */
+/** Aerial pictures with their own georeference. */
 @Category(Slow.class)
 public class AerialPictureTest {
     private static final int[] UTM = {1, 1, 0, 2, 1024, 0, 1, 1, 3072, 0, 1, 32632};
@@ -30,7 +30,10 @@ public class AerialPictureTest {
         assets = new Assets(folder.getRoot().toPath());
     }
 
-    /** Red grows to the east, green to the south, on the central meridian of UTM 32, where the grid's north is true. */
+    /**
+     * Makes a picture in which red grows to the east and green to the south, on the central meridian of UTM 32, where
+     * grid north is true north.
+     */
     private static TiffMaker picture(int side, int samples) {
         byte[] pixels = new byte[side * side * samples];
         for (int i = 0; i < side * side; i++) {

@@ -6,7 +6,7 @@ import static org.junit.Assert.assertTrue;
 
 import org.junit.Test;
 
-/** Gaps in a map are filled from around. */
+/** Gaps in a map are filled from their surroundings. */
 public class GapFillTest {
     private static final int SIDE = 64;
 

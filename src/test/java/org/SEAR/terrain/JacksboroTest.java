@@ -11,7 +11,10 @@ import java.util.Collections;
 import org.SEAR.files.Assets;
 import org.junit.Test;
 
-/** Real heights in three formats and two coordinate systems, against what GDAL reads of them: USGS, SRTM, the Jacksboro fault. */
+/**
+ * Real elevations in three formats and two coordinate systems, compared with GDAL's values: USGS, SRTM, the Jacksboro
+ * fault.
+ */
 public class JacksboroTest {
     private static final Path FOLDER = Paths.get(System.getProperty("sear.root", "."), "src/test/resources/org/SEAR/terrain");
     private static final Assets ASSETS = new Assets(FOLDER);

@@ -29,7 +29,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** Files with bytes changed, cut out and doubled: either they are read or refused with a message, and nothing else happens. */
+/** Files with changed, removed and doubled bytes are either read or rejected with a message. */
 @Category(Slow.class)
 public class MapFuzzTest {
     private static final int TRIES = HowMany.of("sear.fuzzMaps", 300);
@@ -65,7 +65,7 @@ public class MapFuzzTest {
         return files;
     }
 
-    /** Small parts of large maps, which are loaded quickly. */
+    /** Returns small parts of large maps, which load quickly. */
     private static TerrainArea area(String name) {
         TerrainArea all = TerrainArea.of(name, Collections.emptyList());
         return name.equals("utm.tif") || name.endsWith(".zip") ? all.around(36.55, -84.25, 2000, 2000)
@@ -74,7 +74,7 @@ public class MapFuzzTest {
 
     private byte[] changed(byte[] whole) {
         byte[] bytes = whole.clone();
-        // the tables of a TIFF and the head of a grid are at either end
+        // the tables of a TIFF and the header of a grid are at either end
         int reach = random.nextBoolean() ? bytes.length : Math.min(bytes.length, 600);
         for (int i = random.nextInt(4); i >= 0; i--) {
             int at = random.nextBoolean() ? random.nextInt(reach) : bytes.length - 1 - random.nextInt(reach);

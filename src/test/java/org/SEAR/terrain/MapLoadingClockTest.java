@@ -14,7 +14,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** A tile of 3601 x 3601 posts is loaded in less than 3 s of one core, and takes less than 16 bytes a post. */
+/** A tile of 3601 x 3601 samples loads in less than 3 s of one core and takes less than 16 bytes per sample. */
 @Category(Slow.class)
 public class MapLoadingClockTest {
     private static final int SIDE = 3601;

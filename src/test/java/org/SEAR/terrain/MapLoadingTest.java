@@ -23,7 +23,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** Maps become the ground of a world: areas, tiles, gaps, sizes, pictures, and what is said of what can't. */
+/** Maps as the ground of a world: areas, tiles, gaps, sizes, pictures, and messages for invalid input. */
 public class MapLoadingTest {
     private static final double STEP = 0.001;
 
@@ -44,7 +44,7 @@ public class MapLoadingTest {
         write(name, text.getBytes(StandardCharsets.ISO_8859_1));
     }
 
-    /** A map whose posts' heights come from their column and row counted from longitude 8, latitude 47. */
+    /** Writes a map whose elevations follow from column and row, counted from longitude 8, latitude 47. */
     private void tile(String name, int column, int row, int columns, int rows, IntBinaryOperator height) throws IOException {
         int[] heights = new int[rows * columns];
         for (int i = 0; i < heights.length; i++) {
@@ -66,7 +66,7 @@ public class MapLoadingTest {
         assertTrue(e.getMessage(), e.getMessage().contains(message));
     }
 
-    /** Latitude of the centre of a pixel's row. */
+    /** Returns the latitude of the centre of a pixel's row. */
     private static double latitude(double row) {
         return 47 - (row + 0.5) * STEP;
     }
@@ -87,7 +87,7 @@ public class MapLoadingTest {
         assertTrue(ground.field.lowX <= -500 && ground.field.x(ground.field.rows - 1) >= 500 && ground.field.lowX > -520);
         assertTrue(ground.field.lowZ <= -400 && ground.field.z(ground.field.columns - 1) >= 400 && ground.field.lowZ > -420);
         assertTrue(Double.isNaN(ground.height(latitude(40), longitude(30))));
-        // 111.17 m north are one row less
+        // 111.17 m north is one row less
         assertEquals(-5, ground.field.height(111.17, 0), 0.01);
     }
 

@@ -23,12 +23,12 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** Ground that is cut into tiles is the ground that it would be in memory; here some thousand posts count as too many. */
+/** Ground cut into tiles equals the ground in memory; here some thousand samples already count as too many. */
 public class PagedGroundTest {
     private static final double STEP = 0.001;
     private static final int FEW = 2000;
     private static final int MANY = 16_000_000;
-    /** A height in the middle between posts that each have been moved by up to 24 binary places of a metre. */
+    /** Tolerance of an elevation between samples, each shifted by up to 2^-24 m. */
     private static final double MOVED = 1e-4;
 
     @Rule
@@ -156,7 +156,7 @@ public class PagedGroundTest {
         assertTrue(ground.heights instanceof HeightTiles);
         boolean windows = System.getProperty("os.name").startsWith("Windows");
         long end = System.nanoTime() + TimeUnit.MINUTES.toNanos(1);
-        while (isThereOne() && System.nanoTime() < end) {    // that of another JVM has its name for a moment
+        while (isThereOne() && System.nanoTime() < end) {    // another JVM's file has its name for a moment
             Thread.onSpinWait();
         }
         assertTrue(windows || !isThereOne());

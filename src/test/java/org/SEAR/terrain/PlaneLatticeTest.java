@@ -7,7 +7,7 @@ import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.terrain.format.Georeference;
 import org.junit.Test;
 
-/** The way from the world to a map, exact at few posts and interpolated between, is nowhere far from the exact one. */
+/** The interpolated conversion from world to map, exact at a few grid points, stays near the exact one everywhere. */
 public class PlaneLatticeTest {
     private static void within(double metres, String system, Georeference place, GeoOrigin origin, double size, double spacing) throws IOException {
         MapPlane plane = MapPlane.onEarth(origin, new MapSystem("map", system), place, place.x0);

@@ -26,7 +26,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** Maps that GDAL writes, in many encodings and projections, against what GDAL reads of them. */
+/** Maps that GDAL writes, in many encodings and projections, compared with GDAL's own values. */
 @Category(Slow.class)
 public class RasterioTest {
     private static final int MAPS = 34;

@@ -18,7 +18,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** The colours that a terrain has of its own. */
+/** Default colours of a terrain. */
 public class TerrainColorsTest {
     private static final int RED = 0xffff0000;
     private static final int BLUE = 0xff0000ff;
@@ -38,7 +38,7 @@ public class TerrainColorsTest {
         ground = TerrainLoader.load(TerrainArea.of("terrain/jacksboro.tif", java.util.List.of()).around(36.485, -84.2308, 2000, 1000), assets);
     }
 
-    /** Red in the north-west, blue elsewhere. */
+    /** Writes a picture: red in the north-west, blue elsewhere. */
     private void paint(String name) throws IOException {
         BufferedImage image = new BufferedImage(100, 200, BufferedImage.TYPE_INT_RGB);
         for (int i = 0; i < 100 * 200; i++) {

@@ -11,7 +11,7 @@ import java.nio.file.Paths;
 import java.util.Collections;
 import org.SEAR.files.Assets;
 
-/** Writes a GeoTIFF as large as one likes: the mountains of Jacksboro, mirrored again and again, a height each arc second. */
+/** Writes a GeoTIFF of any size: the mountains of Jacksboro, mirrored repeatedly, one sample per arc second. */
 public final class WideMap {
     private static final int SHORT = 3;
     private static final int LONG = 4;
@@ -22,7 +22,7 @@ public final class WideMap {
     private final int side;
     private final MapRaster real;
 
-    /** @param side posts from north to south, and from west to east */
+    /** @param side samples from north to south, and from west to east */
     public WideMap(int side) throws IOException {
         this.side = side;
         Assets assets = new Assets(Paths.get(System.getProperty("sear.root", "."), "resources/org/SEAR/assets"));
@@ -31,24 +31,24 @@ public final class WideMap {
         }
     }
 
-    /** The height of a post, metres; rows from the north, columns from the west. */
+    /** Returns the elevation of a sample, metres; rows from the north, columns from the west. */
     public int height(int row, int column) {
         int r = row % (2 * real.rows);
         int c = column % (2 * real.columns);
         return (int) real.heights[(r < real.rows ? r : 2 * real.rows - 1 - r) * real.columns + (c < real.columns ? c : 2 * real.columns - 1 - c)];
     }
 
-    /** Latitude of a row of posts, degrees. */
+    /** Returns the latitude of a row of samples, degrees. */
     public static double latitude(double row) {
         return 38 - (row + 0.5) * STEP;
     }
 
-    /** Longitude of a column of posts, degrees. */
+    /** Returns the longitude of a column of samples, degrees. */
     public static double longitude(double column) {
         return -86 + (column + 0.5) * STEP;
     }
 
-    /** Writes it, not compressed. */
+    /** Writes the file uncompressed. */
     public void write(Path path) throws IOException {
         int strips = (side - 1) / STRIP + 1;
         int head = 2 + 12 * 13 + 4;

@@ -21,17 +21,20 @@ import org.SEAR.view.scene.ConeView;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** Lines around what cameras see, and the picture of one in the corner of the window, in this process and in one of its own. */
+/** View lines of cameras, and a camera's picture in the corner of the window, in this process and in a separate one. */
 @RunWith(UnderXvfb.class)
 public class CameraInTheWindowTest {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 400;
     private static final int COLORS = 0xffffff;
     private static final int BLUE = 0xff;
-    /** Pixels of the picture in that quarter, at least. */
+    /** Least number of matching pixels. */
     private static final int MUCH = 10_000;
 
-    /** A robot with an eye for temperatures and one for depths before a red wall that fills their pictures: all of it is as warm, so blue. */
+    /**
+     * Makes a robot with a thermal and a depth camera before a red wall that fills their pictures. The wall has one
+     * temperature, so its picture is blue.
+     */
     private static Path project() throws Exception {
         Path folder = Files.createTempDirectory("view").resolve("SEARproject");
         System.setProperty("sear.project", folder.toString());
@@ -53,7 +56,10 @@ public class CameraInTheWindowTest {
         return folder;
     }
 
-    /** Pixels of the lower right quarter that have the blue of false colours, which nothing else on the window has. */
+    /**
+     * Returns the number of pixels in the lower right quarter with the blue of false colours, which nothing else in the
+     * window has.
+     */
     private static int blue(BufferedImage window) {
         int count = 0;
         for (int x = WIDTH / 2; x < WIDTH; x++) {
@@ -124,7 +130,7 @@ public class CameraInTheWindowTest {
         try {
             return ImageIO.read(file.toFile()) != null;
         } catch (IOException | RuntimeException e) {
-            return false;       // it is being written
+            return false;       // the file is still being written
         }
     }
 }

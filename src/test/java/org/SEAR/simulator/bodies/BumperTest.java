@@ -24,7 +24,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Bumpers are pressed while their part touches what isn't their robot. */
+/** A bumper is pressed while its part touches anything but its robot. */
 public class BumperTest {
     private static final double STRAIGHT = Double.POSITIVE_INFINITY;
 
@@ -38,7 +38,7 @@ public class BumperTest {
         return box;
     }
 
-    /** Two plates before body and wheels, which end at 0.2 m. */
+    /** Makes a robot with two plates in front of body and wheels, which end at 0.2 m. */
     private static SEARrobot rover(double z) {
         new Floor("floor", 50, 50);
         SEARrobot rover = Worlds.roomba("rover", 0, z, 0);
@@ -114,7 +114,7 @@ public class BumperTest {
         assertEquals("steps", 60, pressed);
     }
 
-    /** Its wheels stand out before its body: what they meet is felt, and pushed if it can move. */
+    /** The wheels stick out in front of the body: an object that they touch presses the bumper and moves if it can. */
     @Test
     public void whatWheelsMeetPressesAndIsPushed() throws Exception {
         for (double mass : new double[] {0, 2}) {
@@ -151,7 +151,7 @@ public class BumperTest {
         assertTrue(isPressed("hit"));
     }
 
-    /** A body that lies on its belly, with a mast on it. */
+    /** Makes a body on its belly with a mast. */
     private static SEARrobot sledge() {
         SEARrobot sledge = new SEARrobot("sledge");
         sledge.addComponent(new Dynamics("dynamics", 4, 0, 0.05, 0, 0, 0, 0));

@@ -21,7 +21,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Falling, sliding, rolling and bouncing against closed forms, each within 1 %; docs/physics.md shows the table. */
+/** Falling, sliding, rolling and bouncing agree with closed forms within 1 %; docs/physics.md shows the table. */
 public class ClosedFormsTest {
     private static final double G = 9.81;
     private static final double SHARE = 0.01;
@@ -167,14 +167,14 @@ public class ClosedFormsTest {
         }
     }
 
-    /** Puts something on the slope, its middle this far above the surface and its axes turned. */
+    /** Places an object on the slope, its middle this far above the surface, with rotated axes. */
     private static void put(SearObject thing, double above, double degrees, double rx, double ry, double rz) {
         double slope = Math.toRadians(degrees);
         thing.move(-above * Math.sin(slope), above * Math.cos(slope), 0);
         thing.rotate(rx, ry, rz);
     }
 
-    /** How far the thing has come. */
+    /** Returns the distance travelled. */
     private double gone(double seconds) throws Exception {
         Simulation simulation = Worlds.start(project);
         Pose from = simulation.getPose("thing");

@@ -18,9 +18,9 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** A hand pulls what it holds by a spring, no stronger than it may, and lets go when it is told to, or nothing. */
+/** A drag spring pulls its object with a limited force and ends on request or when its object is gone. */
 public class DragSpringTest {
-    /** How far a weight stretches the spring, metres. */
+    /** Extension of the spring by the weight, metres. */
     private static final double SAG = 9.81 / 100;
 
     @Rule

@@ -27,7 +27,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Whatever falls, from any height and at any phase of the step, stays above the ground. */
+/** Falling objects stay above the ground from any height and at any phase of the step. */
 @Category(Slow.class)
 public class DropsTest {
     private static final int DROPS = HowMany.of("sear.drops", 10000);
@@ -36,7 +36,7 @@ public class DropsTest {
     private static final int FAST_AT_ONCE = 250;
     private static final long SEED = Long.getLong("sear.seed", 4);
     private static final double APART = 6;
-    /** How far the ground reaches beyond them, metres: what is thrown aside must not run off it, and be taken for lost. */
+    /** Margin of the ground, metres: scattered objects must not fall off its edge and count as lost. */
     private static final double AROUND = 100;
 
     @Rule
@@ -54,12 +54,11 @@ public class DropsTest {
     }
 
     /**
-     * Drops things, and robots among them.
-     *
+     * Drops objects with robots among them.
      * @param low least height, metres, likewise high
-     * @param seconds that the world runs
-     * @param robotEach each so many is a robot
-     * @return what is lost
+     * @param seconds duration of the run
+     * @param robotEach every n-th object is a robot
+     * @return the lost objects
      */
     private List<String> drops(int all, int atOnce, double low, double high, double seconds, int robotEach) throws Exception {
         Random random = new Random(SEED);
@@ -128,7 +127,7 @@ public class DropsTest {
         }
     }
 
-    /** A sheet of triangles without a thick side. */
+    /** Makes a sheet of triangles without thickness. */
     private void ground(double side, Random random) throws Exception {
         Path file = project.folder().resolve("assets/sheet.obj");
         Files.createDirectories(file.getParent());

@@ -12,7 +12,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What falls out of the world is told about, stops far below, and is back after a reset. */
+/** SEAR reports objects that fall out of the world; they stop far below and return after a reset. */
 public class KillPlaneTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -24,7 +24,7 @@ import org.SEAR.simulator.orders.BodyOrder.Kind;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Things that start with a velocity, get one while the world runs, or are pushed. */
+/** Objects that start with a velocity, get one while the world runs, or are pushed. */
 public class LaunchTest {
     private static final double G = 9.81;
     private static final double NEAR = 2e-3;
@@ -59,7 +59,7 @@ public class LaunchTest {
         }
     }
 
-    /** So slow that contacts need not be found anew in each step while something touches. */
+    /** So slow that a touching contact need not be detected in every step. */
     @Test
     public void whatCreepsIsStoppedByWhatStandsThere() throws Exception {
         new Floor("floor", 20, 20).setFriction(0);

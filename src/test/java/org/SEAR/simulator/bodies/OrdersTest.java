@@ -16,7 +16,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Orders that a robot can't obey are told once, with what it does instead. */
+/** SEAR warns once about commands that a robot can't execute, with its actual motion. */
 public class OrdersTest {
     private static final double STRAIGHT = Double.POSITIVE_INFINITY;
 
@@ -51,7 +51,7 @@ public class OrdersTest {
         assertEquals(1, simulation.getPose("rover").z - from.z, 0.05);
     }
 
-    /** Both sides get slower in proportion: an arc stays the same arc. */
+    /** Both sides slow down in proportion: the arc keeps its radius. */
     @Test
     public void tooFastOnAnArc() throws Exception {
         Robot rover = start(Robots.rover("rover"));
@@ -67,7 +67,7 @@ public class OrdersTest {
         assertEquals("radius", 1, chord / 2 / Math.sin(angle / 2), 0.06);
     }
 
-    /** Wheels without a Motor have no greatest speed: what limits them is the ground. */
+    /** Wheels without a Motor have no speed limit; only grip limits them. */
     @Test
     public void tooFastForTheCircle() throws Exception {
         Robot create = start(Robots.create2("create"));
@@ -81,7 +81,7 @@ public class OrdersTest {
             warnings().toString());
     }
 
-    /** A circle that is too tight is told, and that it goes round the tightest one too fast. */
+    /** One warning reports the circle that is too tight, another the excess speed on the tightest circle. */
     @Test
     public void tooFastForTheTightestCircle() throws Exception {
         Robot car = start(Robots.car("car"));
@@ -107,7 +107,7 @@ public class OrdersTest {
         assertEquals(0, simulation.snapshot().robots.get(0).turnRate, 1e-3);
     }
 
-    /** The mean of the two rear wheels is what the motor was told, also where the inner one is much slower. */
+    /** The mean speed of both rear wheels equals the motor's command, even if the inner wheel is much slower. */
     @Test
     public void aMotorsSpeedIsTheMeanOfItsWheels() throws Exception {
         Robot car = start(Robots.car("car"));

@@ -13,7 +13,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** A vehicle that nobody drives stands on a slope that its tyres can hold, whichever way it looks, and slides down one that they can't. */
+/** A parked vehicle stands in any heading on a slope within its tyres' grip and slides down a steeper one. */
 public class ParkingTest {
     private static final double SLOPE = 15;
     private static final double MILLIMETRE = 1e-3;
@@ -21,7 +21,7 @@ public class ParkingTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** A ready robot on a slope that falls to one side, looking somewhere. */
+    /** Places a ready-made robot with a heading on a slope that falls to one side. */
     private SEARrobot parked(String kind, double heading, double slope) {
         new Floor("floor", 200, 200).rotate(0, 0, slope);
         SEARrobot robot = kind.equals("car") ? Robots.car("robot") : kind.equals("rover") ? Robots.rover("robot")
@@ -60,7 +60,10 @@ public class ParkingTest {
         }
     }
 
-    /** Across the slope with friction f it stands while f is greater than the slope's tangent, and slides with g (sin - f cos) beyond. */
+    /**
+     * Across the slope it stands while the friction f exceeds the slope's tangent, and otherwise slides with g (sin - f
+     * cos).
+     */
     @Test
     public void itSlidesWhereItsTyresDoNotHold() throws Exception {
         double slope = Math.toRadians(SLOPE);

@@ -15,13 +15,13 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What is dropped or pushed over comes to rest on its faces, not on an edge, in mid-air or in the floor. */
+/** Dropped or toppled objects come to rest on a face, not on an edge, in mid-air or in the floor. */
 public class RestTest {
     private static final int THINGS = 200;
     private static final double APART = 1.5;
     /** Cosine of one degree. */
     private static final double FLAT = 0.99985;
-    /** How deep a corner may be in the floor, metres. */
+    /** Deepest allowed penetration of a corner into the floor, metres. */
     private static final double DEEPEST = 5e-4;
     private static final int DOMINOES = 30;
 
@@ -39,7 +39,7 @@ public class RestTest {
         return cube;
     }
 
-    /** How much of each half edge of a cube points up. */
+    /** Returns the vertical component of each axis of a cube. */
     private static double[] upward(Pose pose) {
         return new double[] {Math.abs(pose.rotate(1, 0, 0)[1]), Math.abs(pose.rotate(0, 1, 0)[1]), Math.abs(pose.rotate(0, 0, 1)[1])};
     }

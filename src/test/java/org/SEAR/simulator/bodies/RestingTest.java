@@ -19,7 +19,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Objects that stand or lie stay where they are, and what is pushed goes straight. */
+/** Standing and lying objects stay in place; pushed objects move straight. */
 @Category(Slow.class)
 public class RestingTest {
     private static final double STRAIGHT = Double.POSITIVE_INFINITY;
@@ -73,7 +73,7 @@ public class RestingTest {
         place(new Sphere("ball", 0.2, 3), 0, 1.2, 0, 10, 20, 30);
         Sphere egg = new Sphere("egg", 0.2, 1);
         egg.scale(0.7, 1, 0.7);
-        egg.setRollingFriction(0.05);    // else it rocks for minutes
+        egg.setRollingFriction(0.05);    // otherwise it rocks for minutes
         place(egg, 3, 0.5, 0, 0, 0, 20);
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 40);

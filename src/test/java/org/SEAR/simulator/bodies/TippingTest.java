@@ -24,18 +24,18 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** The centre of mass of a robot that one builds, and what it does to the robot. */
+/** Centre of mass of a robot, and its effect on stability. */
 public class TippingTest {
     private static final double RADIUS = 0.05;
     private static final double REST = 0.02;
     private static final double STIFFNESS = 4000;
-    /** How far axles hang when four wheels carry it. */
+    /** Height of the axles of four loaded wheels below their mounts, metres. */
     private static final double HANGING = REST - 9.81 / (4 * STIFFNESS);
 
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** A flat chassis with a mast on it, 0.3 m wide and 0.4 m long between its wheels. */
+    /** Makes a flat chassis with a mast, its wheels 0.3 m apart in width and 0.4 m in length. */
     private static SEARrobot tower(double chassis, double mast, double mastX, double height) {
         SEARrobot robot = new SEARrobot("tower");
         robot.addComponent(new Dynamics("drive", chassis + mast, STIFFNESS, 0.5, 0.5, 10000, REST, 0, RADIUS + HANGING, 0, 0, 0, 0));
@@ -62,7 +62,7 @@ public class TippingTest {
         assertFalse(stability.getWords(), stability.getWords().contains("middle"));
     }
 
-    /** Who gives only one mass, or none, has not said where the weight is. */
+    /** With fewer than two masses, SEAR assumes the centre of mass in the middle of the wheels. */
     @Test
     public void withoutMassesTheMiddleOfTheWheelsCounts() throws Exception {
         new Floor("floor", 10, 10);
@@ -78,7 +78,7 @@ public class TippingTest {
             + " have a mass"));
     }
 
-    /** On a slope a little less steep than the angle it stays, on one a little steeper it falls over. */
+    /** It stands on a slope slightly below the angle and falls over on one slightly above. */
     @Test
     public void itTipsOverOnTheSlopeThatIsSaid() throws Exception {
         for (double share : new double[] {0.85, 1.15}) {
@@ -120,7 +120,7 @@ public class TippingTest {
         ProjectEditor editor = new ProjectEditor(project.folder());
         for (String template : RobotTemplates.names()) {
             if (template.equals("chassis")) {
-                continue;    // it is told that it has no wheels: ReadyRobotsTest
+                continue;    // ReadyRobotsTest covers its warning about missing wheels
             }
             editor.apply(Map.of("do", "robot", "template", template, "name", "robot"));
             assertEquals(template, List.of(), ProjectCheck.warnings(Project.read(project.folder())));
@@ -128,7 +128,7 @@ public class TippingTest {
         }
     }
 
-    /** A caster carries where it touches, behind its axis. */
+    /** A caster carries at its contact point, behind its axis. */
     @Test
     public void aCasterCarriesWhereItTouches() throws Exception {
         new Floor("floor", 10, 10);

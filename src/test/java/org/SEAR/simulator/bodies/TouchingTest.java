@@ -19,7 +19,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Robots and objects that meet. */
+/** Contacts of robots and objects. */
 public class TouchingTest {
     private static final double STRAIGHT = Double.POSITIVE_INFINITY;
 
@@ -152,7 +152,7 @@ public class TouchingTest {
         assertEquals("something never sleeps", 0, Worlds.physics(simulation).getBusyBodies());
     }
 
-    /** Where the robot looks at its start: {x, z} of its forward axis. */
+    /** Returns the robot's initial heading: {x, z} of its forward axis. */
     private double[] aheadOf(double[] robotDegrees, double[] dynamicsDegrees) throws Exception {
         new Floor("floor", 50, 50);
         SEARrobot robot = Worlds.roomba("roomba", 1, 2, 0);

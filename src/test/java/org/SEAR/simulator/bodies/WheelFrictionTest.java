@@ -16,12 +16,12 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** The product of the coefficients of wheel and ground decides what a tyre can give: on floors and on terrain. */
+/** The grip of a tyre follows the product of the coefficients of wheel and ground, on floors and on terrain. */
 public class WheelFrictionTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** How far a car gets in a second that is told to drive fast, and how far its wheels believe. */
+    /** Returns the distance of a fast-commanded car after a second, and the distance by its wheels, metres. */
     private double[] drive(Shape ground, Consumer<SEARrobot> change) throws Exception {
         SEARrobot car = Robots.fourWheeled("car");
         if (ground instanceof Terrain) {
@@ -59,7 +59,7 @@ public class WheelFrictionTest {
         assertEquals("they turn on the spot as fast as the motor does", 16 * 0.06, slipping[1], 0.01);
     }
 
-    /** On little friction it speeds up by friction * g, not by what its motors could. */
+    /** On low friction it accelerates with friction * g instead of the motors' limit. */
     @Test
     public void onLittleFrictionItSlips() throws Exception {
         double expected = 0.05 * 9.81 / 2;

@@ -20,14 +20,14 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What was placed on the ground stands there before the first step, whatever the ground is. */
+/** Objects placed on any ground stand there before the first step. */
 public class GroundPlacementTest {
     private static final double FINE = 1e-3;
 
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** A slope of triangles that rises by 1 m in 4 m to the north, 40 m long and wide. */
+    /** Makes a slope of triangles that rises by 1 m in 4 m to the north, 40 m long and wide. */
     private void slope() throws Exception {
         project.put("assets/slope.obj", String.format(Locale.ROOT, "v -20 -5 -20%nv 20 5 -20%nv -20 -5 20%nv 20 5 20%nf 1 3 4%nf 1 4 2%n"));
         new Model("slope", "slope.obj").setTerrain(true);

@@ -21,7 +21,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** What stands, falls and drives on a height field does as on a mesh of the same triangles. */
+/** Objects stand, fall and drive on a height field as on a mesh of the same triangles. */
 @Category(Slow.class)
 public class HeightsUnderfootTest {
     @Rule

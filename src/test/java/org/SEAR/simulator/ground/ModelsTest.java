@@ -20,7 +20,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Terrains, obstacles and movable things made of triangles. */
+/** Terrains, obstacles and movable objects made from triangles. */
 public class ModelsTest {
     private static final double STRAIGHT = Double.POSITIVE_INFINITY;
     private static final int CELLS = 40;
@@ -33,7 +33,7 @@ public class ModelsTest {
         return 0.3 * Math.sin(row * CELL / 1.5);
     }
 
-    /** Height of the terrain at z, linear between its rows. */
+    /** Returns the elevation of the terrain at z, linear between its rows. */
     private static double height(double z) {
         double row = z / CELL + CELLS / 2.0;
         int below = (int) Math.floor(row);
@@ -76,7 +76,7 @@ public class ModelsTest {
         assertTrue(simulation.getPose("cart").toString(), simulation.getPose("cart").z > 5);
     }
 
-    /** A robot whose body sticks out before its wheels: its front is 0.3 m before its middle. */
+    /** Makes a robot whose body sticks out in front of its wheels: its front is 0.3 m ahead of its middle. */
     private static void blunt(double z) {
         SEARrobot robot = new SEARrobot("blunt");
         robot.addComponent(new Dynamics("dynamics", 10, 0, 0.1, z, 0, 0, 0));

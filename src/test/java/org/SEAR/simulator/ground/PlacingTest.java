@@ -22,7 +22,7 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Things and robots that are put elsewhere while the world runs. */
+/** Objects and robots teleported while the world runs. */
 public class PlacingTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -14,7 +14,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What keeps a robot from driving is said at the start. */
+/** The start warns about causes that keep a robot from driving. */
 public class StartChecksTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -32,7 +32,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** A world on a real map: what is placed by latitude and longitude stands there, and sensors know where on Earth they are. */
+/** A world on a real map: objects stand at their latitude and longitude, and sensors know their place on Earth. */
 @Category(Slow.class)
 public class TerrainPlacesTest {
     private static final double SUMMIT_LATITUDE = 36.485;

@@ -24,11 +24,11 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** All of 10812 x 10812 posts, three degrees by three at 1 arc second, can be driven on, in bounded memory. */
+/** Robots can drive on all of 10812 x 10812 samples, three by three degrees at 1 arc second, in bounded memory. */
 @Category(Slow.class)
 public class WideTerrainTest {
     private static final int SIDE = 10812;
-    /** More than are held in memory, 16 million in all. */
+    /** More samples per side than fit in memory, 16 million in all. */
     private static final int LARGE = 4050;
     private static final int MEGABYTE = 1 << 20;
 

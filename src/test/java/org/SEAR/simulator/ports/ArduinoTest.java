@@ -33,7 +33,7 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** An Arduino on a robot in a world: what its pins read there. */
+/** Pin readings of an Arduino on a robot in a world. */
 public class ArduinoTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -77,7 +77,7 @@ public class ArduinoTest {
         return found;
     }
 
-    /** A wall at z = 1.5 m. */
+    /** Makes a wall at z = 1.5 m. */
     private void wall() {
         Box wall = new Box("wall", 4, 0.2, 1, 0);
         wall.move(0, 0.5, 1.6);
@@ -124,7 +124,7 @@ public class ArduinoTest {
         assertEquals(2 * distance("ping") / 343.2 * 1e6, EchoMessage.duration(answer), 1);
     }
 
-    /** MyRobotLab's UltrasonicSensor service on an HC-SR04 at two pins. */
+    /** MyRobotLab's UltrasonicSensor service with an HC-SR04 at two pins. */
     @Test
     public void centimetresOfAnHcSr04() throws Exception {
         wall();
@@ -139,7 +139,7 @@ public class ArduinoTest {
         assertTrue(told, told.contains("AA 04 32 01 00 " + Bytes.hex(new byte[] {(byte) centimetres})));
     }
 
-    /** A robot whose wheels have motors, as MyRobotLab's Motor service drives them: direction and pulses. */
+    /** Adds motors to the wheels, driven as by MyRobotLab's Motor service: direction and pulses. */
     private void motors() {
         robot.getWheels().stream().filter(Wheel::isDriven).forEach(wheel -> {
             Motor motor = new Motor(wheel.getName() + "Motor", wheel, 50, 20);
@@ -187,7 +187,7 @@ public class ArduinoTest {
         assertEquals("counts of a wheel of 360 lines", turns * 360, counts, turns * 36 + 20);
     }
 
-    /** What the tab shows. */
+    /** The snapshot has the pins that the tab shows. */
     @Test
     public void snapshotsHaveThePinsThatSomethingIsWiredTo() throws Exception {
         wall();
@@ -208,7 +208,7 @@ public class ArduinoTest {
         assertEquals(List.of(), simulation.snapshot().robots.get(0).devices.get(0).pins);
     }
 
-    /** johnny-five turns a servo to 45 degrees: a quarter turn less than the middle, clockwise. */
+    /** johnny-five turns a servo to 45 degrees: 45 degrees clockwise from the middle. */
     @Test
     public void aServoTurnsByItsPulses() throws Exception {
         uno.setFirmware("StandardFirmata");
@@ -228,7 +228,7 @@ public class ArduinoTest {
         assertEquals("beyond its range it stays at its end", before + 0.05, simulation.getPose("eye").x, 0.002);
     }
 
-    /** A switch between pin 2 and ground at the robot's front. */
+    /** Adds a switch between pin 2 and ground at the robot's front. */
     private void bumper() throws Exception {
         wall();
         Box plate = new Box("plate", 0.2, 0.02, 0.05, 0);
@@ -245,7 +245,10 @@ public class ArduinoTest {
         Worlds.run(simulation, seconds);
     }
 
-    /** As johnny-five's Switch and pyFirmata2 ask: pull-up, reports of port 0; bit 2 is high while the bumper is free. */
+    /**
+     * Requests of johnny-five's Switch and pyFirmata2: pull-up, reports of port 0. Bit 2 is high while the bumper is
+     * free.
+     */
     @Test
     public void aBumperPullsItsPinLow() throws Exception {
         uno.setFirmware("StandardFirmata");
@@ -279,7 +282,7 @@ public class ArduinoTest {
         assertTrue(told, told.contains("AA 05 20 03 02 00 00") && !told.contains("AA 05 20 03 02 00 01"));
     }
 
-    /** Firmata's digital and PWM messages: on at pin 13, half at pin 9; a reset makes both dark. */
+    /** Firmata's digital and PWM messages: on at pin 13, half at pin 9; a reset switches both off. */
     @Test
     public void lightsAtADigitalAndAPwmPin() throws Exception {
         uno.setFirmware("StandardFirmata");

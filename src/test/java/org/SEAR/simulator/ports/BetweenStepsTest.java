@@ -23,15 +23,15 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What lines and devices do between two steps: by the clock, and while time stands still. */
+/** Lines and devices between two steps, by the clock and while time stands still. */
 public class BetweenStepsTest {
-    /** Start; the mode that it is in then. */
+    /** Start, then a query of the mode. */
     private static final String QUERY = "80 8E 23";
-    /** Of three bytes there and one back at 115200 baud, of 1/256 of a step. */
+    /** Time of three bytes to the device at 115200 baud, and with one byte back, in 1/256 of a step. */
     private static final int PARTS_TO_DEVICE = 4;
     private static final int PARTS_TO_AND_FRO = 6;
     private static final String DIGITAL_WRITE = "AA 03 1B 0D 01";
-    /** Characters of the line of text that a board says first. */
+    /** Length of the board's first line of text, characters. */
     private static final int HELLO = 63;
     private static final String ACK = "AA 02 09 1B";
 
@@ -91,7 +91,7 @@ public class BetweenStepsTest {
         assertEquals("", heard());
     }
 
-    /** A program that is told a part of an answer, and the rest when a busy processor comes back to it, falls out of step. */
+    /** A program that gets part of an answer, and the rest after a delay of a busy machine, loses synchronisation. */
     @Test
     public void byTheClockAnAnswerComesInOnePiece() {
         List<Integer> pieces = new ArrayList<>();

@@ -18,7 +18,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Worlds at the edge of what can be simulated: the lightest things, and too many on one spot. */
+/** Worlds at the limits of the simulation: the lightest objects, and too many at one spot. */
 @Category(Slow.class)
 public class EdgesTest {
     @Rule

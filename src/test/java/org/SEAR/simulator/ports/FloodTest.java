@@ -25,11 +25,14 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Queries faster than the line, and garbage: the simulation goes on, what waits is bounded, and the user is told in a few words. */
+/**
+ * Queries faster than the line, and garbage: the simulation continues, queues are bounded, and a few warnings report
+ * it.
+ */
 @Category(Slow.class)
 public class FloodTest {
     private static final double FLOOD = 60;
-    /** The longest reply, beside 4096 bytes that wait: a scan telegram, a Create's group 6, an NMEA sentence. */
+    /** The longest reply, besides 4096 waiting bytes: a scan telegram, a Create's group 6, an NMEA sentence. */
     private static final int LONGEST = 1024;
 
     @Rule
@@ -135,7 +138,7 @@ public class FloodTest {
         assertTrue(told.get(1), told.get(1).endsWith("(10 times so far)"));
     }
 
-    /** Garbage among commands, none of which changes the speed or waits. */
+    /** Returns garbage with commands, without those that change the speed or wait. */
     private static byte[] commands(byte[] garbage) {
         byte[] bytes = Arrays.copyOf(garbage, garbage.length);
         for (int i = 0; i < bytes.length; i++) {

@@ -26,9 +26,12 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** A program at the wrong port, or with a rate that its device has left, is told so once; one at the right port never. */
+/**
+ * SEAR warns once about a program at the wrong port or at a baud rate that its device has left, and never about one at
+ * the right port.
+ */
 public class WrongPortTest {
-    /** What a driver of each device says first. */
+    /** First bytes of a driver of each device. */
     private static final Map<String, byte[]> FIRST_WORDS = new LinkedHashMap<>();
 
     static {

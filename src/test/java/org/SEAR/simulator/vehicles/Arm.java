@@ -10,9 +10,8 @@ final class Arm {
     }
 
     /**
-     * A servo with what it turns.
-     *
-     * @param speed degrees a second
+     * Adds a servo with the parts that it turns.
+     * @param speed degrees per second
      * @param torque N m
      */
     static Servo on(SEARrobot robot, Servo servo, double speed, double torque, Box... parts) {

@@ -25,8 +25,9 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * A robot that drives against something stops where its surface and that of the other are, within a millimetre, and does not enter what is fixed. How
- * far two bodies are apart is the widest slab of space between them, which a search over directions finds without any of the contact code.
+ * A robot that drives against an object stops within a millimetre of its surface and does not enter fixed objects. The
+ * distance of two bodies is the widest slab of space between them, found by a search over directions without the
+ * contact code.
  */
 @Category(Slow.class)
 public class BlockedRobotTest {
@@ -97,7 +98,7 @@ public class BlockedRobotTest {
         }
     }
 
-    /** A wheel in front of the body meets the box first; without grip there the robot turned off it and drove back. */
+    /** A wheel in front of the body meets the box first, and its grip keeps the robot straight. */
     @Test
     public void aWheelThatSticksOutHoldsItStraightAtWhatIsHeavy() throws Exception {
         for (double mass : new double[] {0, 30, 1000}) {
@@ -146,8 +147,7 @@ public class BlockedRobotTest {
     }
 
     /**
-     * How far the robot's only part is from the obstacle; negative if they overlap.
-     *
+     * Returns the distance between the robot's only part and the obstacle; negative if they overlap.
      * @param finest step of the search, radians
      */
     private static double between(Body robot, Body obstacle, double finest) {

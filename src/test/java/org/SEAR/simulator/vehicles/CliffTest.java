@@ -24,8 +24,8 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * In safe mode a robot stops at the edge of a table while all its wheels are on it, so that it can back off; several of a kind drive at once, each on
- * a table of its own.
+ * In safe mode a robot stops at the edge of a table with all wheels on the table, so that it can back off. Several of a
+ * kind drive at the same time, each on its own table.
  */
 @Category(Slow.class)
 public class CliffTest {
@@ -34,7 +34,7 @@ public class CliffTest {
     private static final double APART = 4;
     private static final int[] SPEEDS = {100, 200, 500};
     private static final int[] ANGLES = {0, 0, 0, 0, 20, 45, 70};
-    /** So much nearer to the edge each further one starts, metres: the step in which the edge is seen is not the same for all. */
+    /** Each further robot starts this much nearer to its edge, metres, so that the edge appears in different steps. */
     private static final double PHASE = 0.002;
 
     @Rule
@@ -43,12 +43,11 @@ public class CliffTest {
     private final List<SEARrobot> robots = new ArrayList<>();
     private Simulation simulation;
 
-    /** Makes robots. */
     private interface Kind {
         SEARrobot make(String name, String uart, String user);
     }
 
-    /** A table for each speed and angle, with a robot at its middle. */
+    /** Makes a table for each speed and angle, with a robot at its middle. */
     private void build(Kind kind) throws Exception {
         new Floor("floor", 100, 100);
         for (int speed = 0; speed < SPEEDS.length; speed++) {
@@ -131,7 +130,7 @@ public class CliffTest {
         stopsAtTheEdgeAndBacksOff(Robots::create2, "80 83");
     }
 
-    /** The dissertation's, whose front wheel is below the rim. */
+    /** The dissertation's robot, whose front wheel drops below the rim. */
     @Test
     public void aRobotWithItsFrontWheelBelowTheRim() throws Exception {
         stopsAtTheEdgeAndBacksOff((name, uart, user) -> {

@@ -16,7 +16,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Commanded motion is met by robots of many kinds. */
+/** Robots of many kinds follow commanded motion. */
 public class DrivingTest {
     private static final double FULL_TURN = 2 * Math.PI;
 
@@ -65,7 +65,9 @@ public class DrivingTest {
         assertEquals("no slip", create2.getPath(), 0.036 * (create2.getLeftWheelAngle() + create2.getRightWheelAngle()) / 2, 0.02);
     }
 
-    /** A motor begins with what it gave last: else the wheels that are solved first drive the more, and the car goes 58 mm beside its way. */
+    /**
+     * Each motor starts with its last impulse; otherwise wheels solved first drive more, and the car drifts by 58 mm.
+     */
     @Test
     public void straightUpASlopeIsStraight() throws Exception {
         new Floor("slope", 50, 50).rotate(-10, 0, 0);
@@ -110,7 +112,7 @@ public class DrivingTest {
         return hardware;
     }
 
-    /** A circle to the left. */
+    /** Drives a circle to the left. */
     private static void circle(Simulation simulation, Robot robot, double speed, double radius) {
         robot.drive(speed, radius);
         Worlds.run(simulation, 1);
@@ -129,7 +131,7 @@ public class DrivingTest {
         assertTrue(least + " to " + most, most - least < 0.08 * radius);
     }
 
-    /** Nothing creeps, shakes or counts for a minute. */
+    /** Checks that nothing creeps, shakes or counts for a minute. */
     private static void rests(Simulation simulation, Robot robot) {
         Worlds.run(simulation, 2);
         Pose start = robot.getPose();

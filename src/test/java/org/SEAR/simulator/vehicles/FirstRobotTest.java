@@ -17,7 +17,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Robots of documented parts, with what nobody said, stand and drive. */
+/** Robots from documented parts, with defaults for everything else, stand and drive. */
 public class FirstRobotTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -48,7 +48,9 @@ public class FirstRobotTest {
         }
     }
 
-    /** Its springs press the driven wheels down as they should: the casters carry no more than their share, and there is grip. */
+    /**
+     * The springs press the driven wheels down: the casters carry only their share, and the driven wheels have grip.
+     */
     @Test
     public void oneOfAHundredTonnesStartsAsFastAsOthers() throws Exception {
         new Floor("floor", 200, 200);
@@ -90,7 +92,7 @@ public class FirstRobotTest {
         standsAndDrives("docs/projects.md");
     }
 
-    /** What each of them carries can't be worked out. */
+    /** The load on each wheel can't be determined. */
     @Test
     public void wheelsThatNobodyHasPutAnywhereAreToldAndItLeansOnItsBody() throws Exception {
         for (int wheels = 1; wheels <= 2; wheels++) {

@@ -20,7 +20,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Lights shine as they are told, and snapshots tell it. */
+/** Lights shine as commanded, and snapshots contain their brightness. */
 public class LedTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -68,7 +68,7 @@ public class LedTest {
         }
     }
 
-    /** What a servo turns shines elsewhere. */
+    /** A light that a servo turns shines from its new place. */
     @Test
     public void aLightOnAServoTurnsWithIt() throws Exception {
         new Floor("floor", 9, 9);

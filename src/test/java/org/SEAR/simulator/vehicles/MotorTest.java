@@ -19,7 +19,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Motors against the closed forms of their torque-speed line, each within 2 %. */
+/** Motors agree with the closed forms of their torque-speed line within 2 %. */
 public class MotorTest {
     private static final double RADIUS = 0.05;
     private static final double MASS = 4;
@@ -30,7 +30,7 @@ public class MotorTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** A cart on a ground that leans by an angle, up along its z, with one motor for both wheels. */
+    /** Makes a cart on a slope, uphill along its z, with one motor for both wheels. */
     private Simulation cart(double slope, double stall, double noLoad, double gear) throws ProjectException {
         new Floor("floor", 400, 400).rotate(-slope, 0, 0);
         SEARrobot robot = Worlds.cart("cart", MASS, RADIUS, 0.15, new double[] {0}, 0.2, 0, 0, 0);

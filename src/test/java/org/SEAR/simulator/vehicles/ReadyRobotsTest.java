@@ -17,9 +17,9 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Each robot of the palette drives as soon as it is made, but for the one that has no wheels yet. */
+/** Each robot of the palette drives immediately, except the one without wheels. */
 public class ReadyRobotsTest {
-    /** m/s, of the tab's buttons. */
+    /** Speed of the tab's buttons, m/s. */
     private static final double SPEED = 0.2;
 
     @Rule
@@ -41,7 +41,7 @@ public class ReadyRobotsTest {
         return Math.toDegrees(Math.atan2(ahead[0], ahead[2]));
     }
 
-    /** @param rate at which it turns in place, or on its smallest circle, degrees a second */
+    /** @param rate turn rate in place or on the smallest circle, degrees per second */
     private void drive(String template, double rate) throws Exception {
         Simulation simulation = make(template);
         Robot robot = simulation.getRobots().get(0);
@@ -116,7 +116,7 @@ public class ReadyRobotsTest {
         assertEquals("level", 1, pose.rotate(0, 1, 0)[1], 0.001);
     }
 
-    /** A car steers to the circle that it is told to drive; straight on after that it goes straight, and what was steered by hand stays. */
+    /** A car steers to the commanded circle. A straight drive straightens its wheels, but manual steering stays. */
     @Test
     public void aCarSteersToItsCircle() throws Exception {
         Simulation simulation = make("car");

@@ -17,7 +17,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Servos have no more torque against what they meet than against a load. */
+/** Servos have the same torque limit against contacts as against a load. */
 public class ServoContactTest {
     private static final double GRAVITY = 9.81;
 
@@ -36,7 +36,10 @@ public class ServoContactTest {
         return simulation.snapshot().warnings.stream().filter(text -> text.startsWith("servo ")).collect(Collectors.toList());
     }
 
-    /** Told to close as far as they go, the fingers stop at the cube, whatever its size and their strength; it is lifted, and nothing tips over. */
+    /**
+     * Commanded to close completely, the fingers stop at the cube for any size and torque. The gripper lifts the cube,
+     * and nothing tips over.
+     */
     @Test
     public void aGripperHoldsWhatItGrips() throws Exception {
         for (double size : new double[] {0.03, 0.05}) {
@@ -76,7 +79,7 @@ public class ServoContactTest {
         }
     }
 
-    /** A weight that lies on an arm slows it as one that is mounted does: speed * (1 - moment / stall torque). */
+    /** A weight lying on an arm slows it like a mounted one: speed * (1 - moment / stall torque). */
     @Test
     public void whatLiesOnAnArmIsALoad() throws Exception {
         double mass = 0.05;
@@ -96,7 +99,7 @@ public class ServoContactTest {
         assertEquals("it lies on the plank still", lever, Math.hypot(simulation.getPose("thing").z, simulation.getPose("thing").y - 0.2), 0.02);
     }
 
-    /** An arm that can't push what is before it stops there; neither that nor its own robot goes away. */
+    /** An arm that can't push an obstacle stops there; neither the obstacle nor its robot moves away. */
     @Test
     public void aWeakArmStopsAtWhatIsHeavy() throws Exception {
         SEARrobot crane = crane(10);
@@ -118,7 +121,7 @@ public class ServoContactTest {
         assertEquals(0, simulation.getServo("hinge").getAngle(), 0);
     }
 
-    /** Legs that the ground pushes arrive, too: what stands on them comes to rest, and nobody is told that they are held. */
+    /** Legs that push the ground reach their angles: the robot comes to rest without a warning about blocked servos. */
     @Test
     public void whatStandsOnItsServosComesToRest() throws Exception {
         new Floor("floor", 10, 10);

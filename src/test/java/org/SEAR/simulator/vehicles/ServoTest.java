@@ -45,7 +45,7 @@ public class ServoTest {
         return ((DistanceReading) simulation.read(name)).getDistanceOrRange();
     }
 
-    /** A ping looks about: what it measures, and where it is, are those of its angle. */
+    /** A ping on a servo measures from the pose that its angle gives. */
     @Test
     public void aSensorOnAServoLooksAbout() throws Exception {
         SEARrobot robot = roomba();
@@ -92,7 +92,7 @@ public class ServoTest {
         assertEquals(100, servo.getAngle(), 0);
     }
 
-    /** Two servos, one on the other: what the second carries turns with both. */
+    /** Two servos in series: the part on the second turns with both. */
     @Test
     public void aServoOnAServoPansAndTilts() throws Exception {
         SEARrobot robot = roomba();
@@ -115,7 +115,7 @@ public class ServoTest {
         assertEquals(expected[2], is.z, 1e-4);
     }
 
-    /** An arm that swings round pushes what it meets, and the beams of others see it where it is. */
+    /** A swinging arm pushes an object, and beams of other sensors see the arm in its actual pose. */
     @Test
     public void anArmPushesWhatItMeets() throws Exception {
         SEARrobot robot = roomba();
@@ -135,7 +135,10 @@ public class ServoTest {
         assertEquals("nothing is where the arm was", 2, none, 1e-3);
     }
 
-    /** A stick that sweeps a thing aside at half its height has it before its front: it may turn on a corner, but the stick doesn't get into it. */
+    /**
+     * A stick that sweeps an object aside at half its height keeps it in front. The object may turn on a corner, but
+     * the stick doesn't penetrate it.
+     */
     @Test
     public void whatAnArmPushesStaysBeforeIt() throws Exception {
         for (double speed : new double[] {60, 200, 400}) {
@@ -157,7 +160,7 @@ public class ServoTest {
         }
     }
 
-    /** In a step it turns by more than it is thick. */
+    /** In a step it turns by more than its thickness. */
     @Test
     public void aSpoonThrowsABall() throws Exception {
         SEARrobot robot = roomba();
@@ -178,7 +181,7 @@ public class ServoTest {
         assertTrue("it flies to " + highest + " m from " + from, highest > from + 0.15);
     }
 
-    /** Friction takes it along. */
+    /** Friction drags the object along. */
     @Test
     public void aThingOnAPlateTurnsWithIt() throws Exception {
         SEARrobot robot = roomba();
@@ -194,7 +197,7 @@ public class ServoTest {
         assertEquals(simulation.getPose("roomba").z - 0.1, moved.z, 0.01);
     }
 
-    /** Far out, turn after turn. */
+    /** At a large radius, for several turns. */
     @Test
     public void aThingOnAPlateStaysAtItsDistance() throws Exception {
         SEARrobot robot = roomba();

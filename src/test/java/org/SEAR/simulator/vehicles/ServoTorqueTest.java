@@ -22,11 +22,11 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** A servo's torque against what it turns: closed forms of the motor's line, within 2 percent. */
+/** A servo's torque against its load agrees with closed forms of the motor's line within 2 %. */
 public class ServoTorqueTest {
     private static final double TORQUE = 0.18;
     private static final double SHARE = 0.02;
-    /** Above everything that an arm could touch, metres. */
+    /** Height above everything that an arm could touch, metres. */
     private static final double HEIGHT = 0.6;
 
     @Rule
@@ -41,7 +41,7 @@ public class ServoTorqueTest {
         return robot;
     }
 
-    /** The angle, degrees, that it has come to from rest with an inertia, kg m^2, and no weight to lift. */
+    /** Returns the angle from rest for an inertia in kg m^2 without weight to lift, degrees. */
     private static double spunUp(double degreesPerSecond, double inertia, double seconds) {
         double settling = inertia * Math.toRadians(degreesPerSecond) / TORQUE;
         return degreesPerSecond * (seconds - settling * (1 - Math.exp(-seconds / settling)));
@@ -79,7 +79,10 @@ public class ServoTorqueTest {
         assertEquals(List.of(), complaints(simulation));
     }
 
-    /** An arm on a horizontal axis, at 0 degrees level to the front: its weight takes a share of the servo's torque there. */
+    /**
+     * Makes an arm on a horizontal axis, level to the front at 0 degrees, where its weight takes a share of the servo's
+     * torque.
+     */
     private static Servo lift(double share) {
         Servo lift = new Servo("lift", 0, HEIGHT, 0, 0, 0, 90);
         lift.setSpeed(60);
@@ -90,7 +93,7 @@ public class ServoTorqueTest {
         return lift;
     }
 
-    /** Seconds until it is at an angle, between two steps in a straight line. */
+    /** Returns the time at which an angle is reached, interpolated linearly between two steps, seconds. */
     private static double passes(Simulation simulation, double degrees) {
         ServoHardware lift = simulation.getServo("lift");
         for (int i = 0; i < 1000; i++) {
@@ -103,7 +106,7 @@ public class ServoTorqueTest {
         throw new AssertionError("it is at " + lift.getAngle());
     }
 
-    /** Integral of d(angle) / (fastest (1 - share cos(angle))) from level to an angle, seconds. */
+    /** Returns the integral of d(angle) / (fastest (1 - share cos(angle))) from level to an angle, seconds. */
     private static double lifting(double share, double degrees) {
         return 2 / Math.sqrt(1 - share * share) * Math.atan(Math.sqrt((1 + share) / (1 - share)) * Math.tan(Math.toRadians(degrees) / 2))
             / Math.toRadians(60);
@@ -149,7 +152,7 @@ public class ServoTorqueTest {
         assertEquals(List.of(), complaints(stronger));
     }
 
-    /** A pan carries the arm of a tilt: the higher the arm, the nearer is its weight to the pan's axis. */
+    /** A pan carries the arm of a tilt: the higher the arm, the nearer its weight is to the pan's axis. */
     @Test
     public void whatAnotherServoHoldsCountsWhereItIs() throws Exception {
         Servo pan = new Servo("pan", 0, HEIGHT, 0);

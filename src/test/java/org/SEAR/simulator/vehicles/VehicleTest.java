@@ -27,7 +27,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.function.ThrowingRunnable;
 
-/** Steered wheels, casters, omni and mecanum wheels against their closed forms, each within 2 %. */
+/** Steered wheels, casters, omni and mecanum wheels agree with their closed forms within 2 %. */
 public class VehicleTest {
     private static final double RADIUS = 0.05;
     private static final double BASE = 0.3;
@@ -60,7 +60,7 @@ public class VehicleTest {
         robot.addComponent(motor);
     }
 
-    /** Rear wheels with one motor, front wheels steered and free. */
+    /** Makes a car: rear wheels with one motor, front wheels steered and free. */
     private static SEARrobot car() {
         new Floor("floor", 60, 60);
         SEARrobot robot = chassis(4);
@@ -89,7 +89,7 @@ public class VehicleTest {
         }
     }
 
-    /** Radius of the circle through three places. */
+    /** Returns the radius of the circle through three points. */
     private static double radius(Pose a, Pose b, Pose c) {
         double ab = Math.hypot(b.x - a.x, b.z - a.z);
         double bc = Math.hypot(c.x - b.x, c.z - b.z);
@@ -107,7 +107,10 @@ public class VehicleTest {
         return radius(first, second, simulation.getPose(name));
     }
 
-    /** By power, by speed, and driven as a whole: the middle of the rear axle goes on wheelbase / tan(steering). */
+    /**
+     * By power, by speed and by drive command, the middle of the rear axle follows a circle of radius wheelbase /
+     * tan(steering).
+     */
     @Test
     public void aCarDrivesAckermannsCircle() throws Exception {
         SEARrobot robot = car();
@@ -140,13 +143,13 @@ public class VehicleTest {
         assertEquals(0, heading(simulation, 0), 0);
     }
 
-    /** Degrees to the left, of a wheel in the snapshot. */
+    /** Returns the heading of a wheel in the snapshot, degrees to the left. */
     private static double heading(Simulation simulation, int wheel) {
         double[] axle = simulation.snapshot().robots.get(0).wheels.get(wheel).rotate(1, 0, 0);
         return Math.toDegrees(Math.atan2(-axle[2], axle[0]));
     }
 
-    /** All four wheels steered and driven: the circle is that of half the wheelbase. Without motors, too. */
+    /** With all four wheels steered and driven, with or without motors, the circle is that of half the wheelbase. */
     @Test
     public void aCarWithFourSteeredWheelsTurnsOnHalfTheCircle() throws Exception {
         new Floor("floor", 60, 60);
@@ -180,7 +183,7 @@ public class VehicleTest {
         said("robot car is steered by its servo steering: turn that servo instead", () -> simulation.getRobots().get(0).steer(3));
     }
 
-    /** Up a slope and over a curb the motor's line and the steering hold, too. */
+    /** The motor's line and the steering also hold up a slope and over a curb. */
     @Test
     public void aCarClimbsACurb() throws Exception {
         car();
@@ -194,7 +197,7 @@ public class VehicleTest {
         assertEquals(0.012, simulation.getPose("car").y - low, 2e-3);
     }
 
-    /** Over a height field that climbs: the motor's line and the steering are as on a plane. */
+    /** On a rising height field the motor's line and the steering are as on a plane. */
     @Test
     public void aCarClimbsAHeightField() throws Exception {
         car().rotate(0, 90, 0);
@@ -213,7 +216,7 @@ public class VehicleTest {
         assertTrue("it turns to the right, to the east", world.robot.getPose().z > 0.02);
     }
 
-    /** A caster that was turned about follows as a tractrix: tan(angle / 2) falls by e for each trail length. */
+    /** A reversed caster follows a tractrix: tan(angle / 2) falls by the factor e for each trail length. */
     @Test
     public void aCasterFollowsATractrix() throws Exception {
         new Floor("floor", 60, 60);

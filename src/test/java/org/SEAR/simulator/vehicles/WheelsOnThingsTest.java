@@ -19,7 +19,10 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What wheels stand on takes what they give, at once: neither is thrown, however light it is, and momentum stays. */
+/**
+ * Forces of wheels act on the supporting body in the same step: neither is thrown, however light it is, and momentum is
+ * conserved.
+ */
 public class WheelsOnThingsTest {
     private static final double THICK = 0.02;
     private static final double STILL = 1e-4;
@@ -53,7 +56,7 @@ public class WheelsOnThingsTest {
         assertEquals(what, 0, pose.z, STILL);
     }
 
-    /** On ice the board goes back as the robot goes forward. */
+    /** On ice the board moves back as the robot moves forward. */
     @Test
     public void aBoardOnIceGoesBackUnderTheWheels() throws Exception {
         Floor ice = new Floor("floor", 40, 40);
@@ -76,7 +79,7 @@ public class WheelsOnThingsTest {
         return body.mass * v[2];
     }
 
-    /** As they do who are made without a place: both are at the origin. */
+    /** Robots created without a place start at the origin together. */
     @Test
     public void twoRobotsAtOneSpotComeApartSlowly() throws Exception {
         new Floor("floor", 60, 60);
@@ -107,7 +110,7 @@ public class WheelsOnThingsTest {
         }
     }
 
-    /** Wheels that point up carried what lay on its back, from below the floor: it crept, fell through it or was thrown. */
+    /** Wheels that point up must not carry a robot on its back from below the floor. */
     @Test
     public void whatLiesOnItsBackLiesStill() throws Exception {
         new Floor("floor", 160, 60);
@@ -132,7 +135,10 @@ public class WheelsOnThingsTest {
         assertTrue("only " + turned + " of " + count + " lie on their backs", turned >= 6);
     }
 
-    /** Its caster met the ground as a wheel does, then as a wall does, and so on: it hopped away at 0.15 m/s, for ever. */
+    /**
+     * A caster on the ground must not alternate between contact as a wheel and contact as a wall, which makes the rover
+     * hop.
+     */
     @Test
     public void aRoverThatStandsOnItsTailStands() throws Exception {
         new Floor("floor", 40, 10);
@@ -155,7 +161,7 @@ public class WheelsOnThingsTest {
         assertTrue("only " + upright + " of " + count + " stand on their tails", upright >= 3);
     }
 
-    /** A turntable takes a rover along that stands beside its axis; its caster does not swing, for it does not roll. */
+    /** A turntable drags along a rover beside its axis; the caster does not swing, because it does not roll. */
     @Test
     public void aPlateThatAServoTurnsTakesWheelsAlong() throws Exception {
         new Floor("floor", 20, 20);
@@ -176,7 +182,10 @@ public class WheelsOnThingsTest {
         assertEquals("upright", 1, pose.rotate(0, 1, 0)[1], 1e-6);
     }
 
-    /** A rover of 2 kg half a metre from the axis is a moment of 9.8 N m: twice that lifts it at half speed, half of it is turned back. */
+    /**
+     * A rover of 2 kg half a metre from the axis is a moment of 9.8 N m. A servo with twice that torque lifts it at
+     * half speed; one with half of it is pushed back.
+     */
     @Test
     public void aServoFeelsTheWheelsThatItLifts() throws Exception {
         double moment = 2 * 9.81 * 0.5;
@@ -198,7 +207,7 @@ public class WheelsOnThingsTest {
         assertEquals(1, simulation.getServo("weak").getAngle(), 0.15);
     }
 
-    /** A heavy robot with a light plate that a servo of that name turns about an axis at z. */
+    /** Makes a heavy robot with a light plate that a servo of that name turns about an axis at z. */
     private static Servo plate(String name, double x, double z, double rz) throws Exception {
         SEARrobot robot = new SEARrobot(name + "Robot");
         robot.addComponent(new Dynamics(name + "Weight", 400));
@@ -216,7 +225,7 @@ public class WheelsOnThingsTest {
         return servo;
     }
 
-    /** The height of the lowest point of all its parts, metres. */
+    /** Returns the height of the lowest point of all parts, metres. */
     private static double lowest(Body body) {
         double lowest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < body.solids.size(); i++) {

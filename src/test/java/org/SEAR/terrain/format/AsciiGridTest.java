@@ -11,7 +11,7 @@ import java.nio.charset.StandardCharsets;
 import org.SEAR.terrain.tiff.MapBytes;
 import org.junit.Test;
 
-/** ESRI ASCII grids and the .prj beside them. */
+/** ESRI ASCII grids with their .prj files. */
 public class AsciiGridTest {
     private static final String HEIGHTS = "1 2.5 -3\n-9999 5e1 +6\n";
 

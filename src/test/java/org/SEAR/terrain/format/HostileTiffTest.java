@@ -10,7 +10,10 @@ import java.util.Arrays;
 import org.SEAR.terrain.tiff.MapBytes;
 import org.junit.Test;
 
-/** TIFFs that are broken, lie or are meant for something else: each is refused with what is wrong and what would be right. */
+/**
+ * TIFFs that are broken, contradictory or meant for something else: each is rejected with the error and the legal
+ * value.
+ */
 public class HostileTiffTest {
     private static final int[] HEIGHTS = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
 

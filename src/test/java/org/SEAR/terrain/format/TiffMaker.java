@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Writes TIFFs tag by tag, right ones and wrong ones. */
+/** Writes TIFFs tag by tag, valid and invalid ones. */
 public final class TiffMaker {
     private static final int SHORT = 3;
     private static final int LONG = 4;
@@ -17,14 +17,14 @@ public final class TiffMaker {
     private final byte[] pixels;
     private ByteOrder order = ByteOrder.LITTLE_ENDIAN;
 
-    /** An image of one uncompressed strip. */
+    /** Makes an image of one uncompressed strip. */
     public TiffMaker(int columns, int rows, int bits, byte... pixels) {
         this.pixels = pixels;
         with(256, columns).with(257, rows).with(258, bits).with(259, 1).with(262, 1).with(273, 8).with(277, 1).with(278, rows)
             .with(279, pixels.length);
     }
 
-    /** Heights of 16 bits, in degrees of WGS 84 from a north-west corner. */
+    /** Makes elevations of 16 bits in degrees of WGS 84 from a north-west corner. */
     public static TiffMaker heights(int columns, int rows, double west, double north, double step, int... heights) {
         ByteBuffer bytes = ByteBuffer.allocate(2 * heights.length).order(ByteOrder.LITTLE_ENDIAN);
         for (int height : heights) {
@@ -33,13 +33,13 @@ public final class TiffMaker {
         return new TiffMaker(columns, rows, 16, bytes.array()).with(339, 2).placed(west, north, step);
     }
 
-    /** With a corner and a step in degrees of WGS 84. */
+    /** Sets corner and step in degrees of WGS 84. */
     public TiffMaker placed(double west, double north, double step) {
         return with(33550, new double[] {step, step, 0}).with(33922, new double[] {0, 0, 0, west, north, 0})
             .with(34735, new int[] {1, 1, 0, 2, 1024, 0, 1, 2, 2048, 0, 1, 4326});
     }
 
-    /** With a tag: a number, int[] of shorts, long[] of numbers of 32 bits, double[], a text, or null for without. */
+    /** Sets a tag: a number, int[] of shorts, long[] of 32-bit numbers, double[], a text, or null to remove it. */
     public TiffMaker with(int tag, Object value) {
         tags.put(tag, value);
         if (value == null) {
@@ -48,13 +48,13 @@ public final class TiffMaker {
         return this;
     }
 
-    /** Numbers of more than one byte begin with the highest; pixels stay as they are. */
+    /** Sets big-endian order for numbers; pixels stay unchanged. */
     public TiffMaker bigEndian() {
         order = ByteOrder.BIG_ENDIAN;
         return this;
     }
 
-    /** The file; its pixels follow the head. */
+    /** Returns the file; its pixels follow the header. */
     public byte[] bytes() {
         int room = tags.values().stream().mapToInt(tag -> value(tag).length).sum();
         ByteBuffer out = ByteBuffer.allocate((1 << 16) + pixels.length + room).order(order);
@@ -79,7 +79,7 @@ public final class TiffMaker {
                 out.put(Arrays.copyOf(value, 4));
             }
         }
-        out.putInt(directory);    // the next image is this one: a ring
+        out.putInt(directory);    // the next image is this one: a cycle
         byte[] all = new byte[Math.max(values, out.position())];
         System.arraycopy(out.array(), 0, all, 0, all.length);
         return all;

@@ -9,7 +9,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import org.junit.Test;
 
-/** Unpacking and predictors, on bytes worked out by hand. */
+/** Unpacking and predictors, with bytes computed by hand. */
 public class TiffDecoderTest {
     private static byte[] bytes(int... values) {
         byte[] bytes = new byte[values.length];
@@ -34,7 +34,7 @@ public class TiffDecoderTest {
         assertArrayEquals(bytes(0xaa, 0xaa), unpacked(32773, 2, packed));
     }
 
-    /** Codes 256, 7, 258 (which is 7 7, and not there before it is read), 7, 257, of nine bits each. */
+    /** Codes 256, 7, 258 (which stands for 7 7 and is defined only while it is read), 7, 257, of nine bits each. */
     @Test
     public void lzwWithACodeThatIsMadeWhileItIsRead() throws IOException {
         byte[] packed = codes(256, 7, 258, 7, 257);
@@ -77,7 +77,7 @@ public class TiffDecoderTest {
         }
     }
 
-    /** 1.5 and -2 are 3f c0 00 00 and c0 00 00 00: by rank 3f c0, c0 00, 00 00, 00 00, of which the differences are kept. */
+    /** 1.5 and -2 are 3f c0 00 00 and c0 00 00 00; by rank 3f c0, c0 00, 00 00, 00 00, stored as differences. */
     @Test
     public void floatsSortedByRank() {
         byte[] row = bytes(0x3f, 0xc0 - 0x3f, 0, 0x00 - 0xc0, 0, 0, 0, 0);

@@ -31,9 +31,10 @@ import org.junit.Test;
 import org.junit.runner.RunWith;
 
 /**
- * A camera sees what the window shows: pictures of the same views of all examples are alike by the structural similarity of Wang, Bovik, Sheikh and
- * Simoncelli, "Image quality assessment: from error visibility to structural similarity" (2004). The window's own picture is drawn twice as large
- * and made smaller, because without a graphics card it doesn't filter the pictures on surfaces.
+ * A camera sees what the window shows: pictures of the same views of all examples have a high structural similarity
+ * (Wang, Bovik, Sheikh and Simoncelli, "Image quality assessment: from error visibility to structural similarity",
+ * 2004). The window's picture is drawn at twice the size and scaled down, because without a graphics card it doesn't
+ * filter textures.
  */
 @RunWith(UnderXvfb.class)
 public class CameraPictureTest {
@@ -61,7 +62,7 @@ public class CameraPictureTest {
         assertTrue(names.size() >= 9);
     }
 
-    /** Markers, chessboards and pictures: the same sides of them have the same pictures, the same way round. */
+    /** Markers, chessboards and pictures have the same pictures on the same sides in the same orientation. */
     @Test
     public void platesLookAlike() throws Exception {
         double similarity = similarity("plates", ViewProjects.plates());
@@ -87,7 +88,7 @@ public class CameraPictureTest {
         }
     }
 
-    /** The housings of sensors, and lights: beams don't meet them. */
+    /** Hides sensor housings and lights, which beams don't hit. */
     private static void hideWhatIsNoBody(Views view) {
         List<SEARrobot> robots = view.world.simulation.getProject().getRobots();
         for (int i = 0; i < robots.size(); i++) {
@@ -117,7 +118,7 @@ public class CameraPictureTest {
         return picture;
     }
 
-    /** Each pixel the mean of those that it covers. */
+    /** Returns a smaller picture whose pixels are the means of the pixels they cover. */
     private static BufferedImage smaller(BufferedImage large) {
         BufferedImage small = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         for (int i = 0; i < WIDTH * HEIGHT; i++) {

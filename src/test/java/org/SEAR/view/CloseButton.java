@@ -8,7 +8,10 @@ import com.sun.jna.NativeLong;
 import com.sun.jna.Pointer;
 import java.io.IOException;
 
-/** Presses a window's close button, as a window manager tells it: by a client message WM_PROTOCOLS, WM_DELETE_WINDOW (ICCCM 4.2.8). */
+/**
+ * Presses a window's close button like a window manager: by a client message WM_PROTOCOLS, WM_DELETE_WINDOW (ICCCM
+ * 4.2.8).
+ */
 final class CloseButton {
     private static final int CLIENT_MESSAGE = 33;
     private static final int EVENT_SIZE = 192;

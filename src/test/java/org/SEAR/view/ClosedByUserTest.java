@@ -10,7 +10,7 @@ import org.junit.runner.RunWith;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 
-/** What a SEAR service does when the user closes the window: goes on, or stops, as configured. */
+/** When the user closes the window, the SEAR service continues or stops the simulation, as configured. */
 @RunWith(UnderXvfb.class)
 public class ClosedByUserTest {
     private static final String TITLE = "SEAR";
@@ -35,7 +35,7 @@ public class ClosedByUserTest {
         CloseButton.press(TITLE);
     }
 
-    /** The thread that tells the service has ended: what it had to say is in the service's inbox. */
+    /** Returns whether the thread that informs the service has ended; its message is then in the service's inbox. */
     private static boolean isTold() {
         return Thread.getAllStackTraces().keySet().stream().map(Thread::getName)
             .noneMatch(name -> name.equals("SEAR window closed") || name.equals("jME3 Main"));

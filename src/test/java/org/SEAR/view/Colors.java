@@ -4,7 +4,7 @@ import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 
-/** Colours of pictures, taken with tolerance. */
+/** Colours of pictures with tolerance. */
 final class Colors {
     private static final int AROUND = 2;
     private static final int FAR = 15;
@@ -12,7 +12,10 @@ final class Colors {
     private Colors() {
     }
 
-    /** The middle colour, channel by channel, of the 5 by 5 pixels around a pixel: a line or two across it don't count. */
+    /**
+     * Returns the median, channel by channel, of the 5 by 5 pixels around a pixel, which ignores one or two lines
+     * across it.
+     */
     static Color around(BufferedImage picture, int x, int y) {
         int[] red = new int[(2 * AROUND + 1) * (2 * AROUND + 1)];
         int[] green = red.clone();
@@ -29,7 +32,7 @@ final class Colors {
         return new Color(middle(red), middle(green), middle(blue));
     }
 
-    /** The mean colour of the 31 by 31 pixels around a pixel. */
+    /** Returns the mean colour of the 31 by 31 pixels around a pixel. */
     static Color mean(BufferedImage picture, int x, int y) {
         long red = 0;
         long green = 0;

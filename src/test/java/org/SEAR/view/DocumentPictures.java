@@ -11,7 +11,10 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.SEAR.simulator.SimulationRunner;
 
-/** Draws the pictures of the documentation from the examples and the first script, on an X server of its own: {@code scripts/screenshots}. */
+/**
+ * Draws the pictures of the documentation from the examples and the first script, on a separate X server:
+ * {@code scripts/screenshots}.
+ */
 public final class DocumentPictures {
     private static final int WIDTH = 960;
     private static final int HEIGHT = 600;
@@ -28,8 +31,8 @@ public final class DocumentPictures {
     }
 
     /**
-     * @param arguments the folder for the pictures and the names of those wanted, all if none is named; with {@code inside} before it, in the
-     *     process that has the display
+     * @param arguments the folder for the pictures and the names of the wanted ones, or none for all; preceded by
+     *     {@code inside} in the process that has the display
      */
     public static void main(String[] arguments) throws Exception {
         if (!arguments[0].equals(INSIDE)) {
@@ -91,14 +94,14 @@ public final class DocumentPictures {
         });
     }
 
-    /** The example's rover with eight kilometres of mountains around it instead of two. */
+    /** Returns the example's rover with eight kilometres of mountains around it instead of two. */
     private static Path mountains() throws Exception {
         Path script = Files.createTempDirectory("scene").resolve("mountains.py");
         Files.writeString(script, Files.readString(Paths.get("examples/mountain.py")).replace("2000, 2000", "8000, 8000"));
         return projectOf(script.toString());
     }
 
-    /** Runs a script and answers the project that it made. */
+    /** Runs a script and returns the project that it made. */
     private static Path projectOf(String script) throws Exception {
         Path folder = Files.createTempDirectory("scene");
         int status = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-cp", System.getProperty("java.class.path"),

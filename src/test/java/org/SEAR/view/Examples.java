@@ -12,7 +12,6 @@ final class Examples {
 
     /**
      * Unpacks an example.
-     *
      * @return its SEARproject folder
      */
     static Path folder(String name) throws Exception {

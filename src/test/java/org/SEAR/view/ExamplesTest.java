@@ -13,7 +13,7 @@ import java.awt.image.BufferedImage;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** The example projects on the window: known objects have their colours where they are. */
+/** The example projects in the window: known objects have their colours at their places. */
 @RunWith(UnderXvfb.class)
 public class ExamplesTest {
     private static final float ORANGE = 0.055f;
@@ -50,7 +50,7 @@ public class ExamplesTest {
         assertTrue(what + " is " + color + ", hue " + seen[0], Math.min(off, 1 - off) < HUE_OFF && seen[1] > SATURATED);
     }
 
-    /** Puts the flycam where nothing stands between it and the object's middle. */
+    /** Moves the flycam to a place with a free view of the object's middle. */
     private static void lookAt(Views view, String name) {
         Node object = (Node) view.scene().world().root().getChild(name);
         Vector3f middle = object.getWorldBound().getCenter();

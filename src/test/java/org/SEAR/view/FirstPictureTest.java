@@ -14,7 +14,7 @@ import org.junit.Test;
 import org.junit.runner.RunWith;
 import org.lwjgl.glfw.GLFW;
 
-/** What a user sees first of the window. */
+/** The window stays hidden until its scene is drawn. */
 @RunWith(UnderXvfb.class)
 public class FirstPictureTest {
     private static boolean isVisible() {

@@ -17,7 +17,7 @@ import org.junit.Before;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** Presses each key of the window on a real keyboard (an X server's) and looks at what it did. */
+/** Presses each key of the window on a real keyboard (an X server's) and checks the effect. */
 @RunWith(UnderXvfb.class)
 public class KeysTest {
     private static final double SLOW = 0.25;
@@ -69,7 +69,7 @@ public class KeysTest {
         view.press("u");
         Views.until("it is away", () -> Math.hypot(view.world.robot().pose.x - startX, view.world.robot().pose.z - startZ) > 0.2);
         long step = view.world.snapshot().step;
-        view.world.runner.setSpeed(SLOW);    // no more steps than that pass until a busy machine has drawn two pictures
+        view.world.runner.setSpeed(SLOW);    // few steps, until a busy machine has drawn two pictures
         view.press("Return");
         Views.until("it is back", () -> Math.hypot(view.world.robot().pose.x - startX, view.world.robot().pose.z - startZ) < 0.02);
         assertTrue("started again", view.world.snapshot().step < step + 30);

@@ -17,17 +17,20 @@ import org.SEAR.view.platform.NativeMemory;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** Windows come and go. */
+/** Opening and closing of windows. */
 @RunWith(UnderXvfb.class)
 public class LifeCycleTest {
     private static final int TIMES = 50;
     private static final int TRIALS = 3;
     private static final int WARM_UP = 10;
-    /** Windows of which the one that left least memory counts: how much the graphics driver and the compiler hold at a moment is a matter of luck. */
+    /**
+     * Number of trials, of which the one with the smallest leak counts: the memory of graphics driver and compiler
+     * varies.
+     */
     private static final int ROUND = 10;
     private static final long LEAK = 20L << 20;
 
-    /** Opens fifty; a leak would show in any fifty, what the compiler holds for a while does not. */
+    /** Opens fifty windows; a leak shows in any fifty, but temporary memory of the compiler doesn't. */
     @Test
     public void fiftyWindowsOneAfterAnotherLeaveNothingBehind() throws Exception {
         try (RunningWorld world = new RunningWorld(ViewProjects.room())) {
@@ -40,7 +43,7 @@ public class LifeCycleTest {
         }
     }
 
-    /** What grew too much; null if nothing. */
+    /** Returns the quantity that grew too much, or null. */
     private static String leakOfFifty(RunningWorld world) throws Exception {
         long[] heap = new long[TIMES];
         long[] resident = new long[TIMES];
@@ -57,7 +60,7 @@ public class LifeCycleTest {
             threads = i == WARM_UP ? threads() : threads;
         }
         int most = threads;
-        Views.until("no more threads than " + most, () -> threads() <= most);    // one that was told to end may be on its way
+        Views.until("no more threads than " + most, () -> threads() <= most);    // a thread that is ending may still run
         assertEquals("windows", 0, windows());
         String grown = growth("heap", heap);
         return grown != null ? grown : growth("memory", resident);

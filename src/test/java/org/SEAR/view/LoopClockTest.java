@@ -21,23 +21,29 @@ import org.SEAR.simulator.SimulationRunner;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** The window hardly slows the simulation: on the example with 20 boxes and every sensor, in processor time, as ratios within one run. */
+/**
+ * The window hardly slows the simulation on the example with 20 boxes and every sensor: CPU time as ratios within one
+ * run.
+ */
 @RunWith(UnderXvfb.class)
 public class LoopClockTest {
     private static final String EXAMPLE = "sensors";
     private static final double FRAMES_PER_SECOND = 30;
-    /** What is left of two is the simulation's. */
+    /** Limit of the window's cores; the rest of two is the simulation's. */
     private static final double CORES = 1.2;
-    /** Where other work slows every program down, a picture is compared with another of the same window that it slows down likewise: 1.1 to 1.2. */
+    /**
+     * Limit of the ratio to a reference picture of the same window, which other work on the machine slows down equally:
+     * measured 1.1 to 1.2.
+     */
     private static final double YARDSTICKS = 1.5;
     private static final int SHEETS = 8;
     private static final float SEE_THROUGH = 0.5f;
     private static final int PICTURES = 60;
     private static final int WARM_UP_PICTURES = 40;
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
-    /** What the 99th percentile of a step's time may grow by; measuring ends when it is reached ... */
+    /** Growth of the 99th percentile of a step's time at which measuring ends ... */
     private static final double WANTED = 1.2;
-    /** ... and the test fails beyond this, because machines that run tests have other work as well. */
+    /** ... and limit beyond which the test fails, because test machines have other work as well. */
     private static final double SLOWER = 1.4;
     private static final int LEAST_TURNS = 2;
     private static final int MOST_TURNS = 8;
@@ -46,9 +52,7 @@ public class LoopClockTest {
     private static final int TIMED_STEPS = 300;
     private static final long STEP_LENGTH = 16_666_667L;
 
-    /**
-     * Counted in processor time, because the machine that runs the tests has other work as well, and without the simulation's.
-     */
+    /** Counts CPU time without the simulation's, because the test machine has other work as well. */
     @Test
     public void thirtyPicturesASecondOnSoftwareOpenGlLeaveTheSimulationItsShareOfTwoCores() throws Exception {
         try (Views view = new Views(Examples.folder(EXAMPLE), new WindowOptions())) {
@@ -67,7 +71,7 @@ public class LoopClockTest {
         }
     }
 
-    /** Processor seconds of a picture. */
+    /** Returns the CPU time of a picture, seconds. */
     private static double picture(Views view) {
         view.frames(WARM_UP_PICTURES);
         long start = processorTime(view);
@@ -75,7 +79,10 @@ public class LoopClockTest {
         return (processorTime(view) - start) / 1e9 / PICTURES;
     }
 
-    /** Processor seconds of a fixed picture from the same OpenGL in the same window: see-through sheets as large as the window, nothing else. */
+    /**
+     * Returns the CPU time of a reference picture from the same OpenGL in the same window, only transparent sheets of
+     * the window's size, seconds.
+     */
     private static double yardstick(Views view) throws Exception {
         Node sheets = new Node("sheets");
         view.ask(() -> {
@@ -107,8 +114,7 @@ public class LoopClockTest {
 
     /**
      * Runs at real time.
-     *
-     * @return the processor time of each step, ns
+     * @return the CPU time of each step, ns
      */
     private static long[] steps(Simulation simulation, int count) {
         long[] times = new long[count];
@@ -125,14 +131,14 @@ public class LoopClockTest {
         return times;
     }
 
-    /** What 99 % of the steps of a turn stay below, ns. */
+    /** Returns the 99th percentile of a round's step times, ns. */
     private static long slowStep(long[] times) {
         return Arrays.stream(times).sorted().toArray()[times.length * 99 / 100];
     }
 
     /**
-     * Compiled code is compared: the steps before are run as fast as possible. With and without window take turns, because what else the machine does
-     * changes the times of both; the best turn counts, for it may hit one side alone.
+     * Compares compiled code: earlier steps run as fast as possible. Rounds with and without window alternate, because
+     * other work on the machine changes both; the best round counts.
      */
     @Test
     public void stepsTakeNoLongerWithTheWindow() throws Exception {

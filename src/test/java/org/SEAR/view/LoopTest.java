@@ -12,13 +12,13 @@ import org.SEAR.simulator.Simulation;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** The window changes nothing about the simulation: on the example with 20 boxes and every sensor. */
+/** The window doesn't change the simulation, shown on the example with 20 boxes and every sensor. */
 @RunWith(UnderXvfb.class)
 public class LoopTest {
     private static final String EXAMPLE = "sensors";
     private static final int STEPS = 600;
 
-    /** Drives an arc and writes down everything that the sensors read, step by step. */
+    /** Drives an arc and returns the readings of all sensors at each step. */
     private static List<String> readings(Path project, boolean windowed) throws Exception {
         List<String> lines = new ArrayList<>();
         try (RunningWorld world = new RunningWorld(project, true)) {

@@ -22,14 +22,19 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** Machines that can't show a window run the simulation without one, and say why. */
+/** Machines that can't show a window run the simulation without one and report the cause. */
 public class NoDisplayTest {
-    /** Opens a window, tells what came of it, and lives on until its input ends; then tells whether the window is still open. */
+    /**
+     * Opens a window, prints the result, runs until its input ends and then prints whether the window is still open.
+     */
     public static final class Opener {
         private Opener() {
         }
 
-        /** @param arguments none, or the process of an X server to kill when the window begins an update, before its picture */
+        /**
+         * @param arguments none, or the process of an X server to kill when the window begins an update, before its
+         *     picture
+         */
         public static void main(String[] arguments) throws Exception {
             RunningWorld world = new RunningWorld(ViewProjects.room());
             SimulatorWindow window = SimulatorWindow.open(world.runner, new WindowOptions().setSize(320, 200)
@@ -56,7 +61,7 @@ public class NoDisplayTest {
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
 
-    /** Of the processes with a window: their projects and native libraries go with the test. */
+    /** Returns options that put the projects and native libraries of processes with a window into the test's folder. */
     private List<String> options() {
         return List.of("-Djava.io.tmpdir=" + folder.getRoot());
     }
@@ -115,7 +120,7 @@ public class NoDisplayTest {
         }
     }
 
-    /** As in a MyRobotLab from before 2024, whose jMonkeyEngine has no KeyInput.getKeyName. */
+    /** A MyRobotLab from before 2024 has a jMonkeyEngine without KeyInput.getKeyName. */
     @Test
     public void anOlderEngineLeavesNoEmptyWindow() throws Exception {
         try (Xvfb server = new Xvfb()) {
@@ -137,7 +142,7 @@ public class NoDisplayTest {
         }
     }
 
-    /** A folder with a class that lacks a method. */
+    /** Makes a folder with a class that lacks a method. */
     private Path olderEngine() throws IOException {
         String name = "com/jme3/input/KeyInput.class";
         Path file = folder.getRoot().toPath().resolve(name);
@@ -184,8 +189,8 @@ public class NoDisplayTest {
     }
 
     /**
-     * Mesa asks it for the window's size before it draws, and draws on with what it finds in its memory if there is no answer. That ended about
-     * half of the processes.
+     * Mesa asks the X server for the window's size before it draws. Without an answer it continues with uninitialised
+     * memory, which ends about half of the processes.
      */
     @Test
     public void anXServerThatDiesBeforeAPictureTakesOnlyTheWindowAway() throws Exception {

@@ -16,7 +16,7 @@ import org.junit.Before;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** A window in a process of its own, as on macOS, behaves like one in this process. */
+/** A window in a separate process, as on macOS, behaves like one in this process. */
 @RunWith(UnderXvfb.class)
 public class OwnProcessTest {
     private final List<String> warnings = Collections.synchronizedList(new ArrayList<>());

@@ -15,7 +15,7 @@ import org.junit.Before;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** What is on the window: known objects in their colours at the places where they are. */
+/** Content of the window: known objects in their colours at their places. */
 @RunWith(UnderXvfb.class)
 public class PictureTest {
     private static final float HIGH = 0.35f;

@@ -5,7 +5,7 @@ import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 import org.SEAR.simulator.Snapshot;
 
-/** A project's simulation that runs on a thread of its own. */
+/** A project's simulation on its own thread. */
 final class RunningWorld implements AutoCloseable {
     private static final long SEED = 1;
     final Simulation simulation;
@@ -30,7 +30,7 @@ final class RunningWorld implements AutoCloseable {
         return simulation.snapshot();
     }
 
-    /** Its step when it has been paused: the one in hand then has ended. */
+    /** Returns the step at which the simulation is paused, after the current step has ended. */
     long pausedStep() throws Exception {
         return simulation.ask(world -> world.snapshot().step).get();
     }

@@ -10,11 +10,14 @@ import java.util.Arrays;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** The sun's shadows, and what is drawn for them: counted, not timed. */
+/** The sun's shadows and their drawing cost, in counts instead of times. */
 @RunWith(UnderXvfb.class)
 public class ShadowsTest {
     private static final int PICTURES = 12;
-    /** Two thirds of what the office took before shadows were looked up where a surface is drawn. */
+    /**
+     * Limit of vertices per picture: two thirds of the cost of drawing shadows for the office without a lookup per
+     * surface.
+     */
     private static final int FEW_VERTICES = 14_000;
     private static final double SHADED_LOW = 0.5;
     private static final double SHADED_HIGH = 0.62;
@@ -29,7 +32,7 @@ public class ShadowsTest {
         return view;
     }
 
-    /** Of the last picture. */
+    /** Returns a statistic of the last picture. */
     private static int count(Views view, String what) throws Exception {
         view.frames(3);
         return view.ask(() -> {
@@ -81,7 +84,7 @@ public class ShadowsTest {
             int before = draws(view);
             Node can = view.ask(() -> (Node) view.scene().world().root().getChild("trash Can"));
             view.ask(() -> {
-                can.getChild(0).move(0, 2, 0); // the node itself is put where the simulation has it
+                can.getChild(0).move(0, 2, 0); // the simulation sets the pose of the node itself
                 return null;
             });
             Views.until("it is drawn for its shadow", () -> view.is(() -> view.scene().lighting().shadowDraws() > before));

@@ -3,8 +3,9 @@ package org.SEAR.view;
 import java.awt.image.BufferedImage;
 
 /**
- * The mean structural similarity of two pictures of one size (Wang, Bovik, Sheikh and Simoncelli 2004): their brightness is compared in all windows
- * of 11 x 11 pixels, weighted by a bell curve of 1.5 pixels. 1 for the same picture.
+ * Mean structural similarity of two pictures of one size (Wang, Bovik, Sheikh and Simoncelli 2004). It compares
+ * brightness in all windows of 11 x 11 pixels with Gaussian weights of 1.5 pixels standard deviation. Equal pictures
+ * have 1.
  */
 final class Similarity {
     private static final int REACH = 5;
@@ -58,7 +59,7 @@ final class Similarity {
         return product;
     }
 
-    /** Along rows, then along columns; what lies beyond the edge is left out. */
+    /** Blurs along rows, then along columns, without pixels beyond the edge. */
     private static double[] blurred(double[] values, int width, int height) {
         return along(along(values, width, height, 1), width, height, width);
     }

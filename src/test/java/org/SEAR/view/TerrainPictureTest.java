@@ -20,7 +20,7 @@ import org.SEAR.view.terrain.TerrainView;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** A terrain in the window: a whole SRTM tile of 3601 x 3601 posts, and a small one under a picture. */
+/** A terrain in the window: a whole SRTM tile of 3601 x 3601 samples. */
 @RunWith(UnderXvfb.class)
 public class TerrainPictureTest {
     private static final int POSTS = 3601;
@@ -39,7 +39,7 @@ public class TerrainPictureTest {
         return folder;
     }
 
-    /** Mountains as of an SRTM tile. */
+    /** Makes mountains like those of an SRTM tile. */
     private static Path mountains() throws IOException {
         Path folder = folder();
         ByteBuffer posts = ByteBuffer.allocate(2 * POSTS * POSTS);
@@ -68,7 +68,7 @@ public class TerrainPictureTest {
         view.frames(3);
     }
 
-    /** Processor milliseconds that a picture takes in the whole process. */
+    /** Returns the CPU time of the whole process per picture, ms. */
     private static double cost(Views view) {
         OperatingSystemMXBean system = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
         view.frames(3);

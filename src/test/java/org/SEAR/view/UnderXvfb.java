@@ -27,13 +27,13 @@ import org.junit.runners.model.InitializationError;
 import org.junit.runners.model.TestClass;
 
 /**
- * Runs a test class in a Java process of its own whose display is an Xvfb of its own: {@code @RunWith(UnderXvfb.class)}. Results come back line by
- * line, so that they look as if the tests had run here. What the process leaves in its folder for temporary files goes with it.
+ * Runs a test class in a separate Java process on its own Xvfb display: {@code @RunWith(UnderXvfb.class)}. Results come
+ * back line by line, as if the tests ran here. The process's folder of temporary files is deleted afterwards.
  */
 public final class UnderXvfb extends Runner {
-    /** So that what the process grows by isn't Java's heap. */
+    /** A fixed heap, so that growth of the process is not Java's heap. */
     private static final List<String> FIXED_HEAP = List.of("-Xms192m", "-Xmx192m", "-XX:+AlwaysPreTouch");
-    /** Times that are compared are those of programs as users have them. */
+    /** Optimizing compiler as users have it, for tests that compare times. */
     private static final List<String> OPTIMIZED = List.of("-XX:TieredStopAtLevel=4");
     private static final String MARK = "##view-test ";
     private final TestClass tests;

@@ -32,7 +32,10 @@ final class ViewProjects {
     private ViewProjects() {
     }
 
-    /** A robot before a marker, a chessboard, a picture, and one that shows its back, so near that they fill much of what it sees. */
+    /**
+     * Makes a robot before a marker, a chessboard, a picture and a plate that shows its back, so near that they fill
+     * much of its view.
+     */
     static Path plates() throws IOException {
         Path folder = Files.createTempDirectory("view").resolve("SEARproject");
         System.setProperty("sear.project", folder.toString());
@@ -47,7 +50,7 @@ final class ViewProjects {
         return folder;
     }
 
-    /** A room of 20 boxes with a robot that has every sensor, read from a folder. */
+    /** Makes a room of 20 boxes with a robot that has every sensor, read from a folder. */
     static Path room() throws IOException {
         Path folder = Files.createTempDirectory("view").resolve("SEARproject");
         System.setProperty("sear.project", folder.toString());

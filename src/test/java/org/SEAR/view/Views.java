@@ -35,7 +35,7 @@ final class Views implements AutoCloseable {
         tool("mousemove", "640", "400");
     }
 
-    /** Where pictures are kept as test reports. */
+    /** Returns the folder for pictures of test reports. */
     static Path report() throws IOException {
         return Files.createDirectories(Paths.get(System.getProperty("sear.root", "."), "build", "reports", "screenshots"));
     }
@@ -48,7 +48,7 @@ final class Views implements AutoCloseable {
         return app().scene();
     }
 
-    /** Asks something on the window's thread. */
+    /** Runs a query on the window's thread. */
     <T> T ask(Callable<T> question) throws Exception {
         FutureTask<T> task = new FutureTask<>(question);
         app().enqueue(task);
@@ -63,14 +63,12 @@ final class Views implements AutoCloseable {
         }
     }
 
-    /** Waits for a condition. */
     static void until(String what, BooleanSupplier condition) {
         if (!within(PATIENCE, condition)) {
             fail("not within " + PATIENCE + " s: " + what);
         }
     }
 
-    /** Whether a condition comes true in time. */
     static boolean within(long seconds, BooleanSupplier condition) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
         while (!condition.getAsBoolean()) {
@@ -82,13 +80,13 @@ final class Views implements AutoCloseable {
         return true;
     }
 
-    /** Lets the window draw so many more pictures. */
+    /** Waits until the window has drawn this many more pictures. */
     void frames(int count) {
         long wanted = app().frames + count;
         until(count + " more pictures", () -> app().frames >= wanted);
     }
 
-    /** Presses a key of the X server's keyboard, as a hand would, with the pointer over the window. */
+    /** Presses a key of the X server's keyboard with the pointer over the window. */
     void press(String... keys) throws IOException, InterruptedException {
         tool("key", keys);
         frames(2);
@@ -103,7 +101,7 @@ final class Views implements AutoCloseable {
         assertTrue(command + " (Debian: apt-get install xdotool): " + output, tool.waitFor() == 0);
     }
 
-    /** A picture of the window, kept as {@code build/reports/screenshots/NAME.png}. */
+    /** Takes a picture of the window and saves it as {@code build/reports/screenshots/NAME.png}. */
     BufferedImage picture(String name) throws Exception {
         Path file = report().resolve(name + ".png");
         Files.deleteIfExists(file);

@@ -14,7 +14,7 @@ import org.SEAR.terrain.WideMap;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** A terrain of 10812 x 10812 posts in the window, in a heap of 192 MB. */
+/** A terrain of 10812 x 10812 samples in the window, in a heap of 192 MB. */
 @RunWith(UnderXvfb.class)
 public class WideTerrainPictureTest {
     private static final int WIDE = 10812;

@@ -10,17 +10,16 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** An X server of its own, without a screen, and processes that show their windows there. */
+/** A separate X server without a screen, and processes that show their windows there. */
 final class Xvfb implements AutoCloseable {
     private static final String SCREEN = "1280x800x24";
-    /** As the tests themselves: most such processes end before the optimizing compiler's work pays. */
+    /** Options of the tests themselves: most such processes end before the optimizing compiler pays off. */
     private static final List<String> QUICK = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
     private final Process server;
     private final String display;
 
     /**
-     * Starts a server on a display number that is free.
-     *
+     * Starts a server on a free display number.
      * @param more options for it
      */
     Xvfb(String... more) throws IOException {
@@ -34,16 +33,15 @@ final class Xvfb implements AutoCloseable {
         display = ":" + number.trim();
     }
 
-    /** Name of the display, for example {@code :99}. */
+    /** Returns the name of the display, for example {@code :99}. */
     String display() {
         return display;
     }
 
     /**
-     * A Java process with this process's class path that shows its windows on a display.
-     *
+     * Returns a Java process with this process's class path that shows its windows on a display.
      * @param display null for none
-     * @param options of the JVM, which by itself has no optimizing compiler
+     * @param options of the JVM, which by default has no optimizing compiler
      */
     static ProcessBuilder java(String display, List<String> options, String main, String... arguments) {
         List<String> command = new ArrayList<>();
@@ -63,12 +61,11 @@ final class Xvfb implements AutoCloseable {
         return builder;
     }
 
-    /** Number of the server's process. */
+    /** Returns the number of the server's process. */
     long pid() {
         return server.pid();
     }
 
-    /** Kills the server, as a crash or a broken connection would. */
     void kill() throws InterruptedException {
         server.destroyForcibly().waitFor();
     }

@@ -7,9 +7,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.Assert;
 
-/** What keeps people from using a panel: controls without name, names used twice, text that stands out too little from its background. */
+/** Accessibility errors of a panel: controls without name, names used twice, text with too little contrast. */
 public final class Accessibility {
-    /** Least contrast of text, by the Web Content Accessibility Guidelines, level AA. */
+    /** Least contrast of text by the Web Content Accessibility Guidelines, level AA. */
     private static final double CONTRAST = 4.5;
 
     private static final String FUNCTIONS = String.join("\n",
@@ -55,7 +55,7 @@ public final class Accessibility {
         "})",
         "return found");
 
-    /** What axe-core calls serious or worse: its rule, and where. */
+    /** Script that returns axe-core's violations of impact serious or critical: rule and elements. */
     private static final String AXE = String.join("\n",
         "var done = arguments[arguments.length - 1]",
         "axe.run(document.querySelector(arguments[0]), {resultTypes: ['violations']}).then(function(results) {",
@@ -68,9 +68,8 @@ public final class Accessibility {
     }
 
     /**
-     * Looks at all that is visible in a panel now, in both themes.
-     *
-     * @throws AssertionError that lists what is wrong
+     * Checks all visible parts of a panel in both themes.
+     * @throws AssertionError that lists the errors
      */
     public static void check(Browser browser, String panel) {
         for (String theme : new String[] {"dark", "light"}) {

@@ -35,32 +35,38 @@ import org.openqa.selenium.logging.LogType;
 import org.openqa.selenium.logging.LoggingPreferences;
 import org.openqa.selenium.support.ui.WebDriverWait;
 
-/** A headless Chromium without display and without memory of earlier runs. Elements are named by CSS selectors and waited for. */
+/**
+ * A headless Chromium without display and without data of earlier runs. CSS selectors name elements, and calls wait for
+ * them.
+ */
 public final class Browser implements AutoCloseable {
-    /** For everything that takes time: slow machines get all they need. */
+    /** Timeout of every wait, long enough for slow machines. */
     private static final Duration LIMIT = Duration.ofSeconds(400);
     private static final Duration LOOK = Duration.ofMillis(100);
     private static final int ATTEMPTS = 2;
-    /** As users have them. */
+    /** Browsers as users have them. */
     private static final List<String> WHOLE = List.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
     /**
-     * The first is Debian's Chromium without the windows that nobody sees here, which takes less processor time. By its full name: on the PATH is a
-     * script that waits for it, which is what its driver would end then, and not the browser, whose pages would stay connected.
+     * The first is Debian's Chromium without windows, which takes less CPU time. The full path avoids a wrapper script
+     * on the PATH: the driver would end the script instead of the browser, whose pages would stay connected.
      */
     private static final List<String> BROWSERS = Stream.concat(Stream.of("/usr/lib/chromium/chromium-headless-shell"), WHOLE.stream())
         .collect(Collectors.toList());
-    /** For tests that look at no edges: by the processor, smooth ones take as long as the whole picture without. */
+    /** For tests that don't look at edges: on the CPU, antialiasing takes as long as the rest of the picture. */
     private static final String ROUGH_EDGES = "--webgl-antialiasing-mode=none";
     private static final List<String> DRIVERS = List.of("chromedriver");
 
-    /** Warns of each Chromium that is newer than Selenium; held here, since loggers that nobody holds forget their level. */
+    /**
+     * Logger that warns about each Chromium newer than Selenium; a reference keeps its level, which unreferenced
+     * loggers lose.
+     */
     private static final Logger VERSIONS = Logger.getLogger("org.openqa.selenium.devtools.CdpVersionFinder");
 
     static {
         VERSIONS.setLevel(Level.SEVERE);
     }
 
-    /** See {@link #shared}; null until it is asked for. */
+    /** See {@link #shared}; null until it is first used. */
     private static Browser shared;
 
     private final ChromeDriver driver;
@@ -69,8 +75,8 @@ public final class Browser implements AutoCloseable {
     private final List<String> expected = new ArrayList<>();
 
     /**
-     * @param width of its window in pixels
-     * @param height of its window in pixels
+     * @param width of its window, pixels
+     * @param height of its window, pixels
      * @param more arguments of the browser
      */
     public Browser(int width, int height, String... more) throws IOException {
@@ -83,7 +89,7 @@ public final class Browser implements AutoCloseable {
         downloads = Files.createTempDirectory("sear-downloads").toRealPath();
         ChromeOptions options = new ChromeOptions();
         options.setBinary(binary);
-        // and with a profile of its driver's: told of another, the first of BROWSERS opens no page
+        // The profile is the driver's; with another one the first of BROWSERS opens no page.
         options.addArguments("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
             "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--hide-scrollbars", "--lang=en",
             "--window-size=" + width + "," + height);
@@ -93,23 +99,22 @@ public final class Browser implements AutoCloseable {
         logs.enable(LogType.BROWSER, Level.ALL);
         options.setCapability("goog:loggingPrefs", logs);
         driver = start(driverProgram, options);
-        if (!WHOLE.contains(Paths.get(binary).getFileName().toString())) {      // its driver tells it for the first tab only
+        if (!WHOLE.contains(Paths.get(binary).getFileName().toString())) {      // its driver sets it for the first tab only
             driver.executeCdpCommand("Browser.setDownloadBehavior", Map.of("behavior", "allow", "downloadPath", downloads.toString()));
         }
         driver.manage().window().setSize(new Dimension(width, height));
     }
 
-    /** One as users have it. */
+    /** Starts a browser as users have it. */
     public static Browser whole(int width, int height) throws IOException {
         return new Browser(WHOLE, width, height);
     }
 
     /**
-     * The one for all who share it in this process, with which it ends. It shows an empty tab, new as its user: nothing set, nothing downloaded, no
-     * errors. What pages keep, they keep by their address: see {@link #forgetPages}.
-     *
-     * @param width of its window in pixels
-     * @param height of its window in pixels
+     * Returns the browser that all tests of this process share; it ends with the process. It shows an empty tab in its
+     * initial state: no settings, no downloads, no errors. Pages store data by their address, see {@link #forgetPages}.
+     * @param width of its window, pixels
+     * @param height of its window, pixels
      */
     static synchronized Browser shared(int width, int height) throws IOException {
         if (shared == null || !shared.renew(width, height)) {
@@ -119,12 +124,12 @@ public final class Browser implements AutoCloseable {
         return shared;
     }
 
-    /** Forgets what pages of an address have kept. */
+    /** Deletes the stored data of an address's pages. */
     void forgetPages(String url) {
         driver.executeCdpCommand("Storage.clearDataForOrigin", Map.of("origin", url.replaceAll("/$", ""), "storageTypes", "all"));
     }
 
-    /** @return false if it has ended or does not answer */
+    /** @return false if the browser has ended or does not answer */
     private boolean renew(int width, int height) throws IOException {
         try {
             Set<String> before = driver.getWindowHandles();
@@ -144,7 +149,7 @@ public final class Browser implements AutoCloseable {
         return true;
     }
 
-    /** A machine that is busy with other things may need a second attempt. */
+    /** Starts the driver; a busy machine may need a second attempt. */
     private static ChromeDriver start(String driverProgram, ChromeOptions options) {
         for (int attempt = 1;; attempt++) {
             try {
@@ -161,7 +166,7 @@ public final class Browser implements AutoCloseable {
     private static String program(List<String> names) {
         for (String name : names) {
             for (String folder : System.getenv().getOrDefault("PATH", "").split(File.pathSeparator)) {
-                Path file = Paths.get(folder).resolve(name);    // a full name is itself
+                Path file = Paths.get(folder).resolve(name);    // an absolute name stays unchanged
                 if (Files.isExecutable(file)) {
                     return file.toString();
                 }
@@ -171,12 +176,12 @@ public final class Browser implements AutoCloseable {
             + " (on Debian: apt-get install chromium-headless-shell chromium-driver; ./gradlew test does it by itself)");
     }
 
-    /** For what has no shorter way here. */
+    /** Returns the driver, for calls without a shorter form here. */
     public ChromeDriver driver() {
         return driver;
     }
 
-    /** Where downloads go. */
+    /** Returns the folder of downloads. */
     public Path downloads() {
         return downloads;
     }
@@ -185,17 +190,15 @@ public final class Browser implements AutoCloseable {
 
     /**
      * Waits for a condition.
-     *
-     * @param what is waited for, for the message
+     * @param what the condition in words, for the message
      */
     public void until(String what, BooleanSupplier condition) {
         value(what, () -> condition.getAsBoolean() ? Boolean.TRUE : null);
     }
 
     /**
-     * Waits until something is there.
-     *
-     * @param supplier answers null as long as it is not
+     * Waits for a value.
+     * @param supplier returns null as long as there is none
      */
     public <T> T value(String what, Supplier<T> supplier) {
         try {
@@ -206,33 +209,33 @@ public final class Browser implements AutoCloseable {
         }
     }
 
-    /** The first visible element. */
+    /** Waits for the first visible element. */
     public WebElement see(String css) {
         return value("a visible " + css, () -> elements.first(css));
     }
 
-    /** All elements that are there now, visible or not. */
+    /** Returns all present elements, visible or not. */
     public List<WebElement> all(String css) {
         return driver.findElements(By.cssSelector(css));
     }
 
-    /** Waits until there is a visible element whose text has such a part. */
+    /** Waits until a visible element's text contains a part. */
     public void seeText(String css, String part) {
         value(css + " with the text \"" + part + "\"", () -> elements.withLetters(css, part).stream().map(WebElement::getText)
             .filter(text -> text.contains(part)).findFirst().orElse(null));
     }
 
-    /** Texts of all visible elements. */
+    /** Returns the texts of all visible elements. */
     public List<String> texts(String css) {
         return elements.shown(css).stream().map(WebElement::getText).collect(Collectors.toList());
     }
 
-    /** Text of the first visible element. */
+    /** Returns the text of the first visible element. */
     public String text(String css) {
         return see(css).getText();
     }
 
-    /** Clicks an element as soon as that can be clicked. */
+    /** Clicks an element as soon as it is clickable. */
     public void click(String css) {
         until(css + " that can be clicked", () -> {
             WebElement element = elements.clickable(css);
@@ -244,7 +247,7 @@ public final class Browser implements AutoCloseable {
         });
     }
 
-    /** Types into a field in place of what is in it. */
+    /** Replaces the text of a field by typing. */
     public void type(String css, String text) {
         WebElement field = see(css);
         field.clear();
@@ -265,17 +268,15 @@ public final class Browser implements AutoCloseable {
 
     /**
      * Runs JavaScript in the page.
-     *
-     * @return what it returns: a number (Long or Double), text, Boolean, List, Map or null
+     * @return its result: a number (Long or Double), text, Boolean, List, Map or null
      */
     public Object script(String code, Object... arguments) {
         return driver.executeScript(code, arguments);
     }
 
     /**
-     * What JavaScript returns that has a module as {@code module}.
-     *
-     * @param module its path below {@code js/sear}, as {@code world/pointing.js}
+     * Runs JavaScript that has a module as {@code module}.
+     * @param module its path below {@code js/sear}, such as {@code world/pointing.js}
      */
     public Object module(String module, String code) {
         return script("return import(new URL('service/js/sear/" + module + "', document.baseURI)).then(function(module) {"
@@ -283,8 +284,8 @@ public final class Browser implements AutoCloseable {
     }
 
     /**
-     * Evaluates an expression in the scope of a panel, as {@code scope(".sear-main", "view.toScreen(1, 2).x")}. Angular takes a name that is not
-     * there for null; here it is an error.
+     * Evaluates an expression in the scope of a panel, such as {@code scope(".sear-main", "view.toScreen(1, 2).x")}. An
+     * unknown name is an error here, whereas Angular returns null.
      */
     public Object scope(String css, String expression) {
         return script("var scope = angular.element(document.querySelector(arguments[0])).scope();"
@@ -293,14 +294,13 @@ public final class Browser implements AutoCloseable {
             + "return scope.$eval(arguments[1])", css, expression);
     }
 
-    /** The same as a number. */
+    /** Evaluates an expression to a number. */
     public double number(String css, String expression) {
         return ((Number) Objects.requireNonNull(scope(css, expression), expression)).doubleValue();
     }
 
     /**
-     * Whether pages are to be light or dark, as the browser's user has set it.
-     *
+     * Sets the preferred colour scheme of the browser's user.
      * @param theme "light" or "dark"
      */
     public void setTheme(String theme) {
@@ -308,8 +308,7 @@ public final class Browser implements AutoCloseable {
     }
 
     /**
-     * Makes the page narrower than a window can be, as a telephone's; 0 for the window's own width.
-     *
+     * Makes the page narrower than a window can be, as on a telephone; 0 for the window's own width.
      * @param width pixels
      */
     public void setPageWidth(int width) {
@@ -317,8 +316,7 @@ public final class Browser implements AutoCloseable {
     }
 
     /**
-     * Gives the page a size without regard to the window; 0 for the window's own.
-     *
+     * Sets the size of the page independently of the window; 0 for the window's own.
      * @param width pixels
      * @param height pixels
      */
@@ -330,15 +328,14 @@ public final class Browser implements AutoCloseable {
     // ---- what went wrong -----------------------------------------------------------------------------------------------
 
     /**
-     * Errors of the console that this test brings about on purpose.
-     *
+     * Ignores console errors that this test causes on purpose.
      * @param part of their text
      */
     public void expectErrors(String part) {
         expected.add(part);
     }
 
-    /** Errors of the console since the last time this was asked, without the expected ones; uncaught exceptions too. */
+    /** Returns new console errors since the last call without the expected ones; includes uncaught exceptions. */
     public List<String> errors() {
         List<String> errors = new ArrayList<>();
         for (LogEntry entry : driver.manage().logs().get(LogType.BROWSER)) {
@@ -349,19 +346,19 @@ public final class Browser implements AutoCloseable {
         return errors;
     }
 
-    /** Forgets errors and expectations, for the next test. */
+    /** Clears errors and expectations for the next test. */
     void forget() {
         driver.manage().logs().get(LogType.BROWSER);
         expected.clear();
     }
 
-    /** Writes what the window shows into a PNG file. */
+    /** Writes a screenshot of the window into a PNG file. */
     public void picture(Path file) throws IOException {
         Files.createDirectories(file.getParent());
         Files.write(file, driver.getScreenshotAs(OutputType.BYTES));
     }
 
-    /** A finished download; waits for it. */
+    /** Waits for a finished download. */
     public Path download(String name) {
         Path file = downloads().resolve(name);
         until("the download of " + name, () -> {

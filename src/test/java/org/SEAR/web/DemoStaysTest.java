@@ -18,12 +18,15 @@ import org.junit.rules.TemporaryFolder;
 import org.SEAR.FreePort;
 import org.SEAR.SearProcess;
 
-/** The demo without a terminal, {@code sear scripts/demo.py}: it stays while a browser has its tabs open, and ends with them. */
+/**
+ * The demo without a terminal, {@code sear scripts/demo.py}: it stays while a browser has its tabs open and ends with
+ * them.
+ */
 public class DemoStaysTest {
     private static final int WIDTH = 1000;
     private static final int HEIGHT = 700;
     private static final int PATIENCE_SECONDS = 120;
-    /** Behind it a page is open when the demo comes to its end, however fast that is. */
+    /** Script that waits for an open page before the demo, so that the demo cannot end first. */
     private static final String OPENED = String.join("\n", "from java.lang import System",
         "from java.util.concurrent.locks import LockSupport", "from org.myrobotlab.embedded.web import OpenPages",
         "while OpenPages.count() == 0:", "    LockSupport.parkNanos(20000000)", "execfile(System.getProperty('sear.root') + '/scripts/demo.py')", "");

@@ -10,7 +10,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
 
-/** The demo, as {@code sear --keep --port N scripts/demo.py} leaves it. */
+/** The demo in the state that {@code sear --keep --port N scripts/demo.py} leaves. */
 public class DemoTest {
     private static final String DEMO = Paths.get(System.getProperty("sear.root", "."), "scripts", "demo.py").toString().replace("\\", "\\\\");
     @ClassRule

@@ -10,9 +10,9 @@ import org.openqa.selenium.remote.RemoteWebElement;
 import org.openqa.selenium.WebElement;
 
 /**
- * Looks for elements of a page: what WebDriver asks by a call or two for each element, by one call for all of a selector. For every call the
- * browser, its driver and the test take some milliseconds of processor time, and most looks are in vain. Whether an element is displayed is said by
- * Selenium's own function as ever, only that the page keeps it.
+ * Finds elements of a page with one call per selector instead of WebDriver's one or two per element. Each call costs
+ * some milliseconds of CPU time in browser, driver and test, and most searches find nothing. Selenium's own function,
+ * stored in the page, decides whether an element is displayed.
  */
 final class Elements {
     private static final String KEPT = "document[Symbol.for('sear tests')]";
@@ -49,28 +49,31 @@ final class Elements {
         return answer instanceof String ? browser.script(FUNCTIONS + "return " + call, arguments) : answer;
     }
 
-    /** The first that is displayed, or null. */
+    /** Returns the first displayed element, or null. */
     WebElement first(String css) {
         return (WebElement) call("first", css);
     }
 
-    /** The same if it is enabled, too. */
+    /** Returns the first displayed element if it is enabled, or null. */
     WebElement clickable(String css) {
         return (WebElement) call("clickable", css);
     }
 
-    /** The option with this text of the first that is displayed; null if there is none, or that is not enabled. */
+    /** Returns the option with this text of the first displayed element; null if it is missing or disabled. */
     WebElement option(String css, String text) {
         return (WebElement) call("option", css, text);
     }
 
-    /** All that are displayed. */
+    /** Returns all displayed elements. */
     @SuppressWarnings("unchecked")
     List<WebElement> shown(String css) {
         return (List<WebElement>) call("shown", css);
     }
 
-    /** Those of them that may have a text: the driver, which is to say so, leaves out what can't be seen and writes lines and capitals as seen. */
+    /**
+     * Returns the displayed elements that may contain the text. The driver must confirm it, because it leaves out
+     * invisible text and returns lines and capitals as displayed.
+     */
     @SuppressWarnings("unchecked")
     List<WebElement> withLetters(String css, String part) {
         return (List<WebElement>) call("withLetters", css, part);

@@ -10,7 +10,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
 
-/** LIDAR and GPS tabs that are opened or reloaded after the device has said something. */
+/** LIDAR and GPS tabs that are opened or reloaded after the device sent data. */
 public class LateTabsTest {
     @ClassRule
     public static final Tabs TABS = new Tabs(DeviceWorld.SCRIPT);

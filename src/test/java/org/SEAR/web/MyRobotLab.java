@@ -20,8 +20,8 @@ import org.SEAR.FreePort;
 import org.SEAR.SearProcess;
 
 /**
- * The embedded MyRobotLab as users start it, {@code sear start.py --headless --keep}: a process of its own, in a folder of its own, with tabs on a
- * free port. Its services are asked over HTTP.
+ * The embedded MyRobotLab as users start it, {@code sear start.py --headless --keep}: a separate process in its own
+ * folder, with tabs on a free port. Tests call its services over HTTP.
  */
 public final class MyRobotLab implements AutoCloseable {
     private static final int START_SECONDS = 120;
@@ -36,14 +36,14 @@ public final class MyRobotLab implements AutoCloseable {
     private static final ObjectMapper JSON = new ObjectMapper();
 
     static {
-        // Seconds: far less than after which the server closes an idle connection, since a call may meet that.
+        // Seconds, far below the server's timeout of idle connections, because a call may hit that moment.
         System.setProperty("jdk.httpclient.keepalive.timeout", "5");
     }
 
-    /** See {@link #shared(String)}; null until it is asked for. */
+    /** See {@link #shared(String)}; null until it is first used. */
     private static MyRobotLab shared;
 
-    /** One for each process: connections that it keeps to a killed one are of no use at the next. */
+    /** A new client per process: connections kept to a killed process are useless afterwards. */
     private HttpClient client;
     private final Path folder;
     private final String moreClasses;
@@ -52,8 +52,7 @@ public final class MyRobotLab implements AutoCloseable {
     private int port;
 
     /**
-     * Starts it; returns when the script has ended.
-     *
+     * Starts MyRobotLab and returns when the script has ended.
      * @param script Jython code that starts services
      */
     public MyRobotLab(String script) throws IOException, InterruptedException {
@@ -61,10 +60,9 @@ public final class MyRobotLab implements AutoCloseable {
     }
 
     /**
-     * The same with more than what comes with SEAR.
-     *
+     * Starts MyRobotLab with a longer class path.
      * @param moreClasses a folder on its class path; empty for none
-     * @param options more options of {@code sear}; with {@code --token}, {@link #call} is refused
+     * @param options more options of {@code sear}; with {@code --token}, {@link #call} fails
      */
     public MyRobotLab(String script, String moreClasses, String... options) throws IOException, InterruptedException {
         this.moreClasses = moreClasses;
@@ -85,8 +83,9 @@ public final class MyRobotLab implements AutoCloseable {
     }
 
     /**
-     * The one for all who share it in this process, with which it ends: no services but the first, an empty folder, and then what a script starts. A
-     * new one where that can't be done, as where a script takes a name that another has left.
+     * Returns the MyRobotLab that all tests of this process share; it ends with the process. It has only its first
+     * services, an empty folder, and the services of the script. A new one starts if the old one can't be reset, for
+     * example if the script needs a name that a former one left.
      */
     static synchronized MyRobotLab shared(String script) throws IOException, InterruptedException {
         if (shared == null) {
@@ -99,7 +98,7 @@ public final class MyRobotLab implements AutoCloseable {
         return shared;
     }
 
-    /** @return false if it has ended or does not answer */
+    /** @return false if the process has ended or does not answer */
     private boolean renew(String script) throws IOException {
         try {
             run(RELEASE_ALL);
@@ -115,7 +114,7 @@ public final class MyRobotLab implements AutoCloseable {
         return true;
     }
 
-    /** What is in the folder, but for what it writes always. */
+    /** Returns the content of the folder without the files that MyRobotLab always writes. */
     private List<Path> contents() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(file -> !file.equals(logFile()) && !file.endsWith("data")).collect(Collectors.toList());
@@ -139,35 +138,33 @@ public final class MyRobotLab implements AutoCloseable {
         }
     }
 
-    /** The address of its tabs. */
+    /** Returns the address of the tabs. */
     public String url() {
         return "http://localhost:" + port + "/";
     }
 
-    /** Its working folder, with {@code SEARproject} and what services write. */
+    /** Returns the working folder, with {@code SEARproject} and files of services. */
     public Path folder() {
         return folder;
     }
 
-    /** A file in the working folder. */
     public Path file(String name) {
         return folder.resolve(name);
     }
 
-    /** Path of an example that comes with SEAR, as {@code example("office")}. */
+    /** Returns the path of an example that comes with SEAR, such as {@code example("office")}. */
     public static Path example(String name) {
         return Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples").resolve(name + ".sear");
     }
 
-    /** The same for a script: a Python literal. */
+    /** Returns the path of an example as a Python literal. */
     public static String exampleForScript(String name) {
         return "'" + example(name).toString().replace("\\", "\\\\") + "'";
     }
 
     /**
      * Calls a method of a service and waits for its answer.
-     *
-     * @throws AssertionError with what it says, if it fails
+     * @throws AssertionError with the answer if the call fails
      */
     public JsonNode call(String service, String method, Object... arguments) {
         URI uri = URI.create(url() + "api/service/" + service + "/" + method);
@@ -188,8 +185,7 @@ public final class MyRobotLab implements AutoCloseable {
     }
 
     /**
-     * Runs Jython code in it and waits for its end.
-     *
+     * Runs Jython code and waits for its end.
      * @throws AssertionError if it raises
      */
     public void run(String code) {
@@ -198,7 +194,7 @@ public final class MyRobotLab implements AutoCloseable {
         }
     }
 
-    /** Ends the process, as Ctrl+C does; the folder stays. */
+    /** Ends the process like Ctrl+C; the folder stays. */
     public void stop() {
         process.destroy();
         try {
@@ -211,12 +207,12 @@ public final class MyRobotLab implements AutoCloseable {
         }
     }
 
-    /** Ends the process as {@code kill -9} does, wherever it is just then; the folder stays. */
+    /** Ends the process like {@code kill -9} at any moment; the folder stays. */
     public void kill() throws InterruptedException {
         process.destroyForcibly().waitFor();
     }
 
-    /** Starts a stopped or killed one again, in the same folder and on the same port. */
+    /** Starts a stopped or killed MyRobotLab again, in the same folder and on the same port. */
     public void startAgain() throws IOException, InterruptedException {
         startProcess();
     }
@@ -225,7 +221,7 @@ public final class MyRobotLab implements AutoCloseable {
         return folder.resolve("mrl.log");
     }
 
-    /** All that it has printed since it was started. */
+    /** Returns everything printed since the start. */
     public String log() {
         try {
             return Files.exists(logFile()) ? new String(Files.readAllBytes(logFile()), StandardCharsets.UTF_8) : "";

@@ -19,14 +19,14 @@ import org.junit.AfterClass;
 import org.junit.BeforeClass;
 import org.junit.Test;
 
-/** A browser on this computer opens pages of another server, which try everything to have Python run here. */
+/** A browser on this computer opens pages of another server, which try every way to run Python here. */
 public class OtherOriginTest {
     private static final String WRITES = "open('%s','w').close()";
 
     private static MyRobotLab robotLab;
     private static Browser browser;
     private static HttpServer evil;
-    /** What the pages of the other server have reported. */
+    /** Reports of the other server's pages. */
     private static final Set<String> REPORTS = ConcurrentHashMap.newKeySet();
 
     @BeforeClass
@@ -71,7 +71,7 @@ public class OtherOriginTest {
         return robotLab.url() + "api/service/python/exec";
     }
 
-    /** A call in an address, as a link has it. */
+    /** Returns a call as an address, for a link. */
     private static String call(String file) {
         return api() + "/" + code(file).replace("'", "%22").replace(",", "%2C");
     }
@@ -80,7 +80,7 @@ public class OtherOriginTest {
         return "[\"" + code(file) + "\"]";
     }
 
-    /** Pages by name; each tries something at once, or has something to click. */
+    /** Returns a page by name; each page attempts a call immediately or has something to click. */
     private static String page(String name) {
         String done = ".then(function(a) { return fetch('/report/" + name + "') }, function() { return fetch('/report/" + name + "') })";
         String ended = "fetch('/report/" + name + "')";
@@ -106,7 +106,7 @@ public class OtherOriginTest {
         return "http://localhost:" + evil.getAddress().getPort() + "/" + path;
     }
 
-    /** Tries everything, and waits each time until the browser has had its answer. */
+    /** Runs all pages and waits each time until the browser has its answer. */
     private void tryEverything() {
         REPORTS.clear();
         for (String name : List.of("image", "frame", "fetch", "simplefetch", "getfetch", "put", "socket")) {

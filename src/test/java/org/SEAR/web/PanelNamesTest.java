@@ -12,7 +12,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.Test;
 
-/** MyRobotLab puts members of its own on a panel's scope, after the panel's controller has run: a panel that uses such a name calls MyRobotLab's. */
+/**
+ * MyRobotLab adds its own members to a panel's scope after the panel's controller ran. A panel that uses such a name
+ * calls MyRobotLab's.
+ */
 public class PanelNamesTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
     private static final List<Path> FOLDERS = List.of(ROOT.resolve("resources/resource/WebGui/app/service"),

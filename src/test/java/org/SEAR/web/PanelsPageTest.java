@@ -15,9 +15,9 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** The panel and the calls of docs/panels.md, taken from there. */
+/** The panel and the calls of docs/panels.md, taken from the page. */
 public class PanelsPageTest {
-    /** A service with what the page's panel uses: it publishes a number, and can do something. */
+    /** A service for the page's panel: it publishes a number and has a method. */
     private static final String SERVICE = String.join("\n",
         "package org.myrobotlab.service;",
         "public class X extends org.myrobotlab.framework.Service<org.myrobotlab.service.config.ServiceConfig> {",
@@ -81,7 +81,7 @@ public class PanelsPageTest {
         return list.get(0);
     }
 
-    /** What a line of the page prints when it is run for the port of the test. */
+    /** Returns the output of a line of the page, run for the port of the test. */
     private String answer(String line, MyRobotLab robotLab) throws IOException, InterruptedException {
         assertTrue(line, line.contains(LINK));
         String port = robotLab.url().replaceAll("\\D", "");

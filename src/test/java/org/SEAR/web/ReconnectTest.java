@@ -7,7 +7,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
 
-/** What an open page does while its MyRobotLab is away, and afterwards. */
+/** An open page while its MyRobotLab is away, and afterwards. */
 public class ReconnectTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");

@@ -4,10 +4,10 @@ import java.nio.file.Files;
 import java.util.Map;
 import org.openqa.selenium.WebElement;
 
-/** The SEAR tab as a user handles it. */
+/** Drives the SEAR tab as a user does. */
 public final class SearTab {
     public static final String ROOT = ".sear-main";
-    /** Pixels. */
+    /** Tolerance of positions, pixels. */
     public static final double NEAR = 2;
 
     private final Browser browser;
@@ -22,7 +22,7 @@ public final class SearTab {
         this.robotLab = robotLab;
     }
 
-    /** Ends what a test before has left running. */
+    /** Stops the simulation of an earlier test. */
     public void stopAll() {
         if (robotLab.call("sear", "isSimulating").asBoolean()) {
             robotLab.call("sear", "stopSimulation");
@@ -31,7 +31,7 @@ public final class SearTab {
         waitForStatus("no simulation runs");
     }
 
-    /** Chooses an example in the list, which opens it. */
+    /** Opens an example by the list. */
     public void openExample(String name) {
         String path = "examples/" + name + ".sear";
         browser.choose(".sear-example", path);
@@ -43,7 +43,7 @@ public final class SearTab {
         browser.until("the robot " + name, () -> Files.exists(robotLab.file("SEARproject/robot/" + name + ".xml")));
     }
 
-    /** Starts the simulation; returns when its first picture is there. */
+    /** Starts the simulation and returns when its first picture is shown. */
     public void start() {
         browser.click(".sear-start");
         browser.until("a running simulation", () -> isTrue("world.running !== null && view.fitted"));
@@ -61,22 +61,22 @@ public final class SearTab {
         return browser.number(ROOT, expression);
     }
 
-    /** An expression's value as a text. */
+    /** Returns the value of an expression as text. */
     public String text(String expression) {
         return String.valueOf(browser.scope(ROOT, expression));
     }
 
-    /** Simulated seconds that the panel shows; -1 if none. */
+    /** Returns the simulated time of the panel, seconds; -1 if none. */
     public double time() {
         return number("world.running ? world.running.time : -1");
     }
 
-    /** Waits until the panel shows a later time. */
+    /** Waits until the panel shows this simulated time, seconds. */
     public void waitForTime(double seconds) {
         browser.until("simulated second " + seconds, () -> time() >= seconds);
     }
 
-    /** The colour of a point of the ground in the view: red, green, blue, alpha as 0xRRGGBBAA. */
+    /** Returns the colour of a point of the ground in the view: red, green, blue, alpha as 0xRRGGBBAA. */
     public long colour(double x, double z) {
         WebElement view = browser.see(".sear-view");
         Object value = browser.script("var at = angular.element(arguments[0]).scope().view.toScreen(arguments[1], arguments[2]);"
@@ -86,7 +86,7 @@ public final class SearTab {
         return ((Number) value).longValue();
     }
 
-    /** Where a point of the ground is on the canvas, pixels. */
+    /** Returns the canvas position of a point of the ground, pixels. */
     @SuppressWarnings("unchecked")
     public double[] toScreen(double x, double z) {
         Map<String, Number> at = (Map<String, Number>) browser.scope(ROOT, "view.toScreen(" + x + ", " + z + ")");

@@ -19,11 +19,14 @@ public class ShellTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\n"
         + "Runtime.start('line', 'Serial')");
-    /** Of the guidelines for accessible pages (WCAG 2, level AA). */
+    /** Least contrast by the guidelines for accessible pages (WCAG 2, level AA). */
     private static final double CONTRAST = 4.5;
-    /** Pixels, of a telephone. */
+    /** Page width of a telephone, pixels. */
     private static final int NARROW = 400;
-    /** Texts that can hardly be told from what they stand on: of each the contrast and the beginning. Disabled controls don't count. */
+    /**
+     * Script that returns texts with too little contrast to their background: contrast and beginning of each. It skips
+     * disabled controls.
+     */
     private static final String FAINT = "var limit = arguments[0]; var faint = [];"
         + "function parse(c) { var n = c.match(/[\\d.]+/g).map(Number); return n.length < 4 ? n.concat(1) : n }"
         + "function mix(top, under) { return [0, 1, 2].map(function(i) { return top[i] * top[3] + under[i] * (1 - top[3]) }).concat(1) }"
@@ -165,7 +168,7 @@ public class ShellTest {
         }
     }
 
-    /** What all these tests lean on. */
+    /** All tests of pages rely on this check. */
     @Test
     public void errorsOfThePageAreSeen() {
         browser.script("console.error('first'); setTimeout(function() { throw new Error('second') })");

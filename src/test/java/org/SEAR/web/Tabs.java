@@ -13,24 +13,23 @@ import org.openqa.selenium.By;
 import org.openqa.selenium.WebElement;
 
 /**
- * The one MyRobotLab of this process, in which a script of the class starts what it needs, and the one browser with a new tab for its tests.
- *
+ * The MyRobotLab shared by this process, in which a script of the class starts services, and the shared browser with a
+ * new tab for the tests.
  * <pre>
  * &#64;ClassRule
  * public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
  * &#64;Rule
  * public final TestRule page = TABS.page("sear");
  * </pre>
- *
- * <p>Each test begins with a page that was just loaded and shows that tab, with project, messages and scripts opened, else nothing folded or
- * opened by a user. It ends with a look at the browser's console, which must be without errors. When a test fails, {@code build/reports/web} gets
- * what the page showed.
+ * <p>Each test begins with a freshly loaded page that shows the tab, with project, messages and scripts unfolded and
+ * all else in its initial state. It ends with a check that the browser's console has no errors. When a test fails, the
+ * page's screenshot is saved to {@code build/reports/web}.
  */
 public final class Tabs extends ExternalResource {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 1000;
     private static final int MOST_WORDS = 2000;
-    /** What the tests have opened from the beginning; the others are as their user meets them. */
+    /** Unfolds the sections that the tests need; the others are in their initial state. */
     private static final String OPEN = "localStorage.setItem('sear.folds', '{\"project\":false,\"messages\":false,\"scripts\":false}')";
     private static final Path PICTURES = Paths.get(System.getProperty("sear.root", "."), "build/reports/web");
 
@@ -50,7 +49,7 @@ public final class Tabs extends ExternalResource {
         this.isAlone = isAlone;
     }
 
-    /** With a MyRobotLab of its own, for a script that changes more than services and files. */
+    /** Returns tabs of a separate MyRobotLab, for a script that changes more than services and files. */
     public static Tabs alone(String script) {
         return new Tabs(script, true);
     }
@@ -65,7 +64,7 @@ public final class Tabs extends ExternalResource {
     @Override
     protected void after() {
         try {
-            browser.driver().get("about:blank");    // lest the page look for services that are released now
+            browser.driver().get("about:blank");    // so that the page doesn't look for released services
         } finally {
             if (isAlone) {
                 robotLab.close();
@@ -81,7 +80,7 @@ public final class Tabs extends ExternalResource {
         return browser;
     }
 
-    /** Brings a service to the front by its tab, or by the menu if it stands there. */
+    /** Brings a service to the front by its tab, or by the menu if it is there. */
     public void show(String service) {
         String tab = "#tab-" + service;
         browser.until("a tab of " + service, () -> !browser.all(tab).isEmpty());
@@ -91,12 +90,12 @@ public final class Tabs extends ExternalResource {
         browser.click(tab);
     }
 
-    /** Loads the page anew and shows a service's tab; returns when its panel is there. */
+    /** Reloads the page, shows a service's tab and returns when its panel is there. */
     public void open(String service) {
         open(browser, service);
     }
 
-    /** The same in another browser. */
+    /** Shows the tab in another browser. */
     public void open(Browser other, String service) {
         other.driver().get(robotLab.url() + "?load=" + ++loads + "#/" + service);
         other.see("mrl-panel[name='" + service + "'] > *");
@@ -104,8 +103,7 @@ public final class Tabs extends ExternalResource {
     }
 
     /**
-     * A rule for each test.
-     *
+     * Returns the rule for each test.
      * @param service whose tab is shown at the start
      */
     public TestRule page(String service) {
@@ -131,7 +129,7 @@ public final class Tabs extends ExternalResource {
         };
     }
 
-    /** What can be read in the page; where only a run's output is kept, it tells more than which wait was in vain. */
+    /** Returns the visible text of the page, for the output of a failed run. */
     private String words() {
         try {
             String text = browser.driver().findElement(By.tagName("body")).getText();

@@ -14,7 +14,10 @@ import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
-/** Two pages build one project: each shows what the other one does, nothing is lost, and none sets over what it has not seen. */
+/**
+ * Two pages build one project: each shows the other's changes, nothing is lost, and neither overwrites a change that it
+ * has not shown.
+ */
 public class TwoPagesTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
@@ -46,7 +49,7 @@ public class TwoPagesTest {
             input.sendKeys(value, Keys.ENTER);
         }
 
-        /** In what it knows, and in the field. */
+        /** Waits until both the page's data and the field have a value. */
         void waitFor(String field, String value) {
             browser.until(field + " to be " + value, () -> tab.isTrue("edits.object && edits.object.values." + field + " == '" + value + "'")
                 && value.equals(browser.see("[data-field='" + field + "'] .form-control").getAttribute("value")));
@@ -83,7 +86,7 @@ public class TwoPagesTest {
         }
     }
 
-    /** None waits for the other. */
+    /** Neither page waits for the other. */
     private static void editsOfBothCount(Page one, Page two) throws IOException {
         Map<String, String> ofOne = Map.of("mass", "4", "length", "0.5", "friction", "0.3");
         Map<String, String> ofTwo = Map.of("width", "0.7", "height", "0.9", "color", "red");
@@ -103,7 +106,7 @@ public class TwoPagesTest {
         }
     }
 
-    /** Two people press Enter at once: the second page has not heard of the first one's edit yet. */
+    /** Two people press Enter at the same time: the second page does not yet know the first one's edit. */
     private static void aStaleOneIsRefused(Page one, Page two) throws IOException {
         one.type("x", "3");
         two.waitFor("x", "3");

@@ -14,7 +14,7 @@ import org.SEAR.simulator.SimulationRunner;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** The window shows the sensors of two robots that have one name. */
+/** The window shows the sensors of two robots that share a name. */
 public class SameNamesInTheWindowTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -11,7 +11,7 @@ import com.jme3.scene.shape.Box;
 import com.jme3.util.BufferUtils;
 import org.junit.Test;
 
-/** Light on models whose files say no normals. */
+/** Light on models whose files contain no normals. */
 public class FlatNormalsTest {
     @Test
     public void eachTriangleIsFlatAndKeepsItsPlacesInThePicture() {

@@ -12,7 +12,7 @@ import com.jme3.system.JmeSystem;
 import org.junit.Before;
 import org.junit.Test;
 
-/** Labels that would lie on each other, without a display. */
+/** Overlapping labels, without a display. */
 public class LabelsTest {
     private final Camera camera = new Camera(640, 480);
     private Labels labels;

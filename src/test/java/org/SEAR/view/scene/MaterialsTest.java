@@ -15,7 +15,7 @@ import org.SEAR.project.models.ModelLoader;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Pictures of surfaces, without a display. */
+/** Textures of surfaces, without a display. */
 public class MaterialsTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -25,7 +25,7 @@ import org.SEAR.view.link.RunnerLink;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What a servo turns, and a steered wheel, are seen turned, and lights lit or dark; without a display. */
+/** Parts turned by a servo and a steered wheel appear turned, and lights lit or dark; without a display. */
 public class TurretInTheWindowTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

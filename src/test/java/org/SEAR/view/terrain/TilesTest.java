@@ -18,11 +18,11 @@ import org.SEAR.geometry.HeightTiles;
 import org.SEAR.geometry.HeightTilesTest;
 import org.junit.Test;
 
-/** The tiles of a terrain: one surface without holes, as exact as it has to be. */
+/** Tiles of a terrain: one surface without holes, as exact as required. */
 public class TilesTest {
     private static final int SIDE = TilePyramid.CELLS + 1;
 
-    /** Rough in its middle, level at its edges: neighbours differ by many levels. */
+    /** Returns ground with a rough middle and level edges, so that levels of neighbours differ greatly. */
     private static HeightField rough(int rows, int columns) {
         Random random = new Random(7);
         float[] heights = new float[rows * columns];
@@ -54,7 +54,7 @@ public class TilesTest {
         return camera;
     }
 
-    /** All triangles of a choice, tiles out of sight too, as {corner, corner, corner} of posts. */
+    /** Counts the edges of all triangles of a choice, tiles out of sight included. */
     private static Map<Long, Integer> edges(TilePyramid pyramid, TileChoice choice) {
         Map<Long, Integer> edges = new HashMap<>();
         double[] area = {0};
@@ -77,7 +77,10 @@ public class TilesTest {
         return edges;
     }
 
-    /** Counts a triangle's edges, those in the other direction as -1; answers its area in cells. */
+    /**
+     * Counts a triangle's edges, those in the other direction as -1.
+     * @return its area in cells
+     */
     private static double add(Map<Long, Integer> edges, int[] posts, int columns) {
         for (int k = 0; k < 3; k++) {
             long from = posts[k];
@@ -93,7 +96,7 @@ public class TilesTest {
         return twice / 2;
     }
 
-    /** A surface has no hole if each edge inside has a triangle on both sides: then only the field's own border is left. */
+    /** Returns the number of edges inside with a triangle on one side only; a surface without holes has none. */
     private static int holes(TilePyramid pyramid, TileChoice choice) {
         int holes = 0;
         int columns = pyramid.field.columns;
@@ -213,7 +216,7 @@ public class TilesTest {
         assertTrue("at least " + least + " tiles", least < 60);
     }
 
-    /** Where a beam goes under the ground, in steps that get longer with the distance. */
+    /** Returns the point where a ray goes below the ground, in steps that grow with the distance. */
     private static Vector3f meet(HeightGrid field, Vector3f from, Vector3f direction) {
         for (float t = 1; t < 60_000; t *= 1.002f) {
             Vector3f at = direction.mult(t).addLocal(from);

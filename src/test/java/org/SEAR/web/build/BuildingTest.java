@@ -25,12 +25,15 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
-/** Worlds and robots are built in the SEAR tab by mouse and keys, and are what a script would have made. */
+/** Worlds and robots built in the SEAR tab by mouse and keys equal those of a script. */
 public class BuildingTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
     private static final String TYPES = "from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Floor, LIDAR, Robots, Sphere";
-    /** A floor with things in the middle of its quarters, the north-eastern one with a tower on it, and others east of the middle. */
+    /**
+     * A floor with objects in the middle of its quarters, a tower on the north-eastern one, and others east of the
+     * middle.
+     */
     private static final String THINGS = String.join("\n",
         "Floor('floor1', 10, 10)",
         "for name, x, z in ((1, 2, 2), (2, 2, -2), (3, -2, 2), (4, -2, -2)): Box('box%d' % name, 0.25, 0.25, 0.25).move(x, 0.125, z)",
@@ -75,7 +78,7 @@ public class BuildingTest {
         }
     }
 
-    /** While nothing is just written. */
+    /** Returns the project's files without the undo journal. */
     private Map<String, String> files() throws IOException {
         Map<String, String> files = ProjectRule.files(TABS.robotLab().file("SEARproject"));
         files.keySet().removeIf(file -> file.startsWith(".edits/"));
@@ -90,7 +93,7 @@ public class BuildingTest {
         browser.see(".sear-palette");
     }
 
-    /** A point of the ground on the map that is shown, as the middle of the canvas sees it. */
+    /** Moves the mouse to a point of the ground on the map. */
     private Actions onMap(double x, double z) {
         double[] at = tab.toScreen(x, z);
         return moveTo(browser.see(".sear-view"), at);
@@ -132,14 +135,14 @@ public class BuildingTest {
         browser.until(field + " to be " + value, () -> tab.isTrue("edits.object && edits.object.values." + field + " == '" + value + "'"));
     }
 
-    /** Has a script make a world anew; returns when the page shows so many things and robots of it. */
+    /** Makes a world by a script and returns when the page shows this number of objects and robots. */
     private void make(int things, int robots, String... parts) {
         TABS.robotLab().run(TYPES + "\nsear.newProject()\n" + String.join("\n", parts));
         browser.until("what the script makes", () -> tab.isTrue("world.shown() && world.shown().objects.length == " + things
             + " && world.shown().robots.length == " + robots));
     }
 
-    /** The files that a script makes, in the end with an empty project. */
+    /** Returns the files that a script makes, then starts an empty project. */
     private Map<String, String> filesOf(int things, int robots, String... parts) throws IOException {
         make(things, robots, parts);
         Map<String, String> files = files();
@@ -147,7 +150,7 @@ public class BuildingTest {
         return files;
     }
 
-    /** A map of 10 m around the middle, where things are built. */
+    /** Shows a map of 10 m around the middle in building mode. */
     private void buildOnTheMap() {
         build(".sear-map");
         browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope();"
@@ -155,7 +158,7 @@ public class BuildingTest {
         browser.until("all places in the view", () -> Math.abs(tab.toScreen(1, 0)[1] - tab.toScreen(0, 0)[1] + 50) < 0.1);
     }
 
-    /** Takes back one edit after the other until there is none. */
+    /** Undoes all edits one by one. */
     private void undoAll() {
         while (tab.isTrue("edits.undoable !== null")) {
             Object last = browser.scope(SearTab.ROOT, "messages.list[0].id + ' ' + messages.list[0].times");
@@ -203,7 +206,7 @@ public class BuildingTest {
         assertEquals(before, files());
     }
 
-    /** A sensor comes to the middle of the robot by a button, or to where one clicks. */
+    /** A button puts a sensor into the robot's middle, or a click to its point. */
     @Test
     public void aRobotAndItsSensorsPlacedByClicksAreWhatAScriptMakes() throws Exception {
         Map<String, String> wanted = filesOf(9, 1, THINGS, ROBOT, SENSORS);
@@ -248,7 +251,7 @@ public class BuildingTest {
         browser.until("a sensor of the list", () -> tab.isTrue("edits.object && edits.object.robot == 'create2'"));
     }
 
-    /** Cells of the file in which nothing is drawn, or what another has, too, among those that are needed. */
+    /** Script that returns required cells of the image file that are empty or equal another cell. */
     private static final String PICTURES = String.join("\n", "var done = arguments[0], kinds = angular.element(document.querySelector('.sear-main'))"
         + ".scope().palette.groups().flatMap(group => group.kinds)", "var image = new Image()", "image.onload = () => {",
         "    var pen = Object.assign(document.createElement('canvas'), {width: image.width, height: image.height}).getContext('2d')",
@@ -326,7 +329,7 @@ public class BuildingTest {
         undoAll();
     }
 
-    /** Handles of 0.25 m of box4 in the south-west. */
+    /** Selects box4 in the south-west, 0.25 m in size, on the map. */
     private WebElement boxWithHandles() throws IOException {
         make(9, 1, THINGS, ROBOT);
         buildOnTheMap();
@@ -383,13 +386,13 @@ public class BuildingTest {
                 "{x: '1', y: '0', z: '0', ry: '0'}", true, "{z: '6'}"));
     }
 
-    /** What an edit sets in a file with such values. */
+    /** Returns the changes that an edit makes to a file with these values. */
     private Object written(String selected, String values, boolean live, String set) {
         return browser.module("build/places.js", "return JSON.stringify(module.edit(module.of(" + selected + ", " + values + ", "
             + live + "), " + set + "))");
     }
 
-    /** A robot with sensors runs and is selected on the map. */
+    /** Starts a robot with sensors and selects it on the map. */
     private void runSelected() {
         make(9, 1, THINGS, ROBOT, SENSORS);
         buildOnTheMap();
@@ -496,7 +499,10 @@ public class BuildingTest {
         assertTrue(files().containsKey("environment/crate.xml"));
     }
 
-    /** In an empty project: a robot, the ground that it needs, a sensor dragged onto its side, and a drive; what makes it top-heavy is said. */
+    /**
+     * In an empty project: a robot, the ground that it needs, a sensor dragged onto its side, and a drive. A warning
+     * reports a top-heavy robot.
+     */
     @Test
     public void aRobotIsMadeFromATemplateAndDriven() throws IOException {
         build(".sear-space");
@@ -553,7 +559,7 @@ public class BuildingTest {
         assertTrue(files().containsKey("robot/leftMotor.xml"));
     }
 
-    /** From near, at a point so far to the east. */
+    /** Looks from a near camera at a point z metres to the east. */
     private void lookAt(WebElement view, double z) {
         browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); var orbit = scope.view.scene().orbit;"
             + "orbit.target.set(0, 0, arguments[0]); orbit.distance = 0.9; orbit.azimuth = Math.PI; orbit.elevation = 0.6; scope.view.redraw()", z);
@@ -561,7 +567,7 @@ public class BuildingTest {
             && Math.abs(inSpace(0, 0, z)[0] - view.getSize().getWidth() / 2.0) < 2);
     }
 
-    /** For whoever looks at it. */
+    /** Saves a screenshot for visual checks. */
     private void picture(String theme) throws IOException {
         browser.picture(Paths.get(System.getProperty("sear.root", "."), "build/reports/web/building-" + theme + ".png"));
     }

@@ -21,8 +21,8 @@ import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
 /**
- * Walks through docs/first-robot.md: its commands, its script and its clicks, which stand as comments behind the sentences that name them.
- *
+ * Follows docs/first-robot.md: its commands, its script and its clicks, given as comments after the sentences that
+ * describe them.
  * <pre>
  * &lt;!-- click CSS --> &lt;!-- until EXPRESSION --> &lt;!-- set FIELD VALUE --> &lt;!-- choose CSS OPTION -->
  * &lt;!-- ground X Z --> &lt;!-- restart --> &lt;!-- picture NAME -->
@@ -35,9 +35,9 @@ public final class FirstRobot implements AutoCloseable {
     private static final long PATIENCE_SECONDS = 240;
     private static final long LOOK_MILLIS = 100;
 
-    /** What a command has printed, after what the page says that it prints. */
+    /** Pairs of a command's output on the page and its actual output. */
     public final List<String[]> printed = new ArrayList<>();
-    /** How many commands, scripts and outputs of the page were run or compared. */
+    /** Number of commands, scripts and outputs of the page that were run or compared. */
     public int blocks;
     private final Browser browser;
     private final Path folder;
@@ -47,8 +47,8 @@ public final class FirstRobot implements AutoCloseable {
     private String output = "";
 
     /**
-     * @param folder an empty one
-     * @param taken gets the name of each picture when the page shows what it is of
+     * @param folder an empty folder
+     * @param taken receives the name of each picture when the page shows its subject
      */
     public FirstRobot(Browser browser, Path folder, BiConsumer<Browser, String> taken) {
         this.browser = browser;
@@ -56,7 +56,7 @@ public final class FirstRobot implements AutoCloseable {
         this.taken = taken;
     }
 
-    /** @return how many steps the page has */
+    /** @return number of steps of the page */
     public int walk() throws IOException, InterruptedException {
         String page = Files.readString(Paths.get(System.getProperty("sear.root", "."), "docs/first-robot.md"));
         Matcher step = STEP.matcher(page);
@@ -93,7 +93,7 @@ public final class FirstRobot implements AutoCloseable {
         }
     }
 
-    /** sear with its page, which the browser then shows. */
+    /** Starts sear and opens its page in the browser. */
     private void begin() throws IOException {
         port = FreePort.find();
         List<String> command = SearProcess.command();
@@ -165,7 +165,7 @@ public final class FirstRobot implements AutoCloseable {
         }
     }
 
-    /** In the view that is shown, be that the one in space or the map. */
+    /** Clicks the ground in the current view, in space or on the map. */
     private void clickGround(double x, double z) {
         boolean space = Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "view.mode == 'space'"));
         String at = space ? "view.scene().toScreen(" + x + ", 0, " + z + ")" : "view.toScreen(" + x + ", " + z + ")";

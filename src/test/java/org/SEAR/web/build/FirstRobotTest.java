@@ -14,7 +14,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** The tutorial leads where it says: its commands, its clicks, its script and what that prints. */
+/** The tutorial works: its commands, its clicks, its script and the script's output. */
 public class FirstRobotTest {
     private static final int LEAST_STEPS = 40;
     private static final int LEAST_BYTES = 2000;

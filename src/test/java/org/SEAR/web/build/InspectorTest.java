@@ -15,7 +15,7 @@ import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
-/** Numbers that are typed in the inspector, and what is found in the palette and done there by keys. */
+/** Numbers typed in the inspector, and the palette's search and keys. */
 public class InspectorTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
@@ -100,7 +100,7 @@ public class InspectorTest {
             field.sendKeys(Keys.TAB);
         }
         assertEquals(List.of(), browser.texts("[data-field='height'] .sear-wrong"));
-        type("width", "0.5");       // what an edit before would have set is set by now
+        type("width", "0.5");       // by now a value from an earlier edit is set
         waitForValue("width", "0.5");
         assertEquals("box 0.25 2", tab.text("edits.object.name + ' ' + edits.object.values.height + ' ' + edits.object.values.x"));
     }

@@ -23,25 +23,25 @@ import org.junit.Before;
 import org.junit.Test;
 
 /**
- * {@code sear} is killed in the middle of a stream of edits and undos, as {@code kill -9} does it, and started again: every edit that it has answered
- * is there, the one that was on its way is there wholly or not at all, and undo still takes back all of them. {@code -Dsear.kills=100} kills it that
- * often.
+ * {@code sear} is killed like {@code kill -9} during a stream of edits and undos, and started again. Every answered
+ * edit is present, the one in flight wholly or not at all, and undo reverts all of them. {@code -Dsear.kills=100} sets
+ * the number of kills.
  */
 public class KilledWhileEditingTest {
     private static final long SEED = 21;
     private static final int KILLS = Integer.getInteger("sear.kills", 3);
-    /** After so many kills all is taken back: undo knows 500 steps. */
+    /** Number of kills after which all edits are undone; undo has 500 steps. */
     private static final int IN_A_ROW = 10;
     private static final int FEWEST_EDITS = 3;
     private static final int MORE_EDITS = 25;
-    /** About as long as an edit takes. */
+    /** About the duration of an edit, microseconds. */
     private static final int LONGEST_MICROS = 20000;
     private static final double UNDOS = 0.25;
     private static final long PATIENCE_SECONDS = 180;
 
     private final Random random = new Random(SEED);
     private MyRobotLab robotLab;
-    /** How many edits were done and not taken back: the project is the one that this number makes. */
+    /** Number of edits done and not undone, which determines the project. */
     private int depth;
 
     @Before
@@ -54,7 +54,7 @@ public class KilledWhileEditingTest {
         robotLab.close();
     }
 
-    /** Several files: a new box, one that goes, one that changes. */
+    /** Returns an edit of several files: a new box, a deletion and a change. */
     private static Map<String, Object> edit(int number) {
         List<Map<String, Object>> edits = new ArrayList<>();
         edits.add(Map.of("do", "add", "type", "Box", "name", "box" + number, "set", Map.of("x", number, "mass", 1)));
@@ -67,7 +67,7 @@ public class KilledWhileEditingTest {
         return Map.of("do", "all", "words", "edit " + number, "edits", edits);
     }
 
-    /** The values x of what there is after so many edits, by names. */
+    /** Returns the x values by name after this number of edits. */
     private static Map<String, String> wanted(int edits) {
         Map<String, String> things = new TreeMap<>();
         for (int i = 1; i <= edits; i++) {
@@ -91,7 +91,7 @@ public class KilledWhileEditingTest {
         return things;
     }
 
-    /** Without the steps of undo and what a killed process has not renamed yet. */
+    /** Returns the objects without the undo journal and temporary files of a killed process. */
     private Map<String, String> objects() throws IOException {
         Map<String, String> files = ProjectRule.files(robotLab.file("SEARproject"));
         files.keySet().removeIf(file -> file.startsWith(".edits/") || file.endsWith(".tmp"));
@@ -104,7 +104,7 @@ public class KilledWhileEditingTest {
         private final AtomicBoolean killed = new AtomicBoolean();
         private final CountDownLatch enough = new CountDownLatch(FEWEST_EDITS + random.nextInt(MORE_EDITS));
         private final Thread thread = new Thread(this, "edits");
-        /** What {@link KilledWhileEditingTest#depth} is, and what it is if the edit that has no answer yet was done, too. */
+        /** {@link KilledWhileEditingTest#depth} without and with the edit that has no answer yet. */
         private volatile int[] depths = {depth, depth};
         private volatile Throwable failure;
 

@@ -17,7 +17,7 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
-/** What is typed, dragged or moved by keys while something else comes: an edit of another page, the next edit of this one, no answer. */
+/** Typing, dragging and keys while an edit of another page, the next edit of this page or no answer arrives. */
 public class MeanwhileTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
@@ -28,7 +28,7 @@ public class MeanwhileTest {
     private final Browser browser = TABS.browser();
     private final SearTab tab = new SearTab(TABS);
 
-    /** A crate of 1 m in the middle of a map, selected. */
+    /** Selects a crate of 1 m in the middle of a map. */
     @Before
     public void selectACrate() {
         TABS.robotLab().run("sear.newProject()\nsear.edit({'do': 'add', 'type': 'Box', 'name': 'crate',"
@@ -59,7 +59,7 @@ public class MeanwhileTest {
         return input;
     }
 
-    /** Something of the view is at a place in metres north and east. */
+    /** Moves the mouse to a place of the view in metres north and east. */
     private Actions at(double x, double z) {
         WebElement view = browser.see(".sear-view");
         Dimension size = view.getSize();

@@ -16,7 +16,7 @@ import org.openqa.selenium.Dimension;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
-/** A robot is made from nothing by mouse: a chassis, wheels beside it, motors for them; it stands and drives. */
+/** A robot made from nothing by mouse: a chassis, wheels beside it and motors for them. It stands and drives. */
 public class OwnRobotTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
@@ -114,7 +114,7 @@ public class OwnRobotTest {
         drive();
     }
 
-    /** Stands level, then drives straight on. */
+    /** Checks that the robot stands level, then drives straight. */
     private void drive() {
         browser.click(".sear-test-drive");
         browser.until("a run", () -> tab.isTrue("world.running !== null && world.running.robots.length == 1"));

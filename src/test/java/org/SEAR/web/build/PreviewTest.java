@@ -19,7 +19,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
 
-/** The SEAR tab while nothing runs: the project from above, as it would start. */
+/** The SEAR tab without a run: the project from above, in its starting state. */
 public class PreviewTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
@@ -27,7 +27,7 @@ public class PreviewTest {
     private static final long TEAL = 0x008080ffL;
     private static final long PLANT = 0x6b8e23ffL;
     private static final String OBJECTS = "from org.SEAR.POJOs import Box, Floor\n";
-    /** Counts what the page asks for, and the seconds since. */
+    /** Counts the page's requests and the seconds since. */
     private static final String SPY = "window.asks = 0; window.seconds = 0; setInterval(function() { window.seconds++ }, 1000);"
         + "var send = WebSocket.prototype.send; WebSocket.prototype.send = function(text) {"
         + "if (text.indexOf('getPreview') >= 0) { window.asks++ } send.call(this, text) }";

@@ -3,19 +3,19 @@ package org.SEAR.web.devices;
 import org.SEAR.web.MyRobotLab;
 
 /**
- * A world whose scans can be told by hand, with a robot whose LIDAR and GPS are ready on their ports: a wall 1.9 m before the LIDAR, a crate 0.8 m to
- * its left, nothing to its right.
+ * A world whose scans can be computed by hand. The robot's LIDAR and GPS are ready on their ports: a wall 1.9 m before
+ * the LIDAR, a crate 0.8 m to its left, nothing to its right.
  */
 public final class DeviceWorld {
     public static final String LIDAR_PORT = "/dev/SEAR_LIDAR_01";
     public static final String GPS_PORT = "/dev/SEAR_GPS_01";
     static final String ROBOT_PORT = "/dev/SEAR_Robot_01";
-    /** Metres straight ahead. */
+    /** Distance of the wall straight ahead, metres. */
     public static final double AHEAD = 1.9;
-    /** Metres to the left. */
+    /** Distance of the crate to the left, metres. */
     static final double LEFT = 0.8;
 
-    /** Starts it, with the services sear, lidar and gps. */
+    /** Starts the world with the services sear, lidar and gps. */
     public static final String SCRIPT = String.join("\n",
         "sear = Runtime.start('sear', 'SEAR')",
         "from org.SEAR.POJOs import Box, Cylinder, Dynamics, Floor, GPS, LIDAR, SEARrobot, Wheel",
@@ -45,7 +45,7 @@ public final class DeviceWorld {
     private DeviceWorld() {
     }
 
-    /** A simulation that has just begun: the devices are as when they are switched on. */
+    /** Restarts the simulation, so that the devices are in their power-on state. */
     public static void restart(MyRobotLab robotLab) {
         robotLab.call("lidar", "disconnect");
         robotLab.call("gps", "disconnect");

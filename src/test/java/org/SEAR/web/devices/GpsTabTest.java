@@ -16,14 +16,14 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
 
-/** The GPS tab: its table and track show what the service has received, its controls what the receiver is set to. */
+/** The GPS tab: table and track show the data that the service received, controls show the receiver's settings. */
 public class GpsTabTest {
     @ClassRule
     public static final Tabs TABS = new Tabs(DeviceWorld.SCRIPT);
     private static final String PANEL = ".sear-gps";
-    /** Metres: a sentence has millionths of minutes, a track two digits. */
+    /** Tolerance in metres: a sentence has millionths of minutes, a track two digits. */
     private static final double CLOSE = 0.02;
-    /** Radius of a curve that is straight, metres. */
+    /** Radius of a curve that counts as straight, metres. */
     private static final double STRAIGHT = 1e6;
     /** Units of the plot from its middle to its edge. */
     private static final double EDGE = 45;
@@ -50,13 +50,13 @@ public class GpsTabTest {
         seeFix();
     }
 
-    /** Waits for a fix that comes from now on. */
+    /** Waits for a new fix. */
     private void seeFix() {
         String before = browser.text(".gps-time");
         browser.until("a new fix", () -> browser.text(".gps-fix").equals("GPS") && !browser.text(".gps-time").equals(before));
     }
 
-    /** Lets time stand still and waits until the panel shows the last fix. */
+    /** Pauses the simulation and waits until the panel shows the last fix. */
     private JsonNode lastFix() {
         robotLab.call("sear", "pause");
         return browser.value("the service's last fix in the panel", () -> {
@@ -199,7 +199,7 @@ public class GpsTabTest {
         browser.seeText(".gps-message", "was closed");
         browser.until("the disconnected panel", () -> browser.text(".gps-status").equals("not connected"));
         robotLab.call("sear", "startSimulation");
-        seeFix();    // it connects by itself, as its port is there again
+        seeFix();    // it connects by itself when its port returns
     }
 
     @Test

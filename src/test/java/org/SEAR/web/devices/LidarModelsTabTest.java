@@ -17,7 +17,9 @@ import org.junit.Test;
 import org.junit.rules.TestRule;
 import org.openqa.selenium.WebElement;
 
-/** The LIDAR tab with other models than an LMS: their rates and modes can be chosen, and a whole circle is drawn all round. */
+/**
+ * The LIDAR tab with models other than an LMS: their rates and modes are selectable, and the plot shows a full circle.
+ */
 public class LidarModelsTabTest {
     private static final String RPLIDAR = "/dev/SEAR_LIDAR_02";
     private static final String HOKUYO = "/dev/SEAR_LIDAR_03";
@@ -25,7 +27,7 @@ public class LidarModelsTabTest {
 
     @ClassRule
     public static final Tabs TABS = new Tabs(String.join("\n", DeviceWorld.SCRIPT,
-        "from org.SEAR.POJOs import LIDAR as Scanner",    // Python has the service by the name LIDAR, once one has started
+        "from org.SEAR.POJOs import LIDAR as Scanner",    // after a LIDAR service starts, Python has the service under the name LIDAR
         "Box('behind', 20, 0.2, 1, 0).move(0, 0.5, -2)",
         "for (number, model) in ((2, 'RPLIDAR-A1'), (3, 'URG-04LX')):",
         "    another = Scanner('another%d' % number)",

@@ -23,13 +23,13 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
-/** The LIDAR tab: its plot, table and file show what the service has received, its controls what the device is set to. */
+/** The LIDAR tab: plot, table and file show the data that the service received, controls show the device's settings. */
 public class LidarTabTest {
     @ClassRule
     public static final Tabs TABS = new Tabs(DeviceWorld.SCRIPT);
     private static final String PANEL = ".sear-lidar";
     private static final double PIXEL = 1e-6;
-    /** Where half-transparent edges of dots overlap, a colour may be this far off. */
+    /** Tolerance of a colour where half-transparent edges of dots overlap. */
     private static final int ROUNDING = 8;
 
     @Rule
@@ -59,7 +59,10 @@ public class LidarTabTest {
         browser.until("scan mode " + mode, () -> mode.equals(browser.scope(PANEL, "form.mode.label")));
     }
 
-    /** Asks for a scan and waits until it is shown. The one shown before may have the same time: a simulation that starts anew begins with 0. */
+    /**
+     * Requests a scan and waits until it is shown. The previous one may have the same time, because a restarted
+     * simulation begins with 0.
+     */
     private JsonNode scan() {
         browser.scope(PANEL, "form.seen = scan");
         browser.click(".lidar-single");
@@ -67,7 +70,7 @@ public class LidarTabTest {
         return robotLab.call("lidar", "getLastScan");
     }
 
-    /** Seconds of the scan that is shown; -1 before the first. */
+    /** Returns the time of the shown scan, seconds; -1 before the first. */
     private double time() {
         return ((Number) browser.scope(PANEL, "scan === null ? -1 : scan.time")).doubleValue();
     }
@@ -86,7 +89,7 @@ public class LidarTabTest {
         return metres.isNull() ? Double.POSITIVE_INFINITY : metres.asDouble();
     }
 
-    /** Whether the plot has the dot of a beam where a distance at an angle lies. */
+    /** Returns whether the plot has a beam's dot at a distance and angle. */
     private boolean isDotAt(double metres, double degrees) {
         String point = "point(geometry(), " + metres + ", " + degrees + ")";
         List<?> colour = (List<?>) browser.script(String.join("\n",

@@ -17,11 +17,11 @@ import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 
-/** A moving picture that is shown again and again, in 255 colours; of each picture only what has changed is in the file. One thread. */
+/** Animated GIF in an endless loop with 255 colours. Each frame stores only the changed pixels. One thread. */
 final class AnimatedGif {
     private static final String SCREEN = "javax_imageio_gif_stream_1.0";
     private static final String FORMAT = "javax_imageio_gif_image_1.0";
-    /** Says "show it for ever" to browsers. */
+    /** Loop count for an endless loop in browsers. */
     private static final byte[] FOR_EVER = {1, 0, 0};
     private static final int STAYS = 255;
 
@@ -31,8 +31,7 @@ final class AnimatedGif {
     private int height;
 
     /**
-     * Adds a picture, of the same size as those before.
-     *
+     * Adds a picture of the same size as the previous ones.
      * @param time for which it is shown, hundredths of a second
      */
     void add(BufferedImage picture, int time) {
@@ -67,7 +66,7 @@ final class AnimatedGif {
         }
     }
 
-    /** Size and colours of all pictures. */
+    /** Returns size and colours of all pictures. */
     private IIOMetadata screen(ImageWriter writer, IndexColorModel model) throws IOException {
         IIOMetadataNode root = new IIOMetadataNode(SCREEN);
         child(root, "Version").setAttribute("value", "89a");
@@ -133,7 +132,7 @@ final class AnimatedGif {
         return child;
     }
 
-    /** Around all pixels that differ; a single one if none does. */
+    /** Returns the bounds of all differing pixels; a single pixel if none differs. */
     private Rectangle changed(byte[] before, byte[] now) {
         if (before == null) {
             return new Rectangle(width, height);

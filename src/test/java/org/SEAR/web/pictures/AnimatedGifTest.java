@@ -15,7 +15,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** A moving picture has all that was drawn, and not more than what has changed. */
+/** An animated GIF contains everything drawn and stores only changes. */
 public class AnimatedGifTest {
     private static final int WIDTH = 60;
     private static final int HEIGHT = 40;

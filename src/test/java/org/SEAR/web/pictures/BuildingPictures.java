@@ -9,21 +9,21 @@ import org.SEAR.web.MyRobotLab;
 import org.SEAR.web.SearTab;
 import org.openqa.selenium.WebElement;
 
-/** A rover is built by mouse and driven: a moving picture of it, one of the tab at that, and one of a plot of the drive. */
+/** A rover is built by mouse and driven: an animation of it, a picture of the tab and one of a plot of the drive. */
 final class BuildingPictures {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 720;
     private static final String ROBOT = "rover";
-    /** Hundredths of a second: after something has come into being, and at the end. */
+    /** Times after a new object appears and at the end, hundredths of a second. */
     private static final int LOOK = 70;
     private static final int END = 250;
     private static final int GLANCE = 8;
     private static final double DRIVE_SECONDS = 8;
     private static final double TURN_SECONDS = 2;
-    /** From one picture of the drive to the next. */
+    /** Steps between two pictures of the drive. */
     private static final int STEPS = 9;
     private static final double STEP_SECONDS = 1 / 60.0;
-    /** Where {@link LayoutTest} and others keep what somebody may look at. */
+    /** Folder of {@link LayoutTest} and other tests for visual checks. */
     private static final Path LOOKED_AT = Paths.get(System.getProperty("sear.root", "."), "build/reports/web");
 
     private final Browser browser;
@@ -84,7 +84,7 @@ final class BuildingPictures {
         picture("tab-building");
     }
 
-    /** For the documentation, and a dark one for whoever looks at it. */
+    /** Takes a picture for the documentation, and a dark one for visual checks. */
     private void picture(String name) throws IOException {
         browser.setTheme("dark");
         browser.picture(LOOKED_AT.resolve(name + "-dark.png"));
@@ -111,7 +111,7 @@ final class BuildingPictures {
         browser.until(name + " selected", () -> tab.isTrue("edits.object && edits.object.object == '" + name + "'"));
     }
 
-    /** Until the view has got what it asked for. */
+    /** Waits until the view has received all requested data. */
     private void settle() {
         browser.until("all that is to be seen", () -> Boolean.TRUE.equals(browser.script("var scope = angular.element("
             + "document.querySelector('.sear-main')).scope(), scene = scope.view.scene();"
@@ -121,7 +121,7 @@ final class BuildingPictures {
             + " && scene.robots.every(function(robot) { return robot.parts.every(function(item) { return item.dressed }) })")));
     }
 
-    /** Where a point of the world is seen in the page. */
+    /** Returns the page position of a point of the world. */
     @SuppressWarnings("unchecked")
     private double[] inSpace(double x, double y, double z) {
         WebElement canvas = browser.see(".sear-scene");
@@ -152,7 +152,7 @@ final class BuildingPictures {
         browser.until("no simulation", () -> tab.isTrue("!service.simulating"));
     }
 
-    /** Step by step, so that a slow machine makes the same film. */
+    /** Films step by step, so that a slow machine makes the same film. */
     private void shootFor(double seconds) throws IOException {
         for (double shown = 0; shown < seconds; shown += STEPS * STEP_SECONDS) {
             double next = tab.time() + (STEPS - 0.5) * STEP_SECONDS;

@@ -11,7 +11,7 @@ import org.SEAR.web.SearTab;
 final class CameraPictures {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 800;
-    /** Where tests keep what somebody may look at. */
+    /** Folder for visual checks. */
     private static final Path LOOKED_AT = Paths.get(System.getProperty("sear.root", "."), "build/reports/web");
 
     private CameraPictures() {

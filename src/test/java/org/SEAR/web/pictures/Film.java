@@ -15,11 +15,11 @@ import org.openqa.selenium.OutputType;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
-/** Films a page while its mouse goes slowly enough for people to follow. */
+/** Films a page while its mouse moves slowly enough for people to follow. */
 final class Film {
     private static final int WIDTH = 800;
     private static final int GLIDES = 5;
-    /** Hundredths of a second. */
+    /** Time per frame, hundredths of a second. */
     private static final int GLIDE_TIME = 5;
     private static final int KEY_TIME = 12;
     /** Browsers without a display draw no pointer. */
@@ -41,12 +41,12 @@ final class Film {
         browser.script(POINTER);
     }
 
-    /** Takes the pointer away. */
+    /** Removes the pointer. */
     void end() {
         browser.script("document.getElementById('film-pointer').remove()");
     }
 
-    /** @param hundredths of a second for which it is shown what is to be seen now */
+    /** @param hundredths display time of the current picture, hundredths of a second */
     void shoot(int hundredths) throws IOException {
         browser.driver().executeAsyncScript("var done = arguments[0]; requestAnimationFrame(function() { requestAnimationFrame(done) })");
         BufferedImage shot = ImageIO.read(new ByteArrayInputStream(browser.driver().getScreenshotAs(OutputType.BYTES)));
@@ -86,13 +86,13 @@ final class Film {
         click(at[0], at[1]);
     }
 
-    /** The same for a place of the page. */
+    /** Moves the mouse to a position of the page and clicks it. */
     void click(double toX, double toY) throws IOException {
         glide(toX, toY);
         mouse().click().perform();
     }
 
-    /** Presses at one place and lets go at another. */
+    /** Presses at one position and releases at another. */
     void drag(double[] from, double[] to) throws IOException {
         glide(from[0], from[1]);
         mouse().clickAndHold().perform();
@@ -100,7 +100,7 @@ final class Film {
         mouse().release().perform();
     }
 
-    /** Types into a field in place of what is in it. */
+    /** Replaces the text of a field by typing. */
     void type(String css, String text) throws IOException {
         click(css);
         WebElement field = browser.see(css);

@@ -9,16 +9,18 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 
-/** The sensors of this package as another jar would bring them: a folder with the compiled classes and their registry line. */
+/**
+ * The sensors of this package as another jar would bring them: a folder with the compiled classes and their registry
+ * line.
+ */
 public final class OtherJar {
     private OtherJar() {
     }
 
     /**
-     * Lays it out.
-     *
+     * Writes the folder.
      * @param folder new or empty
-     * @param types names of classes of this package, as {@code ThermometerSensor$Type}
+     * @param types names of classes of this package, such as {@code ThermometerSensor$Type}
      */
     public static void at(Path folder, String... types) throws IOException {
         Path registry = Files.createDirectories(folder.resolve("META-INF/services")).resolve("org.SEAR.sensors.SensorType");
@@ -43,7 +45,7 @@ public final class OtherJar {
         }
     }
 
-    /** A class loader that takes what it has from the folder, though the tests have it, too. */
+    /** Returns a class loader that prefers the classes of the folder to those of the tests. */
     public static URLClassLoader loader(Path folder) throws IOException {
         return new URLClassLoader(new URL[] {folder.toUri().toURL()}, OtherJar.class.getClassLoader()) {
             @Override

@@ -6,7 +6,7 @@ import org.SEAR.POJOs.Wirable;
 import org.SEAR.grammar.Param;
 import org.SEAR.protocol.arduino.WireRole;
 
-/** The parameters of a thermal camera of 8 x 8 pixels for which things are warm and ground and air are not. */
+/** Parameters of a thermal camera of 8 x 8 pixels that sees warm objects before cold ground and air. */
 public class ThermalGrid extends SensorObject implements Wirable {
     @Param(doc = "temperature of the ground and of what is out of range", unit = "degC", min = -40, max = 80)
     private double air = 20;

@@ -14,8 +14,9 @@ import java.util.List;
 import org.junit.Test;
 
 /**
- * The scripts of the dissertation's listings are the printed ones ({@code org/SEAR/dissertation}, wrapped lines joined), and whatever differs is
- * named on its line behind {@code # SEAR:}. Compared is the code without comments and blanks. That they run and print what they should: ScriptsTest.
+ * Scripts of the dissertation's listings equal the printed ones ({@code org/SEAR/dissertation}, wrapped lines joined).
+ * A comment {@code # SEAR:} on the line explains each difference. Only code counts, without comments and blanks.
+ * ScriptsTest runs the scripts.
  */
 public class ListingsTest {
     private static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", ".")).resolve("scripts");
@@ -55,7 +56,7 @@ public class ListingsTest {
         return all.toString();
     }
 
-    /** Lengths of the longest common subsequences of what follows: line i of the one, k of the other. */
+    /** Returns the lengths of the longest common subsequences from line i of one and line k of the other on. */
     private static int[][] common(List<Line> one, List<Line> other) {
         int[][] length = new int[one.size() + 1][other.size() + 1];
         for (int i = one.size() - 1; i >= 0; i--) {
@@ -66,7 +67,7 @@ public class ListingsTest {
         return length;
     }
 
-    /** What differs and isn't named, and what is named and doesn't differ. */
+    /** Returns unexplained differences, and explanations without a difference. */
     private static List<String> faults(List<Line> print, List<Line> script) {
         List<String> faults = new ArrayList<>();
         List<String> missing = new ArrayList<>();

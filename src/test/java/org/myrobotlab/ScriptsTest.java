@@ -20,14 +20,16 @@ import org.junit.Test;
 import org.SEAR.SearProcess;
 import org.SEAR.Slow;
 
-/** The listings of the dissertation run one after the other with the command line, and do what it says; so does the demo. */
+/**
+ * The listings of the dissertation run in order on the command line with the described results, and so does the demo.
+ */
 @Category(Slow.class)
 public class ScriptsTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final long PATIENCE_SECONDS = 240;
     private static final double DEGREE_LENGTH = 92_700;
 
-    /** The robot of the listings, facing a wall, and the two templates that come with SEAR. */
+    /** The robot of the listings facing a wall, and the two templates that come with SEAR. */
     private static final String TEMPLATES = String.join("\n",
         "from org.SEAR.POJOs import Accelerometer, Box, Compass, Distance, Gyroscope",
         "sear = Runtime.start('SEAR', 'SEAR')",
@@ -45,7 +47,7 @@ public class ScriptsTest {
 
     private static final int LISTINGS = 10;
     private static final String LISTING = "listing%02d.py";
-    /** Of a service named SEAR. */
+    /** Sleep function of a service named SEAR. */
     private static final String SLEEP = "def sleep(seconds):\n    one = Runtime.getService('SEAR')\n"
         + "    if one is not None and one.isSimulating(): one.simSleep(seconds)";
 
@@ -54,8 +56,7 @@ public class ScriptsTest {
 
     /**
      * Runs a script in the folder of this test.
-     *
-     * @return what it printed
+     * @return its output
      */
     private String run(String script) throws IOException, InterruptedException {
         File folder = temporary.getRoot();
@@ -72,10 +73,13 @@ public class ScriptsTest {
         return text;
     }
 
-    /** Runs a listing, whose waits are by the clock of the computer and pass no simulated time in lock-step, with waits that do. */
+    /**
+     * Runs a listing. Its waits by the computer's clock pass no simulated time in lock-step, so simulated waits replace
+     * them.
+     */
     private String listing(int number) throws IOException, InterruptedException {
         Path folder = temporary.getRoot().toPath();
-        for (int one = 1; one <= LISTINGS; one++) {    // some run others, which lie beside them
+        for (int one = 1; one <= LISTINGS; one++) {    // some run others in the same folder
             String name = String.format(LISTING, one);
             String text = Files.readString(ROOT.resolve("scripts").resolve(name));
             Files.writeString(folder.resolve(name),
@@ -155,7 +159,7 @@ public class ScriptsTest {
         assertEquals(270, number(answers, "Heading: (-?[0-9.]+) degrees"), 0.5);
     }
 
-    /** The robot of two sensors, two motor drivers and an 8-bit board turns away from the walls of its room. */
+    /** The robot with two sensors, two motor drivers and an 8-bit board turns away from the walls of its room. */
     @Test
     public void theArduinoTemplateAvoidsObstacles() throws Exception {
         temporary.newFile("nothing");

@@ -202,7 +202,7 @@ public class MessagesTest {
         Talker again = (Talker) Runtime.start("b", Talker.class.getName());
         assertNotEquals(b, again);
         a.invoke("publishNumber", 2);
-        while (!Integer.valueOf(2).equals(again.next())) { // 1 may have waited in the outbox
+        while (!Integer.valueOf(2).equals(again.next())) { // the outbox may still have contained 1
             assertTrue(a.hasSubscribed("b", "publishNumber"));
         }
     }

@@ -7,12 +7,12 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import org.myrobotlab.service.config.ServiceConfig;
 
-/** A service that publishes what it is told, and keeps what it is called back with. */
+/** A service that publishes values on request and stores values that it receives. */
 public class Talker extends Service<ServiceConfig> {
     private static final long serialVersionUID = 1L;
     private static final int PATIENCE_SECONDS = 120;
 
-    /** What came in. */
+    /** Received values. */
     public final transient BlockingQueue<Object> heard = new LinkedBlockingQueue<>();
     private volatile boolean failing;
     private final transient Semaphore begun = new Semaphore(0);
@@ -22,7 +22,7 @@ public class Talker extends Service<ServiceConfig> {
         super(name, id);
     }
 
-    /** Waits for what comes in next. */
+    /** Waits for the next received value. */
     Object next() throws InterruptedException {
         Object value = heard.poll(60, TimeUnit.SECONDS);
         if (value == null) {
@@ -79,7 +79,7 @@ public class Talker extends Service<ServiceConfig> {
         heard.add("released " + name);
     }
 
-    /** As SEAR's: what may be read by GET. */
+    /** A reading that GET may request, like SEAR's. */
     public String getReading(String name) {
         return "of " + name;
     }
@@ -88,13 +88,13 @@ public class Talker extends Service<ServiceConfig> {
         return value / 2;
     }
 
-    /** A call that takes until {@link #goOn}. */
+    /** A call that lasts until {@link #goOn}. */
     public void await() throws InterruptedException {
         begun.release();
         end.await();
     }
 
-    /** Waits until so many are in {@link #await}. */
+    /** Waits until this number of calls are in {@link #await}. */
     public void awaiting(int calls) throws InterruptedException {
         if (!begun.tryAcquire(calls, PATIENCE_SECONDS, TimeUnit.SECONDS)) {
             throw new AssertionError("only " + begun.availablePermits() + " of " + calls + " calls have begun");
@@ -106,7 +106,7 @@ public class Talker extends Service<ServiceConfig> {
         end.countDown();
     }
 
-    /** So many letters. */
+    /** Returns a text of this length. */
     public String longText(int length) {
         begun.release();
         return "x".repeat(length);

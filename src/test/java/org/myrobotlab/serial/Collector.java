@@ -7,7 +7,7 @@ import java.util.concurrent.TimeUnit;
 import org.myrobotlab.framework.QueueStats;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
-/** Keeps what it gets. */
+/** Stores received bytes. */
 class Collector implements SerialDataListener {
     private static final long PATIENCE = 60_000;
 

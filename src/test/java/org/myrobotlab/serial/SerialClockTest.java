@@ -9,7 +9,10 @@ import org.junit.After;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** The null-modem cable and the clock. Of several trials the quickest counts: other work on the machine can only make it slower. */
+/**
+ * The null-modem cable and the clock. The fastest of several trials counts, because other work on the machine only
+ * slows it down.
+ */
 @Category(Slow.class)
 public class SerialClockTest {
     private static final int TRIALS = 5;

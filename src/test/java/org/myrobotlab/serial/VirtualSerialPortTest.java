@@ -18,7 +18,7 @@ import org.junit.After;
 import org.junit.Test;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
-/** A null-modem cable in memory loses nothing, keeps the order, and takes the time that the baud rate says. */
+/** A null-modem cable in memory loses nothing, keeps the order, and takes the time that follows from the baud rate. */
 public class VirtualSerialPortTest {
     private static final long PATIENCE = 60_000;
 

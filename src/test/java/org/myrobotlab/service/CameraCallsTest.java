@@ -26,7 +26,7 @@ import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.data.ImageData;
 import org.myrobotlab.service.sear.SensorReading;
 
-/** What scripts and other services get of cameras. */
+/** Camera data for scripts and other services. */
 public class CameraCallsTest {
     private static final int WIDTH = 64;
     private static final int HEIGHT = 48;

@@ -10,7 +10,7 @@ import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
-/** What sits at the far end of a cable in a test, in place of a device. */
+/** Replacement for a device at the far end of a cable. */
 public final class FarEnd implements SerialDataListener, AutoCloseable {
     private static final long PATIENCE = TimeUnit.SECONDS.toNanos(60);
 
@@ -19,7 +19,7 @@ public final class FarEnd implements SerialDataListener, AutoCloseable {
     private final Function<String, String> answers;
     private final List<String> heard = new ArrayList<>();
 
-    /** @param answers hex of what comes to hex of what goes back, null for nothing */
+    /** @param answers maps hex received to hex sent; null for no answer */
     public FarEnd(String userPort, Function<String, String> answers) throws IOException {
         this.answers = answers;
         device = new VirtualSerialPort(userPort + "_device");
@@ -53,7 +53,7 @@ public final class FarEnd implements SerialDataListener, AutoCloseable {
         }
     }
 
-    /** What came so far, at least that many pieces. */
+    /** Waits for this number of pieces and returns all received so far. */
     public List<String> await(int count) throws InterruptedException {
         long end = System.nanoTime() + PATIENCE;
         synchronized (heard) {

@@ -14,7 +14,10 @@ import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.ServiceConfig;
 import org.myrobotlab.service.lidar.RangeScan;
 
-/** In lock-step, simSleep returns when all callbacks have run, whatever their threads are called and however many services they go through. */
+/**
+ * In lock-step, simSleep returns after all callbacks have run, regardless of their threads' names and the number of
+ * services in their chain.
+ */
 public class FenceTest {
     private static final String LIDAR_SCRIPT = String.join("\n",
         "sear = Runtime.start('sear', 'SEAR')",
@@ -29,7 +32,7 @@ public class FenceTest {
     private Python python;
     private Heard heard;
 
-    /** Hands on what it hears, from its own message thread to its listeners. */
+    /** Forwards received values from its message thread to its listeners. */
     public static class Relay extends Service<ServiceConfig> {
         private static final long serialVersionUID = 1L;
 

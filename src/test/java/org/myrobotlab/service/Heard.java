@@ -9,7 +9,7 @@ import org.myrobotlab.framework.Service;
 import org.myrobotlab.framework.Status;
 import org.myrobotlab.service.config.ServiceConfig;
 
-/** A service that keeps what others publish to it, to be waited for. */
+/** A service that stores values published by others, with calls to wait for them. */
 public class Heard extends Service<ServiceConfig> {
     private static final long serialVersionUID = 1L;
     private static final long PATIENCE = TimeUnit.SECONDS.toNanos(60);
@@ -18,29 +18,28 @@ public class Heard extends Service<ServiceConfig> {
     private final transient List<String> statuses = new ArrayList<>();
     private final transient List<String> states = new ArrayList<>();
 
-    /** As MyRobotLab makes services. */
+    /** Signature that MyRobotLab requires. */
     public Heard(String name, String id) {
         super(name, id);
     }
 
-    /** Any published value. */
+    /** Stores any published value. */
     public void onValue(Object value) {
         keep(values, value);
     }
 
-    /** A status of another service. */
+    /** Stores a status of another service. */
     public void onStatus(Status status) {
         keep(statuses, status.level + ": " + status.detail);
     }
 
-    /** The state of another service, as a panel sees it at that moment. */
+    /** Stores the state of another service as a panel sees it at that moment. */
     public void onState(Service<?> state) {
         keep(states, CodecUtils.toJson(state));
     }
 
     /**
      * Waits for a state with this text.
-     *
      * @return whether it came
      */
     public boolean awaitState(String part) throws InterruptedException {
@@ -54,7 +53,7 @@ public class Heard extends Service<ServiceConfig> {
         }
     }
 
-    /** The values so far, at least that many. */
+    /** Waits for this number of values and returns all so far. */
     public List<Object> await(int count) throws InterruptedException {
         long end = System.nanoTime() + PATIENCE;
         synchronized (values) {
@@ -66,8 +65,8 @@ public class Heard extends Service<ServiceConfig> {
     }
 
     /**
-     * Waits for a value of this kind: what was said before a listener was added may come after it, for services deliver from a queue.
-     *
+     * Waits for a value of this kind. Values published before a listener was added may arrive after it, because
+     * services deliver from a queue.
      * @return whether it came
      */
     public boolean awaitValue(Predicate<Object> kind) throws InterruptedException {
@@ -82,14 +81,16 @@ public class Heard extends Service<ServiceConfig> {
 
     /**
      * Waits for a status with this text.
-     *
      * @return whether it came
      */
     public boolean awaitStatus(String part) throws InterruptedException {
         return await(statuses, part);
     }
 
-    /** Whether so many of them come. */
+    /**
+     * Waits for this number of statuses with this text.
+     * @return whether they came
+     */
     public boolean awaitStatus(String part, int times) throws InterruptedException {
         return await(statuses, part, times);
     }
@@ -112,7 +113,7 @@ public class Heard extends Service<ServiceConfig> {
         return texts.stream().filter(text -> text.contains(part)).count();
     }
 
-    /** All statuses so far. */
+    /** Returns all statuses so far. */
     public List<String> getStatuses() {
         synchronized (values) {
             return new ArrayList<>(statuses);

@@ -20,12 +20,12 @@ import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.config.RuntimeConfig;
 import org.myrobotlab.service.config.ServiceConfig;
 
-/** What the real MyRobotLab does to plug-ins, the embedded one does too. */
+/** The embedded MyRobotLab treats plug-ins like the real one. */
 public class ImitationTest {
     private static final String SET = "imitation-test";
     private static final String TALKER = Talker.class.getName();
 
-    /** A service that means something else by isRunning, as SEAR once did. */
+    /** A service whose isRunning has another meaning. */
     public static class Denier extends Service<ServiceConfig> {
         private static final long serialVersionUID = 1L;
 

@@ -4,7 +4,7 @@ import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.ServiceConfig;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
-/** A service that hears the bytes of a port and nothing else of it. */
+/** A service that only listens to the bytes of a port. */
 public abstract class PortListener extends Service<ServiceConfig> implements SerialDataListener {
     private static final long serialVersionUID = 1L;
 

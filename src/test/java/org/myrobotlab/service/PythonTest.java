@@ -48,7 +48,7 @@ public class PythonTest {
             + "assert Platform.getLocalInstance() and Service and Python and sys.version_info[0] == 2\nsleep(0.001)"));
     }
 
-    /** A list of the 25,000 files of its jar took a tenth of the time until a script begins. */
+    /** A list of the 25,000 files of its jar would take a tenth of a script's start time. */
     @Test
     public void pythonsOwnModulesAreFoundWithoutAListOfItsJar() {
         assertTrue(python.exec("import json, threading, xml.dom.minidom, encodings.idna\n"

@@ -25,7 +25,7 @@ import org.myrobotlab.service.config.PythonConfig;
 import org.myrobotlab.service.config.SerialConfig;
 import org.myrobotlab.service.config.ServiceConfig;
 
-/** How the embedded MyRobotLab makes, starts and releases services. */
+/** Creation, start and release of services in the embedded MyRobotLab. */
 public class RuntimeTest {
     private static final String TALKER = Talker.class.getName();
 
@@ -64,7 +64,7 @@ public class RuntimeTest {
         }
     }
 
-    /** A service whose constructor needs a library that is not there. */
+    /** A service whose constructor needs a missing library. */
     public static class Bare extends Service<ServiceConfig> {
         private static final long serialVersionUID = 1L;
 
@@ -97,7 +97,7 @@ public class RuntimeTest {
         assertNull(Runtime.getService("first"));
     }
 
-    /** As a call by name does. */
+    /** Applies a configuration of any type, like a call by name. */
     @SuppressWarnings("unchecked")
     private static <C extends ServiceConfig> void applyUnchecked(Service<C> service, ServiceConfig config) {
         service.apply((C) config);
@@ -179,7 +179,7 @@ public class RuntimeTest {
         Runtime.release("s");
         Object first = listener.heard.take();
         while ("started runtime@embedded".equals(first) || "started listener@embedded".equals(first)) {
-            first = listener.heard.take(); // was on its way when the listener was added
+            first = listener.heard.take(); // sent before the listener was added
         }
         assertEquals("started s@embedded", first);
         assertEquals("released s@embedded", listener.heard.take());
@@ -196,7 +196,7 @@ public class RuntimeTest {
         Set<Thread> left = new HashSet<>(Thread.getAllStackTraces().keySet());
         left.removeAll(before);
         for (Thread thread : left) {
-            thread.join(60_000); // told to end, on its way out
+            thread.join(60_000); // the thread is ending
         }
         left.removeIf(thread -> !thread.isAlive());
         assertEquals(Set.of(), left);
@@ -247,7 +247,7 @@ public class RuntimeTest {
         }
     }
 
-    /** As in the real one; whoever uses the service, or the script, connects it. */
+    /** As in the real one, the script or the user of the service connects it. */
     @Test
     public void aSerialServiceKeepsItsPortInItsConfigurationAndDoesNotOpenItWhenItIsRestored() throws Exception {
         Serial serial = (Serial) Runtime.start("s", "Serial");

@@ -8,9 +8,9 @@ import org.junit.After;
 import org.junit.Test;
 import org.myrobotlab.service.config.SEARConfig;
 
-/** What SEAR hears from its parts, on their threads. */
+/** Callbacks of SEAR's parts on their own threads. */
 public class SearHostTest {
-    /** Keeps the thread on which it is to stop. */
+    /** Stores the thread that stops the simulation. */
     public static class Stopped extends SEAR {
         private static final long serialVersionUID = 1L;
         private final transient BlockingQueue<Thread> stoppers = new LinkedBlockingQueue<>();
@@ -30,10 +30,11 @@ public class SearHostTest {
         Runtime.releaseAll();
     }
 
-    /** The window's thread, which the end of a simulation waits for, does not stop it itself. */
+    /** The window's thread, for which the end of a simulation waits, does not stop the simulation itself. */
     @Test(timeout = 60_000)
     public void aClosedWindowLeavesStoppingToSearsOwnThread() throws InterruptedException {
-        // made here: a class without a configuration of its own gets one of another type, which SEAR refuses
+        // made directly: for a class without its own configuration MyRobotLab makes one of another type, which SEAR
+        // rejects
         Stopped sear = new Stopped("hosted", Runtime.getInstance().getId());
         sear.startService();
         SEARConfig config = new SEARConfig();

@@ -103,7 +103,7 @@ public class SearServiceTest {
         assertEquals(sear.getPose("roomba")[2] + TestWorld.LIDAR_Z, sear.getPose("scanner")[2], 1e-3);
     }
 
-    /** As when MyRobotLab ends: it takes the services one after another, the simulation last. */
+    /** As at the end of MyRobotLab, which releases services one by one and the simulation last. */
     @Test
     public void aDeviceWhoseUartIsClosedFirstSaysNothing() throws Exception {
         sear.startSimulation();
@@ -488,7 +488,7 @@ public class SearServiceTest {
         assertFails("robot is \"nobody\"", () -> sear.importRobot(bundle.toString(), "nobody"));
     }
 
-    /** Two robots have a "scanner", and a third has a "roomba_scanner": each port leads to its own device. */
+    /** Two robots have a "scanner" and a third has a "roomba_scanner": each port leads to its own device. */
     @Test
     public void aPartNamedLikeTwoPutTogetherHasAServiceOfItsOwn() throws Exception {
         Path bundle = temporary.getRoot().toPath().resolve("rover.sear");

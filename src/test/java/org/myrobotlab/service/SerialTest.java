@@ -24,7 +24,7 @@ public class SerialTest {
     private Serial user;
     private Serial uart;
 
-    /** Keeps bytes until there are enough. */
+    /** Stores bytes until there are enough. */
     public static class Keeper extends Service<ServiceConfig> implements SerialDataListener {
         private static final long serialVersionUID = 1L;
 

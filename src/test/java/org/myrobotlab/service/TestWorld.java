@@ -23,14 +23,14 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 
-/** A floor, a wall 2 m ahead, and a Roomba with one of each sensor at the origin, looking along +z. */
+/** A floor, a wall 2 m ahead, and a Roomba with one of each sensor at the origin, facing +z. */
 public final class TestWorld {
     public static final String ROOMBA_PORT = "/dev/SEAR_Robot_01";
     public static final String LIDAR_PORT = "/dev/SEAR_LIDAR_01";
     public static final String GPS_PORT = "/dev/SEAR_GPS_01";
-    /** Where the wall's near face is. */
+    /** Distance of the wall's near face, metres. */
     public static final double WALL = 2;
-    /** Where the LIDAR sits in front of the robot's middle. */
+    /** Distance of the LIDAR ahead of the robot's middle, metres. */
     static final double LIDAR_Z = 0.1;
 
     private TestWorld() {
@@ -74,7 +74,7 @@ public final class TestWorld {
         return folder;
     }
 
-    /** All threads that SEAR starts and that live now. */
+    /** Returns the names of all live threads that SEAR started. */
     public static List<String> threads() {
         List<String> names = new ArrayList<>();
         for (Thread thread : Thread.getAllStackTraces().keySet()) {
@@ -87,7 +87,9 @@ public final class TestWorld {
         return names;
     }
 
-    /** All of these have ended, or do so within a minute: what is shut down ends a moment later. */
+    /**
+     * Waits up to a minute until all of these threads have ended, because threads end a moment after their shutdown.
+     */
     public static void assertNoThreads() {
         long end = System.nanoTime() + TimeUnit.MINUTES.toNanos(1);
         while (!threads().isEmpty() && System.nanoTime() < end) {
@@ -96,7 +98,7 @@ public final class TestWorld {
         assertEquals(Collections.emptyList(), threads());
     }
 
-    /** Puts text into a file of the project. */
+    /** Writes text into a file of the project. */
     static void write(Path folder, String file, String text) throws IOException {
         Files.createDirectories(folder.resolve(file).getParent());
         Files.writeString(folder.resolve(file), text);

@@ -11,7 +11,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** Two SEAR services in one MyRobotLab: what the maker of an object should know is told by one, that whose simulation runs. */
+/** With two SEAR services in one MyRobotLab, the one with the running simulation reports warnings about new objects. */
 public class TwoSearServicesTest {
     private static final List<String> SERVICES = Arrays.asList("firstSear", "secondSear");
     private static final String LATE = "was made while a simulation runs";
@@ -51,7 +51,10 @@ public class TwoSearServicesTest {
         System.clearProperty("sear.speed");
     }
 
-    /** A script that starts one service's simulation and makes an object meanwhile; then each service says something, and that is the last. */
+    /**
+     * Runs a script that starts one service's simulation and makes an object. Then each service publishes a last
+     * message.
+     */
     private void script(String running) throws Exception {
         python.execAndWait("from org.SEAR.POJOs import Box\n"
             + "first = Runtime.start('firstSear', 'SEAR')\nsecond = Runtime.start('secondSear', 'SEAR')\n"

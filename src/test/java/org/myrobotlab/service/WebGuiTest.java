@@ -31,11 +31,11 @@ import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.framework.Talker;
 
-/** The web server of the embedded MyRobotLab: files, calls, messages, and who is refused. */
+/** The web server of the embedded MyRobotLab: files, calls, messages, and rejected clients. */
 @Category(Slow.class)
 public class WebGuiTest {
     private static final int MANY = 1000;
-    /** Fewer than may wait for a slow page. */
+    /** Fewer messages than the queue of a slow page holds. */
     private static final int BATCH = 50;
 
     @Rule
@@ -90,7 +90,7 @@ public class WebGuiTest {
         }).join();
     }
 
-    /** The next message that has such a key. */
+    /** Returns the next message with this key. */
     private Map<?, ?> next(String key) throws InterruptedException {
         while (true) {
             Map<?, ?> message = messages.poll(60, TimeUnit.SECONDS);
@@ -214,7 +214,7 @@ public class WebGuiTest {
         page.abort();
     }
 
-    /** As when a simulation ends, and its ports with it, while a page still asks for their state. */
+    /** At the end of a simulation a page may still request the state of its ports. */
     @Test
     public void aServiceThatHasJustGoneIsNoErrorOfThePage() throws Exception {
         WebSocket page = open();
@@ -228,7 +228,7 @@ public class WebGuiTest {
         page.abort();
     }
 
-    /** How many topics of the talker are listened to for pages; waits until there are so many. */
+    /** Waits until this number of the talker's topics have page listeners. */
     private void waitForTopics(int wanted) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
         while (talker.getOutbox().getAttached("publishNumber").size() + talker.getOutbox().getAttached("publishState").size() != wanted) {

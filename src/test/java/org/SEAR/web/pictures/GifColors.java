@@ -6,22 +6,22 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * The colours that stand for all of some pictures: the space of colours is cut into boxes, always that with the most pixels and the greatest
- * differences at its median (Heckbert's median cut). Immutable once it is made.
+ * Palette for several pictures by Heckbert's median cut: the colour space is cut into boxes, always the box with most
+ * pixels and greatest differences at its median. Immutable.
  */
 final class GifColors {
     private static final int BITS = 5;
     private static final int CELLS = 1 << 3 * BITS;
     private static final int LEVELS = 1 << BITS;
 
-    /** By cell: number of pixels, sums of their red, green and blue. */
+    /** Number of pixels and sums of their red, green and blue, by cell. */
     private final long[][] sums = new long[CELLS][];
     private final byte[] indices = new byte[CELLS];
     private final IndexColorModel model;
 
     /**
      * @param pictures pixels as {@code 0xRRGGBB}
-     * @param most colours; this number itself is the one that can be seen through
+     * @param most number of colours; this index itself is the transparent colour
      */
     GifColors(List<int[]> pictures, int most) {
         for (int[] picture : pictures) {
@@ -94,7 +94,10 @@ final class GifColors {
         return longest;
     }
 
-    /** Cuts the box that matters most; false if each has a single colour. */
+    /**
+     * Cuts the most important box.
+     * @return false if every box has a single colour
+     */
     private boolean cut(List<List<Integer>> boxes) {
         List<Integer> box = boxes.stream().filter(one -> one.size() > 1)
             .max(Comparator.comparingDouble(one -> Math.sqrt(pixels(one)) * length(one, longest(one)))).orElse(null);
@@ -119,7 +122,7 @@ final class GifColors {
         return model;
     }
 
-    /** The number of the colour of each pixel. */
+    /** Returns the colour index of each pixel. */
     byte[] of(int[] pixels) {
         byte[] all = new byte[pixels.length];
         for (int i = 0; i < all.length; i++) {

@@ -18,16 +18,19 @@ import org.SEAR.web.Browser;
 import org.SEAR.web.MyRobotLab;
 import org.SEAR.web.SearTab;
 
-/** Takes the palette's pictures: each thing as the view draws it, without ground and sky, all in one file, in the order of {@code kinds.js}. */
+/**
+ * Takes the palette's pictures: each object as the view draws it, without ground and sky, all in one file in the order
+ * of {@code kinds.js}.
+ */
 final class PalettePictures {
     private static final Path FILE = Paths.get("resources/resource/WebGui/app/service/js/sear/tiles/palette.png");
     private static final Path SCRIPT = Paths.get("src/test/resources/pictures/palette.py");
-    /** Pixels of a picture, and around what is in it. */
+    /** Size of a picture, and its margin, pixels. */
     private static final int CELL = 64;
     private static final int MARGIN = 2;
-    /** Where something else stands in the project that is opened for it: all that is drawn. */
+    /** Name of the only object to draw, for projects with other objects. */
     private static final Map<String, String> ONLY = Map.of("Model", "plant", "Terrain", "none");
-    /** Draws the world that is shown as a large picture, with nothing behind it. */
+    /** Draws the shown world as a large picture without a background. */
     private static final String DRAW = String.join("\n",
         "var view = angular.element(document.querySelector('.sear-main')).scope().view, s = view.scene(), only = arguments[0]",
         "s.objects.forEach(item => item.holder.visible = only ? item.source.name === only : item.source.name.indexOf('hidden') !== 0)",
@@ -86,7 +89,7 @@ final class PalettePictures {
         return small(ImageIO.read(new ByteArrayInputStream(png)), kind);
     }
 
-    /** Only what is drawn, as large as fits. */
+    /** Crops to the drawn part and scales it to fit. */
     private static BufferedImage small(BufferedImage large, String kind) {
         Rectangle part = null;
         for (int y = 0; y < large.getHeight(); y++) {

@@ -15,14 +15,17 @@ import org.SEAR.web.SearTab;
 import org.openqa.selenium.Dimension;
 import org.openqa.selenium.interactions.Actions;
 
-/** Takes the pictures of the tabs for the documentation, while a robot with every sensor drives in a yard: {@code scripts/screenshots}. */
+/**
+ * Takes the pictures of the tabs for the documentation while a robot with every sensor drives in a yard:
+ * {@code scripts/screenshots}.
+ */
 public final class TabPictures {
     private static final String SCRIPT = "sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\nsear.startSimulation()\n"
         + "lidar = Runtime.start('lidar', 'LIDAR')\nlidar.connect('/dev/SEAR_LIDAR_01')\n"
         + "gps = Runtime.start('gps', 'GPS')\ngps.connect('/dev/SEAR_GPS_01')\n";
     private static final String TERRAIN = "terrain-tab";
     private static final int WIDTH = 1180;
-    /** Seconds at SPEED m/s on a circle of RADIUS metres to the left. */
+    /** Duration of the drive at SPEED m/s on a circle of RADIUS metres to the left, seconds. */
     private static final double DRIVE = 22;
     private static final double SPEED = 0.3;
     private static final double RADIUS = 1.2;
@@ -32,8 +35,8 @@ public final class TabPictures {
     }
 
     /**
-     * @param arguments the folder for the pictures and, if not all are wanted, some of {@code tabs}, {@code terrain-tab}, {@code building},
-     *     {@code cameras}, {@code tiles}, {@code palette} and {@code first}
+     * @param arguments the folder for the pictures and, for a selection, some of {@code tabs}, {@code terrain-tab},
+     *     {@code building}, {@code cameras}, {@code tiles}, {@code palette} and {@code first}
      */
     public static void main(String[] arguments) throws Exception {
         Path folder = Paths.get(arguments[0]);
@@ -62,7 +65,7 @@ public final class TabPictures {
         System.exit(0);
     }
 
-    /** Those of the tutorial, whose script draws the third itself. */
+    /** Takes the pictures of the tutorial, whose script draws the third itself. */
     private static void first(Path folder) throws Exception {
         Path here = Files.createTempDirectory("sear-first");
         try (Browser browser = new Browser(WIDTH, 800); FirstRobot tutorial = new FirstRobot(browser, here, (shown, name) -> {
@@ -79,7 +82,7 @@ public final class TabPictures {
         }
     }
 
-    /** The tabs of a robot that drives. */
+    /** Takes the tabs of a driving robot. */
     private static void drive(Path folder) throws Exception {
         try (Browser browser = new Browser(WIDTH, 900); MyRobotLab robotLab = new MyRobotLab(SCRIPT)) {
             browser.driver().get(robotLab.url() + "#/sear");
@@ -118,7 +121,7 @@ public final class TabPictures {
                 + "return Object.keys(scene.looks.wanted).length === 0 && scene.objects.every(function(item) { return item.dressed })")));
     }
 
-    /** The mountains of an example, with the pointer on them. */
+    /** Takes the mountains of an example with the pointer on them. */
     private static void terrain(Path folder) throws Exception {
         try (Browser browser = new Browser(WIDTH, 900); MyRobotLab robotLab = new MyRobotLab("Runtime.start('sear', 'SEAR')")) {
             browser.driver().get(robotLab.url() + "#/sear");
@@ -138,7 +141,7 @@ public final class TabPictures {
         take(browser, folder.resolve(TERRAIN + ".png"));
     }
 
-    /** The whole page, not more and not less. */
+    /** Takes exactly the whole page. */
     private static void take(Browser browser, Path file) throws Exception {
         Number height = (Number) browser.script("return document.querySelector('.container-fluid').getBoundingClientRect().bottom"
             + " + window.outerHeight - window.innerHeight + 10");

@@ -14,10 +14,10 @@ import org.SEAR.web.MyRobotLab;
 import org.SEAR.web.SearTab;
 import org.openqa.selenium.OutputType;
 
-/** Takes the pictures of the tiles that an empty view shows: of each example, and of what is built. */
+/** Takes the pictures of the tiles in an empty view: each example, and an object under construction. */
 final class TilePictures {
     private static final Path FOLDER = Paths.get("resources/resource/WebGui/app/service/js/sear/tiles");
-    /** The view alone, as large as a tile's picture. */
+    /** Style that shows the view alone at the size of a tile's picture. */
     private static final String FRAME = String.join("\n",
         "var style = document.createElement('style')",
         "style.textContent = '.sear-canvas { position: fixed !important; left: 0; top: 0; width: 480px; height: 300px !important; min-height: 0;'",

@@ -18,13 +18,13 @@ import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
-/** Pictures of cameras in the SEAR tab: live and in records, what a click tells, and that nobody asks for what nobody sees. */
+/** Camera pictures in the SEAR tab, live and in records: values at a click, and no requests for hidden pictures. */
 public class CameraTabTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
     private static final int WIDTH = 64;
     private static final int HEIGHT = 48;
-    /** Pixels of the longer side of a picture over the view. */
+    /** Longer side of a picture over the view, pixels. */
     private static final Long LARGE = 640L;
     private static final String WORLD = String.join("\n",
         "from org.SEAR.POJOs import Box, Camera, Floor, Robots, Sphere",
@@ -44,7 +44,7 @@ public class CameraTabTest {
         "large.setSize(800, 600)",
         "rover.addComponent(large)");
     private static final String SCOPE = "angular.element(document.querySelector('.sear-main')).scope()";
-    /** Counts the questions for pictures from now on. */
+    /** Counts further requests for pictures. */
     private static final String COUNT = "var msg = " + SCOPE + ".msg, send = msg.send; window.asked = []; msg.send = function(method, name) {"
         + " if (/Picture$/.test(method)) { window.asked.push(name) } return send.apply(msg, arguments) }";
 
@@ -74,13 +74,13 @@ public class CameraTabTest {
             + " && " + seen + ".time !== undefined && " + seen + ".picture.length > 50"));
     }
 
-    /** Brings it there: the drawer scrolls, and others in it may grow. */
+    /** Scrolls the picture into view: the drawer scrolls, and other sections of it may grow. */
     private boolean isInView(String name) {
         browser.script("document.querySelector(arguments[0]).scrollIntoView()", eye(name));
         return true;
     }
 
-    /** At a share of its width and height. */
+    /** Clicks a picture at fractions of its width and height. */
     private void click(String name, double across, double down) {
         WebElement picture = browser.see(eye(name) + ".sear-eye-picture");
         browser.script("var box = arguments[0].querySelector('img').getBoundingClientRect(); arguments[0].dispatchEvent(new MouseEvent('click',"
@@ -148,7 +148,7 @@ public class CameraTabTest {
         browser.until("somebody looks", () -> asked() > 0);
     }
 
-    /** What was on its way has come; from now on it is counted. */
+    /** Waits until pending pictures have arrived, then starts counting. */
     private void waitUntilQuiet() {
         long[] last = {-1};
         browser.until("nothing is asked for any more", () -> {
@@ -176,7 +176,7 @@ public class CameraTabTest {
         browser.until("closed", () -> browser.all(".sear-eye-large").isEmpty());
     }
 
-    /** Before the start, too. */
+    /** The lines are there before the start. */
     @Test
     public void theViewHasLinesAroundWhatACameraSees() {
         see();

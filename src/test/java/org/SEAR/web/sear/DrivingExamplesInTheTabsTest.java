@@ -19,7 +19,7 @@ import org.junit.Test;
 import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 
-/** The examples that drive are offered in both tabs, by a click. */
+/** Both tabs offer the driving examples by a click. */
 public class DrivingExamplesInTheTabsTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
@@ -29,7 +29,7 @@ public class DrivingExamplesInTheTabsTest {
     private final MyRobotLab robotLab = TABS.robotLab();
     private final SearTab tab = new SearTab(TABS);
 
-    /** Beside those in the jar there may be others in the working folder. */
+    /** Examples of the working folder appear beside those in the jar. */
     @BeforeClass
     public static void bringExamples() throws IOException {
         Path examples = Path.of(System.getProperty("sear.root", ".")).resolve("examples");
@@ -41,7 +41,7 @@ public class DrivingExamplesInTheTabsTest {
         }
     }
 
-    /** In lock-step, so that the robot's program is as quick as its robot on a busy machine, too. */
+    /** Runs in lock-step, so that the program keeps up with its robot on a busy machine. */
     @Test
     public void theSearTabRunsOneAndShowsTheRobotDrive() {
         tab.stopAll();

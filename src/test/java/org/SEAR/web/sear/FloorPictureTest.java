@@ -15,7 +15,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
 
-/** The map shows the picture of a floor, as the view in space does, the same way round. */
+/** The map shows the picture of a floor in the same orientation as the view in space. */
 public class FloorPictureTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
@@ -35,7 +35,7 @@ public class FloorPictureTest {
         tab.stopAll();
     }
 
-    /** Red and green above, blue and yellow below. */
+    /** Writes a picture: red and green above, blue and yellow below. */
     private static void paint(Path file) throws IOException {
         BufferedImage image = new BufferedImage(2 * HALF, 2 * HALF, BufferedImage.TYPE_INT_RGB);
         int[][] quarters = {{RED, GREEN}, {BLUE, YELLOW}};

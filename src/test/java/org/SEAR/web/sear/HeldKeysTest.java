@@ -15,10 +15,10 @@ import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.interactions.Actions;
 
-/** Keys that are held steer what has steered wheels: by the robot, or by the servo that steers them; and say so where nothing does. */
+/** Held keys steer robots with steered wheels, directly or through their servo. Without steering the page says so. */
 public class HeldKeysTest {
     private static final String ROBOT = "world.running.robots[0].";
-    /** What the page says of steering, and what the service does of circles that it can't drive. */
+    /** The page's messages about steering and the service's about circles that it can't drive. */
     private static final String SAID_ONES = "(messages.list | filter:{text: 'steer'})";
     private static final String SAID = SAID_ONES + ".";
     private static final double EPSILON = 0.5;
@@ -27,13 +27,13 @@ public class HeldKeysTest {
         "robot.move(0, 0.1, 0)", "body = Box('body', 0.2, 0.4, 0.06, 4)", "body.move(0, 0.05, 0)",
         "robot.addComponent(body)", "def wheel(name, kind, x, z):", "    one = Wheel(name, 0.05, 0.03, kind, x, 0, z)", "    robot.addWheel(one)",
         "    return one", "");
-    /** An engine behind, and front wheels that a servo steers, both on pins of an Arduino. */
+    /** A motor at the rear, and front wheels steered by a servo, both on pins of an Arduino. */
     private static final String CAR = WHEELS + String.join("\n", "engine = Motor('engine', wheel('left', 1, 0.12, -0.15), 0.6, 40)",
         "engine.addWheel(wheel('right', 1, -0.12, -0.15))", "robot.addComponent(engine)", "steering = Servo('steering', 0, 0.05, 0.15)",
         "robot.addComponent(steering)", "for x in (-0.12, 0.12): wheel('front%d' % (100 * x), 2, x, 0.15).setSteering(steering)",
         "uno = Arduino('uno')", "uno.setPorts('/dev/my_uno', '/dev/SEAR_uno')", "uno.wire(9, 'steering')", "uno.wire(5, 'engine', 'pwm')",
         "robot.addComponent(uno)", "");
-    /** A motor wheel in the middle, and three that only carry. */
+    /** A motor wheel in the middle and three free supporting wheels. */
     private static final String MONOCYCLE = WHEELS + String.join("\n", "wheel('middle', 1, 0, 0)",
         "for number, (x, z) in enumerate(((0.1, -0.15), (-0.1, -0.15), (0, 0.15))): wheel('caster%d' % number, 0, x, z)", "");
 

@@ -16,20 +16,26 @@ import org.junit.Test;
 import org.junit.rules.TestRule;
 import org.openqa.selenium.Dimension;
 
-/** The panels at the widths they have: in MyRobotLab beside its list of services, on a whole page, on a telephone. */
+/** The panels at their widths: in MyRobotLab beside its list of services, on a whole page, on a telephone. */
 public class LayoutTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\n"
         + "sear.startSimulation()\nlidar = Runtime.start('lidar', 'LIDAR')\nlidar.connect('/dev/SEAR_LIDAR_01')\nlidar.singleScan()\n"
         + "gps = Runtime.start('gps', 'GPS')\ngps.connect('/dev/SEAR_GPS_01')\n");
     private static final String[] SERVICES = {"sear", "lidar", "gps"};
-    /** Rows of controls whose tallest element is far lower than the row: they wrap. Of each how many lines it has, and its beginning. */
+    /**
+     * Script that returns wrapped rows of controls, much higher than their tallest element: the beginning of each row's
+     * text.
+     */
     private static final String WRAPPED = String.join("\n",
         "return [].filter.call(document.querySelectorAll(arguments[0] + ' .sear-row'), function(row) {",
         "    var tallest = Math.max.apply(null, [].map.call(row.children, function(e) { return e.getBoundingClientRect().height }))",
         "    return row.getClientRects().length && row.getBoundingClientRect().height > tallest * 1.6",
         "}).map(function(row) { return row.textContent.trim().replace(/\\s+/g, ' ').substring(0, 60) })");
-    /** What stands out of its panel to the right, but for what scrolls in an editor, and lists that hide a part of themselves. */
+    /**
+     * Script that returns elements beyond the panel's right edge, without scrolling content of editors, and lists with
+     * hidden parts.
+     */
     private static final String CUT = String.join("\n",
         "var panel = document.querySelector(arguments[0]), right = panel.getBoundingClientRect().right + 1, cut = []",
         "panel.querySelectorAll('*').forEach(function(e) {",
@@ -42,20 +48,23 @@ public class LayoutTest {
         "    if (e.scrollHeight > e.clientHeight + 1 || e.scrollWidth > e.clientWidth + 1) { cut.push('list of ' + e.scrollHeight) }",
         "})",
         "return cut");
-    /** How far the middle of each check box is from that of its label, pixels. */
+    /** Script that returns the distance between the middles of each check box and its label, pixels. */
     private static final String TICKS = String.join("\n",
         "return [].map.call(document.querySelectorAll(arguments[0] + ' input[type=checkbox]'), function(box) {",
         "    function middle(e) { var r = e.getBoundingClientRect(); return (r.top + r.bottom) / 2 }",
         "    return Math.abs(middle(box) - middle(box.closest('label')))",
         "})");
-    /** Of each element: left, top, right and bottom in the window, pixels. */
+    /** Script that returns left, top, right and bottom of an element in the window, pixels. */
     private static final String BOX = "var box = arguments[0].getBoundingClientRect(); return [box.left, box.top, box.right, box.bottom]";
-    /** How far a panel's box is from what it should fill, its service's area below the header: left, right, and to the header, pixels. */
+    /**
+     * Script that returns the gaps between a panel and its service's area: left, right, and overlap with the header,
+     * pixels.
+     */
     private static final String GAPS = String.join("\n",
         "var panel = document.querySelector(arguments[0]), box = panel.getBoundingClientRect(), area = panel.parentElement.getBoundingClientRect()",
         "var header = panel.parentElement.querySelector('.tab-header').getBoundingClientRect()",
         "return [Math.abs(box.left - area.left), Math.abs(box.right - area.right), Math.max(0, header.bottom - box.top)]");
-    /** Of windows, pixels; MyRobotLab's header floats from 992 on. */
+    /** Widths of windows, pixels. MyRobotLab's header floats from 992 on. */
     private static final int[] WIDTHS = {800, 1024, 1210, 1366, 1920};
     private static final int LAPTOP_WIDTH = 1280;
     private static final int LAPTOP_HEIGHT = 720;
@@ -69,7 +78,7 @@ public class LayoutTest {
         return "mrl-panel[name='" + service + "'] > .sear-panel";
     }
 
-    /** As a stranger meets it. */
+    /** Resets the page to the state of a first visit. */
     private void forgetWhatIsOpen() {
         browser.script("localStorage.removeItem('sear.folds')");
     }

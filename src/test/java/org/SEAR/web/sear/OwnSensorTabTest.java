@@ -13,7 +13,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** A sensor from another jar with a reading of its own, in the SEAR tab. */
+/** A sensor from another jar with its own reading, in the SEAR tab. */
 public class OwnSensorTabTest {
     private static final String SCRIPT = String.join("\n",
         "from org.SEAR.POJOs import Box, Bumper, Floor, Robots",

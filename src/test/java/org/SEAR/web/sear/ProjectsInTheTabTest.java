@@ -23,11 +23,11 @@ import org.junit.Test;
 import org.junit.rules.TestRule;
 import org.openqa.selenium.WebElement;
 
-/** The SEAR tab as the place where projects are opened, saved, checked and exchanged. */
+/** Opening, saving, checking and exchanging projects in the SEAR tab. */
 public class ProjectsInTheTabTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
-    /** More than one part of an upload and of a download. */
+    /** Size of more than one part of an upload and of a download, bytes. */
     private static final int LARGE = 1_500_000;
     @Rule
     public final TestRule page = TABS.page("sear");
@@ -262,7 +262,7 @@ public class ProjectsInTheTabTest {
         tab.waitForRobot("maze Roomba");
     }
 
-    /** As a browser does when a file is dropped. */
+    /** Simulates a dropped file. */
     private void drop(String name, byte[] content) {
         browser.script("var text = atob(arguments[1]); var bytes = new Uint8Array(text.length);"
             + "for (var i = 0; i < text.length; i++) { bytes[i] = text.charCodeAt(i) }"

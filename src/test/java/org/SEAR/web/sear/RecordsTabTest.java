@@ -37,7 +37,7 @@ public class RecordsTabTest {
         "robot.addComponent(Bumper('touch'))",
         "robot.addComponent(LIDAR('scanner', 8, 180, 1, 0, 0.2, 0))",
         "robot.addComponent(Led('lamp'))");
-    /** Two runs of two simulated seconds in lock-step, each into a record. */
+    /** Two runs of two simulated seconds in lock-step, each recorded. */
     private static final String RUNS = String.join("\n",
         "sear.setLockStep(True)",
         "for speed in (0.1, 0.3):",
@@ -115,7 +115,7 @@ public class RecordsTabTest {
         browser.until("what is now", () -> tab.isTrue("replay.shown === null && world.shown().robots[0].pose[2] < 0.1"));
     }
 
-    /** The run goes on behind it, where nobody sees what he drives. */
+    /** The run continues behind the replay, so that driving would be invisible. */
     @Test
     public void nothingDrivesWhileAReplayIsShown() {
         TABS.robotLab().run(WORLD + "\n" + RUNS);
@@ -228,7 +228,7 @@ public class RecordsTabTest {
         TABS.open("sear");
     }
 
-    /** As the live view shows them. */
+    /** Checks beams and wheels against the live view. */
     private void assertBeamsAndWheels() {
         browser.until("its wheels turn", () -> inPlayer("robots[0].parts.filter(part => part.source.type === 'Wheel' && part.shown"
             + " && Math.abs(part.shown[3]) > 0.01).length") > 1);
@@ -288,7 +288,7 @@ public class RecordsTabTest {
 
     @Test
     public void theRunIsPlottedWhileItGoesOnAndRecordedByAButton() {
-        TABS.robotLab().run(WORLD.replace("'ping'", "'constructor'"));     // as something is called that every object of JavaScript has
+        TABS.robotLab().run(WORLD.replace("'ping'", "'constructor'"));     // a name that every JavaScript object has
         browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
         browser.click(".sear-plots");
         browser.seeText(".sear-plot-hint", "Start the simulation, or choose a record");

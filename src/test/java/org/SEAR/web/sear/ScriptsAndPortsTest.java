@@ -18,7 +18,7 @@ import org.junit.Test;
 import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 
-/** The Python tab and the Serial tab of the embedded MyRobotLab, with a simulated Roomba at the other end. */
+/** The Python tab and the Serial tab of the embedded MyRobotLab with a simulated Roomba. */
 public class ScriptsAndPortsTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\n"
@@ -83,7 +83,7 @@ public class ScriptsAndPortsTest {
         python.type(Keys.ESCAPE);
     }
 
-    /** What was typed of a call stands in a part of its line. */
+    /** Returns whether a call is offered; the typed part of its line is a separate element. */
     private boolean isOffered(String call) {
         return browser.texts(".ace_autocomplete .ace_line").stream().anyMatch(line -> line.replace("\n", "").contains(call));
     }

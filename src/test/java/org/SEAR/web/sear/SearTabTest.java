@@ -74,7 +74,7 @@ public class SearTabTest {
             + ".some(function(message) { return message.text.indexOf('circle') >= 0 })"));
     }
 
-    /** Its car is steered by a servo, which no circle can be driven against: straight on is none. */
+    /** A servo steers the car, which prevents circles by command; a straight drive is not a circle. */
     @Test
     public void forwardIsNoCircle() {
         tab.openExample("car");
@@ -268,7 +268,7 @@ public class SearTabTest {
         assertEquals(List.of(), browser.all(".sear-main .alert-danger"));
     }
 
-    /** A state that was on its way before the click says nothing about what the click has asked for. */
+    /** A state sent before a click does not confirm the click's request. */
     @Test
     public void anOlderStateDoesNotOfferTheStartAgain() {
         tab.openExample("maze");
@@ -366,7 +366,7 @@ public class SearTabTest {
         browser.until("it is on again", () -> browser.text(".sear-power").equals("on"));
     }
 
-    /** The square at a beam's end stands where the beam met something, and nowhere if it met nothing. */
+    /** The square at a beam's end marks a hit; a beam without a hit has none. */
     @Test
     public void aSonarThatMeetsNothingHasNoHit() {
         robotLab.run("from org.SEAR.POJOs import Box, Cylinder, Distance, Dynamics, Floor, SEARrobot, Wheel\nsear.newProject()\n"
@@ -435,7 +435,7 @@ public class SearTabTest {
         assertTrue(robotLab.call("sear", "getReading", "bert/ping").asDouble() > 0);
     }
 
-    /** A page that opens while the world runs gets all of it, also what does not move any more; then it keeps up. */
+    /** A page that opens during a run gets the whole world, resting objects included, and keeps up with it. */
     @Test
     public void aPageThatOpensLaterHasTheWholeWorldAndKeepsUp() {
         robotLab.call("sear", "newProject");

@@ -31,7 +31,7 @@ import org.openqa.selenium.OutputType;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
-/** The view in space in the SEAR tab shows what is in the world, where it is, and what it looks like. */
+/** The view in space of the SEAR tab: objects, places and looks. */
 public class SpaceTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
@@ -91,7 +91,7 @@ public class SpaceTest {
         return new double[] {((Number) at.get("x")).doubleValue(), ((Number) at.get("y")).doubleValue()};
     }
 
-    /** What the page shows there: red, green, blue. */
+    /** Returns red, green and blue of the page at a place. */
     private int[] colour(double[] place) throws IOException {
         WebElement view = browser.see(".sear-scene");
         BufferedImage picture = ImageIO.read(new ByteArrayInputStream(view.getScreenshotAs(OutputType.BYTES)));
@@ -106,7 +106,7 @@ public class SpaceTest {
         return browser.text(".sear-pointed");
     }
 
-    /** Points until the text is there: the view may be fitted once more meanwhile. */
+    /** Points until the text appears; the view may be fitted again meanwhile. */
     private void seeAt(String text, double x, double y, double z) {
         browser.until(text, () -> pointedAt(place(x, y, z)).contains(text));
     }
@@ -255,7 +255,7 @@ public class SpaceTest {
             + "return now ? now.number : 0")).longValue();
     }
 
-    /** However often the service tells that nothing is otherwise: pictures and shadows are counted, not timed. */
+    /** Pictures and shadows are counted, not timed, while the service sends unchanged states. */
     @Test
     public void whatRestsIsDrawnOnceAndShadowsOnlyWhenSomethingHasMoved() {
         TABS.robotLab().call("sear", "startSimulation");
@@ -275,7 +275,7 @@ public class SpaceTest {
         browser.until("pictures of what moves, with its shadow", () -> number("scene.shadings") > shadings + 5);
     }
 
-    /** Here the processor draws, where it could not draw smooth edges and soft shadows thirty times a second. */
+    /** Software rendering, which is too slow for smooth edges and soft shadows at thirty pictures a second. */
     @Test
     public void theProcessorDrawsAsManyPixelsOfWhatMovesAsThereIsTimeFor() {
         assertEquals(true, inScene("scene.byProcessor && scene.renderer.shadowMap.type === THREE.BasicShadowMap"));
@@ -285,7 +285,7 @@ public class SpaceTest {
                 + ".concat([1000, 9e6].map(area => scene.ratio(area, false, scene.movedAt + 1000))).join(' ')"));
     }
 
-    /** What both sides compute: poses from degrees, one after another, and the way between two. */
+    /** Calculations of both sides: poses from degrees, products of poses and interpolation between two. */
     @Test
     public void thePageComputesPosesAndTheWayBetweenThemAsTheWindowDoes() {
         Random random = new Random(7);
@@ -305,7 +305,7 @@ public class SpaceTest {
         }
     }
 
-    /** Metres and degrees. */
+    /** Returns x, y, z in metres and three angles in degrees. */
     private static double[] pose(Random random) {
         return IntStream.range(0, 6).mapToDouble(i -> (random.nextDouble() - 0.5) * (i < 3 ? 2 : 360)).toArray();
     }

@@ -16,7 +16,7 @@ import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
-/** What the SEAR tab says is true of now: nothing that is over stays as if it were so. */
+/** The SEAR tab's messages hold for the present state only. */
 public class StatusLineTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
@@ -54,7 +54,7 @@ public class StatusLineTest {
         browser.click(".sear-save");
         browser.seeText(".sear-last", "the path \".sear\" names no file");
         assertFalse(Files.exists(TABS.robotLab().file(".sear")));
-        type(".sear-path", "y".repeat(300));        // longer than the name of a file can be
+        type(".sear-path", "y".repeat(300));        // longer than a file name can be
         browser.click(".sear-save");
         browser.seeText(".sear-last", "yyy.sear can't be saved");
         type(".sear-path", "named");

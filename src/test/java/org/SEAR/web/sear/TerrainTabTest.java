@@ -18,7 +18,9 @@ import org.junit.rules.TestRule;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
-/** A terrain in the SEAR tab: map, contour lines, height and place under the pointer, with and without a simulation. */
+/**
+ * A terrain in the SEAR tab: map, contour lines, elevation and place under the pointer, with and without a simulation.
+ */
 public class TerrainTabTest {
     private static final String WORLD = "from org.SEAR.POJOs import Box, Terrain\nsear.newProject()\n"
         + "Terrain('land', 'terrain/jacksboro.tif').setArea(36.485, -84.2308, 2000, 2000)\nBox('box', 40, 40, 20, 0).placeAt(-500, 500)\n";
@@ -40,13 +42,16 @@ public class TerrainTabTest {
         whole();
     }
 
-    /** Has the view show two kilometres. */
+    /** Makes the view show two kilometres. */
     private void whole() {
         browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); scope.view.x = scope.view.z = 0; "
             + "scope.view.scale = 0.2; scope.view.chosen = scope.view.fitted = true; scope.view.redraw()");
     }
 
-    /** Puts the pointer on a point of the ground and reads what the tab says of it: height, metres above the geoid, latitude, longitude. */
+    /**
+     * Moves the pointer to a point of the ground and returns the tab's values: elevation, metres above the geoid,
+     * latitude, longitude.
+     */
     private double[] point(double x, double z) {
         WebElement view = browser.see(".sear-view");
         double[] at = tab.toScreen(x, z);

@@ -16,7 +16,7 @@ import org.openqa.selenium.Dimension;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
-/** The tour leads from an empty page to a robot that drives, and goes on by itself when a step is done. */
+/** The tour leads from an empty page to a driving robot and advances when a step is done. */
 public class TourTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
@@ -51,7 +51,7 @@ public class TourTest {
         browser.click(".sear-middle");
     }
 
-    /** Up to the step in which a box is to be put in its way. */
+    /** Follows the tour up to the step that places a box in the robot's way. */
     private void goToTheObstacle() {
         put("rover", 1, "Put it on the ground");
         waitForStep(2, "Give it an eye");
@@ -86,7 +86,7 @@ public class TourTest {
         assertEquals("nothing covers the page", 0, browser.all(".driver-overlay").size());
     }
 
-    /** Whether a thing of the palette stands within what is seen of that, and is marked. */
+    /** Waits until an object of the palette is visible in it and marked. */
     private void seeInThePalette(String make) {
         browser.until(make + " in sight", () -> Boolean.TRUE.equals(browser.script(
             "var thing = document.querySelector('[data-make=\"' + arguments[0] + '\"].sear-marked');"
@@ -149,7 +149,7 @@ public class TourTest {
         browser.until("no axis where nobody builds", () -> !has(tab.colour(1.2, 0), 24, 8));
     }
 
-    /** Whether a colour has much of one part and little of another, by their places in the number. */
+    /** Returns whether one channel of a colour clearly exceeds another; channels are bit offsets. */
     private static boolean has(long colour, int much, int little) {
         return (colour >> much & 0xff) > (colour >> little & 0xff) + 60;
     }

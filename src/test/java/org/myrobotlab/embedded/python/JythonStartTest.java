@@ -6,9 +6,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.junit.Test;
 
-/** A program that ends while Python is still being started, as for want of its script, says nothing about that. */
+/** A program that ends during Python's start, for example because its script is missing, prints no error about it. */
 public class JythonStartTest {
-    /** Has Python start when the program is ending already. */
+    /** Starts Python while the program is ending. */
     public static void main(String[] none) {
         Runtime.getRuntime().addShutdownHook(new Thread(() -> {
             JythonStart.begin();

@@ -10,12 +10,12 @@ import java.util.concurrent.TimeUnit;
 import org.junit.After;
 import org.junit.Test;
 
-/** Threads that a script has started as its last act, and that a busy machine lets begin only later: here when the gate opens. */
+/** Threads that a script starts last and that a busy machine runs only later; here they run when the gate opens. */
 public class ScriptThreadsTest {
     private static final String NAME = "late";
     private static final int MANY = 50;
     private static final long PATIENCE_MILLIS = TimeUnit.MINUTES.toMillis(10);
-    /** Python looks at this on each new thread, before the thread does its work. */
+    /** Python evaluates this condition on each new thread before the thread's own code. */
     private static final String LATE = String.join("\n", "import threading", "class Late(object):", "    def __nonzero__(self):",
         "        gate.await()", "        return False", "threading.settrace(Late())", "ran = []", "");
     private static final String START = String.join("\n", "threads = [threading.Thread(target=ran.append, args=(i,)) for i in range(" + MANY + ")]",
@@ -46,7 +46,7 @@ public class ScriptThreadsTest {
         run("assert sorted(ran) == range(" + MANY + "), ran");
     }
 
-    /** Python waits for such a thread when an interpreter ends, and would do so for ever if it began to work. */
+    /** Python waits for such a thread when an interpreter ends, and would wait for ever if the thread ran. */
     @Test
     public void aThreadThatComesAfterTheEndDoesNothing() throws InterruptedException {
         engine.set("gate", gate);

@@ -18,7 +18,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** Where the server listens, by which names it is called there, and that nobody gets it open without a token. */
+/** Addresses and names of the server; it is open to other computers only with a token. */
 public class AddressTest {
     private static final int PORT = 8901;
 

@@ -12,12 +12,15 @@ import org.junit.Test;
 import org.xnio.Option;
 import org.xnio.StreamConnection;
 
-/** Which connection makes way for one more: here all of them come within the moment in which each is about to ask. */
+/**
+ * Which connection is closed to make room for another, if all of them arrive within the moment in which each may send a
+ * request.
+ */
 public class ConnectionsTest {
     private final Connections connections = new Connections(connection -> { });
     private final List<Stub> all = new ArrayList<>();
 
-    /** One of a client that only has a port. */
+    /** A client's connection with nothing but a port. */
     private static final class Stub extends StreamConnection {
         private final SocketAddress peer;
 
@@ -60,7 +63,7 @@ public class ConnectionsTest {
         }
     }
 
-    /** Its sources and sinks are never asked for: null is enough. */
+    /** Opens a connection; its sources and sinks are unused, so they are null. */
     private Stub comes() {
         Stub stub = new Stub(1 + all.size());
         all.add(stub);
@@ -68,7 +71,7 @@ public class ConnectionsTest {
         return stub;
     }
 
-    /** Its head has come, its body has not. */
+    /** Receives the head of a request but not its body. */
     private void asks(Stub one) {
         connections.begin(one.getPeerAddress(), new HttpServerExchange(null));
     }

@@ -17,14 +17,14 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Whatever a program sends, whole or cut off, as a request or over a web socket: after each the server answers others. */
+/** Programs send any requests and web socket messages, whole or cut off; after each the server answers others. */
 @Category(Slow.class)
 public class HostileExchangesFuzzTest {
     private static final int EXCHANGES = 10_000;
-    /** Answers that a busy machine may keep for more than a second; a server that waits for something is later each time. */
+    /** Limit of answers later than a second on a busy machine; a blocked server would be late each time. */
     private static final int MOST_LATE = EXCHANGES / 100;
     private static final long SECOND = TimeUnit.SECONDS.toNanos(1);
-    /** Connections that stay open, as those of programs that hang. */
+    /** Connections that stay open, like those of hanging programs. */
     private static final int STALE = 50;
     private static final int MOST_FRAMES = 4;
     private static final int SHORT = 300;
@@ -102,7 +102,7 @@ public class HostileExchangesFuzzTest {
         return socket;
     }
 
-    /** All of it, or its beginning. The server may have closed the connection already. */
+    /** Sends all bytes or the beginning of them. The server may have closed the connection already. */
     private static void sendSome(Socket socket, byte[] bytes, Random random) {
         int length = random.nextInt(3) == 0 ? random.nextInt(bytes.length + 1) : bytes.length;
         try {

@@ -17,12 +17,12 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Connections that are idle, slow or half closed, many at a time: after each kind the server answers others. */
+/** Many idle, slow or half-closed connections at the same time: after each kind the server answers others. */
 @Category(Slow.class)
 public class IdleAndSlowTest {
     private static final int MANY = 20;
     private static final int IDLE = 500;
-    /** More than systems keep for a connection of which nothing is read. */
+    /** More bytes than systems buffer for a connection without a reader. */
     private static final int LENGTH = 8 << 20;
     private static final int BITE = 1000;
     private static final int TEXT = 0x81;
@@ -65,7 +65,7 @@ public class IdleAndSlowTest {
         server.servesOthers();
     }
 
-    /** What several programs do at the same time: each opens connections, and one of each has a page that goes on. */
+    /** Several programs open connections at the same time, and a page of each continues to work. */
     @Test
     public void idleConnectionsOfSeveralProgramsAtTheSameTime() throws Exception {
         List<Socket> pages = new ArrayList<>();
@@ -175,8 +175,8 @@ public class IdleAndSlowTest {
     }
 
     /**
-     * Programs send the head and the body apart, and ask again on the same connection. Now and then, on a busy computer, the next request was never
-     * read: answered by another thread while the connection's own was still in the receiver, the connection stayed asleep.
+     * Programs send head and body separately and reuse the connection. An answer from another thread while the
+     * connection's own thread is still in the receiver must not leave the connection asleep.
      */
     @Test
     public void bodiesThatComeAfterTheirHeads() throws Exception {

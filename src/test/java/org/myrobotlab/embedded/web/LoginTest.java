@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** The token becomes a cookie, and nothing is to be had without either, whatever is tried. */
+/** The token becomes a cookie, and no request succeeds without either. */
 public class LoginTest {
     private static final String JSON = "Content-Type: application/json";
     private static final String FORM = "Content-Type: application/x-www-form-urlencoded";

@@ -27,7 +27,10 @@ import org.xnio.OptionMap;
 import org.xnio.Xnio;
 import org.xnio.XnioWorker;
 
-/** Who waits for pages to go waits while there is one, through a reload, and at a terminal until Enter. */
+/**
+ * A wait for pages to close lasts as long as one is open, continues through a reload, and ends with Enter at a
+ * terminal.
+ */
 public class OpenPagesTest {
     private static final int PATIENCE_SECONDS = 60;
     private static final double FOR_EVER = 1e6;
@@ -35,7 +38,7 @@ public class OpenPagesTest {
 
     private Thread waiting;
 
-    /** What other tests have had open may be closed a moment later. */
+    /** Pages of other tests may close a moment later. */
     @Before
     public void nobodyLooks() {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
@@ -69,7 +72,7 @@ public class OpenPagesTest {
         return over;
     }
 
-    /** Until its thread waits in that way; one that doesn't has ended, or never will. */
+    /** Waits until the thread is in this state; a thread that never reaches it fails the test. */
     private void waits(Thread.State how) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         while (waiting.getState() != how) {

@@ -18,7 +18,7 @@ import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
 
-/** How the body of a request is handed on. */
+/** Hand-over of a request's body. */
 public class RequestBodyTest {
     private static final int PATIENCE_SECONDS = 120;
 
@@ -45,7 +45,10 @@ public class RequestBodyTest {
         exchange.endExchange();
     }
 
-    /** Else an answer by another thread, while the receiver returns, leaves the connection asleep now and then: the next request is never read. */
+    /**
+     * Otherwise an answer from another thread during the receiver's return can leave the connection asleep, and the
+     * next request is never read.
+     */
     @Test
     public void aBodyIsHandedOnWhenTheReceiverHasReturned() throws Exception {
         try (Socket socket = new Socket("127.0.0.1", port)) {

@@ -17,9 +17,9 @@ import org.myrobotlab.framework.Talker;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.WebGui;
 
-/** A WebGui on a free port and a {@link Talker} named talker, talked to byte by byte. */
+/** A WebGui on a free port and a {@link Talker} named talker, with byte-level access. */
 final class Server extends ExternalResource {
-    /** So long may an answer take on a busy machine; a server that is blocked never answers. */
+    /** Timeout of an answer on a busy machine; a blocked server never answers. */
     private static final int PATIENCE_MILLIS = (int) TimeUnit.SECONDS.toMillis(120);
     private static final int TEXT = 0x81;
     private static final int PING = 0x89;
@@ -35,7 +35,7 @@ final class Server extends ExternalResource {
         this.withToken = withToken;
     }
 
-    /** Talks to one that somebody else has started. */
+    /** Returns access to a server that another program started. */
     static Server at(int port) {
         Server there = new Server(false);
         there.port = port;
@@ -74,21 +74,21 @@ final class Server extends ExternalResource {
         return token;
     }
 
-    /** Asks for a page and calls a service, as a program that has nothing to do with the others. */
+    /** Checks that a page and a service call succeed for an unrelated program. */
     void servesOthers() throws IOException, InterruptedException {
         assertEquals(200, status("GET /", ""));
         assertEquals(200, status("POST /api/service/talker/tick", "[]", "Content-Type: application/json"));
         assertEquals("tick", talker.heard.poll(PATIENCE_MILLIS, TimeUnit.MILLISECONDS));
     }
 
-    /** A connection that gives up when nothing comes. */
+    /** Opens a connection whose reads time out. */
     Socket connect() throws IOException {
         Socket socket = new Socket("127.0.0.1", port);
         socket.setSoTimeout(PATIENCE_MILLIS);
         return socket;
     }
 
-    /** The same from another address of this computer, as 127.0.0.2. */
+    /** Opens a connection from another address of this computer, such as 127.0.0.2. */
     private Socket connect(String from) throws IOException {
         Socket socket = new Socket(InetAddress.getByName("127.0.0.1"), port, InetAddress.getByName(from), 0);
         socket.setSoTimeout(PATIENCE_MILLIS);
@@ -96,9 +96,8 @@ final class Server extends ExternalResource {
     }
 
     /**
-     * Sends a request and answers all that comes: status, headers and body.
-     *
-     * @param from the address of this computer that it is sent from
+     * Sends a request and returns the whole answer: status, headers and body.
+     * @param from the address of this computer that sends the request
      */
     String response(String from, String request, String body, String... headers) throws IOException {
         try (Socket socket = connect(from)) {
@@ -108,7 +107,7 @@ final class Server extends ExternalResource {
         }
     }
 
-    /** The head of a request; a Host among the headers replaces the right one. */
+    /** Returns the head of a request; a Host header in the list replaces the default one. */
     String head(String request, String... headers) {
         StringBuilder head = new StringBuilder(request).append(" HTTP/1.1\r\n");
         String all = String.join("\r\n", headers);
@@ -119,9 +118,8 @@ final class Server extends ExternalResource {
     }
 
     /**
-     * Sends a request and answers the status code.
-     *
-     * @param request method and address, as "GET /"
+     * Sends a request and returns the status code.
+     * @param request method and address, such as "GET /"
      */
     int status(String request, String body, String... headers) throws IOException {
         try (Socket socket = connect()) {
@@ -131,7 +129,7 @@ final class Server extends ExternalResource {
         }
     }
 
-    /** Begins a request whose body has not come as a whole. */
+    /** Begins a request with an incomplete body. */
     Socket begin(String request, String begun, String... headers) throws IOException {
         Socket socket = connect();
         send(socket, head(request, headers) + "\r\n" + begun);
@@ -140,8 +138,7 @@ final class Server extends ExternalResource {
 
     /**
      * Opens a web socket.
-     *
-     * @return the connection after the server's answer, or null if it is refused
+     * @return the connection after the server's answer, or null if the server rejects it
      */
     Socket webSocket(String path, String... headers) throws IOException {
         Socket socket = connect();
@@ -158,7 +155,7 @@ final class Server extends ExternalResource {
         return socket;
     }
 
-    /** The same from a page of this server. */
+    /** Opens a web socket as a page of this server. */
     Socket webSocket() throws IOException {
         return webSocket("/api/messages", "Origin: http://localhost:" + port);
     }
@@ -168,9 +165,8 @@ final class Server extends ExternalResource {
     }
 
     /**
-     * The bytes of a frame, masked with zeros.
-     *
-     * @param first FIN and kind, as 0x81 for a whole text
+     * Returns the bytes of a frame, masked with zeros.
+     * @param first FIN and kind, such as 0x81 for a whole text
      */
     static byte[] frame(int first, byte... data) {
         ByteArrayOutputStream frame = new ByteArrayOutputStream();
@@ -185,14 +181,13 @@ final class Server extends ExternalResource {
         return frame.toByteArray();
     }
 
-    /** The next text that the server sends. */
+    /** Returns the next text from the server. */
     static String nextText(InputStream in) throws IOException {
         return new String(nextFrame(in, TEXT), StandardCharsets.UTF_8);
     }
 
     /**
-     * The data of the next frame of a kind; texts and pings, which the server sends by itself, may come before it.
-     *
+     * Returns the data of the next frame of a kind and skips texts and pings that the server sends unasked.
      * @param first as for {@link #frame}
      */
     static byte[] nextFrame(InputStream in, int first) throws IOException {
@@ -220,13 +215,13 @@ final class Server extends ExternalResource {
         return in.readNBytes((int) size);
     }
 
-    /** The next text that does not list the services, which the server sends by itself. */
+    /** Returns the next text other than the list of services, which the server sends unasked. */
     static String answer(Socket page) throws IOException {
         String text = nextText(page.getInputStream());
         return text.startsWith("{\"services\":") ? answer(page) : text;
     }
 
-    /** The body of the next answer. */
+    /** Returns the body of the next answer. */
     static String body(InputStream in) throws IOException {
         int length = 0;
         for (String line = line(in); !line.isEmpty(); line = line(in)) {

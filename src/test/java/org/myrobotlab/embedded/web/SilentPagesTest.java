@@ -17,7 +17,7 @@ import org.junit.Before;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Pages whose computer has vanished, as when a laptop is closed, don't keep others out for ever. */
+/** Pages whose computer has vanished, for example a closed laptop, don't block others for ever. */
 @Category(Slow.class)
 public class SilentPagesTest {
     private static final int MOST_PAGES = 32;
@@ -54,7 +54,7 @@ public class SilentPagesTest {
         now.addAndGet(TimeUnit.SECONDS.toNanos(seconds));
     }
 
-    /** What an open page does when it is asked whether it is there; its call's error tells that the server has heard it. */
+    /** Answers a ping as an open page does; the error of its call shows that the server has received it. */
     private static void answer(Socket page) throws IOException {
         page.getOutputStream().write(Server.frame(PONG));
         page.getOutputStream().write(Server.frame(TEXT, "{\"id\":1,\"name\":\"nobody\",\"method\":\"x\"}".getBytes(StandardCharsets.UTF_8)));
@@ -79,7 +79,7 @@ public class SilentPagesTest {
         Socket next = server.webSocket();
         pages.add(next);
         assertTrue(Server.nextText(next.getInputStream()).startsWith("{\"services\":"));
-        silent.getInputStream().readAllBytes();     // ends, for it is closed
+        silent.getInputStream().readAllBytes();     // ends, because the server closed it
         silent.close();
         isRefused();
         answer(pages.get(0));

@@ -19,7 +19,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Programs of this computer that are slow, greedy or broken don't keep others from the pages and services. */
+/** Slow, greedy or broken programs of this computer don't keep others from pages and services. */
 @Category(Slow.class)
 public class SturdyServerTest {
     private static final String JSON = "Content-Type: application/json";
@@ -33,7 +33,7 @@ public class SturdyServerTest {
     private static final int TEXT = 0x81;
     private static final int LAST = 0x80;
     private static final int PONG = 0x8A;
-    /** Of the server. */
+    /** Limit of the server's connections. */
     private static final int MOST_CONNECTIONS = Connections.MOST;
 
     @Rule
@@ -107,9 +107,8 @@ public class SturdyServerTest {
     }
 
     /**
-     * Fragments of a message that never ends.
-     *
-     * @return how many megabytes the server took
+     * Sends fragments of an endless message.
+     * @return megabytes that the server accepted
      */
     private int megabytesTaken(int first) throws IOException {
         byte[] part = new byte[MEGABYTE];
@@ -151,11 +150,11 @@ public class SturdyServerTest {
         }
     }
 
-    /** RFC 6455, 5.2: the highest bit of a length of 64 bits must be 0. */
+    /** RFC 6455, 5.2: the highest bit of a 64-bit length must be 0. */
     @Test
     public void aFrameOfNegativeLengthEndsItsConnection() throws Exception {
         byte[] frame = {(byte) TEXT, (byte) 0xFF, (byte) 0x80, 0, 0, 0, 0, 0, 0, 5, 1, 2, 3, 4, 'a', 'b', 'c'};
-        for (int i = 0; i < 2 * MANY; i++) {    // more than there may be pages
+        for (int i = 0; i < 2 * MANY; i++) {    // more than the limit of pages
             try (Socket page = server.webSocket()) {
                 page.getOutputStream().write(frame);
                 page.getInputStream().readAllBytes();
@@ -208,7 +207,7 @@ public class SturdyServerTest {
         assertTrue(seconds + " s: they made way only when their time was over", seconds < Connections.TIMEOUT_SECONDS);
     }
 
-    /** Undertow would print a trace for each. */
+    /** Undertow would print a stack trace for each. */
     @Test
     public void aBodyInPiecesThatIsTooLongIsRefused() throws Exception {
         String piece = "1000001\r\n" + " ".repeat(0x1000001) + "\r\n";
@@ -273,7 +272,7 @@ public class SturdyServerTest {
         server.servesOthers();
     }
 
-    /** The first message is worked off for so long that the page has gone before the second is looked at. */
+    /** The first message takes so long that the page closes before the server handles the second. */
     @Test
     public void whatAPageSubscribesJustBeforeItGoesIsNotListenedTo() throws Exception {
         Socket page = server.webSocket();

@@ -14,7 +14,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** Whoever wants it is asked for a token, and nobody calls without it. */
+/** With a token configured, no call succeeds without it. */
 public class TokenTest {
     private static final String JSON = "Content-Type: application/json";
 

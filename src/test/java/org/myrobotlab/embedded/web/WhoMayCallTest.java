@@ -13,7 +13,7 @@ import org.junit.After;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Programs of this computer and pages of this server may call services; nothing that a page of another server can bring about does. */
+/** Programs of this computer and pages of this server may call services; pages of another server can't. */
 public class WhoMayCallTest {
     private static final String JSON = "Content-Type: application/json";
     private static final String TICK = "/api/service/talker/tick";

@@ -23,8 +23,8 @@ import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 
 /**
- * As fast as possible without lock-step: MyRobotLab's outboxes, which complain beyond 1024 messages, don't overrun, no byte is lost, and nobody is
- * thought silent.
+ * As fast as possible without lock-step, MyRobotLab's outboxes, which report more than 1024 messages, don't overrun. No
+ * byte is lost, and no device counts as silent.
  */
 @Category(Slow.class)
 public class FullSpeedTest {

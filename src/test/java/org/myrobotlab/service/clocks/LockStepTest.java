@@ -26,7 +26,7 @@ import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
 import org.myrobotlab.service.TestWorld;
 
-/** In lock-step a script gives the same bytes on every port each time, however the machine is loaded. */
+/** In lock-step a script gives the same bytes on every port each time, whatever the load of the machine. */
 @Category(Slow.class)
 public class LockStepTest {
     private static final String SCRIPT = String.join("\n",
@@ -51,9 +51,9 @@ public class LockStepTest {
         "result = str(seen) + str(list(sear.getPose('roomba')))",
         "sear.stopSimulation()");
 
-    /** Milliseconds; nothing here takes as long, even on a busy machine. */
+    /** Timeout, milliseconds; longer than anything here takes, even on a busy machine. */
     private static final long PATIENCE = 120_000;
-    /** Milliseconds, longer than it takes a sleeper to look whether the pause has ended. */
+    /** Duration of a pause, milliseconds; longer than the interval at which a sleeper checks for its end. */
     private static final long PAUSE = 600;
 
     @Rule
@@ -78,7 +78,7 @@ public class LockStepTest {
         System.clearProperty("sear.speed");
     }
 
-    /** Runs the script, and answers what it saw and where the robot ended. */
+    /** Runs the script and returns its observations and the robot's final position. */
     private String run(Path script) throws Exception {
         assertTrue(python.execFile(script.toString()));
         return String.valueOf(python.get("result"));
@@ -102,7 +102,6 @@ public class LockStepTest {
 
     /**
      * Pauses and resets while a script sleeps for two seconds.
-     *
      * @param lockStep whether only the sleep advances time
      */
     private void resetWhileAScriptSleeps(boolean lockStep, double speed) throws Exception {

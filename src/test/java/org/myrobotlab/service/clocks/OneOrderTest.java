@@ -18,8 +18,8 @@ import org.myrobotlab.service.Python;
 import org.myrobotlab.service.Runtime;
 
 /**
- * In lock-step the callbacks of several services come in one order always, and what they make robots do is the same each time. {@code
- * -Dsear.orderRuns=200} has a script run that often.
+ * In lock-step the callbacks of several services always come in the same order, with the same effect on robots.
+ * {@code -Dsear.orderRuns=200} sets the number of runs of a script.
  */
 @Category(Slow.class)
 public class OneOrderTest {

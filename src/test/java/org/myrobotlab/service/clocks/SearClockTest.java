@@ -15,7 +15,7 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 
-/** The SEAR service and the clock. What is held is a bound that a busy machine can't break. */
+/** The SEAR service and the clock. Tests check bounds that hold on a busy machine. */
 @Category(Slow.class)
 public class SearClockTest {
     @Rule

@@ -33,7 +33,7 @@ import org.myrobotlab.service.sear.RecordingHost;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
-/** Panels look at the world again and again; one that looks while the simulation is stopped has nothing to complain of. */
+/** Panels poll the world; a poll during a stop causes no error. */
 @Category(Slow.class)
 public class StoppedMeanwhileTest {
     private static final int STOPS = HowMany.of("sear.stops", 40);
@@ -44,9 +44,9 @@ public class StoppedMeanwhileTest {
     public final TemporaryFolder temporary = new TemporaryFolder();
 
     private final AtomicBoolean isDone = new AtomicBoolean();
-    /** Read while one looks. */
+    /** Read-locked while a panel reads the world. */
     private final ReadWriteLock looks = new ReentrantReadWriteLock();
-    /** One for each time that a world was seen. */
+    /** Has a permit for each world seen. */
     private final Semaphore sights = new Semaphore(0);
     private Path folder;
     private SEAR sear;
@@ -64,7 +64,7 @@ public class StoppedMeanwhileTest {
         System.clearProperty("sear.project");
     }
 
-    /** @return how often a world was seen */
+    /** @return number of worlds seen */
     private int looking(Callable<Map<String, Object>> look) throws Exception {
         int seen = 0;
         while (!isDone.get()) {
@@ -81,7 +81,7 @@ public class StoppedMeanwhileTest {
         return seen;
     }
 
-    /** Lets the simulation come to its first steps, for which all who look would leave it no processor. */
+    /** Runs the first steps of the simulation, which polling threads would otherwise starve of CPU time. */
     private void letItRun() {
         looks.writeLock().lock();
         try {

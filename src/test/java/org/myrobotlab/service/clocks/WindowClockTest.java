@@ -22,7 +22,7 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 
-/** Simulated time begins when the window is up: nobody misses the seconds that opening it takes. */
+/** Simulated time begins when the window is open, so that its opening costs no simulated seconds. */
 @RunWith(UnderXvfb.class)
 @Category(Slow.class)
 public class WindowClockTest {
@@ -54,7 +54,7 @@ public class WindowClockTest {
         }
     }
 
-    /** However busy the machine is, no more simulated time than real time has gone by since the last look at a display without a window. */
+    /** Simulated time is at most the real time since the last check without a window, on a busy machine too. */
     @Test
     public void timeBeginsWhenTheWindowIsThere() throws Exception {
         AtomicLong withoutWindow = new AtomicLong(System.nanoTime());
@@ -85,7 +85,7 @@ public class WindowClockTest {
         assertEquals(0.5, sear.getTime(), Simulation.STEP);
     }
 
-    /** A process has one window at a time, so this one keeps the simulation's from opening. */
+    /** A process has one window at a time, so this one blocks the simulation's. */
     @Test
     public void withoutAWindowTimeBeginsAllTheSame() throws Exception {
         SimulationRunner other = new SimulationRunner(Simulation.load(project.resolve("SEARproject"), 1));

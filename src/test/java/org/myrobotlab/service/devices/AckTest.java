@@ -23,7 +23,10 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
 
-/** In lock-step MrlComm acknowledges while the script's thread, which alone makes time pass, waits for that, as MyRobotLab's Arduino service does. */
+/**
+ * In lock-step MrlComm acknowledges while the script's thread, which alone advances time, waits for the
+ * acknowledgement, as MyRobotLab's Arduino service does.
+ */
 public class AckTest {
     private static final String PORT = "/dev/SEAR_UNO_01";
     private static final String INFO = "AA 09 03 44 02 03 E8 04 00 00 00";
@@ -35,7 +38,7 @@ public class AckTest {
     private Serial serial;
     private Listener listener;
 
-    /** Keeps what comes, and when. */
+    /** Stores received bytes with their times. */
     public static class Listener extends PortListener {
         private static final long serialVersionUID = 1L;
         private final transient BlockingQueue<Byte> bytes = new LinkedBlockingQueue<>();
@@ -83,7 +86,7 @@ public class AckTest {
         serial.addByteListener(listener);
     }
 
-    /** What was heard, by simulated time. */
+    /** Returns received bytes by simulated time. */
     private Map<Double, String> end() {
         sear.stopSimulation();
         Map<Double, String> log = listener.log;
@@ -92,7 +95,7 @@ public class AckTest {
         return log;
     }
 
-    /** Reads an open analog pin in each loop, writes a digital one and waits for the acknowledgement, and now and then doesn't wait. */
+    /** Reads an open analog pin in each loop, writes a digital one and usually waits for the acknowledgement. */
     private Map<Double, String> run() throws Exception {
         begin();
         serial.connect(PORT, 115200, 8, 1, 0);
@@ -119,7 +122,9 @@ public class AckTest {
         await("AA 02 09 " + Bytes.hex(new byte[] {bytes[2]}));
     }
 
-    /** Opens the port, goes on with something and waits for what the board says by itself, as MyRobotLab's Arduino service does. */
+    /**
+     * Opens the port, does other work and waits for the board's first message, as MyRobotLab's Arduino service does.
+     */
     private Map<Double, String> connect() throws Exception {
         begin();
         sear.simSleep(2.5);

@@ -27,7 +27,7 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
 
-/** A compass and an inertial measurement unit at their ports, on a robot that has turned, as users and programs reach them. */
+/** A compass and an inertial measurement unit at their ports on a rotated robot, as used by services and programs. */
 public class AttitudePortsTest {
     private static final String COMPASS_PORT = "/dev/SEAR_Compass_01";
     private static final String IMU_PORT = "/dev/SEAR_IMU_01";
@@ -62,7 +62,7 @@ public class AttitudePortsTest {
         System.clearProperty("sear.speed");
     }
 
-    /** The request, and how the answer is put together, are those of Listing 9; MyRobotLab calls its publishByte publishRX now. */
+    /** Request and decoding are those of Listing 9; MyRobotLab's publishByte is now called publishRX. */
     @Test
     public void listingNineReadsTheHeading() throws Exception {
         Serial serial = (Serial) Runtime.start("serial", "Serial");
@@ -96,7 +96,7 @@ public class AttitudePortsTest {
         }
     }
 
-    /** Of the first whole line. */
+    /** Returns the angles of the first whole line. */
     private double[] angles(Socket program) throws Exception {
         String text = read(program, "\r\n#YPR=");
         read(program, "\r\n");
@@ -105,7 +105,7 @@ public class AttitudePortsTest {
         return Arrays.stream(line.substring(5).trim().split(",")).mapToDouble(Double::parseDouble).toArray();
     }
 
-    /** What comes until an end has come, while time goes on. */
+    /** Returns the received text up to an ending, while time passes. */
     private String read(Socket program, String end) throws Exception {
         InputStream in = program.getInputStream();
         program.setSoTimeout(50);

@@ -26,7 +26,9 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
 
-/** A scanner on a network at its exported TCP port: ranges, a stream, and what a program leaves behind that ends without a word. */
+/**
+ * A network scanner at its exported TCP port: ranges, a stream, and the state after a program that ends without notice.
+ */
 @Category(Slow.class)
 public class ColaPortTest {
     private static final int KILLS = 20;
@@ -108,7 +110,7 @@ public class ColaPortTest {
         }
     }
 
-    /** A network has no baud rate: whatever the port is set to, it is understood. */
+    /** A network has no baud rate: any setting of the port works. */
     @Test
     public void aSerialServiceReadsItAtAnyBaudRate() throws Exception {
         sear.endExport("/dev/SEAR_LIDAR_01");

@@ -26,7 +26,7 @@ import org.myrobotlab.service.Heard;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.Serial;
 
-/** The GPS service with a receiver that says what real ones said. */
+/** The GPS service with a receiver that sends recordings of real ones. */
 public class GpsServiceTest {
     private static final String PORT = "/dev/test_gps";
     private static final String SOUTH_CAROLINA = Nmea.sentence("GPGGA,120000.000,3336.6000,N,08051.8999,W,1,8,1.0,182.5,M,-33.0,M,,");
@@ -159,7 +159,7 @@ public class GpsServiceTest {
         assertEquals("NMEA", gps.getConfig().model);
     }
 
-    /** As MyRobotLab's own GPS service of old wrote it. */
+    /** Spelling of MyRobotLab's former GPS service. */
     @Test
     public void aModelMayBeWrittenWithAnUnderscore() {
         gps.setModel("FV_M8");

@@ -22,7 +22,7 @@ import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.lidar.LidarChoice;
 import org.myrobotlab.service.lidar.RangeScan;
 
-/** One script reads each model of simulated LIDAR: what the service publishes is what the sensor measures. */
+/** One script reads each model of simulated LIDAR: the service publishes the sensor's measurements. */
 @Category(Slow.class)
 public class LidarModelsTest {
     private static final String PORT = ScannedRoom.PORT;
@@ -56,7 +56,7 @@ public class LidarModelsTest {
         System.clearProperty("sear.headless");
     }
 
-    /** The part that is the same for all. */
+    /** Runs the part that all models share. */
     private void scanAndStream() throws Exception {
         lidar.connect(PORT);
         lidar.setScanMode(180, 1);
@@ -91,7 +91,7 @@ public class LidarModelsTest {
         throw new AssertionError("no value ahead");
     }
 
-    /** Each value of a scan with one beam a value is that of the sensor's beam at its angle. */
+    /** Checks that each value of a scan with one beam per value equals the sensor's beam at its angle. */
     private void compare(RangeScan scan, double nearest, double tolerance) {
         float[] expected = sear.getLidarResult("scanner");
         double[] fan = {(expected.length - 1) * scan.resolution / 2, scan.resolution};

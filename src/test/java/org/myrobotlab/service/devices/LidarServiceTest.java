@@ -21,7 +21,7 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.Serial;
 import org.myrobotlab.service.lidar.RangeScan;
 
-/** The LIDAR service with a device that answers as the telegram listing says. */
+/** The LIDAR service with a device that answers as in the telegram listing. */
 @Category(Slow.class)
 public class LidarServiceTest {
     private static final String PORT = "/dev/test_lidar";
@@ -48,7 +48,7 @@ public class LidarServiceTest {
         lidar.addListener("publishStatus", "rawScans", "onStatus");
     }
 
-    /** A device of 180 degrees by 0.5 in an operating mode. */
+    /** Returns the status of a device with 180 degrees by 0.5 in an operating mode. */
     private static String status(String mode, String crc) {
         return "06 02 80 9A 00 B1" + " 00".repeat(7) + " " + mode + " 00".repeat(98) + " B4 00 32 00" + " 00".repeat(11) + " 01" + " 00".repeat(30)
             + " 10 " + crc;

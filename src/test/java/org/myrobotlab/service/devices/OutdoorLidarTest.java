@@ -17,7 +17,7 @@ import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 
-/** The LIDAR service reads each model that it knows, in a world with a wall that only outdoor scanners see. */
+/** The LIDAR service reads each model that it supports, in a world with a wall that only outdoor scanners see. */
 public class OutdoorLidarTest {
     private static final String PORT = "/dev/SEAR_LIDAR_01";
     private static final double WALL = 50;

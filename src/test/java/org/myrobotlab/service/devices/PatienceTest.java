@@ -24,7 +24,10 @@ import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
 import org.myrobotlab.service.TestWorld;
 
-/** Lock-step waits for threads that have nothing to run on for many seconds, as on a busy machine; it goes on without what hangs. */
+/**
+ * Lock-step waits for threads without CPU time for many seconds, as on a busy machine, and continues without hanging
+ * ones.
+ */
 @Category(Slow.class)
 public class PatienceTest {
     @Rule
@@ -35,7 +38,10 @@ public class PatienceTest {
     private LIDAR lidar;
     private Heard heard;
 
-    /** Keeps the thread that brings bytes until it is said that lock-step waits, as a machine does that has no processor for it. */
+    /**
+     * Blocks the thread that delivers bytes until lock-step reports that it waits, like a machine without CPU time for
+     * that thread.
+     */
     public static class Starved extends PortListener {
         private static final long serialVersionUID = 1L;
         private transient volatile Heard heard;

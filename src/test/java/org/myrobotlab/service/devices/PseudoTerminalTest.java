@@ -17,7 +17,7 @@ import org.junit.experimental.categories.Category;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.Serial;
 
-/** The Serial service on a port of the operating system: a pseudo-terminal, which is to jssc what a real port is. */
+/** The Serial service on a port of the operating system: a pseudo-terminal, which jssc treats like a real port. */
 @Category(Slow.class)
 public class PseudoTerminalTest {
     private static final int O_RDWR = 2;

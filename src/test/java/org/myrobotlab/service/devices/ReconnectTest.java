@@ -27,7 +27,10 @@ import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
 import org.myrobotlab.service.TestWorld;
 
-/** Services at simulated ports are connected again when a simulation has these ports again, as far as nobody has disconnected them. */
+/**
+ * Services at simulated ports reconnect when a simulation has these ports again, unless they were disconnected by a
+ * call.
+ */
 @Category(Slow.class)
 public class ReconnectTest {
     private static final String SET = "reconnected";
@@ -88,7 +91,7 @@ public class ReconnectTest {
         lidar.singleScan();
         long deadline = System.nanoTime() + PATIENCE;
         do {
-            sear.simSleep(1); // by the clock the bytes take the computer's time, too
+            sear.simSleep(1); // by the clock the bytes also take real time
         } while ((lidar.getScanCount() == scans || gps.getSentenceCount() == sentences) && System.nanoTime() < deadline);
         assertTrue(lidar.isConnected() && gps.isConnected());
         assertEquals("scans; said: " + heard.getStatuses(), scans + 1, lidar.getScanCount());
@@ -183,7 +186,10 @@ public class ReconnectTest {
         assertNull(Runtime.getService("backSerial"));
     }
 
-    /** In lock-step whoever connects first has the port; by the clock the old ones have it again before the script comes. */
+    /**
+     * In lock-step the first to connect gets the port; by the clock the old services have it again before the script
+     * connects.
+     */
     @Test
     public void whoeverCameBackByItselfGivesWayToWhoConnectsByACall() throws Exception {
         for (boolean lockStep : new boolean[] {true, false}) {

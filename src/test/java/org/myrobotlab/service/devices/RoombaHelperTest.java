@@ -18,13 +18,16 @@ import org.myrobotlab.service.Python;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.Serial;
 
-/** The helper of the scripts connects a Roomba service that keeps its port, and the one of MyRobotLab Nixie, which lets go of it at once. */
+/**
+ * The scripts' helper connects both a Roomba service that keeps its port and MyRobotLab Nixie's, which closes it
+ * immediately.
+ */
 public class RoombaHelperTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
     private static final String[] SCRIPTS = {"resources/templates/userCode.py", "scripts/demo.py"};
     private static final Pattern HELPER = Pattern.compile("(?m)^def connectRoomba\\(.*\\n(?: +.*\\n)+");
     private static final String PORT = "/dev/helped";
-    /** What each of the two MyRobotLabs does in connect: it talks through the service named serial. */
+    /** The connect methods of both MyRobotLabs, which use the service named serial. */
     private static final String ROOMBA = "class Roomba:\n"
         + "    def __init__(self, keeps):\n        self.keeps = keeps\n"
         + "    def connect(self, port):\n"

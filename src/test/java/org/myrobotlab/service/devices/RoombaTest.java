@@ -12,7 +12,7 @@ import org.myrobotlab.service.Roomba;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.Serial;
 
-/** The bytes of MyRobotLab's Roomba service, as the real one sends them. */
+/** Bytes of MyRobotLab's Roomba service, as the real one sends them. */
 public class RoombaTest {
     private Roomba roomba;
     private Serial uart;

@@ -13,11 +13,11 @@ public class ThermalGrid extends SensorObject implements Wirable {
     @Param(doc = "temperature of things", unit = "degC", min = -40, max = 80)
     private double things = 34;
 
-    /** For reading from a file. */
+    /** Constructor for reading from a file. */
     protected ThermalGrid() {
     }
 
-    /** Air of 20 and things of 34 degrees Celsius. */
+    /** Air of 20 and objects of 34 degrees Celsius. */
     public ThermalGrid(String name) {
         super(name);
         created(ThermalGrid.class);

@@ -7,7 +7,7 @@ import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.SensorType;
 import org.SEAR.sensors.Truth;
 
-/** A beam for each pixel, in steps of 7.5 degrees around the forward axis: up to 7 m it sees whether there is a thing. */
+/** A beam per pixel, in steps of 7.5 degrees around the forward axis, sees objects up to 7 m away. */
 public final class ThermalGridSensor extends Sensor<ThermalImage> {
     private static final double STEP = Math.toRadians(7.5);
     private static final double RANGE = 7;

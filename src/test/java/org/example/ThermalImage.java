@@ -6,7 +6,7 @@ import java.util.Locale;
 import org.SEAR.sensors.Picture;
 import org.SEAR.sensors.Reading;
 
-/** What a thermal camera has seen: 8 x 8 temperatures, degrees Celsius, row by row from the top left. */
+/** Picture of a thermal camera: 8 x 8 temperatures, degrees Celsius, row by row from the top left. */
 final class ThermalImage implements Reading {
     static final int SIDE = 8;
     private static final double COLDEST = -20;
@@ -14,12 +14,12 @@ final class ThermalImage implements Reading {
 
     private final double[] pixels;
 
-    /** @param pixels belong to it from now on */
+    /** @param pixels belong to this reading afterwards */
     ThermalImage(double[] pixels) {
         this.pixels = pixels;
     }
 
-    /** Records and plots keep these. */
+    /** Minimum and maximum, for records and plots. */
     @Override
     public double[] numbers() {
         return new double[] {Arrays.stream(pixels).min().getAsDouble(), Arrays.stream(pixels).max().getAsDouble()};
@@ -30,7 +30,7 @@ final class ThermalImage implements Reading {
         return List.of(".coldest", ".warmest");
     }
 
-    /** Scripts get all temperatures. */
+    /** All temperatures, for scripts. */
     @Override
     public Object value() {
         return pixels.clone();
@@ -52,7 +52,7 @@ final class ThermalImage implements Reading {
         return warm << 16 | 255 - warm;
     }
 
-    /** The warmest pixel: 0 V for -20 and 5 V for 80 degrees. */
+    /** Voltage of the warmest pixel: 0 V for -20 and 5 V for 80 degrees. */
     @Override
     public double volts() {
         return 5 * share(numbers()[1]);

@@ -3,24 +3,24 @@ package org.example;
 import org.SEAR.POJOs.SensorObject;
 import org.SEAR.grammar.Param;
 
-/** The parameters of a sensor from outside SEAR, the example of docs/add-a-sensor.md. */
+/** Parameters of a sensor from outside SEAR, the example of docs/add-a-sensor.md. */
 public class Thermometer extends SensorObject {
     @Param(doc = "temperature at the world's origin", unit = "degC", min = -100, max = 100)
     private double ground = 20;
     @Param(doc = "how much colder it gets with height", unit = "K/m", max = 1)
     private double lapse = 0.0065;
 
-    /** For reading from a file. */
+    /** Constructor for reading from a file. */
     protected Thermometer() {
     }
 
-    /** With the standard atmosphere's temperature gradient. */
+    /** Makes a thermometer with the standard atmosphere's temperature gradient. */
     public Thermometer(String name) {
         super(name);
         created(Thermometer.class);
     }
 
-    /** At the world's origin, degrees Celsius. */
+    /** Temperature at the world's origin, degrees Celsius. */
     public double getGround() {
         return ground;
     }

@@ -6,7 +6,7 @@ import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.SensorType;
 import org.SEAR.sensors.Truth;
 
-/** Temperature at the sensor: ground - lapse * height, degrees Celsius; NaN when the reading dropped out. */
+/** Temperature at the sensor: ground - lapse * height, degrees Celsius; NaN for a dropped reading. */
 public final class ThermometerSensor extends Sensor<Quantity> {
     private final Thermometer thermometer;
 

@@ -9,9 +9,12 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 
-/** A robot with a LIDAR of some model among things: a wall 2.9 m ahead, a crate to the left, one behind, a pillar, nothing to the right. */
+/**
+ * A robot with a LIDAR of some model among objects: a wall 2.9 m ahead, a crate to the left, one behind, a pillar,
+ * nothing to the right.
+ */
 public final class ScannedRoom {
-    /** Metres straight ahead. */
+    /** Distance of the wall straight ahead, metres. */
     static final double WALL = 2.9;
     public static final String PORT = "/dev/SEAR_LIDAR_01";
 
@@ -19,9 +22,8 @@ public final class ScannedRoom {
     }
 
     /**
-     * Makes its objects.
-     *
-     * @param settings sets what the LIDAR has beside its model
+     * Makes the objects.
+     * @param settings sets the LIDAR's parameters besides its model
      */
     public static void build(String model, Consumer<LIDAR> settings) {
         new Floor("floor", 20, 20);

@@ -24,7 +24,7 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 
-/** The power of devices, and exports of their ports, through the SEAR service on a small world in lock-step. */
+/** Power switches of devices, and exports of their ports, through the SEAR service on a small world in lock-step. */
 public class SearDevicesTest {
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
@@ -81,7 +81,7 @@ public class SearDevicesTest {
         assertFails("no simulation runs", () -> sear.power("scanner", false));
     }
 
-    /** What panels are told. */
+    /** Returns the power state that panels get. */
     private String powers(String device) {
         List<Object> found = new ArrayList<>();
         for (Object robot : (List<?>) sear.getWorld().get("robots")) {
@@ -94,7 +94,7 @@ public class SearDevicesTest {
         return found.toString();
     }
 
-    /** A driver may start first: the export is there before the simulation, and stays when that stops. */
+    /** A driver may start first: the export exists before the simulation and stays after it. */
     @Test
     public void exportsOutliveSimulations() throws Exception {
         int number = sear.exportTcp(TestWorld.ROOMBA_PORT, 0);
@@ -115,7 +115,7 @@ public class SearDevicesTest {
         assertFails("there is no virtual port \"/dev/nose\"; virtual ports: ", () -> sear.exportTcp("/dev/nose", 0));
     }
 
-    /** What a Roomba answers to 128, 142 35: a lock-step simulation has to be advanced meanwhile. */
+    /** Returns a Roomba's answer to 128, 142 35; the simulation advances in lock-step meanwhile. */
     private int modeOf(Socket driver) throws IOException {
         driver.getOutputStream().write(new byte[] {(byte) 0x80, (byte) 0x8E, 0x23});
         while (driver.getInputStream().available() == 0) {

@@ -13,7 +13,7 @@ import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.protocol.nmea.SentenceReader;
 import org.junit.Test;
 
-/** Positions of real receivers are read, whatever stands in their fields. */
+/** Positions of real receivers are read, whatever their fields contain. */
 public class GgaFixTest {
     private static final String GGA = "$GPGGA,081436.000,5212.982135,N,00653.101394,E,1,3,2.88,102.907,M,47.093,M,,*5F";
     private static final String NO_FIX = "$GPGGA,235946.005,8960.000000,N,00000.000000,E,0,0,,137.000,M,13.000,M,,*49";
@@ -25,7 +25,7 @@ public class GgaFixTest {
         reader.feed(text.getBytes(StandardCharsets.ISO_8859_1));
     }
 
-    /** Whole sentences with the right check sum and any fields, among any bytes. */
+    /** Whole sentences with a correct checksum and random fields, among random bytes. */
     @Test
     public void noSentenceStopsTheReader() {
         Random random = new Random(Fuzz.SEED);

@@ -6,7 +6,7 @@ import org.SEAR.Bytes;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.lidar.requests.DriverEvents;
 
-/** A port without anything behind it, and what a driver tells. */
+/** A port without a device, and the events of a driver. */
 final class FakeLine implements DeviceLine, DriverEvents {
     final List<String> sent = new ArrayList<>();
     final List<String> errors = new ArrayList<>();
@@ -19,7 +19,7 @@ final class FakeLine implements DeviceLine, DriverEvents {
         this.baud = baud;
     }
 
-    /** Lets time go by. */
+    /** Passes time. */
     void pass(double seconds, Runnable tick) {
         for (double end = now + seconds; now < end; now += 0.01) {
             tick.run();

@@ -15,7 +15,7 @@ import org.junit.Test;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.lidar.requests.DriverEvents;
 
-/** The driver asks one thing at a time, repeats, gives up, and looks for the device at other rates. */
+/** The driver sends one request at a time, repeats it, gives up, and searches the device at other rates. */
 public class LmsDriverTest {
     private static final String SCAN_REQUEST = "02 00 02 00 30 01 31 18";
     private static final byte[] MODE_REPLY = Bytes.bytes("06 02 80 03 00 A0 00 10 16 0A");

@@ -18,7 +18,7 @@ import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.TelegramReader;
 import org.junit.Test;
 
-/** Scans mean what the telegram listing says. */
+/** Scans are decoded as in the telegram listing. */
 public class LmsRepliesTest {
     private static Telegram telegram(String hex) {
         List<Telegram> found = new ArrayList<>();

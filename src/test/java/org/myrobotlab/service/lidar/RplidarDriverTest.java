@@ -16,7 +16,7 @@ import org.SEAR.protocol.rplidar.Node;
 import org.SEAR.protocol.rplidar.RplidarCommand;
 import org.junit.Test;
 
-/** The driver of the RPLIDAR finds answers and whole turns in whatever comes. */
+/** The driver of the RPLIDAR finds answers and whole turns in any bytes. */
 public class RplidarDriverTest {
     private static final byte[] HEALTH = Bytes.bytes("A5 5A 03 00 00 00 06 00 00 00");
     private static final byte[] SCAN = Bytes.bytes("A5 5A 05 00 00 40 81");

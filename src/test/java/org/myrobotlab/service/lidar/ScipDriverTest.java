@@ -13,7 +13,7 @@ import org.SEAR.protocol.scip.ReplyWriter;
 import org.SEAR.protocol.scip.ScipStatus;
 import org.junit.Test;
 
-/** The driver of Hokuyo's scanners finds answers and scans in whatever comes. */
+/** The driver of Hokuyo's scanners finds answers and scans in any bytes. */
 public class ScipDriverTest {
     private final FakeLine line = new FakeLine(19200);
     private final List<String> answers = new ArrayList<>();

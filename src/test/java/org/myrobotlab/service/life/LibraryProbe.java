@@ -7,9 +7,9 @@ import org.myrobotlab.service.Heard;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 
-/** Starts SEAR and a simulation, in whatever class loader it was loaded by, and answers what became of it. */
+/** Starts SEAR and a simulation in the class loader of this class and returns the result. */
 public class LibraryProbe implements Callable<List<String>> {
-    /** What was thrown, and the statuses of error. */
+    /** Returns the exception and the error statuses. */
     @Override
     public List<String> call() throws InterruptedException {
         List<String> heard = new ArrayList<>();

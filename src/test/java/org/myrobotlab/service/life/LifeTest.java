@@ -27,7 +27,7 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 
-/** Whatever ends a SEAR service, no thread, port or server of it is left, and another can follow. */
+/** However a SEAR service ends, none of its threads, ports or servers remains, and another service can follow. */
 @Category(Slow.class)
 public class LifeTest {
     private static final double STRAIGHT = Double.POSITIVE_INFINITY;
@@ -86,7 +86,7 @@ public class LifeTest {
         assertTrue(sear.isSimulating());
     }
 
-    /** In a process of its own, which MyRobotLab's shutdown may end. */
+    /** Runs in a separate process, because MyRobotLab's shutdown may end it. */
     @Test
     public void shutDownWithAServerForOtherProgramsOpen() throws Exception {
         Process process = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-Dsear.headless=true", "-Dsear.speed=1", "-cp",
@@ -121,7 +121,7 @@ public class LifeTest {
         throw new AssertionError("it ended:\n" + log);
     }
 
-    /** A connection that the server had not accepted yet is reset, others end. */
+    /** Returns whether the connection is closed; connections that the server had not accepted are reset. */
     private static boolean isHungUp(Socket client) throws IOException {
         try {
             return client.getInputStream().read() == -1;

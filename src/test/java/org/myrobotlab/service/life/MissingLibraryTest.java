@@ -18,7 +18,7 @@ import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.TestWorld;
 
-/** A library that is not there is named in an error status, which says what to do; the service lives on. */
+/** An error status names a missing library and the remedy; the service continues. */
 @Category(Slow.class)
 public class MissingLibraryTest {
     @Rule
@@ -37,7 +37,7 @@ public class MissingLibraryTest {
         System.clearProperty("sear.speed");
     }
 
-    /** Runs the probe on the class path of the program, less the jars whose names begin so. */
+    /** Runs the probe on the program's class path without the jars whose names have this beginning. */
     private static List<?> runWithout(String jar) throws Exception {
         List<URL> path = new ArrayList<>();
         boolean there = false;

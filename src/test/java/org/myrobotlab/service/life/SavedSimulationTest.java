@@ -22,7 +22,7 @@ import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 import org.myrobotlab.service.config.RuntimeConfig;
 
-/** A MyRobotLab that is saved while a simulation runs comes back without the simulation's own services, and simulates again. */
+/** A MyRobotLab saved during a simulation starts without the simulation's own services and can simulate again. */
 public class SavedSimulationTest {
     private static final String SET = "saved-simulation-test";
     private static final String UART = "scanner_LIDARsimulator_Serial_Service";

@@ -8,9 +8,9 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 
-/** A MyRobotLab with a simulation and a server for other programs, which is shut down when its standard input ends. */
+/** A MyRobotLab with a simulation and a server for other programs; it shuts down when its standard input ends. */
 final class ShutDownProbe {
-    /** Before the number of the server's port. */
+    /** Text before the number of the server's port. */
     static final String LISTENS = "listens at ";
     static final String SHUTS_DOWN = "shuts down";
 
@@ -18,8 +18,8 @@ final class ShutDownProbe {
     }
 
     /**
-     * The real MyRobotLab ends the process in its shutdown; after that of the embedded one it ends when nothing is left.
-     *
+     * The real MyRobotLab ends the process in its shutdown. With the embedded one the process ends when no thread
+     * remains.
      * @param arguments a folder for the project
      */
     public static void main(String[] arguments) throws IOException {

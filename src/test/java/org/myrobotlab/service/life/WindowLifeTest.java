@@ -25,7 +25,10 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 
-/** Whatever ends a SEAR service whose simulation shows a window, neither the window nor a thread or port of it is left, and another can follow. */
+/**
+ * However a SEAR service with a window ends, neither its window nor any of its threads or ports remains, and another
+ * service can follow.
+ */
 @RunWith(UnderXvfb.class)
 @Category(Slow.class)
 public class WindowLifeTest {
@@ -51,7 +54,7 @@ public class WindowLifeTest {
         assertEquals("a window while the simulation runs", 1, windows());
     }
 
-    /** Windows on the display of this test, which nobody else uses. */
+    /** Returns the number of windows on this test's own display. */
     private static int windows() {
         try {
             Process tool = new ProcessBuilder("xdotool", "search", "--onlyvisible", "--name", "SEAR").start();
@@ -138,7 +141,7 @@ public class WindowLifeTest {
         assertNothingIsLeft();
     }
 
-    /** Both have the same world; the one that comes second is told so, and its attempt takes no window away. */
+    /** Both services have the same world. The second gets an error, and its attempt leaves the first window open. */
     @Test
     public void aSecondServiceLeavesTheFirstItsWindow() {
         SEAR second = (SEAR) Runtime.start("second", "SEAR");

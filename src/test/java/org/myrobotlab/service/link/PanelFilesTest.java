@@ -18,7 +18,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** Panels come to where MyRobotLab serves them, and what the user changed stays. */
+/** Panels are installed where MyRobotLab serves them, and files that the user changed stay. */
 public class PanelFilesTest {
     private static final String SCRIPT = "WebGui/app/service/js/LIDARGui.js";
     private static final String RECORD = ".sear-files.properties";
@@ -52,7 +52,7 @@ public class PanelFilesTest {
         }
     }
 
-    /** A panel that MyRobotLab serves lacks nothing that the jar has. */
+    /** The installed panels have all files of the jar. */
     @Test
     public void everyFileOfThePanelsIsInstalled() throws IOException {
         PanelFiles.install(root());

@@ -14,7 +14,7 @@ import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.Heard;
 import org.myrobotlab.service.Runtime;
 
-/** What a service warns of is a status for panels and scripts and a line in the log. */
+/** A warning of a service is a status for panels and scripts and a line in the log. */
 public class ServiceWarningsTest {
     private final PrintStream console = System.err;
 

@@ -7,7 +7,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.myrobotlab.serial.PortClock;
 
-/** Time-outs go by simulated time, but never faster than real time outside of lock-step. */
+/** Timeouts use simulated time, but outside of lock-step never faster than real time. */
 @Category(Slow.class)
 public class TimeOutClockTest {
     private static final double EXACT = 1e-9;

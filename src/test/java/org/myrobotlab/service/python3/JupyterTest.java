@@ -20,7 +20,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** SEAR in notebooks: the scripts of src/test/jupyter, the notebook of the examples, the programs of docs/notebooks.md. */
+/** SEAR in notebooks: scripts of src/test/jupyter, the notebook of the examples, programs of docs/notebooks.md. */
 @Category(Slow.class)
 public class JupyterTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
@@ -35,7 +35,7 @@ public class JupyterTest {
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
 
-    /** What a program prints, in a new folder, with these packages and SEAR's own. */
+    /** Returns a program's output, run in a new folder with these packages and SEAR's own. */
     private String run(List<String> packages, String... words) throws IOException, InterruptedException {
         Path folder = temporary.newFolder().toPath();
         File output = temporary.newFile();
@@ -74,7 +74,10 @@ public class JupyterTest {
         return text.toString();
     }
 
-    /** Its cells are run twice in one kernel; what comes out then is what stands in the file, but for pictures of cameras, which it has. */
+    /**
+     * Runs the cells twice in one kernel. The second output equals the file's, except for camera pictures, which only
+     * need to be present.
+     */
     @Test
     public void theNotebookShowsWhatStandsInIt() throws Exception {
         Path result = temporary.getRoot().toPath().resolve("result.ipynb");

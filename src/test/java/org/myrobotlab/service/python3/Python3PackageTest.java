@@ -20,7 +20,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** The package {@code sear} for Python 3, with Java in Python's process and over the gateway; the page docs/python3.md. */
+/** The Python 3 package {@code sear}, with Java in Python's process and over the gateway; the page docs/python3.md. */
 @Category(Slow.class)
 public class Python3PackageTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
@@ -35,7 +35,7 @@ public class Python3PackageTest {
         return run(0, command, modules);
     }
 
-    /** What a program prints that ends with this status. */
+    /** Returns the output of a program, which must end with this status. */
     private String run(int status, List<String> command, String... modules) throws IOException, InterruptedException {
         Path folder = temporary.newFolder().toPath();
         Files.createSymbolicLink(folder.resolve("examples"), ROOT.resolve("examples"));
@@ -56,7 +56,7 @@ public class Python3PackageTest {
         return Files.readString(output.toPath());
     }
 
-    /** In Python's process. */
+    /** Runs a script in Python's process. */
     private String inProcess(Path script, String... libraries) throws IOException, InterruptedException {
         List<String> modules = new ArrayList<>(List.of(libraries));
         modules.add(ROOT.resolve("python/src").toString());
@@ -88,7 +88,7 @@ public class Python3PackageTest {
         assertTrue(classes, classes.contains(" org.myrobotlab.service.SEAR source: shared objects file"));
     }
 
-    /** One that measures distances, one that draws, and by the command one with a GPS receiver's driver. */
+    /** Examples: one measures distances, one draws, and one with a GPS receiver's driver runs by the command. */
     @Test
     public void examplesPrintTheSameInPython2And3() throws Exception {
         Path turret = ROOT.resolve("examples/drive/radar_turret.py");
@@ -127,13 +127,13 @@ public class Python3PackageTest {
         assertTrue(heard, heard.matches("(19|20|21) readings, the last \\d\\.\\d\\d m\n"));
     }
 
-    /** As a program of its own. */
+    /** Runs code as a separate program. */
     private String inProcessAlone(String code) throws IOException, InterruptedException {
         Path script = Files.writeString(temporary.newFile().toPath(), code);
         return run(List.of("python3", script.toString()), ROOT.resolve("python/src").toString(), LIBRARIES);
     }
 
-    /** A script of Jython opens the door, and starts a program of Python 3 beside itself, as a user would in another window. */
+    /** A Jython script opens the gateway and starts a Python 3 program, as a user would in another window. */
     @Test
     public void aProgramConnectsToWhatRuns() throws Exception {
         List<String> blocks = DocBlock.of("docs/python3.md", "python");
@@ -175,7 +175,7 @@ public class Python3PackageTest {
         assertTrue(missing, missing.contains(" lacks ") && missing.contains("-m pip install"));
     }
 
-    /** By the calls of the tab's editor. */
+    /** Uses the calls of the tab's editor. */
     @Test
     public void theEditorRunsPython3AndStopsIt() throws Exception {
         Path script = Files.writeString(temporary.newFile().toPath(), String.join("\n",
@@ -194,7 +194,10 @@ public class Python3PackageTest {
         assertTrue(said, said.contains("stopped\n"));
     }
 
-    /** The page's commands in a folder with SEAR's sources, and the page's first program with what they have installed. */
+    /**
+     * Runs the page's commands in a folder with SEAR's sources, then the page's first program with the installed
+     * package.
+     */
     @Test
     public void pipInstallsItWithItsJars() throws Exception {
         Path sources = temporary.newFolder().toPath();

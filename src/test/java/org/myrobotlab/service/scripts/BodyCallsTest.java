@@ -18,7 +18,7 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 
-/** Velocities and pushes by call and by the objects of a script, in lock-step. */
+/** Velocities and pushes by calls and by objects of a script, in lock-step. */
 public class BodyCallsTest {
     private static final double G = 9.81;
 

@@ -20,8 +20,8 @@ import org.junit.Before;
 import org.junit.Test;
 
 /**
- * MyRobotLab ties the name of a Python callback to the publisher that called it first, across all scripts of a session; so whatever users may copy
- * gives each callback a name of its own.
+ * MyRobotLab ties the name of a Python callback to its first publisher, across all scripts of a session. Each callback
+ * in text that users may copy therefore has a unique name.
  */
 public class CallbackNamesTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
@@ -30,10 +30,10 @@ public class CallbackNamesTest {
     private static final Pattern SERVICE = Pattern.compile("(\\w+) = Runtime\\.(?:start|createAndStart)\\(\"([^\"]+)\"");
     private static final Pattern CODE_BLOCK = Pattern.compile("```python\n(.*?)```", Pattern.DOTALL);
     private static final Pattern JAVADOC = Pattern.compile("<pre>\n(.*?)</pre>", Pattern.DOTALL);
-    /** Printed with the callback {@code input} in the dissertation. */
+    /** Listings printed with the callback {@code input} in the dissertation. */
     private static final List<String> PRINTED_WITH_INPUT = Arrays.asList("scripts/listing05.py", "scripts/listing06.py");
 
-    /** All code that listens or may, by the file it is in. */
+    /** All code that adds listeners or may do so, by file. */
     private final Map<String, String> code = new TreeMap<>();
     private final List<Listener> listeners = new ArrayList<>();
 
@@ -82,7 +82,7 @@ public class CallbackNamesTest {
         }
     }
 
-    /** The service that a variable holds. */
+    /** Returns the service that a variable holds. */
     private static String serviceOf(String variable, String before) {
         String service = variable;
         Matcher start = SERVICE.matcher(before);
@@ -113,13 +113,13 @@ public class CallbackNamesTest {
         assertEquals("[]", shared.toString());
     }
 
-    /** Harmless where the publisher is the same, and needed: two names on one service would both be called. */
+    /** Harmless if the publisher is the same, and required: two names on one service would both be called. */
     private static boolean isPrinted(Listener one, Listener other) {
         return one.callback.equals("input") && PRINTED_WITH_INPUT.containsAll(Arrays.asList(one.file, other.file))
             && one.publisher.equals(other.publisher);
     }
 
-    /** A listener outlives its script: another that the next one adds to the same service does not replace it. */
+    /** A listener outlives its script: the next script's listener for the same service does not replace it. */
     @Test
     public void noPublisherCallsTwo() {
         List<String> twice = new ArrayList<>();
@@ -130,7 +130,7 @@ public class CallbackNamesTest {
         assertEquals("[]", twice.toString());
     }
 
-    /** For the same reason: a listener would call what the next script calls by that name. */
+    /** An earlier listener would call the next script's function of that name. */
     @Test
     public void nobodyElseUsesTheNameOfACallback() {
         List<String> taken = new ArrayList<>();

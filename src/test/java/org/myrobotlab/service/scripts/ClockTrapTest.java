@@ -15,7 +15,7 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 
-/** A script that waits by the computer's clock in lock-step is told so, once. */
+/** SEAR warns once about a script that waits by the computer's clock in lock-step. */
 public class ClockTrapTest {
     private static final String SLEEP = "from java.util.concurrent import TimeUnit\nimport time\n"
         + "end = time.time() + 60\nwhile not %s and time.time() < end: TimeUnit.MILLISECONDS.sleep(400)\n";
@@ -36,7 +36,7 @@ public class ClockTrapTest {
         heard = (Heard) Runtime.start("searStatus", "Heard");
         sear.addListener("publishStatus", "searStatus", "onStatus");
         python.set("heard", heard);
-        python.set("sear", sear); // the service sets it too, but some time after the start
+        python.set("sear", sear); // the service also sets it, but some time after the start
     }
 
     @After

@@ -18,7 +18,7 @@ import org.myrobotlab.service.Python;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.Serial;
 
-/** The controller template answers as the chips' data sheets say, and loses no request. */
+/** The controller template answers as in the chips' data sheets and loses no request. */
 @Category(Slow.class)
 public class ControllerTemplateTest {
     private static final Path TEMPLATE = Paths.get(System.getProperty("sear.root", "."), "resources/templates/controller.py");

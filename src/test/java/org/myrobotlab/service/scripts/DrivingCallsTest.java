@@ -19,9 +19,9 @@ import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
 import org.myrobotlab.service.TestWorld;
 
-/** The calls that drive a robot, and those for any sensor, on a small world in lock-step. */
+/** The driving calls and the calls for any sensor, on a small world in lock-step. */
 public class DrivingCallsTest {
-    /** Half of the way between the wheels of the test's robot, m. */
+    /** Half of the track width of the test's robot, m. */
     private static final double HALF_TRACK = 0.129;
 
     @Rule
@@ -67,7 +67,7 @@ public class DrivingCallsTest {
         assertEquals(0, sear.getPose("roomba")[2], 0.01);
     }
 
-    /** The heading is 90 - ry, as the page about the calls says. */
+    /** The heading is 90 - ry, as in the page about the calls. */
     @Test
     public void aSpinToTheLeftMakesRyGrowAndTheHeadingShrink() {
         sear.spin(45);

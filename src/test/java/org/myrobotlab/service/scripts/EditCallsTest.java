@@ -22,7 +22,7 @@ import org.myrobotlab.service.TestWorld;
 import org.myrobotlab.service.sear.files.Edits;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
-/** The calls that edit a project, while nothing runs and while a simulation does. */
+/** Calls that edit a project, with and without a running simulation. */
 public class EditCallsTest {
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
@@ -109,7 +109,7 @@ public class EditCallsTest {
         assertEquals(0.1, sear.getPose("wall")[2] - TestWorld.WALL, 1e-6);
     }
 
-    /** As the tab drags it: onto a step, and back by undo, to where it had driven. */
+    /** Moves the robot as the tab's drag does: onto a step, and by undo back to where it had driven. */
     @Test
     public void aRobotThatIsMovedWhileItRunsStandsOnWhatIsThereAndUndoPutsItBack() throws Exception {
         sear.edit(Map.of("do", "add", "type", "Box", "name", "step",

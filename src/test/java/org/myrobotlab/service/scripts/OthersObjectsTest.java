@@ -14,7 +14,7 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 
-/** When a script starts what it has built, it hears what in the project is not its own. */
+/** When a script starts its own world, one line names the project's objects that it did not make. */
 public class OthersObjectsTest {
     private static final String BUILD = "from org.SEAR.POJOs import Box\nsear = Runtime.start('othersSear', 'SEAR')\n";
     private static final String START = "Box('mine', 1, 1, 1, 0).move(9, 0.5, 9)\nsear.startSimulation()\n";
@@ -59,7 +59,7 @@ public class OthersObjectsTest {
         assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().contains("not made by this script"));
     }
 
-    /** A robot's drive, say, which the robot of the project opened next has, too. */
+    /** For example a robot's Dynamics, whose name the robot of the next project also has. */
     @Test
     public void aNameThatWasGivenInAnotherProjectIsNotGivenYet() throws Exception {
         String other = "'" + temporary.getRoot().toPath().resolve("other.sear") + "'";

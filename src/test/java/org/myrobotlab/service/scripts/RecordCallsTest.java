@@ -20,7 +20,7 @@ import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
 import org.myrobotlab.service.TestWorld;
 
-/** Recording a run by calls, in lock-step, and what comes of the record. */
+/** Recording a run by calls in lock-step, and reading the record. */
 public class RecordCallsTest {
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();

@@ -20,7 +20,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.Test;
 
-/** The scripts that users copy use only what works in the real MyRobotLab too. */
+/** Scripts that users copy use only features that also work in the real MyRobotLab. */
 public class ScriptTrapsTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
     private static final Pattern LISTENER = Pattern.compile("(\\w+)\\.addListener\\(\"(\\w+)\",\\s*[^,]+,\\s*\"(\\w+)\"");
@@ -37,12 +37,15 @@ public class ScriptTrapsTest {
         return scripts;
     }
 
-    /** A script without its comments. */
+    /** Returns a script without its comments. */
     private static String code(Path script) throws IOException {
         return Files.readString(script).replaceAll("(?m)#.*$", "");
     }
 
-    /** Printed in the dissertation: in the embedded MyRobotLab its waits let simulated time pass, at real time they do as well. */
+    /**
+     * Listings are printed in the dissertation: their waits pass simulated time in the embedded MyRobotLab and at real
+     * time.
+     */
     private static boolean isListing(Path script) {
         return script.getFileName().toString().startsWith("listing");
     }

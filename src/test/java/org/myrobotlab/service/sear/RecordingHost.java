@@ -3,7 +3,7 @@ package org.myrobotlab.service.sear;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 
-/** A service that keeps what it is told. */
+/** A host that stores the messages it receives. */
 public final class RecordingHost implements Host {
     public final List<String> warnings = new CopyOnWriteArrayList<>();
     public final List<String> errors = new CopyOnWriteArrayList<>();
@@ -46,6 +46,6 @@ public final class RecordingHost implements Host {
 
     @Override
     public void state() {
-        // Nobody listens.
+        // no listeners
     }
 }

@@ -26,19 +26,21 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** The programs of examples/python3, which see by OpenCV and drive a robot of the embedded MyRobotLab: it gets where they want it to be. */
+/** The OpenCV programs of examples/python3 drive a robot of the embedded MyRobotLab to their goals. */
 @Category(Slow.class)
 public class OpencvExamplesTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final Path EXAMPLES = ROOT.resolve("examples/python3");
-    /** Seconds; time passes only while a program waits for its pictures, so that a busy machine makes it last longer and changes nothing else. */
+    /**
+     * Timeout, seconds. Time passes only while a program waits for its pictures, so a busy machine only takes longer.
+     */
     private static final int PATIENCE = 900;
-    /** Where the dock's marker is, in examples/dock.py. */
+    /** Position of the dock's marker in examples/dock.py. */
     private static final double DOCK_Z = -0.4;
     private static final double DOCK_X = 2.997;
-    /** From the robot's middle to its front. */
+    /** Distance from the robot's middle to its front, metres. */
     private static final double FRONT = 0.17;
-    /** From the robot's middle back to its camera. */
+    /** Distance from the robot's middle back to its camera, metres. */
     private static final double EYE = 0.1;
 
     private static MyRobotLab robotLab;
@@ -63,7 +65,7 @@ public class OpencvExamplesTest {
         robotLab.run("sear.setLockStep(False)\nif sear.isSimulating(): sear.stopSimulation()");
     }
 
-    /** @param modules where Python finds OpenCV */
+    /** @param modules folder of OpenCV for Python */
     private Process start(Path modules, List<String> arguments) throws IOException {
         List<String> command = new ArrayList<>(List.of("python3", "-u"));
         command.addAll(arguments);
@@ -72,7 +74,7 @@ public class OpencvExamplesTest {
         return programs.start(builder);
     }
 
-    /** What a program prints that ends well; its command is one of the page. */
+    /** Returns the output of a program, which must end with status 0; its command is on the page. */
     private String run(String program, String... more) throws Exception {
         List<String> commands = DocBlock.commands("docs/cameras.md", "python3 examples/python3/" + program);
         assertEquals(1, commands.size());
@@ -112,7 +114,7 @@ public class OpencvExamplesTest {
             Files.readString(EXAMPLES.resolve("robotlab.py")));
     }
 
-    /** Once round a line that is 0.7 + 0.15 cos 3a metres from the middle. */
+    /** Follows once a line at a radius of 0.7 + 0.15 cos 3a metres. */
     @Test
     public void theLineIsFollowedOnceRound() throws Exception {
         robotLab.run("sear.recordRun('lines.searlog')");
@@ -157,7 +159,7 @@ public class OpencvExamplesTest {
         assertDocked(run("docking.py"));
     }
 
-    /** It is driven to the other side of the dock first. */
+    /** Drives the robot to the other side of the dock first. */
     @Test
     public void theRobotDocksFromElsewhereInASimulationThatRuns() throws Exception {
         robotLab.run("sear.loadProject('examples/dock.sear')\nsear.startSimulation()\nsear.setLockStep(True)\nsear.simSleep(0.5)\n"

@@ -17,13 +17,13 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.junit.rules.TemporaryFolder;
 
-/** Programs of others that a test runs in its temporary folder; they end with it. */
+/** Third-party programs that a test runs in its temporary folder; they end with the test. */
 final class Programs {
-    /** Seconds that a driver runs. */
+    /** Duration of a driver's run, seconds. */
     static final int SECONDS = Integer.getInteger("sear.driverSeconds", 8);
-    /** Seconds after which a driver that says nothing will never do. */
+    /** Timeout for the first output of a driver, seconds. */
     static final int PATIENCE = 60;
-    /** What MRPT's rawlog-grabber says each time that it has logged something. */
+    /** Output of MRPT's rawlog-grabber after each logged entry. */
     static final String LOGS = ".*Saved [1-9]\\d* objects.*";
     private static final int TRIES = 3;
 
@@ -43,7 +43,7 @@ final class Programs {
         return process;
     }
 
-    /** All that a process has said when it ends, or after some seconds. */
+    /** Returns the output of a process at its end, or after this many seconds. */
     List<String> read(Process process, int seconds) throws Exception {
         process.waitFor(seconds, TimeUnit.SECONDS);
         File file = outputs.get(processes.indexOf(process));
@@ -51,12 +51,12 @@ final class Programs {
             .collect(Collectors.toList());
     }
 
-    /** Waits until a process has said a line like that. */
+    /** Waits until a process has printed a line that matches. */
     void untilItTells(Process process, String pattern) throws Exception {
         assertTrue("no " + pattern + " in " + read(process, 0), tells(process, pattern, PATIENCE));
     }
 
-    /** Whether a process says a line like that within some seconds. */
+    /** Returns whether a process prints a line that matches within this many seconds. */
     boolean tells(Process process, String pattern, int seconds) throws Exception {
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
         while (read(process, 0).stream().noneMatch(line -> line.matches(pattern))) {
@@ -68,7 +68,7 @@ final class Programs {
         return true;
     }
 
-    /** All that a process says that has to end well. */
+    /** Returns the output of a process, which must end with status 0. */
     List<String> run(ProcessBuilder builder, List<String> before) throws Exception {
         Process process = start(builder);
         List<String> output = read(process, SECONDS + PATIENCE);
@@ -86,7 +86,7 @@ final class Programs {
         }
     }
 
-    /** The first file of that name without those words in it; null if there is none. */
+    /** Returns the first file that matches and contains none of the words, or null. */
     private Path find(String glob, String... without) throws IOException {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder.getRoot().toPath(), glob)) {
             for (Path file : files) {
@@ -98,7 +98,7 @@ final class Programs {
         return null;
     }
 
-    /** The only file of that name without those words in it. */
+    /** Returns the only file that matches and contains none of the words. */
     Path only(String glob, List<String> output, String... without) throws IOException {
         Path file = find(glob, without);
         assertNotNull("there is no " + glob + " in " + Arrays.toString(folder.getRoot().list()) + "\n" + String.join("\n", output), file);
@@ -106,13 +106,13 @@ final class Programs {
     }
 
     /**
-     * What MRPT's rawlog-grabber, whose only sensor is a laser scanner with the label LASER, logs in some seconds after it has begun to. Where
-     * the machine lets it wait for a tenth of a second it ends, or goes on for ever without the scanner: then it is started again.
-     *
+     * Returns some seconds of scans that MRPT's rawlog-grabber logs; its only sensor is a laser scanner with the label
+     * LASER. If the machine delays the grabber by a tenth of a second, it ends or continues without the scanner; it is
+     * then started again.
      * @param config its configuration, which logs to {@code log} in the temporary folder
-     * @param starting seconds after which it has begun, or will never do
-     * @param seconds that it logs
-     * @return a line for each scan: time, ranges in metres, which of them are valid
+     * @param starting timeout of its start, seconds
+     * @param seconds duration of logging
+     * @return a line for each scan: time, ranges in metres, validity of each range
      */
     List<String[]> grabScans(Path config, int starting, int seconds) throws Exception {
         List<String> output = new ArrayList<>();
@@ -126,7 +126,7 @@ final class Programs {
         return lines.stream().skip(1).map(line -> line.trim().split("\\s+")).collect(Collectors.toList());
     }
 
-    /** MRPT's rawlog-grabber that logs by now; started again where it has given up, as in {@link #grabScans}. */
+    /** Returns a running MRPT rawlog-grabber that logs; it is started again if it gave up, as in {@link #grabScans}. */
     Process grabber(Path config) throws Exception {
         Process grabber = start(grabbing(config));
         for (int i = 1; i < TRIES && !tells(grabber, LOGS, PATIENCE / 2); i++) {
@@ -141,7 +141,7 @@ final class Programs {
         return new ProcessBuilder("stdbuf", "-oL", "rawlog-grabber", config.toString());
     }
 
-    /** The lines of what it logs: the first says what is in them, the others are scans; none if it has found no scanner. */
+    /** Returns the lines of the log: a header, then scans; empty if it found no scanner. */
     private List<String> grab(Path config, int starting, int seconds, List<String> output) throws Exception {
         Process grabber = start(grabbing(config));
         if (tells(grabber, LOGS, starting + seconds)) {

@@ -23,22 +23,25 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * Programs of others, written for real Arduinos with StandardFirmata, on the exported port of a simulated Uno, in real time. They are killed in the
- * middle of their work and come back, {@code sear.driverRestarts} times, and then run for {@code sear.driverSeconds}: 20 and 600 for the long run.
+ * Third-party programs for real Arduinos with StandardFirmata on the exported port of a simulated Uno in real time.
+ * They are killed at work and started again {@code sear.driverRestarts} times, then run for {@code sear.driverSeconds}:
+ * 20 and 600 in the long run.
  */
 @Category(Slow.class)
 public class ThirdPartyArduinoTest extends WithPrograms {
     private static final String PORT = "/dev/SEAR_UNO_01";
     private static final double STEP = 5.0 / 1024;
     private static final int KILLS = Integer.getInteger("sear.driverRestarts", 1);
-    /** Of 52 values a second, for a machine that is busy. */
+    /** Least number of the 52 values per second, for a busy machine. */
     private static final int VALUES_A_SECOND = 10;
-    /** Between the middle of a wall and a corner, in steps of the converter; there are some 30. */
+    /**
+     * Least difference between the middle of a wall and a corner, in steps of the converter; the real one is about 30.
+     */
     private static final int SEEN = 12;
 
     private Distance sharp;
 
-    /** A robot with two motors, a Sharp sensor and a PING))) in the middle of a room of 1.4 m. */
+    /** Makes a robot with two motors, a Sharp sensor and a PING))) in the middle of a room of 1.4 m. */
     @Before
     public void start() {
         new Floor("floor", 20, 20);
@@ -71,7 +74,7 @@ public class ThirdPartyArduinoTest extends WithPrograms {
         simulate();
     }
 
-    /** By the data sheet's curve, between whose points the voltage goes linearly with 1 / distance. */
+    /** Returns the voltage of the data sheet's curve, linear in 1 / distance between its points. */
     private double volts() {
         double distance = sear.getDistanceResult("sharp");
         List<VoltagePoint> curve = sharp.getShape().getVoltages();
@@ -85,7 +88,7 @@ public class ThirdPartyArduinoTest extends WithPrograms {
         return near.getVolts() + share * (far.getVolts() - near.getVolts());
     }
 
-    /** Twice, so that a program may come back. */
+    /** Runs twice, so that the program reconnects. */
     @Test
     public void pyfirmata2DrivesAndReads() throws Exception {
         String port = sear.exportPort(PORT);
@@ -103,7 +106,7 @@ public class ThirdPartyArduinoTest extends WithPrograms {
         }
     }
 
-    /** Starts a program, lets it work, and kills it. */
+    /** Starts a program, lets it work and kills it, several times. */
     private void kill(ProcessBuilder program) throws Exception {
         for (int i = 0; i < KILLS; i++) {
             Process process = programs.start(program);
@@ -112,7 +115,10 @@ public class ThirdPartyArduinoTest extends WithPrograms {
         }
     }
 
-    /** A line each second has how many values came, the least and the greatest: the robot turned, now towards a wall, now towards a corner. */
+    /**
+     * Each line has the number of values per second, their minimum and maximum: the robot turned between walls and
+     * corners.
+     */
     private static void assertValues(List<String> lines) {
         List<int[]> seconds = lines.stream().filter(line -> line.matches("\\d+ s .*"))
             .map(line -> Arrays.stream(line.replace(" s", "").split(" ")).mapToInt(Integer::parseInt).toArray()).collect(Collectors.toList());
@@ -138,7 +144,7 @@ public class ThirdPartyArduinoTest extends WithPrograms {
         return node;
     }
 
-    /** Over TCP: its package for serial ports is machine code that would have to be fetched from elsewhere. */
+    /** Uses TCP, because the program's package for serial ports is machine code from another download. */
     @Test
     public void johnnyFiveDrivesReadsIsKilledAndComesBack() throws Exception {
         int port = sear.exportTcp(PORT, 0);

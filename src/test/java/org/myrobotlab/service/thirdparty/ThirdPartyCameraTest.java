@@ -18,14 +18,14 @@ import org.junit.Before;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Programs that read real network cameras look through simulated ones. */
+/** Programs for real network cameras read simulated ones. */
 @Category(Slow.class)
 public class ThirdPartyCameraTest extends WithPrograms {
     private static final int PICTURES = 5;
-    /** Of 255, which JPEG and its colours may be off on the mean. */
+    /** Mean error of JPEG and its colours, of 255. */
     private static final double LOSS = 3;
 
-    /** A robot that stands before a red box, with a camera and a depth camera. */
+    /** Makes a robot before a red box, with a camera and a depth camera. */
     @Before
     public void start() {
         room();
@@ -47,7 +47,7 @@ public class ThirdPartyCameraTest extends WithPrograms {
         return builder;
     }
 
-    /** Means of red, green and blue. */
+    /** Returns the means of red, green and blue. */
     private double[] means() {
         int[] pixels = sear.getPixels("eye");
         double[] sums = new double[3];
@@ -59,7 +59,7 @@ public class ThirdPartyCameraTest extends WithPrograms {
         return sums;
     }
 
-    /** @param first where red is, and the step from there to green and blue */
+    /** @param first index of red, and the step from there to green and blue */
     private void assertSeen(List<String> output, int first, int step) {
         assertEquals(output.toString(), 2 + PICTURES, output.size());
         assertEquals("320 x 240", output.get(1));

@@ -24,8 +24,8 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * Programs of others, written for the real hardware, on the exported ports of a simulation that runs in real time. The system property
- * {@code sear.driverSeconds} makes each run longer than the few seconds that are enough for every change.
+ * Third-party programs for the real hardware on the exported ports of a simulation in real time. The system property
+ * {@code sear.driverSeconds} makes each run longer than the default few seconds.
  */
 @Category(Slow.class)
 public class ThirdPartyDriversTest extends WithPrograms {
@@ -120,7 +120,9 @@ public class ThirdPartyDriversTest extends WithPrograms {
         }
     }
 
-    /** Killed while the scanner streams, which goes on: the next one has to stop that and set it up anew. */
+    /**
+     * The driver is killed while the scanner streams. The next one must stop the stream and set the scanner up again.
+     */
     @Test
     public void mrptsDriverStartsInMidStream() throws Exception {
         Path config = sick(sear.exportPort("/dev/SEAR_LIDAR_01"));
@@ -142,7 +144,7 @@ public class ThirdPartyDriversTest extends WithPrograms {
         assertEquals(starts + " starts: " + output, RESTARTS, streaming);
     }
 
-    /** MRPT asks for a value every half degree, the script call answers one a degree. */
+    /** MRPT requests a value every half degree; the script call returns one per degree. */
     private static void compare(int[] everyDegree, String[] timeThenRangesThenValid) {
         assertEquals(1 + 2 * 361, timeThenRangesThenValid.length);
         String[] metres = Arrays.copyOfRange(timeThenRangesThenValid, 1, 1 + 361);
@@ -175,7 +177,7 @@ public class ThirdPartyDriversTest extends WithPrograms {
         assertEquals(LONGITUDE, number(fix, "lon"), 1e-5);
     }
 
-    /** The words of a page's only such command, one of which is another here. */
+    /** Returns the words of the page's only such command with one word replaced. */
     private static List<String> words(List<String> commands, String word, String here) {
         assertEquals(commands.toString(), 1, commands.size());
         assertTrue(commands.toString(), commands.get(0).contains(word));

@@ -19,8 +19,9 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
 /**
- * Three drivers of others at once, for a Create 2, a Hokuyo URG-04LX and a u-blox NEO-M8N on one robot. They are killed in the middle of their work
- * and come back, {@code sear.driverRestarts} times, and then run for {@code sear.driverSeconds}: 20 and 600 for the long run.
+ * Three third-party drivers at the same time, for a Create 2, a Hokuyo URG-04LX and a u-blox NEO-M8N on one robot. They
+ * are killed at work and started again {@code sear.driverRestarts} times, then run for {@code sear.driverSeconds}: 20
+ * and 600 in the long run.
  */
 @Category(Slow.class)
 public class ThirdPartyEnduranceTest extends WithPrograms {
@@ -65,7 +66,7 @@ public class ThirdPartyEnduranceTest extends WithPrograms {
             for (Process driver : new Process[] {robot, receiver, scanner}) {
                 driver.destroyForcibly().waitFor();
             }
-            sear.power("receiver", false);      // it was left at another rate, without NMEA: a user presses its button
+            sear.power("receiver", false);      // the killed driver left it at another rate without NMEA; a user would press its button
             sear.power("receiver", true);
         }
         Process robot = programs.start(python("pycreate2_drive.py", sear.exportPort(ROBOT), Programs.SECONDS));

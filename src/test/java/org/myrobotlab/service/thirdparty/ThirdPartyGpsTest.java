@@ -18,7 +18,7 @@ import org.junit.Before;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Programs of others, written for real u-blox receivers, on the exported port of a simulated NEO-M8N. */
+/** Third-party programs for real u-blox receivers on the exported port of a simulated NEO-M8N. */
 @Category(Slow.class)
 public class ThirdPartyGpsTest extends WithPrograms {
     private static final String PORT = "/dev/SEAR_GPS_01";
@@ -37,7 +37,7 @@ public class ThirdPartyGpsTest extends WithPrograms {
         simulate();
     }
 
-    /** It sets the receiver to UBX, which it says, and then goes by NAV-PVT. */
+    /** gpsd switches the receiver to UBX, reports it, and then uses NAV-PVT. */
     @Test
     public void gpsdSwitchesToUbxAndGetsAFix() throws Exception {
         String port = sear.exportPort(PORT, inFolder("ttyGPS"));
@@ -65,7 +65,7 @@ public class ThirdPartyGpsTest extends WithPrograms {
         assertEquals(altitude + Geoid.separation(LATITUDE, LONGITUDE), number(fix, "altHAE"), 0.1);
     }
 
-    /** NMEA has nothing from the Earth's centre. */
+    /** NMEA has no earth-centred coordinates. */
     private static boolean isUbxFix(String line) {
         return line.matches(".*\"class\":\"TPV\".*\"mode\":3.*\"lat\":.*") && line.contains("\"ecefx\"");
     }

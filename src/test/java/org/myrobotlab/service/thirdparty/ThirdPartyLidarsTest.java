@@ -17,7 +17,10 @@ import org.SEAR.Slow;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Drivers of others on the exported ports of each model of LIDAR, in real time: they read what {@code sear.getLidarResult} answers. */
+/**
+ * Third-party drivers on the exported ports of each model of LIDAR in real time read the ranges of
+ * {@code sear.getLidarResult}.
+ */
 @Category(Slow.class)
 public class ThirdPartyLidarsTest extends WithPrograms {
     private static final String PORT = "/dev/SEAR_LIDAR_01";
@@ -47,7 +50,7 @@ public class ThirdPartyLidarsTest extends WithPrograms {
         mrptReadsCentimetres("180", "50");
     }
 
-    /** A resolution of 0.25 makes frames that are too long for this driver. */
+    /** Frames with a resolution of 0.25 are too long for this driver. */
     @Test
     public void mrptReadsAnLms221WithAHundredDegrees() throws Exception {
         start("LMS221", 100, 0.5);
@@ -67,7 +70,7 @@ public class ThirdPartyLidarsTest extends WithPrograms {
         compare(inTime(programs.grabScans(config, 25, Programs.SECONDS)), sear.getLidarResult("scanner"), 20, 0.00101);
     }
 
-    /** Its driver takes a TiM, too, and leaves it its own resolution. */
+    /** The driver of the LMS1xx also accepts a TiM and keeps its resolution. */
     @Test
     public void mrptReadsATim561OverTcp() throws Exception {
         start("TiM561", 270, 1 / 3.0);
@@ -75,7 +78,7 @@ public class ThirdPartyLidarsTest extends WithPrograms {
         compare(inTime(programs.grabScans(config, 25, Programs.SECONDS)), sear.getLidarResult("scanner"), 10, 0.00101);
     }
 
-    /** Its driver logs as many ranges as a scan has, of whatever fan. */
+    /** The driver logs all ranges of a scan for any fan. */
     @Test
     public void mrptReadsAFanThatNoScannerOnSaleHas() throws Exception {
         start("CoLa", 231, 5.5);
@@ -83,7 +86,7 @@ public class ThirdPartyLidarsTest extends WithPrograms {
         compare(inTime(programs.grabScans(config, 20, Programs.SECONDS)), sear.getLidarResult("scanner"), 30, 0.00101);
     }
 
-    /** Where an answer takes more than 40 ms, as on a busy computer, this driver logs a scan without values. */
+    /** If an answer takes more than 40 ms, as on a busy computer, this driver logs a scan without values. */
     private static List<String[]> inTime(List<String[]> lines) {
         List<String[]> full = lines.stream().filter(line -> line.length > 1).collect(Collectors.toList());
         System.out.println("MRPT's driver logged " + full.size() + " scans, and " + (lines.size() - full.size()) + " without values");
@@ -91,7 +94,7 @@ public class ThirdPartyLidarsTest extends WithPrograms {
         return full;
     }
 
-    /** Lines have the time, the ranges and which of them are valid. */
+    /** Compares lines that contain the time, the ranges and their validity. */
     private static void compare(List<String[]> lines, float[] expected, double farthest, double tolerance) {
         int seen = 0;
         for (String[] line : lines) {

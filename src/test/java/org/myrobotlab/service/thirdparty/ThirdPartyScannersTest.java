@@ -17,7 +17,10 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.myrobotlab.service.devices.ScannedRoom;
 
-/** Drivers of others on the exported ports of Hokuyo's scanners and the RPLIDAR, in real time: they read what {@code sear.getLidarResult} answers. */
+/**
+ * Third-party drivers on the exported ports of Hokuyo's scanners and the RPLIDAR in real time read the ranges of
+ * {@code sear.getLidarResult}.
+ */
 @Category(Slow.class)
 public class ThirdPartyScannersTest extends WithPrograms {
     private static final int STARTING = 15;
@@ -35,7 +38,7 @@ public class ThirdPartyScannersTest extends WithPrograms {
         simulate();
     }
 
-    /** @param rate how often the driver looks for a scan in a second: when it finds none ten times it begins anew */
+    /** @param rate scans that the driver polls for per second; after ten empty polls it restarts */
     private List<String[]> mrpt(String file, int rate) throws Exception {
         String[] replaced = {"@PORT@", sear.exportPort(ScannedRoom.PORT), "@RATE@", "" + rate};
         return programs.grabScans(grabber(file, "log", replaced), STARTING, Programs.SECONDS);
@@ -53,7 +56,10 @@ public class ThirdPartyScannersTest extends WithPrograms {
         compare(mrpt("hokuyo-mrpt.ini", 40), 1081, 0, 0.00051);
     }
 
-    /** Lines have the time, the ranges right to left and which of them are valid; their first value is the sensor's {@code offset}th. */
+    /**
+     * Compares lines that contain the time, the ranges right to left and their validity; their first value is the
+     * sensor's value at {@code offset}.
+     */
     private void compare(List<String[]> lines, int values, int offset, double tolerance) {
         float[] expected = sear.getLidarResult("scanner");
         int seen = 0;
@@ -72,8 +78,8 @@ public class ThirdPartyScannersTest extends WithPrograms {
     }
 
     /**
-     * Version 2.5.8 takes the angles of its SDK, 65536 a turn, for such of two 64ths of a degree: what is at an angle clockwise from ahead it tells
-     * at 64/45 of it, and leaves out what is beyond a turn then. The ranges are right.
+     * Version 2.5.8 takes the angles of its SDK, 65536 per turn, as units of two 64ths of a degree. It reports an
+     * object at 64/45 of its clockwise angle from ahead and drops those beyond a turn. The ranges are right.
      */
     @Test
     public void mrptReadsAnRplidar() throws Exception {
@@ -98,7 +104,7 @@ public class ThirdPartyScannersTest extends WithPrograms {
         assertTrue("only " + seen + " beams hit something", seen > lines.size() * 90);
     }
 
-    /** Of a whole circle, right to left, one beam a degree. */
+    /** Returns a beam of a full circle, right to left, one beam per degree. */
     private static float beam(float[] ranges, int clockwise) {
         return ranges[Math.floorMod(180 - clockwise, 360)];
     }
@@ -115,7 +121,10 @@ public class ThirdPartyScannersTest extends WithPrograms {
         roboticia("express", 0.5);
     }
 
-    /** Of an express scan the driver tells each sample one step, half a degree, beside its place: between two beams it may lie anywhere. */
+    /**
+     * The driver shifts each sample of an express scan by one step of half a degree: between two beams any value is
+     * right.
+     */
     private void roboticia(String kind, double step) throws Exception {
         float[] expected = sear.getLidarResult("scanner");
         List<String> output = withModemLines("rplidar_scan.py", kind, Integer.toString(TURNS));
@@ -125,7 +134,7 @@ public class ThirdPartyScannersTest extends WithPrograms {
         compareTurns(output.subList(3, output.size()), expected, step);
     }
 
-    /** An unchanged driver at a pseudo-terminal, started by {@code sear modem-lines}, since it sets DTR. */
+    /** Runs an unchanged driver at a pseudo-terminal by {@code sear modem-lines}, because it sets DTR. */
     private List<String> withModemLines(String script, String... arguments) throws Exception {
         String asOnThePage = DocBlock.commands("docs/other-programs.md", "sear modem-lines").get(0)
             .replace("my.py", SCRIPTS.resolve(script).toString()).replace("/dev/pts/3", sear.exportPort(ScannedRoom.PORT));
@@ -146,7 +155,7 @@ public class ThirdPartyScannersTest extends WithPrograms {
         compareTurns(output.subList(3, output.size()), expected, 1);
     }
 
-    /** Version 0.1.3 drops a bit of the angle: what is at an odd degree it tells at the even one before. */
+    /** Version 0.1.3 drops a bit of the angle: it reports an odd degree as the even one before. */
     @Test
     public void rplidarc1ReadsAnRplidar() throws Exception {
         start("RPLIDAR-A1");

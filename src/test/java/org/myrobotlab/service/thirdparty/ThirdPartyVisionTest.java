@@ -31,7 +31,7 @@ import org.myrobotlab.service.sear.RecordingHost;
 import org.myrobotlab.service.sear.readings.ScriptCameras;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
-/** OpenCV measures what is in simulated pictures: the camera by a chessboard, places by markers. */
+/** OpenCV measures simulated pictures: the camera by a chessboard, poses by markers. */
 @Category(Slow.class)
 public class ThirdPartyVisionTest {
     private static final double FIELD_OF_VIEW = 60;
@@ -63,7 +63,7 @@ public class ThirdPartyVisionTest {
         System.clearProperty("sear.headless");
     }
 
-    /** Pixels. */
+    /** Returns the focal length, pixels. */
     private static double focalLength(int width) {
         return width / 2.0 / Math.tan(Math.toRadians(FIELD_OF_VIEW / 2));
     }
@@ -83,7 +83,10 @@ public class ThirdPartyVisionTest {
         return Arrays.stream(words, first, words.length).mapToDouble(Double::parseDouble).toArray();
     }
 
-    /** Cameras with the same lens around a chessboard, each near enough to fill much of its picture, looking roughly at it. */
+    /**
+     * Cameras with the same lens around a chessboard, each near enough to fill much of its picture and roughly facing
+     * it.
+     */
     @Test
     public void twentyViewsOfAChessboardCalibrateACamera() throws Exception {
         new Floor("floor", 20, 20);
@@ -162,7 +165,7 @@ public class ThirdPartyVisionTest {
         assertIsThere(output.get(1), "APRILTAG_36h11 42", eye, tag);
     }
 
-    /** OpenCV's frames have the camera's x to the right and y down, and a marker's z out of its front. */
+    /** In OpenCV's frames the camera's x points right and y down, and a marker's z out of its front. */
     private static void assertIsThere(String line, String name, Pose eye, Pose marker) {
         assertTrue(line, line.startsWith(name + " "));
         double[] found = numbers(line, 2);

@@ -19,15 +19,18 @@ import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 
-/** What all these tests have: a project in a temporary folder, a SEAR service that simulates it in real time, and programs of others at its ports. */
+/**
+ * Base of these tests: a project in a temporary folder, a SEAR service that simulates it in real time, and third-party
+ * programs at its ports.
+ */
 abstract class WithPrograms {
-    /** Programs that use drivers by others, and configurations of such. */
+    /** Folder of programs that use third-party drivers, and of their configurations. */
     static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("src/test/drivers");
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
     final Programs programs = new Programs(folder);
-    /** From {@link #simulate} on. */
+    /** Set by {@link #simulate}. */
     SEAR sear;
 
     @Before
@@ -47,12 +50,12 @@ abstract class WithPrograms {
         System.clearProperty("sear.headless");
     }
 
-    /** The path of what has that name in the temporary folder. */
+    /** Returns the path of a name in the temporary folder. */
     final String inFolder(String name) {
         return folder.getRoot().toPath().resolve(name).toString();
     }
 
-    /** A floor with things ahead, to the left and to the right of its middle. */
+    /** Makes a floor with objects ahead, to the left and to the right of its middle. */
     static void room() {
         new Floor("floor", 20, 20);
         new Box("ahead", 6, 0.2, 1, 0).move(0, 0.5, 3);
@@ -60,32 +63,31 @@ abstract class WithPrograms {
         new Cylinder("pillar", 0.2, 1, 0).move(-2, 0.5, 1.5);
     }
 
-    /** Simulates what was made, and gives it a second. */
+    /** Starts the simulation and runs it for a second. */
     final void simulate() {
         sear = (SEAR) Runtime.start("sear", "SEAR");
         sear.startSimulation();
         sear.simSleep(1);
     }
 
-    /** A program of {@link #SCRIPTS}, or elsewhere, that finds the drivers by others. */
+    /** Returns a Python program of {@link #SCRIPTS} or elsewhere with access to the third-party drivers. */
     static ProcessBuilder python(String script, Object... arguments) {
         List<String> command = new ArrayList<>(List.of("python3", "-u", SCRIPTS.resolve(script).toString()));
         Arrays.stream(arguments).map(Object::toString).forEach(command::add);
         return withDrivers(new ProcessBuilder(command));
     }
 
-    /** The same command, for which Python finds the drivers by others. */
+    /** Adds the third-party drivers to a command's Python path. */
     static ProcessBuilder withDrivers(ProcessBuilder builder) {
         builder.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));
         return builder;
     }
 
     /**
-     * A configuration of MRPT's rawlog-grabber that logs in the temporary folder.
-     *
+     * Writes a configuration of MRPT's rawlog-grabber that logs in the temporary folder.
      * @param file of {@link #SCRIPTS}
-     * @param log the name of what it logs; {@link Programs#grabScans} looks for {@code log}
-     * @param replaced texts in it, each before what stands there instead
+     * @param log the name of the log; {@link Programs#grabScans} looks for {@code log}
+     * @param replaced pairs of old and new text
      */
     final Path grabber(String file, String log, String... replaced) throws IOException {
         String text = Files.readString(SCRIPTS.resolve(file)).replace("@OUTPUT@", inFolder(log));
@@ -96,7 +98,7 @@ abstract class WithPrograms {
         return Files.writeString(folder.newFile().toPath(), text);
     }
 
-    /** The number that a field of gpsd's JSON has. */
+    /** Returns the number in a field of gpsd's JSON. */
     static double number(String json, String field) {
         return Double.parseDouble(json.replaceAll(".*\"" + field + "\":(-?[0-9.]+).*", "$1"));
     }

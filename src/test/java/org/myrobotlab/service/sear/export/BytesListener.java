@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import org.myrobotlab.framework.QueueStats;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
-/** A listener of a port that only wants its bytes. */
+/** A listener of a port that only needs its bytes. */
 final class BytesListener implements SerialDataListener {
     private final Consumer<byte[]> taker;
 

@@ -42,7 +42,7 @@ import org.myrobotlab.service.sear.RecordingHost;
 import org.myrobotlab.service.sear.run.ExternalLine;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
-/** Any program of the computer can open a virtual port, and come and go. */
+/** Any program of the computer can open a virtual port and come and go. */
 @Category(Slow.class)
 public class ExportsTest {
     private static final int FLOOD = 1 << 20;
@@ -154,7 +154,7 @@ public class ExportsTest {
         }
     }
 
-    /** Until the export has noticed that the program has gone: what is written is then thrown away, and so is what was unread. */
+    /** Waits until the export has noticed that the program has gone; written and unread bytes are then dropped. */
     private void awaitClosed(String path) throws Exception {
         long end = System.nanoTime() + PATIENCE;
         int waiting = 1;
@@ -240,7 +240,7 @@ public class ExportsTest {
         }
     }
 
-    /** Whether the server has closed the connection; it says so by a reset if bytes of the program were not read. */
+    /** Returns whether the server has closed the connection, which is a reset if bytes of the program were unread. */
     private static boolean isEnded(Socket client) throws IOException {
         try {
             return client.getInputStream().read() < 0;
@@ -302,7 +302,10 @@ public class ExportsTest {
         }
     }
 
-    /** Command 129 of a Create offers 14400 and 28800 baud, for which Linux has no code; programs set them by ioctl TCSETS2, as pyserial does. */
+    /**
+     * Command 129 of a Create offers 14400 and 28800 baud, for which Linux has no code. Programs set them by ioctl
+     * TCSETS2, as pyserial does.
+     */
     @Test
     public void aRateForWhichTheSystemHasNoCodeReachesThePort() throws Exception {
         Assume.assumeTrue("TCSETS2 is Linux's", System.getProperty("os.name").equals("Linux"));
@@ -407,7 +410,10 @@ public class ExportsTest {
         }
     }
 
-    /** What the program wrote while there was no port held it up no more than what the system's buffer still has of it comes now. */
+    /**
+     * Waits for the last byte; without a port, the program is not blocked, and the port receives only what the system's
+     * buffer still has.
+     */
     private void awaitLast(int expected) throws Exception {
         long end = System.nanoTime() + PATIENCE;
         synchronized (received) {
@@ -463,7 +469,10 @@ public class ExportsTest {
         }
     }
 
-    /** As a driver that begins with the device's own rate, has the device change it and forgets to follow: on the robot nothing answers then. */
+    /**
+     * A driver that begins with the device's rate, changes the device's rate and does not follow gets no answer on the
+     * real robot.
+     */
     @Test
     public void aProgramThatSetsTheRateThatIsThereHasSetIt() throws Exception {
         Assume.assumeTrue("macOS doesn't tell it", System.getProperty("os.name").equals("Linux"));
@@ -546,7 +555,7 @@ public class ExportsTest {
         }
     }
 
-    /** Each hand-over from one thread to another may take as long as the computer is busy. */
+    /** Each hand-over between threads may be delayed on a busy computer. */
     @Test
     public void aSimulatedDeviceIsReachedWithoutHandOvers() throws Exception {
         PortBridge bridge = new PortBridge("/dev/test_user", host);
@@ -571,7 +580,7 @@ public class ExportsTest {
 
             @Override
             public void pickUp() {
-                // Nothing here notices.
+                // nothing to do
             }
 
             @Override

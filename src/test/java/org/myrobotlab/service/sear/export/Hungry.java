@@ -3,11 +3,11 @@ package org.myrobotlab.service.sear.export;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.ServiceConfig;
 
-/** A service that has no memory for what it is asked to do. */
+/** A service that runs out of memory in its method. */
 public class Hungry extends Service<ServiceConfig> {
     private static final long serialVersionUID = 1L;
 
-    /** As MyRobotLab makes services. */
+    /** Signature that MyRobotLab requires. */
     public Hungry(String name, String id) {
         super(name, id);
     }

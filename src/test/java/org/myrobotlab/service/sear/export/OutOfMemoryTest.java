@@ -26,7 +26,7 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.sear.RecordingHost;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
-/** When memory runs out anywhere, the simulation ends with a word about it, and its ports close. */
+/** When memory runs out anywhere, the simulation ends with a message and its ports close. */
 public class OutOfMemoryTest {
     private static final String USER = "/dev/memory_user";
     private static final long PATIENCE = TimeUnit.SECONDS.toNanos(60);
@@ -96,14 +96,14 @@ public class OutOfMemoryTest {
         assertTrue("a new one starts", control.isRunning());
     }
 
-    /** A service's own thread catches what a called method throws, and goes on. */
+    /** A service's own thread catches errors of a called method and continues. */
     @Test
     public void whereAMessageCallsAMethod() throws Exception {
         Runtime.start("hungry", Hungry.class.getName()).in(Message.createMessage("test", "hungry", "eat", new Object[0]));
         awaitEnd();
     }
 
-    /** As a list that grows for ever ends a script or a callback. */
+    /** An endlessly growing list ends a script or a callback like this. */
     @Test
     public void inAScript() throws Exception {
         Python python = (Python) Runtime.start("python", "Python");
@@ -111,7 +111,7 @@ public class OutOfMemoryTest {
         awaitEnd();
     }
 
-    /** What Jython makes of Java's error in its own code. */
+    /** Jython's translation of Java's error in its own code. */
     @Test
     public void asPythonsOwnError() throws Exception {
         Python python = (Python) Runtime.start("python", "Python");

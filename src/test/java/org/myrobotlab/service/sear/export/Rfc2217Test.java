@@ -19,7 +19,7 @@ import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.sear.RecordingHost;
 import org.myrobotlab.service.sear.run.ExternalLine;
 
-/** The access server against the byte sequences of RFC 854 and RFC 2217. */
+/** The access server compared with byte sequences of RFC 854 and RFC 2217. */
 @Category(Slow.class)
 public class Rfc2217Test {
     private static final int BAUD = 9600;
@@ -45,17 +45,17 @@ public class Rfc2217Test {
 
             @Override
             public void setReader(SerialLine.Sink reader) {
-                // Nothing comes from the device.
+                // the device sends nothing
             }
 
             @Override
             public void pickUp() {
-                // Nothing here notices.
+                // nothing to do
             }
 
             @Override
             public void hangUp() {
-                // The device has a cable.
+                // the device has a cable
             }
 
             @Override

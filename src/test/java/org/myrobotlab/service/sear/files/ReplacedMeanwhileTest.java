@@ -26,7 +26,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.myrobotlab.service.sear.panel.Preview;
 
-/** Whoever looks at the project while another thread replaces it sees the old one or the new one, whole. */
+/** A reader of the project sees the old or the new one, whole, while another thread replaces it. */
 public class ReplacedMeanwhileTest {
     private static final int OBJECTS = 40;
     private static final int LOADS = 30;
@@ -36,7 +36,7 @@ public class ReplacedMeanwhileTest {
 
     private final AtomicBoolean isDone = new AtomicBoolean();
 
-    /** A bundle with objects whose names begin with a letter. */
+    /** Saves a bundle with objects whose names begin with a letter. */
     private Path bundle(String letter) throws Exception {
         Path file = project.getRoot().toPath().resolve(letter + ".sear");
         for (int i = 0; i < OBJECTS; i++) {
@@ -51,7 +51,7 @@ public class ReplacedMeanwhileTest {
         return read.getEnvironment().stream().map(object -> object.getName().substring(0, 1)).collect(Collectors.toSet());
     }
 
-    /** Looks again and again until all loads are done; what is seen must be of one project. */
+    /** Reads the project repeatedly until all loads are done; each result must be of one project. */
     private Callable<String> looking(Callable<Project> look) {
         return () -> {
             while (!isDone.get()) {
@@ -76,7 +76,7 @@ public class ReplacedMeanwhileTest {
         }
     }
 
-    /** As the tab asks for it. */
+    /** Reads a preview like the tab. */
     private Project previewed(Preview preview) {
         Map<String, Object> answer = ProjectSwap.undisturbed(() -> preview.of(project.folder(), ""));
         assertEquals(Arrays.asList(Collections.emptyList(), null), Arrays.asList(answer.get("problems"), answer.get("reason")));

@@ -16,7 +16,7 @@ import org.myrobotlab.service.sear.RecordingHost;
 import org.myrobotlab.service.sear.readings.ScriptCameras;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
-/** A project with a camera of each kind, called color, depth and infrared, and what simulates it. */
+/** A project with a camera of each kind, called color, depth and infrared, and its simulation. */
 final class CameraWorld extends ExternalResource {
     static final int WIDTH = 64;
     static final int HEIGHT = 48;
@@ -56,13 +56,13 @@ final class CameraWorld extends ExternalResource {
         robot.addComponent(fast);
     }
 
-    /** What the start says of the robot, which has no wheels, is forgotten. */
+    /** Starts the simulation and clears the warnings about the robot without wheels. */
     void start() throws Exception {
         control.start(false);
         host.warnings.clear();
     }
 
-    /** One whose time stands still, so that its cameras see the same all the time. */
+    /** Starts with paused time, so that the cameras always have the same pictures. */
     void startPaused() throws Exception {
         start();
         control.session().pause();

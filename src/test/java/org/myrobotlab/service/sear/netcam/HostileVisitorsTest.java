@@ -25,10 +25,10 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Visitors of a network camera who want what they may not, say what they should not, or read nothing: nobody else notices. */
+/** Clients of a network camera that are forbidden, send garbage or read nothing don't affect the others. */
 @Category(Slow.class)
 public class HostileVisitorsTest {
-    /** Milliseconds without a byte after which a client is dropped here; it takes a busy machine to let the others wait so long. */
+    /** Timeout of a client without a byte read, milliseconds; long enough for the other clients on a busy machine. */
     private static final long PATIENCE = 4000;
     private static final int CLIENTS = 100;
     private static final int PICTURES = 5;
@@ -196,7 +196,7 @@ public class HostileVisitorsTest {
         assertStill(port);
     }
 
-    /** Each of ten that read nothing holds one picture at most, however many there are meanwhile. */
+    /** Each of ten clients that read nothing holds at most one picture. */
     @Test
     public void picturesThatNobodyTakesAreNotKept() throws Exception {
         world.startPaused();

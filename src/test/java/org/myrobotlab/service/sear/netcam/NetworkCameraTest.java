@@ -26,13 +26,13 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.function.ThrowingRunnable;
 
-/** What programs find at a network camera: addresses, files, streams, and what happens when simulations stop and start. */
+/** A network camera for programs: addresses, files, streams, and stops and starts of simulations. */
 @Category(Slow.class)
 public class NetworkCameraTest {
     private static final int OK = 200;
     private static final int NOT_FOUND = 404;
     private static final int BUSY = 503;
-    /** Of 255, which JPEG may be off on the mean. */
+    /** Mean error of JPEG, of 255. */
     private static final double LOSS = 4;
 
     @Rule
@@ -113,7 +113,7 @@ public class NetworkCameraTest {
         return new int[] {image.getWidth(), image.getHeight()};
     }
 
-    /** Where a busy machine makes no new one for a second, the last is sent again. */
+    /** If a busy machine makes no new picture for a second, the last one is sent again. */
     @Test
     public void aStreamHasThePicturesThatAreDue() throws Exception {
         world.start();
@@ -177,7 +177,10 @@ public class NetworkCameraTest {
         assertTrue("a page", new String(get(port, "/", "text/html; charset=utf-8")).contains("<img src=\"/stream.mjpg\""));
     }
 
-    /** Everything up to a JPEG file's first two bytes is a head, in which the length stands: so does MyRobotLab's OpenCV service read. */
+    /**
+     * Everything up to a JPEG file's first two bytes is a header with the length, as MyRobotLab's OpenCV service reads
+     * it.
+     */
     @Test
     public void aProgramThatLooksForJpegFilesFindsThem() throws Exception {
         world.startPaused();

@@ -12,17 +12,17 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** A program that opens a network camera by a connection of its own and reads what HTTP says, byte by byte. */
+/** A client of a network camera with its own connection that reads HTTP byte by byte. */
 final class Visitor implements AutoCloseable {
     private static final int MILLIS = 60_000;
 
-    /** The status line's number, or 0 if the server said nothing. */
+    /** The status code, or 0 without an answer. */
     int status;
     final Map<String, String> headers = new TreeMap<>();
     private final Socket socket = new Socket();
     private final InputStream in;
 
-    /** @param buffer bytes that the system keeps for it */
+    /** @param buffer of the system for its connection, bytes */
     Visitor(int port, int buffer) throws IOException {
         socket.setReceiveBufferSize(buffer);
         socket.setSoTimeout(MILLIS);
@@ -30,7 +30,7 @@ final class Visitor implements AutoCloseable {
         in = new java.io.BufferedInputStream(socket.getInputStream());
     }
 
-    /** One that asks for something as browsers do. */
+    /** Opens a connection and sends a request as browsers do. */
     static Visitor at(int port, String target) throws IOException {
         Visitor visitor = new Visitor(port, 1 << 16);
         visitor.say("GET " + target + " HTTP/1.1\r\nHost: localhost:" + port + "\r\nAccept: */*\r\n\r\n");
@@ -42,7 +42,7 @@ final class Visitor implements AutoCloseable {
         socket.getOutputStream().write(text.getBytes(StandardCharsets.ISO_8859_1));
     }
 
-    /** It says nothing more. */
+    /** Closes the sending direction. */
     void stopTalking() throws IOException {
         socket.shutdownOutput();
     }
@@ -79,7 +79,7 @@ final class Visitor implements AutoCloseable {
         readFields(headers);
     }
 
-    /** The rest, of the length that the answer has told. */
+    /** Returns the rest, whose length must be that of the header. */
     byte[] body() throws IOException {
         byte[] body = in.readAllBytes();
         if (body.length != Integer.parseInt(headers.get("content-length"))) {
@@ -92,7 +92,7 @@ final class Visitor implements AutoCloseable {
         return new String(body(), StandardCharsets.UTF_8).trim();
     }
 
-    /** All that comes until the other side ends it. */
+    /** Counts all bytes until the other side closes. */
     int rest() throws IOException {
         int count = 0;
         byte[] some = new byte[1 << 16];
@@ -102,7 +102,7 @@ final class Visitor implements AutoCloseable {
         return count;
     }
 
-    /** A stream's next picture. */
+    /** Returns a stream's next picture. */
     Part part() throws IOException {
         String boundary = headers.get("content-type").replaceFirst(".*boundary=", "");
         String line = line();

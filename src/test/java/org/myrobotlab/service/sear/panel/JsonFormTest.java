@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.junit.Test;
 import org.myrobotlab.codec.CodecUtils;
 
-/** Fields become JSON by their names, in their order. */
+/** Fields become JSON by name, in order. */
 public class JsonFormTest {
     private static class Above extends JsonForm {
         final int first = 1;

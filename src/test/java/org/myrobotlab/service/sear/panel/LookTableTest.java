@@ -30,7 +30,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** What panels are told of the look of shapes is what these look like. */
+/** Looks of shapes that panels receive match the shapes. */
 @Category(Slow.class)
 public class LookTableTest {
     private static final int CORNERS = 3;
@@ -56,7 +56,7 @@ public class LookTableTest {
         return points;
     }
 
-    /** A page may send whatever JSON has. */
+    /** A page may send any JSON. */
     @SuppressWarnings({"unchecked", "rawtypes"})
     @Test
     public void whatIsNoListOfKeysIsRefused() {

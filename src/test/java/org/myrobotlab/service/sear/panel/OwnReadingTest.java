@@ -36,7 +36,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.myrobotlab.service.sear.records.Records;
 
-/** A thermal camera of 8 x 8 pixels that another jar registers, with a reading that SEAR does not know, is all that a sensor of SEAR's is. */
+/** A thermal camera of 8 x 8 pixels from another jar, with a reading unknown to SEAR, works like SEAR's own sensors. */
 public class OwnReadingTest {
     private static final ObjectMapper JSON = new ObjectMapper();
     private static final int PIXELS = 64;
@@ -49,7 +49,7 @@ public class OwnReadingTest {
     private URLClassLoader jar;
     private Simulation world;
 
-    /** It looks ahead from 0.2 m above the ground at a box that ends at 0.2 m and begins 1 m before it. */
+    /** It looks ahead from 0.2 m above the ground at a box 0.2 m high and 1 m ahead. */
     @Before
     public void start() throws Exception {
         Path folder = project.newFolder("thermal").toPath();

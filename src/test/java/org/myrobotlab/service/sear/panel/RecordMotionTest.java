@@ -31,11 +31,11 @@ import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What is run again for a record has wheels, servos and beams as they were, and is no longer than a message may be. */
+/** The rerun of a record has the original wheels, servos and beams, and fits into a message. */
 public class RecordMotionTest {
     private static final int TURNED = 40;
     private static final int SECOND = 60;
-    /** Characters of a message to a page. */
+    /** Limit of a message to a page, characters. */
     private static final int LONGEST = 1 << 20;
 
     @Rule
@@ -45,7 +45,7 @@ public class RecordMotionTest {
         return project.getRoot().toPath().resolve("run.searlog");
     }
 
-    /** A car whose neck turns a LIDAR; a distance sensor looks ahead. */
+    /** Makes a car with a LIDAR on a servo and a distance sensor that looks ahead. */
     private Simulation world(double resolution) throws Exception {
         new Floor("floor", 40, 40);
         new Box("wall", 10, 0.2, 1).move(0, 0.5, 3);

@@ -7,7 +7,7 @@ import java.util.Base64;
 import java.util.Random;
 import org.junit.Test;
 
-/** Scans as panels get them. */
+/** Scans in the format for panels. */
 public class ScanRangesTest {
     private static final double TENTH = 1e-4;
 
@@ -15,7 +15,7 @@ public class ScanRangesTest {
         return (bytes[2 * at] & 255) + 256 * (bytes[2 * at + 1] & 255);
     }
 
-    /** @return the metres that a panel reads out of a text; infinite for none */
+    /** @return the ranges that a panel decodes from a text, metres; infinite for none */
     private static double[] read(String text) {
         byte[] bytes = Base64.getDecoder().decode(text);
         double[] metres = new double[bytes.length / 2 - 1];

@@ -14,10 +14,10 @@ import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.HeightField;
 import org.junit.Test;
 
-/** What panels are told of the ground: one message that is never large, right within what its grid can tell. */
+/** Ground in the format for panels: one message of bounded size, exact within its grid's resolution. */
 public class TerrainJsonTest {
     private static final String JPEG = "data:image/jpeg;base64,";
-    /** MyRobotLab's limit for a message. */
+    /** MyRobotLab's limit of a message, bytes. */
     private static final int MESSAGE = 1 << 20;
 
     private static HeightField field(int rows, int columns, double spacing, boolean noise) {

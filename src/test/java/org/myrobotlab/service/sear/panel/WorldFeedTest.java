@@ -22,23 +22,23 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** What panels are told of a running world: everything once, then what has changed. */
+/** Messages to panels about a running world: everything once, then changes. */
 public class WorldFeedTest {
     private static final ObjectMapper JSON = new ObjectMapper();
-    /** Bytes of a message about a world in which nothing moves, however large that is. */
+    /** Limit of a message about a world at rest of any size, bytes. */
     private static final int SMALL = 300;
     private static final int MANY = 1500;
-    /** As many of them rest by friction, the others are fixed. */
+    /** Number of boxes that rest by friction; the others are fixed. */
     private static final int MOVABLE = 200;
     private static final int STEPS_BETWEEN = 6;
     private static final int ROBOTS = 10;
-    /** Of 361 beams 966, of the robot that carries them and of the reading in words some 200. */
+    /** 361 beams take 966 bytes, the robot and the reading in words some 200. */
     private static final int SCAN_BYTES = 1200;
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
     private final WorldFeed feed = new WorldFeed();
 
-    /** A floor with boxes that rest, and one box that falls from a metre above it. */
+    /** Makes a floor with resting boxes and one box that falls from a height of one metre. */
     private Simulation world(int boxes) throws IOException, ProjectException {
         Path folder = temporary.newFolder().toPath();
         Path environment = Files.createDirectories(folder.resolve("environment"));
@@ -63,7 +63,7 @@ public class WorldFeedTest {
         return feed.whole(world, new WorldFeed.Message());
     }
 
-    /** What the whole tells of an object. */
+    /** Returns an object's entry in the whole message. */
     private static Map<?, ?> object(Map<String, Object> whole, int at) {
         return (Map<?, ?>) ((List<?>) whole.get("objects")).get(at);
     }
@@ -130,7 +130,7 @@ public class WorldFeedTest {
         }
     }
 
-    /** Panels draw what a servo turns where it is now, and hear of it only while it turns. */
+    /** Panels draw parts on a servo at their present pose and get messages only while it turns. */
     @Test
     public void whatAServoTurnsIsToldAsItTurns() throws Exception {
         Path folder = temporary.newFolder().toPath();
@@ -157,7 +157,7 @@ public class WorldFeedTest {
         }
     }
 
-    /** Panels are told once what lights there are, then how bright they are when that changes. */
+    /** Panels get the list of lights once, then each change of brightness. */
     @Test
     public void lightsAreToldWhenTheyChange() throws Exception {
         Path folder = temporary.newFolder().toPath();
@@ -185,7 +185,7 @@ public class WorldFeedTest {
         }
     }
 
-    /** Its pictures are asked for, one by one; so a camera that nobody looks at costs next to nothing. */
+    /** Panels request its pictures one by one, so a camera without viewers costs next to nothing. */
     @Test
     public void aCameraIsToldWithoutAPictureBeingTaken() throws Exception {
         Path folder = temporary.newFolder().toPath();
@@ -214,7 +214,7 @@ public class WorldFeedTest {
         }
     }
 
-    /** Once; then the ranges, one for each beam. */
+    /** Panels get the beam directions once, then one range per beam. */
     @Test
     public void panelsAreToldWhichWaysAScannersBeamsGo() throws Exception {
         Path folder = temporary.newFolder().toPath();
@@ -236,7 +236,10 @@ public class WorldFeedTest {
         }
     }
 
-    /** Robots with a scanner of 361 beams each, which fall beside slanting posts, so that each beam has another range at each step. */
+    /**
+     * Makes robots with a scanner of 361 beams each that fall beside slanting posts, so that each range changes at each
+     * step.
+     */
     private Simulation scanners() throws IOException, ProjectException {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
@@ -256,7 +259,7 @@ public class WorldFeedTest {
         return Simulation.load(folder, 1);
     }
 
-    /** 2 bytes a beam in Base64, and what else a falling robot has to tell; it was 2.2 times as much when ranges were written as numbers. */
+    /** 2 bytes per beam in Base64, plus the other data of a falling robot. */
     @Test
     public void tenRobotsWithScannersCostTwelveKilobytesAMessage() throws Exception {
         try (Simulation world = scanners()) {

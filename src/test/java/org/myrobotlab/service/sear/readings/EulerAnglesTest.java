@@ -7,7 +7,7 @@ import org.SEAR.Fuzz;
 import org.SEAR.geometry.Pose;
 import org.junit.Test;
 
-/** What getPose answers is what rotate would have to be told. */
+/** The angles of getPose are those for rotate. */
 public class EulerAnglesTest {
     private static void assertSameRotation(String message, Pose a, Pose b) {
         double dot = a.qx * b.qx + a.qy * b.qy + a.qz * b.qz + a.qw * b.qw;

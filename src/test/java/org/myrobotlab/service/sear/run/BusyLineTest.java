@@ -6,7 +6,7 @@ import static org.junit.Assert.assertNull;
 import java.util.Map;
 import org.junit.Test;
 
-/** Which line of a script is taken for a loop that waits for simulated time. */
+/** Detection of the script line that loops while waiting for simulated time. */
 public class BusyLineTest {
     private static final StackTraceElement SCRIPT = new StackTraceElement("org.python.pycode._pyx1", "f$0", "drive.py", 12);
 

@@ -14,7 +14,7 @@ import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.TestWorld;
 import org.myrobotlab.service.sear.RecordingHost;
 
-/** Who looks at a world for panels, and is interrupted because all ends, as by Ctrl+C while a page is open. */
+/** A panel's read of the world is interrupted at the program's end, for example by Ctrl+C while a page is open. */
 public class LookAtTheEndTest {
     private static final int PATIENCE_SECONDS = 120;
 

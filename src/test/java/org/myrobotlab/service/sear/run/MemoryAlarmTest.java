@@ -11,7 +11,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.Test;
 
-/** A heap that is nearly full is told of, once. */
+/** One warning reports a nearly full heap. */
 public class MemoryAlarmTest {
     private final List<String> told = new CopyOnWriteArrayList<>();
     private final CountDownLatch first = new CountDownLatch(1);
@@ -21,7 +21,7 @@ public class MemoryAlarmTest {
             .filter(pool -> pool.getCollectionUsageThreshold() > 0).count();
     }
 
-    /** The heap is full here as soon as a few kilobytes are in use. */
+    /** The limit is so low that a few kilobytes fill the heap. */
     @Test
     public void itIsToldOnceAfterACollection() throws Exception {
         byte[] old = new byte[4 << 20];

@@ -12,7 +12,7 @@ import java.util.Map;
 import org.junit.After;
 import org.junit.Test;
 
-/** What scripts are asked with, and what they answer. */
+/** Parameters and results of scripts. */
 public class RunParametersTest {
     private static final String LEGAL = "letters, digits and _, not a digit first, and none of row, seed, status, message, version, digest";
 

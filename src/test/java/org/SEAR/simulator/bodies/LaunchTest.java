@@ -59,7 +59,7 @@ public class LaunchTest {
         }
     }
 
-    /** So slow that a touching contact need not be detected in every step. */
+    /** Speeds so low that a touching contact need not be detected in every step. */
     @Test
     public void whatCreepsIsStoppedByWhatStandsThere() throws Exception {
         new Floor("floor", 20, 20).setFriction(0);

@@ -272,7 +272,7 @@ public class SturdyServerTest {
         server.servesOthers();
     }
 
-    /** The first message takes so long that the page closes before the server handles the second. */
+    /** The page closes during the long first message, before the server handles the second. */
     @Test
     public void whatAPageSubscribesJustBeforeItGoesIsNotListenedTo() throws Exception {
         Socket page = server.webSocket();

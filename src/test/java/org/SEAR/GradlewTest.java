@@ -53,7 +53,7 @@ public class GradlewTest {
     }
 
     @Test
-    public void itWaitsForAptAndSaysSo() throws Exception {
+    public void itWaitsForAptAndReportsIt() throws Exception {
         String output = run(3, "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 1234 (apt-get)");
         assertEquals(output, 2, output.split("another program is installing or updating packages", -1).length);
         assertTrue(output, output.startsWith("0 ") && output.contains("gradle help"));
@@ -63,7 +63,7 @@ public class GradlewTest {
     }
 
     @Test
-    public void anotherFailureEndsItWithWhatAptHasSaid() throws Exception {
+    public void anotherFailureEndsItWithTheMessageOfApt() throws Exception {
         String output = run(Integer.MAX_VALUE, "E: Temporary failure resolving");
         assertTrue(output, output.startsWith("1 ") && output.contains("E: Temporary failure resolving") && output.contains("could not install"));
         assertTrue(output, !output.contains("gradle help"));

@@ -67,7 +67,7 @@ public class ModulesTest {
     }
 
     @Test
-    public void modulesShareNothingButWhatTheyExport() throws IOException {
+    public void modulesShareOnlyTheirExports() throws IOException {
         for (Path file : imports().keySet()) {
             assertFalse(file.toString(), Pattern.compile("window\\.\\w+(\\.\\w+)* = ").matcher(Files.readString(file)).find());
         }

@@ -61,7 +61,7 @@ public class NamesInPagesTest {
     }
 
     @Test
-    public void whatIsNotThereIsNotKnown() throws IOException {
+    public void missingClassesAreFound() throws IOException {
         Set<String> known = known(sources());
         assertTrue(known.containsAll(Arrays.asList("NamesInPagesTest", "SEARrobot", "ServiceLoader")));
         assertFalse(known.contains("Mt3301" + "Type"));

@@ -112,7 +112,7 @@ public class RoomsTest {
     }
 
     @Test
-    public void nobodyUsesTheNativeBullet() throws IOException {
+    public void noPackageUsesTheNativeBullet() throws IOException {
         for (Path file : sources()) {
             assertTrue(file.toString(), namesIn(file).stream().noneMatch(name -> name.startsWith("com.jme3.bullet")));
         }
@@ -163,7 +163,7 @@ public class RoomsTest {
     }
 
     @Test
-    public void eachPackageSaysWhatItIsFor() throws IOException {
+    public void eachPackageStatesItsPurpose() throws IOException {
         Map<String, Long> said = foldersOfAllSources().keySet().stream().collect(Collectors.groupingBy(RoomsTest::nameOf,
             Collectors.filtering(folder -> Files.exists(folder.resolve("package-info.java")), Collectors.counting())));
         said.forEach((name, count) -> assertEquals("package-info.java of " + name, Long.valueOf(1), count));

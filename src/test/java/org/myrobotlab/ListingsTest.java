@@ -118,7 +118,7 @@ public class ListingsTest {
     }
 
     @Test
-    public void whatIsNotNamedIsFound() {
+    public void unexplainedDifferencesAreFound() {
         List<Line> print = code("a = 1\nb = 2\nc = 3\n");
         assertEquals("[]", faults(print, code("a = 1  # comment\nb = 4  # SEAR: printed 2\nc = 3\nd()  # SEAR: added\n")).toString());
         assertEquals(2, faults(print, code("a = 1\nb = 4\nc = 3\n")).size());

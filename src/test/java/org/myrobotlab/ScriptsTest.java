@@ -103,7 +103,7 @@ public class ScriptsTest {
     }
 
     @Test
-    public void theListingsDoWhatTheDissertationSays() throws Exception {
+    public void theListingsDoAsTheDissertationDescribes() throws Exception {
         temporary.newFile("nothing");
         assertTrue(listing(1).contains("Done creating Environment"));
         assertTrue(exists("environment/Box1_name.xml") && exists("environment/trash Can.xml") && exists("environment/Tree1_name.xml"));

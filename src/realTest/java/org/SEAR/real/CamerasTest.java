@@ -11,7 +11,7 @@ public class CamerasTest extends InPage {
     private static final String EYE = "[data-eye='eye']:not([data-large]) ";
 
     @Test
-    public void aCamerasPictureIsLiveAndAClickSaysHowFarThingsAre() throws Exception {
+    public void cameraPicturesAreLiveAndAClickShowsTheDistance() throws Exception {
         assertEquals("", mrl.python("from org.SEAR.POJOs import Box, Camera, Floor, Robots", "sear.newProject()", "Floor('floor', 20, 20)",
             "Box('crate', 1, 1, 1, 0).move(0, 0.5, 2)", "rover = Robots.create2('rover')", "eye = Camera('eye', 0, 0.3, 0.1)",
             "eye.setKind('depth')", "rover.addComponent(eye)", "sear.recordRun('real', 100, 5)", "sear.startSimulation()"));

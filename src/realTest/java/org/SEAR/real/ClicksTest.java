@@ -171,7 +171,7 @@ public class ClicksTest extends InPage {
     }
 
     @Test
-    public void aReceiverIsConnectedAndTellsItsFixByClicks() throws Exception {
+    public void aReceiverIsConnectedAndShowsItsFixByClicks() throws Exception {
         startSensors();
         page.open(mrl, "gps");
         page.browser.type(".gps-port", "/dev/SEAR_GPS_01");

@@ -18,7 +18,7 @@ public class Python3Test extends InRealMrl {
     private static final int PATIENCE_SECONDS = 300;
 
     @Test
-    public void aProgramOfPython3HasWhatScriptsHave() throws Exception {
+    public void aPython3ProgramHasTheCallsOfScripts() throws Exception {
         String port = mrl.python("print Runtime.start('sear', 'SEAR').startPython3(0)").trim();
         String first = run(port);
         assertTrue(first, first.endsWith("False\n"));

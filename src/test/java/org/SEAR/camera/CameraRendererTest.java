@@ -73,7 +73,7 @@ public class CameraRendererTest {
     }
 
     @Test
-    public void theSunLightsWhatLooksToItAndTheBoxCastsAShadow() {
+    public void theSunLightsFacesTowardsItAndTheBoxCastsAShadow() {
         RenderJob down = new RenderJob(plate(), shape -> new Flat(0, 1, 0), Pose.ofDegrees(0, 0.9, 0, 90, 0, 0), BeamScene.WORLD);
         double[] sun = Daylight.toSun();
         int lit = (int) (128 * (Daylight.sky()[0] + Daylight.sun()[0] * sun[1]) + 0.5);

@@ -38,7 +38,7 @@ public class TextureTest {
     }
 
     @Test
-    public void beyondItsEdgesItBeginsAnewOrGoesOn() {
+    public void beyondItsEdgesItRepeatsOrClamps() {
         look(four(true), 5.25, -2.25, 0.01);
         assertSeen("repeated", 0xff0000, EVEN);
         look(four(true), 0, 0.75, 0.01);

@@ -127,7 +127,7 @@ public class BrokenMapsTest {
     }
 
     @Test
-    public void aMapThatIsCutOffWhereTheAreaNeedsItNotIsTold() throws Exception {
+    public void aMapTruncatedOutsideTheAreaIsReported() throws Exception {
         int[] offsets = new int[SIDE];
         int[] counts = new int[SIDE];
         for (int row = 0; row < SIDE; row++) {
@@ -208,7 +208,7 @@ public class BrokenMapsTest {
 
     /** None of these gigabytes is read: the header or the first zero byte is enough to reject the file. */
     @Test
-    public void gigabytesOfNothingAreRefusedByWhatStandsBeforeThem() throws Exception {
+    public void gigabytesOfZerosAreRejectedByTheirHeader() throws Exception {
         asset("huge.asc", "ncols 4000\nnrows 4000\nxllcorner 8\nyllcorner 47\ncellsize 0.0001\n1 2 ");
         new Terrain("ground", "huge.asc");
         refusedWithLength(3L << 30, "huge.asc: the file's size is 3221225472, legal: 32000000 to 512065536 for 16000000 heights");

@@ -149,7 +149,7 @@ public class ClassCommandTest {
     }
 
     @Test
-    public void whatEndsIsStartedAgainTheOthersGoOnAndNothingStays() throws Exception {
+    public void endedProgramsRestartOthersContinueAndNothingRemains() throws Exception {
         startClass();
         assertTrue(out(), out().contains("http://localhost:" + port + "/?token=" + token(ADA)));
         assertEquals("name,link\n\"Ada Lovelace\",http://localhost:" + port + "/?token=" + token(ADA) + "\n\"Ben\",http://localhost:" + (port + 1)
@@ -235,7 +235,7 @@ public class ClassCommandTest {
     }
 
     @Test
-    public void whatHoldsTooMuchIsEnded() throws Exception {
+    public void programsWithTooMuchMemoryAreEnded() throws Exception {
         Files.writeString(path("names.txt"), "Ada\n");
         port = FreePort.find();
         sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "64", "--total-memory", "64");
@@ -263,7 +263,7 @@ public class ClassCommandTest {
     }
 
     @Test
-    public void whatMakesNoSenseIsToldAndNothingStarts() throws Exception {
+    public void invalidArgumentsAreReportedAndNothingStarts() throws Exception {
         Files.writeString(path("names.txt"), "\uFEFFAda\n\n# nobody\nada\n../..\n" + "x".repeat(61) + "\n");
         sear("class", "--pupils", "names.txt");
         assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));

@@ -209,7 +209,7 @@ public class DrivingExamplesTest {
     }
 
     @Test
-    public void theRadarShowsWhatIsNearest() throws Exception {
+    public void theRadarShowsTheNearestObject() throws Exception {
         String text = run("radar_turret.py", "scout", "bin");
         double[] nearest = numbers(text, "echoes. Nearest: ([0-9.]+) m from the turret, (-?[0-9.]+) degrees to the left");
         assertEquals("the bin is 1.22 m away and 0.2 m thick", Math.hypot(1, 0.7) - 0.2, nearest[0], 0.03);

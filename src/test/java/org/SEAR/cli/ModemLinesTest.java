@@ -56,7 +56,7 @@ public class ModemLinesTest {
     }
 
     @Test
-    public void whatIsMissingIsSaid() throws Exception {
+    public void missingRequirementsAreReported() throws Exception {
         Process process = sear("--", "there-is-no-such-program");
         String said = said(process);
         assertTrue(said, said.startsWith("sear: the program can't be started: ") && said.contains("there-is-no-such-program"));

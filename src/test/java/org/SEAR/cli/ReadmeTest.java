@@ -134,7 +134,7 @@ public class ReadmeTest {
      * nearest point.
      */
     @Test
-    public void theDriveAlongTheRowLogsWhatTheSonarSees() throws Exception {
+    public void theDriveAlongTheRowLogsTheSonarRanges() throws Exception {
         run(Files.readString(ROOT.resolve("scripts/beam_experiment.py")));
         List<String> rows = Files.readAllLines(folder.getRoot().toPath().resolve("beam_experiment.csv"));
         assertEquals("odometer_m,range_m", rows.get(0));

@@ -88,7 +88,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void theFirstLineSaysWhereTheTabsAre() throws Exception {
+    public void theFirstLineHasTheAddressOfTheTabs() throws Exception {
         int port = FreePort.find();
         assertEquals(0, sear(script("print 'out'"), "--headless", "--port", String.valueOf(port)));
         assertEquals("out\n", out);
@@ -119,7 +119,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void aParameterThatTheScriptDoesNotAskForIsTold() throws Exception {
+    public void anUnusedParameterIsReported() throws Exception {
         assertEquals(err, 0, sear(script("sear = Runtime.start('sear', 'SEAR')\nprint sear.getParameter('speed', 0.3)"), "--set", "sped=2", "--port",
             "none"));
         assertTrue(out + err, out.contains("0.3") && err.contains("sear: the script has not asked for parameter sped: "));
@@ -161,7 +161,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void anExceptionOfSeveralLinesBeginsWithWhatWasWrong() throws Exception {
+    public void anExceptionOfSeveralLinesBeginsWithItsCause() throws Exception {
         assertEquals(1, sear(script("raise ValueError('first\\nsecond')"), "--port", "none"));
         assertTrue(err, err.replaceFirst("^.*:\\s+", "").startsWith("first\nTraceback"));
     }
@@ -176,7 +176,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void anErrorInACallbackIsToldAlthoughTheScriptEnds() throws Exception {
+    public void anErrorInACallbackIsReportedAlthoughTheScriptEnds() throws Exception {
         String code = "Runtime.getInstance().addListener('started', python.name, 'go')\nbegun = []\n"
             + "def go(name):\n  begun.append(1)\n  sleep(0.3)\n  raise NameError(\"name 'beguhn' is not defined\")\nRuntime.start('s', 'Serial')\n"
             + "while not begun: sleep(0.01)";
@@ -185,7 +185,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void anErrorThatComesAgainIsToldOnceWithItsNumber() throws Exception {
+    public void aRepeatedErrorIsPrintedOnceWithItsCount() throws Exception {
         String code = "Runtime.getInstance().addListener('started', python.name, 'go')\ndone = []\n"
             + "def go(name):\n  done.append(1)\n  raise ValueError('again')\nfor i in range(5): Runtime.start('s%d' % i, 'Serial')\n"
             + "while len(done) < 5: sleep(0.01)";
@@ -211,7 +211,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void whatMakesNoSenseIs2() throws Exception {
+    public void invalidArgumentsAre2() throws Exception {
         assertEquals(2, sear("nix.py"));
         assertTrue(err, err.contains("nix.py can't be read"));
         for (String speed : new String[] {"fast", "0.0001"}) {
@@ -246,7 +246,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void aCommandOfAnotherSpellingIsToldItsName() throws Exception {
+    public void aMisspeltCommandIsAnsweredWithTheNearestName() throws Exception {
         assertEquals(2, sear("chekc"));
         assertTrue(err, err.contains("sear: chekc can't be read: there is no such file. If it is a command, did you mean check? Try"));
         assertEquals(2, sear("nix.py"));
@@ -264,7 +264,7 @@ public class SearCommandTest {
 
     /** The crate of the docs with another mass, and the rover of the docs without its camera. */
     @Test
-    public void checkSaysWhatThePageAboutProjectsShows() throws Exception {
+    public void checkPrintsTheExampleOfThePageAboutProjects() throws Exception {
         Path project = folder.getRoot().toPath().resolve("SEARproject");
         List<String> files = DocBlock.of("docs/projects.md", "xml");
         Files.writeString(Files.createDirectories(project.resolve("environment")).resolve("crate.xml"),
@@ -286,7 +286,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void checkFindsWhatOnlyTheStartWouldRefuse() throws Exception {
+    public void checkFindsErrorsOfTheStart() throws Exception {
         Path project = Files.createDirectories(folder.getRoot().toPath().resolve("project"));
         Path robot = Files.createDirectories(project.resolve("robot")).resolve("r.xml");
         Files.writeString(robot, "<SEARrobot><name>r</name></SEARrobot>");
@@ -325,7 +325,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void checkTellsGoodExamplesBrokenFoldersAndHostileBundlesApart() throws Exception {
+    public void checkDistinguishesGoodExamplesBrokenFoldersAndHostileBundles() throws Exception {
         Path examples = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples");
         for (String example : new String[] {"ball", "car", "dock", "line", "maze", "office", "ramps", "rover", "sensors", "turret"}) {
             Path bundle = examples.resolve(example + ".sear");

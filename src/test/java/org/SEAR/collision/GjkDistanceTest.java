@@ -113,7 +113,7 @@ public class GjkDistanceTest {
     }
 
     @Test
-    public void aDenseSearchFindsNothingFarther() {
+    public void aDenseSearchFindsNoGreaterSeparation() {
         for (int i = 0; i < 40; i++) {
             PlacedConvex first = shapes.place(shapes.shape(), 2);
             PlacedConvex second = shapes.place(shapes.shape(), 2);
@@ -126,7 +126,7 @@ public class GjkDistanceTest {
     }
 
     @Test
-    public void whatIsBeyondTheReachIsNotMeasured() {
+    public void distancesBeyondTheReachAreNotMeasured() {
         ConvexBox box = new ConvexBox(0.5, 0.5, 0.5);
         assertFalse(gjk.measure(RandomShapes.at(box, 0, 0, 0), RandomShapes.at(box, 1.1, 0, 0), 0.09));
         assertTrue(gjk.measure(RandomShapes.at(box, 0, 0, 0), RandomShapes.at(box, 1.1, 0, 0), 0.11));

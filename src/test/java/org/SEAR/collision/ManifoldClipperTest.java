@@ -74,7 +74,7 @@ public class ManifoldClipperTest {
     }
 
     @Test
-    public void ofManyPointsFourFarFromEachOtherAreChosenAndTheLowestAmongThem() {
+    public void fourDistantPointsIncludingTheLowestAreChosen() {
         for (int i = 0; i < 40; i++) {
             double angle = 2 * Math.PI * i / 40;
             points.add(0, 1, 0, Math.cos(angle), 0, Math.sin(angle), i == 7 ? -1e-4 : 0);

@@ -107,7 +107,7 @@ public class CableTest {
     }
 
     @Test
-    public void whoComesAfterTheLastProgramHasGoneGetsNothingOfIts() {
+    public void aNewProgramGetsNoBytesOfTheLastOne() {
         cable.send(new byte[20], 0);
         cable.hangUp();
         cable.deliver(Simulation.STEP);
@@ -123,7 +123,7 @@ public class CableTest {
     }
 
     @Test
-    public void outputIsBoundedAndWhatIsLostIsCounted() {
+    public void outputIsBoundedAndLostBytesAreCounted() {
         byte[] message = new byte[500];
         for (int i = 0; i < 100; i++) {
             cable.send(message, 0);
@@ -143,7 +143,7 @@ public class CableTest {
     }
 
     @Test
-    public void whatWaitsForTheDeviceIsTold() {
+    public void bytesWaitingForTheDeviceAreReported() {
         cable.write(new byte[40]);
         assertEquals(40, cable.getWaiting());
         step(0);
@@ -170,7 +170,7 @@ public class CableTest {
     }
 
     @Test
-    public void aFloodIsBoundedAndWhatIsTakenStaysInOrder() {
+    public void aFloodIsBoundedAndAcceptedBytesStayInOrder() {
         byte[] flood = new byte[Cable.MAX_WAITING + 1000];
         for (int i = 0; i < flood.length; i++) {
             flood[i] = (byte) (i * 31);
@@ -191,7 +191,7 @@ public class CableTest {
     }
 
     @Test
-    public void withoutPowerTheDeviceHearsAndSaysNothing() {
+    public void withoutPowerTheDeviceIsSilentAndDeaf() {
         cable.write(new byte[40]);
         step(0);
         int heard = device.heard.size();

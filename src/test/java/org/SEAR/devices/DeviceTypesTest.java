@@ -92,7 +92,7 @@ public class DeviceTypesTest {
     }
 
     @Test
-    public void whatTheModelOfALidarDoesNotHaveIsWarnedOf() {
+    public void settingsThatALidarModelLacksAreReported() {
         LIDAR lidar = new LIDAR("lidar");
         lidar.setModel("LMS111");
         lidar.setSpread(300);
@@ -123,7 +123,7 @@ public class DeviceTypesTest {
     }
 
     @Test
-    public void anUnknownModelIsToldWhichThereAre() {
+    public void anUnknownModelIsRejectedWithTheKnownOnes() {
         assertTrue(refusal(() -> OiModel.of("create3")).contains("legal: roomba400, create, create2"));
         assertTrue(refusal(() -> GpsModel.of("x")).contains("MT3329"));
     }

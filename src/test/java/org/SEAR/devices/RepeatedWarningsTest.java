@@ -9,7 +9,7 @@ import org.junit.Test;
 /** Repeated warnings of one cause are reported once and then counted. */
 public class RepeatedWarningsTest {
     @Test
-    public void theFirstIsToldAndThenOnlyTheCount() {
+    public void theFirstIsReportedAndThenOnlyTheCount() {
         RepeatedWarnings repeats = new RepeatedWarnings();
         List<String> told = new ArrayList<>();
         for (int i = 1; i <= 1700; i++) {

@@ -31,7 +31,7 @@ public class DriversTableTest {
     }
 
     @Test
-    public void eachRowNamesATestThatThereIsOrSaysByHand() throws Exception {
+    public void eachRowNamesAnExistingTestOrByHand() throws Exception {
         assertTrue(rows().size() > 5);
         for (String[] row : rows()) {
             String text = String.join("|", row);

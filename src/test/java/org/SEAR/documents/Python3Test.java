@@ -79,7 +79,7 @@ public class Python3Test {
     }
 
     @Test
-    public void whatWasWrongStandsInTheError() throws Exception {
+    public void theErrorContainsTheCause() throws Exception {
         String text = run("import urllib.error\nfrom robotlab import Service\ntry:\n    Service('sear').getReading('no such sensor')\n"
             + "except urllib.error.HTTPError as error:\n    print(error.code, error.read().decode())\n");
         assertTrue(text, text.startsWith("500 ") && text.contains("no simulation runs: startSimulation() first"));

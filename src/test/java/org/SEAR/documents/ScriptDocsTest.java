@@ -57,7 +57,7 @@ public class ScriptDocsTest {
     }
 
     @Test
-    public void whatIsForPanelsOrMyRobotLabIsLeftOut() throws IOException {
+    public void callsForPanelsAndMyRobotLabAreLeftOut() throws IOException {
         String page = docs.page();
         assertTrue(page.contains("### driveStraight(speed)\n"));
         assertTrue(page.contains("- `radius`: metres, + to the left; infinity = straight, 0 = in place to the left\n"));

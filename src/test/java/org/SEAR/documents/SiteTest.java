@@ -115,7 +115,7 @@ public class SiteTest {
     }
 
     @Test
-    public void aBrokenLinkIsTold() throws Exception {
+    public void aBrokenLinkIsReported() throws Exception {
         Path root = temporary.newFolder().toPath();
         Files.createDirectories(root.resolve("docs"));
         for (String page : List.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md")) {

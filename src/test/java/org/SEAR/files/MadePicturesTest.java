@@ -68,7 +68,7 @@ public class MadePicturesTest {
     }
 
     @Test
-    public void whatIsNoneOfTheseIsNotThere() throws IOException {
+    public void otherNamesHaveNoPicture() throws IOException {
         Assets assets = new Assets(folder.getRoot().toPath());
         for (String path : new String[] {"made/marker/DICT_4X4_50/50.png", "made/marker/DICT_4X5_50/0.png", "made/marker/DICT_8X8_50/0.png",
             "made/marker/APRILTAG_36h11/587.png", "made/chessboard/100x1.png", "made/chessboard/4x3.jpg", "made/", "made/testcard.png/x"}) {

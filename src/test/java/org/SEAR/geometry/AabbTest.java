@@ -22,7 +22,7 @@ public class AabbTest {
     }
 
     @Test
-    public void holdsWhatWasAddedInAnyOrder() {
+    public void containsPointsAddedInAnyOrder() {
         assertEquals("(-1.0, 0.0, 2.0) to (4.0, 5.0, 6.0)", new Aabb().add(4, 0, 6).add(-1, 5, 2).toString());
         assertEquals("(-3.0, 0.0, 0.0) to (2.0, 7.0, 1.0)", box(0, 0, 0, 1, 7, 1).add(box(-3, 1, 0, 2, 2, 1)).toString());
     }
@@ -44,7 +44,7 @@ public class AabbTest {
     }
 
     @Test
-    public void containsWhatSticksOutNowhere() {
+    public void containsBoxesThatStickOutNowhere() {
         Aabb one = box(0, 0, 0, 1, 1, 1);
         assertTrue(one.contains(one));
         for (int axis = 0; axis < 3; axis++) {

@@ -20,7 +20,7 @@ public class GeoidTest {
 
     /** The GGA example of u-blox has 48.0 m. */
     @Test
-    public void aRealReceiverSaysTheSame() {
+    public void realReceiversAgree() {
         assertEquals(48, Geoid.separation(47 + 17.11399 / 60, 8 + 33.91590 / 60), 0.3);
     }
 

@@ -41,7 +41,7 @@ public class HeightFieldTest {
     }
 
     @Test
-    public void whatIsNoFieldIsRefused() {
+    public void invalidFieldsAreRejected() {
         assertThrows(IllegalArgumentException.class, () -> new HeightField(2, 2, 0, 0, 1, 1, new float[5]));
         assertThrows(IllegalArgumentException.class, () -> new HeightField(1, 4, 0, 0, 1, 1, new float[4]));
         assertThrows(IllegalArgumentException.class, () -> new HeightField(2, 2, 0, 0, Double.NaN, 1, new float[4]));
@@ -71,7 +71,7 @@ public class HeightFieldTest {
     }
 
     @Test
-    public void postsThatCannotBeToldApartAreRefused() {
+    public void indistinguishableSamplesAreRejected() {
         IllegalArgumentException refused = assertThrows(IllegalArgumentException.class,
             () -> new HeightField(2, 2, 60_000, 0, 0.001, 1, new float[4]));
         assertEquals("height field: posts 0.001 and 1.0 m apart, legal at this distance: 0.00390625 m or more", refused.getMessage());

@@ -107,7 +107,7 @@ public class EpisodeTest {
     }
 
     @Test
-    public void aThingIsWhereABeaconWouldTellIt() throws Exception {
+    public void anObjectIsWhereABeaconWouldReportIt() throws Exception {
         room();
         Box dock = new Box("dock", 0.2, 0.2, 0.2, 0);
         dock.move(1, 0.1, -3);
@@ -138,7 +138,7 @@ public class EpisodeTest {
     }
 
     @Test
-    public void aBumpDuringAnActionIsTold() throws Exception {
+    public void aBumpDuringAnActionIsReported() throws Exception {
         room();
         Episode episode = episode(null);
         episode.step(0.5, 0.5, 180);
@@ -193,7 +193,7 @@ public class EpisodeTest {
     }
 
     @Test
-    public void anEpisodeStartsWhereItIsTold() throws Exception {
+    public void anEpisodeStartsAtTheGivenPlace() throws Exception {
         room();
         Box hill = new Box("hill", 2, 2, 0.2, 0);
         hill.move(-3, 0.1, -3);
@@ -238,7 +238,7 @@ public class EpisodeTest {
     }
 
     @Test
-    public void whatIsWrongIsSaid() throws Exception {
+    public void errorsAreReported() throws Exception {
         SEARrobot robot = room();
         robot.addComponent(new Camera("eye", 0, 0.2, 0.1));
         robot.addComponent(new Bumper("bumper"));
@@ -267,7 +267,7 @@ public class EpisodeTest {
     }
 
     @Test
-    public void thePictureShowsWhatIsThereNorthUpwards() throws Exception {
+    public void thePictureShowsTheWorldNorthUp() throws Exception {
         new Floor("floor", 10, 10);
         Box red = new Box("red", 2, 2, 1, 0);
         red.setColor("#ff0000");

@@ -85,12 +85,12 @@ public class GymnasiumTest {
     }
 
     @Test
-    public void whatIsNotLegalIsTold() throws Exception {
+    public void illegalArgumentsAreReported() throws Exception {
         assertEquals("all refused\n", script("refused.py"));
     }
 
     @Test
-    public void rewardsGetWhatTheyNeed() throws Exception {
+    public void rewardsGetTheirArguments() throws Exception {
         assertEquals("rewards as they are to be\n", script("rewards.py"));
     }
 
@@ -102,7 +102,7 @@ public class GymnasiumTest {
 
     /** The package itself works without Gymnasium; only the import of sear.gym reports that it is missing. */
     @Test
-    public void whatIsMissingIsSaid() throws Exception {
+    public void missingRequirementsAreReported() throws Exception {
         Path program = folder.newFile("program.py").toPath();
         Files.writeString(program, "import sear\ntry:\n    import sear.gym\nexcept ImportError as error:\n    print(error)\n");
         Path blocked = folder.newFolder("blocked").toPath();

@@ -77,7 +77,7 @@ public class WorkerPoolTest {
     }
 
     @Test
-    public void theFirstPieceThatFailsIsToldWhenAllAreDone() {
+    public void theFirstFailureIsThrownWhenAllPiecesAreDone() {
         for (int threads : new int[] {2, 4}) {
             threads(threads);
             for (int round = 0; round < ROUNDS / 10; round++) {

@@ -33,7 +33,7 @@ public class SingleDropsTest {
      * others sway on with one pass per substep, because each contact sees the others' changes too late.
      */
     @Test
-    public void heapsComeToRest() throws Exception {
+    public void pilesComeToRest() throws Exception {
         for (long seed : new long[] {15, 21, 37, 57, 58, 67}) {
             DropScenes.pile(100, seed, findings);
         }
@@ -42,7 +42,7 @@ public class SingleDropsTest {
 
     /** Enough cubes that each has many neighbours. */
     @Test
-    public void aHeapOfManyIsNotInItself() throws Exception {
+    public void cubesOfALargePileDoNotOverlap() throws Exception {
         DropScenes.pile(500, 1, findings);
         findings.assertHold();
     }

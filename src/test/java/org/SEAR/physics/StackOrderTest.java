@@ -49,7 +49,7 @@ public class StackOrderTest {
     }
 
     @Test
-    public void whatLiesSinglyKeepsItsOrder() {
+    public void isolatedBodiesKeepTheirOrder() {
         Body floor = body("floor", 0);
         Body a = body("a", 1);
         Body b = body("b", 1);

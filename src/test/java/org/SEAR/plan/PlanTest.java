@@ -91,7 +91,7 @@ public class PlanTest {
     }
 
     @Test
-    public void ofVeryLargeGroundOnlyWhatIsOnItIsShown() throws Exception {
+    public void largeGroundIsCroppedToItsObjects() throws Exception {
         room();
         new Floor("land", 2000, 2000, false);
         assertTrue("not to the edges", svg(false).contains(">2 m</text>"));

@@ -85,7 +85,7 @@ public class PlotTest {
     }
 
     @Test
-    public void whatIsMissingIsAGap() throws IOException {
+    public void missingValuesAreGaps() throws IOException {
         Plot plot = new Plot("time (s)", TIMES);
         plot.add("distance", "m", new double[] {0, 1, Double.NaN, 3, 4});
         String svg = svg(plot);
@@ -117,7 +117,7 @@ public class PlotTest {
     }
 
     @Test
-    public void whatCantBeDrawnIsSaid() throws IOException {
+    public void undrawableInputIsReported() throws IOException {
         Path folder = temporary.getRoot().toPath();
         Plot plot = new Plot("time (s)", TIMES);
         assertRefused("\"distance\" has 2 values, and \"time (s)\" has 5, legal: the same number", () -> plot.add("distance", "m", new double[2]));

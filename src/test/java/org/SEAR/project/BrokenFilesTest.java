@@ -35,7 +35,7 @@ public class BrokenFilesTest {
     }
 
     @Test
-    public void eachIsReportedWithFileLineFieldValueAndWhatIsLegal() throws Exception {
+    public void eachIsReportedWithFileLineFieldValueAndLegalRange() throws Exception {
         List<BrokenFiles> cases = BrokenFiles.all();
         assertTrue(cases.size() + " broken files", cases.size() >= 40);
         StringBuilder differences = new StringBuilder();
@@ -64,7 +64,7 @@ public class BrokenFilesTest {
     }
 
     @Test
-    public void aFileThatIsCutOffAnywhereIsSaidToEndInTheMiddle() {
+    public void aTruncatedFileIsReportedAsSuch() {
         String whole = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- a box -->\n<Box>\n  <name>b &amp; c</name>\n  <length>1.5</length>\n"
             + "<!-- w --><width>1</width>\n<height>1</height>\n</Box>";
         for (int length = 1; length < whole.length(); length++) {

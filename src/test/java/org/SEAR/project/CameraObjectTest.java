@@ -51,7 +51,7 @@ public class CameraObjectTest {
     }
 
     @Test
-    public void illegalValuesAreNamedWithWhatIsLegal() {
+    public void illegalValuesAreReportedWithTheLegalRange() {
         Camera camera = new Camera("eye");
         refuses("Camera \"eye\": kind is \"x-ray\", legal: color, depth, infrared", () -> camera.setKind("x-ray"));
         refuses("Camera \"eye\": width is 0, legal: a whole number from 1 to 2048", () -> camera.setSize(0, 10));

@@ -84,7 +84,7 @@ public class DiskFullTest {
     }
 
     @Test
-    public void whatWasThereStaysWhole() throws Exception {
+    public void existingFilesStayWhole() throws Exception {
         Path root = project.getRoot().toPath();
         Bundle.save(big(), root.resolve("big.sear"));
         new Box("box", 1, 1, 1, 0);

@@ -158,7 +158,7 @@ public class DoorTest {
     }
 
     @Test
-    public void whatWasReadNeverChanges() throws Exception {
+    public void readObjectsAreImmutable() throws Exception {
         Box read = (Box) Project.read(project.folder()).getEnvironment().get(0);
         try {
             read.move(1, 2, 3);

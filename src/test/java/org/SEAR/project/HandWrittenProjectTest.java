@@ -103,7 +103,7 @@ public class HandWrittenProjectTest {
     }
 
     @Test
-    public void whatADeviceCantDoIsToldAtTheStartAndAfterAReset() throws Exception {
+    public void limitsOfADeviceAreReportedAtStartAndReset() throws Exception {
         new Floor("floor", 10, 10).move(0, -0.2, 0);
         SEARrobot robot = new SEARrobot("r");
         robot.addComponent(new Dynamics("drive", 2));

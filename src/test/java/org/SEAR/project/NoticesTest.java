@@ -52,7 +52,7 @@ public class NoticesTest {
     }
 
     @Test
-    public void aFanThatNoLms200HasIsSaidWhereItIsSet() {
+    public void anInvalidLms200FanIsReportedAtItsSetter() {
         LIDAR lidar = new LIDAR("scanner", 8, 180, 0.5);
         lidar.setResolution(0.3);
         lidar.setResolution(0.5);
@@ -74,7 +74,7 @@ public class NoticesTest {
     }
 
     @Test
-    public void whatAModelCantDoIsSaidWhereItIsSet() {
+    public void limitsOfAModelAreReportedAtTheSetter() {
         LIDAR lidar = new LIDAR("scanner");
         lidar.setModel("tim 561");
         lidar.setPorts("A", "B");
@@ -118,7 +118,7 @@ public class NoticesTest {
     }
 
     @Test
-    public void whatAScriptThatBuildsDidNotMakeIsNamedInOneLine() {
+    public void foreignObjectsAreNamedInOneLine() {
         String answer = ofOthers("Box('new name', 1, 1, 1, 0)", "new name", "old name");
         assertEquals("in the project, but not made by this script: \"old name\" (from an earlier run or another script; call"
             + " sear.newProject() first to start with an empty project)", answer);
@@ -127,7 +127,7 @@ public class NoticesTest {
     }
 
     @Test
-    public void whoOnlyStartsOrHasLoadedAProjectMeansItsObjects() {
+    public void objectsOfALoadedProjectAreNotReported() {
         assertEquals("", ofOthers("", "old name"));
         assertEquals("", ofOthers("bench.projectTaken()\nBox('new name', 1, 1, 1, 0)", "old name"));
         assertEquals("", ofOthers("Box('new name', 1, 1, 1, 0)", "new name"));

@@ -43,7 +43,7 @@ public class ObjectDocsTest {
 
     /** The page's script and the page's file make the same box. */
     @Test
-    public void theFileOfThePageIsWhatItsScriptMakes() throws Exception {
+    public void theFileOfThePageEqualsThatOfItsScript() throws Exception {
         String file = "environment/crate.xml";
         new Box("crate", 0.5, 0.4, 0.3, 2).move(1, 0.15, 0);
         assertTrue(DocBlock.of("docs/objects.md", "python").get(0).contains("Box(\"crate\", 0.5, 0.4, 0.3, 2)\nbox.move(1, 0.15, 0)\n"));

@@ -65,7 +65,7 @@ public class ObjectFilesTest {
     }
 
     @Test
-    public void aColourStandsInTheFileOnceItIsSetAsItWasSet() throws Exception {
+    public void aColourIsWrittenOnceItIsSet() throws Exception {
         Box box = new Box("Box1_name", 0.25, 0.25, 0.25, 0);
         assertEquals("#c49a6c", box.getColor());
         assertEquals("textures/cardboard.png", box.getPicture());
@@ -109,7 +109,7 @@ public class ObjectFilesTest {
     }
 
     @Test
-    public void whatIsReadIsWrittenWithTheSameBytes() throws Exception {
+    public void readObjectsAreWrittenWithTheSameBytes() throws Exception {
         createListing2();
         SEARrobot robot = Project.read(project.folder()).getRobots().get(0);
         assertEquals(project.text("robot/myRoomba.xml"), Xml.write(robot));

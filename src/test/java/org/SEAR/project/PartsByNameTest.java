@@ -52,7 +52,7 @@ public class PartsByNameTest {
     }
 
     @Test
-    public void whatIsNotThereIsAnsweredWithWhatIs() {
+    public void missingPartsAreReportedWithTheExistingOnes() {
         Arduino uno = new Arduino("uno");
         String nothing = refused(() -> uno.wire(9, "leftMotor"));
         assertEquals("Arduino \"uno\": part is \"leftMotor\", legal: a component of the robot; no robot has one to wire yet,"
@@ -67,7 +67,7 @@ public class PartsByNameTest {
     }
 
     @Test
-    public void ofTwoRobotsThatOfTheArduinoIsMeant() {
+    public void partNamesReferToTheRobotOfTheArduino() {
         Robots.rover("scout");
         SEARrobot rover = Robots.rover("rover");
         Arduino uno = new Arduino("uno");

@@ -138,7 +138,7 @@ public class ReadyRobotsInProjectsTest {
     }
 
     @Test
-    public void whatCantBeMadeWholeLeavesTheProjectAsItWas() throws Exception {
+    public void aFailedRobotLeavesTheProjectUnchanged() throws Exception {
         Bundle.load(EXAMPLES.resolve("office.sear"), project.folder());
         SEARrobot present = Robots.create2("present");
         Map<String, String> before = project.files();

@@ -192,7 +192,7 @@ public class SameNamesTest {
     }
 
     @Test
-    public void whatIsReplacedIsSaid() throws Exception {
+    public void replacedPartsAreReported() throws Exception {
         run("from org.SEAR.POJOs import Distance\nDistance('ping')\nDistance('ping')\n");
         assertEquals(said.toString(), 1, said.size());
         assertTrue(said.get(0), said.get(0).startsWith("Distance \"ping\" has the name of an object that this script has made already, and"));
@@ -222,7 +222,7 @@ public class SameNamesTest {
     }
 
     @Test
-    public void whatIsWrongIsNamed() throws Exception {
+    public void invalidInputIsReported() throws Exception {
         byHand("rover", "rover/drive", "rover/eye");
         byHand("scout", "drive", "eye");
         refused("robot/scout.xml:4: component is \"rover/eye\", legal: a name alone for a file in robot/, or \"scout/eye\" for one in robot/scout/",

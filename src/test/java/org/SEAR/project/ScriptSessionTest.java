@@ -74,7 +74,7 @@ public class ScriptSessionTest {
 
     /** An object that a simulation has read is moved by that simulation's service. */
     @Test
-    public void whatARunningSimulationHasReadIsMovedByItsOwn() {
+    public void objectsOfARunningSimulationAreMovedByItsService() {
         Box early = new Box("early", 1, 1, 1, 1);
         List<String> moved = new ArrayList<>();
         one.begin(acts(moved, "one"), () -> true);

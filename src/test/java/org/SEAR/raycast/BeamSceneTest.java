@@ -44,7 +44,7 @@ public class BeamSceneTest {
     }
 
     @Test
-    public void beamsMeetAnEllipsoidWhereItsEquationSays() {
+    public void beamsHitAnEllipsoidByItsEquation() {
         int shape = scene.addSolid(new RayEllipsoid(1, 2, 3), BeamScene.WORLD);
         scene.setPose(shape, 10, 0, 0, 0, 0, 0, 1);
         scene.commit();

@@ -8,7 +8,7 @@ import org.junit.Test;
 /** The shortest beam of a bundle equals the shortest of the same beams cast one by one. */
 public class BundleTest {
     @Test
-    public void bundlesAnswerWhatSingleBeamsDo() {
+    public void bundlesAgreeWithSingleBeams() {
         for (long seed = 1; seed <= 2000; seed++) {
             RandomScenes world = new RandomScenes(seed);
             world.shapes(1 + world.random.nextInt(30), 4);

@@ -19,7 +19,7 @@ public class CullingTest {
     private static final double[] AXIS = {0, -0.0, 1, -1, 1e-300, 1e-31, -1e-20, 1e-8};
 
     @Test
-    public void aBeamThroughTheHierarchyMeetsWhatABeamThatTriesAllMeets() {
+    public void hierarchyAndBruteForceHitTheSamePoints() {
         for (int seed = 1; seed <= 300; seed++) {
             RandomScenes world = new RandomScenes(seed);
             double away = Math.pow(10, world.random.nextInt(8)) - 1;

@@ -22,7 +22,7 @@ public class ExactnessTest {
     private static final double NUDGE = 1e-7;
 
     @Test
-    public void beamsOfManyWorldsMeetWhatTheOracleMeets() {
+    public void beamsOfManyWorldsAgreeWithTheOracle() {
         for (long seed = 1; seed <= WORLDS; seed++) {
             RandomScenes world = new RandomScenes(seed);
             world.shapes(1 + world.random.nextInt(30), 4);

@@ -64,7 +64,7 @@ public class PictureBeamsTest {
     }
 
     @Test
-    public void beamsThatBeginFartherAheadDoNotMeetWhatIsNearer() {
+    public void beamsThatBeginFurtherAheadSkipNearerObjects() {
         for (long seed = 1; seed <= 100; seed++) {
             RandomScenes world = new RandomScenes(seed);
             world.shapes(20, 3);

@@ -140,7 +140,7 @@ public class PictureWorkTest {
     }
 
     @Test
-    public void whatIsSeenThroughOneSideOrAllIsTheSameToTheBit() {
+    public void testsOfOneOrAllSidesAgreeToTheBit() {
         BeamScene scene = new BeamScene();
         scene.setPose(scene.addBox(5, 0.05, 5, BeamScene.WORLD), 0, -0.05, 0, 0, 0, 0, 1);
         Pose turned = Pose.ofDegrees(0.4, 0.5, 2, 10, 30, 20);

@@ -92,7 +92,7 @@ public class PushesInRecordsTest {
     }
 
     @Test
-    public void whatAHandHasPulledIsPulledAgain() throws Exception {
+    public void aDragIsRepeatedOnARerun() throws Exception {
         new Floor("floor", 40, 40);
         SEARrobot car = Robots.car("car");
         GPS gps = new GPS("gps", 33.6, 182.5, -80.8);

@@ -166,7 +166,7 @@ public class RecordPicturesTest {
     }
 
     @Test
-    public void whatCannotBeAPictureIsRefusedAndWhatIsCutOffIsLeftOut() throws Exception {
+    public void invalidPicturesAreRejectedAndTruncatedOnesSkipped() throws Exception {
         record(made(), file("run.searlog"), 10, Camera.COLOR);
         byte[] whole = Files.readAllBytes(file("run.searlog"));
         int at = firstPicture();

@@ -149,7 +149,7 @@ public class RecordTest {
     }
 
     @Test
-    public void whileItIsWrittenWhatHappenedIsOnTheDisk() throws Exception {
+    public void eventsAreOnTheDiskDuringARecord() throws Exception {
         try (Simulation world = world()) {
             Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
             long patience = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
@@ -213,7 +213,7 @@ public class RecordTest {
 
     /** Runs as by the clock, where the simulation thread services devices whenever bytes arrive. */
     @Test
-    public void whatCameBetweenTwoStepsComesThereAgain() throws Exception {
+    public void bytesBetweenTwoStepsAreRepeatedThere() throws Exception {
         Random random = new Random(Fuzz.SEED);
         Arduino board = new Arduino("uno");
         board.setPorts("/dev/unoUart", "/dev/unoUser");
@@ -248,7 +248,7 @@ public class RecordTest {
     }
 
     @Test
-    public void whatIsNotTheSameIsSaid() throws Exception {
+    public void differencesOfARerunAreReported() throws Exception {
         try (Simulation world = world()) {
             recorded(world);
         }
@@ -436,7 +436,7 @@ public class RecordTest {
     }
 
     @Test
-    public void aReadingOfTooManyNumbersIsRefusedWithWhatIsLegal() {
+    public void aReadingWithTooManyNumbersIsRejectedWithTheLimit() {
         String said = assertThrows(IllegalArgumentException.class, () -> Recorder.names("eye", () -> new double[200])).getMessage();
         assertTrue(said, said.contains("sensor eye has 200 numbers and 200 names, legal: as many names as numbers, at most 127"));
     }

@@ -62,7 +62,7 @@ public class MovementTest {
     }
 
     @Test
-    public void whatWasPutElsewhereIsThereAtOnce() {
+    public void teleportedObjectsAppearImmediately() {
         Pose from = Pose.IDENTITY;
         Pose metre = new Pose(0, 0, 1, 0, 0, 0, 1);
         Pose farther = new Pose(0, 0, 1.01, 0, 0, 0, 1);

@@ -61,7 +61,7 @@ public class BeamSensorsTest {
     }
 
     @Test
-    public void lidarMeetsWhatIsThereInAThousandMovingWorlds() {
+    public void lidarRangesAreRightInAThousandMovingWorlds() {
         long seed = 561;
         Random random = new Random(seed);
         for (int i = 0; i < WORLDS; i++) {
@@ -190,7 +190,7 @@ public class BeamSensorsTest {
     }
 
     @Test
-    public void aReadingSaysWhatWasHitAndWhere() {
+    public void aReadingNamesTheObjectAndThePointHit() {
         ScriptedTruth truth = truth(wall(BeamScene.WORLD));
         Distance parameters = new Distance("ping", Arrays.asList(new BeamCone(20, 3, "#00ff00", 4, 0, 0), new BeamCone(0, 5, "#ff0000", 1, 0, 0)));
         parameters.move(0, 0, 0.5);
@@ -209,7 +209,7 @@ public class BeamSensorsTest {
     }
 
     @Test
-    public void nearerThanTheProductCanTellItAnswersItsNearest() {
+    public void belowTheMinimumRangeItReturnsTheMinimum() {
         ScriptedTruth truth = truth(wall(BeamScene.WORLD)).at(0, 0, 1.9, 0, 0, 0);
         assertEquals("LV-EZ1: 6 inches", 0.1524, new DistanceSensor(new Distance("ez", "LV-EZ1"), 1).read(truth).getDistance(), 1e-12);
         assertEquals(0.1, new DistanceSensor(new Distance("ping", "PING)))"), 1).read(truth).getDistance(), 1e-9);

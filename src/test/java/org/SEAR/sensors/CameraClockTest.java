@@ -47,7 +47,7 @@ public class CameraClockTest {
     }
 
     @Test
-    public void tenPicturesASecondThatNobodyReadsCostNextToNothing() throws Exception {
+    public void tenUnreadPicturesASecondCostNextToNothing() throws Exception {
         double with = Double.POSITIVE_INFINITY;
         double without = Double.POSITIVE_INFINITY;
         Simulation one = world(false);

@@ -102,7 +102,7 @@ public class CameraSensorTest {
      * picture is due, it is that of the present.
      */
     @Test
-    public void whoPointsAtAPixelOfColoursIsToldHowFarItIs() throws Exception {
+    public void pointingAtAColourPixelReturnsItsDistance() throws Exception {
         new Floor("floor", 20, 20);
         Box crate = new Box("crate", 0.5, 0.5, 0.5, 1);
         crate.move(0, 0.3, 2);

@@ -117,7 +117,7 @@ public class ErrorModelTest {
     }
 
     @Test
-    public void driftDoesNotDependOnWhoReads() {
+    public void driftDoesNotDependOnReaders() {
         ErrorModel one = model("drift", 4, new Noise().setDrift(0.1).setWhite(0.2));
         ErrorModel two = model("drift", 4, new Noise().setDrift(0.1).setWhite(0.2));
         ScriptedTruth truth = new ScriptedTruth();

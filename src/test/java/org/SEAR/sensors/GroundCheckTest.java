@@ -58,7 +58,7 @@ public class GroundCheckTest {
     }
 
     @Test
-    public void aSensorThatReadsTheFloorIsNamedWithWhatToDo() throws Exception {
+    public void aSensorThatReadsTheFloorIsReportedWithTheRemedy() throws Exception {
         add(new Distance("low", "PING)))"), 0.1, 0);
         add(new Distance("high", "PING)))"), 1.5, 0);
         add(new Distance("up", "PING)))"), 0.05, -40);

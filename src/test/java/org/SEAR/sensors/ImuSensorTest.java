@@ -38,7 +38,7 @@ public class ImuSensorTest {
     }
 
     @Test
-    public void atRestGravityIsWhatTheFirmwareTakesItsAnglesFrom() {
+    public void atRestTheFirmwareDerivesItsAnglesFromGravity() {
         for (double[] turn : new double[][] {{0, 0, 0}, {-20, 0, 0}, {0, 0, 30}, {-20, 77, 0}, {10, -40, 25}}) {
             ImuReading reading = read(new ScriptedTruth().at(0, 0, 0, turn[0], turn[1], turn[2]));
             double x = -reading.getAcceleration(0);
@@ -90,7 +90,7 @@ public class ImuSensorTest {
     }
 
     @Test
-    public void withoutAPlaceOnEarthItSaysSo() {
+    public void aMissingOriginIsReported() {
         String warning = new ImuSensor(new IMU("imu"), 1).warnings(new ScriptedTruth()).get(0);
         assertTrue(warning, warning.startsWith("imu imu shows true north"));
     }

@@ -71,7 +71,7 @@ public class ParallelSensingTest {
     }
 
     @Test
-    public void whatFailsFailsAgainWhereItIsAskedFor() {
+    public void aParallelFailureIsThrownToTheReader() {
         Broken first = new Broken("first", 1000, null);
         Broken second = new Broken("second", 1000, new IllegalStateException("second is broken"));
         Broken third = new Broken("third", 1000, new StackOverflowError("third is deep"));
@@ -91,7 +91,7 @@ public class ParallelSensingTest {
     }
 
     @Test
-    public void whoMayNotMeasureAsideWaitsToBeAsked() {
+    public void sensorsWithoutParallelMeasurementWaitForAQuery() {
         Broken own = new Broken("own", 0, null);
         sideBySide.read(own, truth);
         sideBySide.read(new Broken("left", 2000, null), truth);

@@ -52,7 +52,7 @@ public class ReadingTest {
     }
 
     @Test
-    public void aSwitchSaysItsUnitOrNot() {
+    public void aSwitchHasTextsForBothStates() {
         String unit = types.unit(new Bumper("bumper"));
         assertEquals("pressed", new Switch(true).words(unit));
         assertEquals("not pressed", new Switch(false).words(unit));

@@ -42,7 +42,7 @@ public class SensorTypesTest {
     }
 
     @Test
-    public void whatIsNoSensorIsNamedWithThoseThatAre() {
+    public void unknownSensorsAreReportedWithTheKnownOnes() {
         Box box = new Box("crate", 1, 1, 1, 0);
         assertFalse(SensorTypes.load().isSensor(box));
         IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> SensorTypes.load().create(box, 1));
@@ -51,7 +51,7 @@ public class SensorTypesTest {
     }
 
     @Test
-    public void everyKindSaysWhatItMeasuresAndHasItsParametersInTheTableThatValidates() {
+    public void everyKindIsDescribedAndItsParametersAreValidated() {
         for (SensorType type : SensorTypes.load().all()) {
             assertFalse(type.description().isEmpty());
             for (Parameter parameter : ParameterTable.of(type.parameterType()).getParameters()) {

@@ -249,7 +249,7 @@ public class SurfaceSensorsTest {
     }
 
     @Test
-    public void whatIsFartherThanTheRangeIsDark() throws Exception {
+    public void objectsBeyondTheRangeAreDark() throws Exception {
         new Floor("floor", 9, 9).setColor("white");
         LineSensor near = new LineSensor("near");
         near.setRange(0.06);

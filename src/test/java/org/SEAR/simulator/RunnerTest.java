@@ -97,7 +97,7 @@ public class RunnerTest {
     }
 
     @Test(timeout = 120_000)
-    public void afterTheEndQuestionsFailAndNobodyWaits() throws Exception {
+    public void afterTheEndQueriesFailWithoutWaiting() throws Exception {
         runner.setPaused(true);
         thread.start();
         runner.advance(1);

@@ -59,7 +59,7 @@ public class StartWarningsTest {
     }
 
     @Test
-    public void aRobotThatStandsTiltedIsToldWhichWay() throws Exception {
+    public void aTiltedRobotIsReportedWithItsDirection() throws Exception {
         new Floor("floor", 20, 20);
         threeWheels(0, 0, 0.03);
         assertTold("robot robot stands tilted by 7 degrees, with its front up", "caster to y -0.020 m", "should be the same for all");
@@ -77,7 +77,7 @@ public class StartWarningsTest {
     }
 
     @Test
-    public void whatWasDrawnInCentimetresOrMillimetresIsTold() throws Exception {
+    public void modelsInCentimetresOrMillimetresAreReported() throws Exception {
         new Box("crate", 40, 30, 30, 2).move(0, 15, 0);
         assertTold("crate is 40 m large and weighs 2 kg", "lighter than air", "in centimetres, it is 0.400 m",
             "by 100, or call scale(0.01) on a model");
@@ -127,7 +127,7 @@ public class StartWarningsTest {
     }
 
     @Test
-    public void whatIsBesideNoGroundIsNotTold() throws Exception {
+    public void objectsBesideNoGroundAreNotReported() throws Exception {
         new Box("wall", 1, 1, 1).move(150, 0.5, 0);
         assertEquals(List.of(), warnings());
     }
@@ -143,7 +143,7 @@ public class StartWarningsTest {
     }
 
     @Test
-    public void whatARobotStartsInIsNamed() throws Exception {
+    public void anObjectThatOverlapsARobotAtTheStartIsNamed() throws Exception {
         new Floor("floor", 20, 20);
         new Box("wall", 1, 1, 1).move(0, 0.5, 0);
         Robots.rover("rover");

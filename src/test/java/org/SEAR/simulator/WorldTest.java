@@ -56,7 +56,7 @@ public class WorldTest {
     }
 
     @Test
-    public void lookTellsTheDistanceFromTheBody() throws Exception {
+    public void lookReturnsTheDistanceFromTheBody() throws Exception {
         box("wall", 0, 0.5, 3);
         Worlds.roomba("roomba", 0, 0, 0);
         Simulation simulation = Worlds.start(project);
@@ -86,7 +86,7 @@ public class WorldTest {
     }
 
     @Test
-    public void whatIsSolidStopsAVirtualWall() throws Exception {
+    public void solidObjectsStopAVirtualWall() throws Exception {
         new Box("virtualWall north", 0.1, 0.1, 0.1, 0).move(0, 0.05, 5);
         Box wall = new Box("wall", 2, 0.1, 0.5, 0);
         wall.setVisibleToSensors(false);
@@ -124,7 +124,7 @@ public class WorldTest {
     }
 
     @Test
-    public void robotsThatStartInsideOneAnotherAreTold() throws Exception {
+    public void robotsThatStartOverlappingAreReported() throws Exception {
         new Floor("floor", 10, 10);
         Worlds.roomba("first", 0, 0, 0);
         Worlds.roomba("second", 0.1, 0, 0);
@@ -137,7 +137,7 @@ public class WorldTest {
     }
 
     @Test
-    public void howDeepThingsStartInsideOneAnotherIsTold() throws Exception {
+    public void startingDepthsOfOverlapsAreReported() throws Exception {
         new Floor("floor", 10, 10);
         new Box("left", 0.4, 0.4, 0.4, 1).move(0, 0.2, 0);
         new Box("right", 0.4, 0.4, 0.4, 1).move(0.28, 0.2, 0);
@@ -175,7 +175,7 @@ public class WorldTest {
     }
 
     @Test
-    public void whatBeamsDoNotSeeBlocksARobotAllTheSame() throws Exception {
+    public void objectsInvisibleToBeamsStillBlockARobot() throws Exception {
         box("glass", 0, 0.5, 2).setVisibleToSensors(false);
         Worlds.roomba("roomba", 0, 0, 0).addComponent(new Distance("eye", "laser", 0, 0, 0, 0, 0, 0));
         Simulation simulation = Worlds.start(project);
@@ -187,7 +187,7 @@ public class WorldTest {
     }
 
     @Test
-    public void aRobotWithoutDynamicsIsRefusedWithAWordOnWhatToDo() {
+    public void aRobotWithoutDynamicsIsRejectedWithTheRemedy() {
         SEARrobot robot = new SEARrobot("bare");
         robot.addComponent(new Box("body", 0.4, 0.4, 0.2, 0));
         ProjectException refused = assertThrows(ProjectException.class, () -> Worlds.start(project));

@@ -88,7 +88,7 @@ public class AerialPictureTest {
     }
 
     @Test
-    public void whatIsWrongIsNamed() {
+    public void invalidInputIsReported() {
         String place = "aerial.tif: the place on Earth is not known, legal: a GeoTIFF with a coordinate system";
         refused(picture(8, 3).with(33550, null).with(33922, null), place);
         refused(picture(8, 3).with(34735, null), place);

@@ -34,7 +34,7 @@ public class GapFillTest {
     }
 
     @Test
-    public void whatIsFilledStaysBetweenTheRimsLowestAndHighest() {
+    public void filledElevationsStayWithinThoseOfTheRim() {
         float[] heights = slope();
         for (int i = 0; i < heights.length / 2; i++) {
             heights[i * 7 % heights.length] = Float.NaN;

@@ -84,7 +84,7 @@ public class MapFuzzTest {
     }
 
     @Test
-    public void whateverAFileSaysItIsReadOrRefused() throws IOException {
+    public void anyFileIsReadOrRejected() throws IOException {
         Assets assets = new Assets(folder.getRoot().toPath());
         int read = 0;
         List<String> refused = new ArrayList<>();

@@ -142,7 +142,7 @@ public class MapLoadingTest {
     }
 
     @Test
-    public void gapsAreFilledAndSaid() throws IOException {
+    public void gapsAreFilledAndReported() throws IOException {
         tile("a.tif", 0, 0, 40, 40, (c, r) -> c >= 10 && c < 14 ? -1 : 500 + r);
         Ground ground = load(all("a.tif"));
         assertEquals(520, ground.height(latitude(20), longitude(12)), 1);
@@ -155,7 +155,7 @@ public class MapLoadingTest {
     }
 
     @Test
-    public void anAreaBeyondTheMapIsToldWhereTheMapIs() throws IOException {
+    public void anAreaBeyondTheMapIsRejectedWithThePlaceOfTheMap() throws IOException {
         tile("a.tif", 0, 0, 60, 50, (c, r) -> 100);
         refused(all("a.tif").around(46.99, 8.01, 10000, 100), "a.tif: the area is 46.99, 8.01, 10000 m x 100 m, which reaches beyond the map, legal: "
             + "inside latitudes 46.95000 to 47.00000 and longitudes 8.00000 to 8.06000");
@@ -239,7 +239,7 @@ public class MapLoadingTest {
     }
 
     @Test
-    public void foreignFilesAreToldWhatTheyAre() throws IOException {
+    public void foreignFilesAreRejectedWithTheirType() throws IOException {
         List<String[]> kinds = Arrays.asList(new String[] {"\u0089HDF\r\n", "a NetCDF or HDF5"}, new String[] {"CDF\1", "a NetCDF"},
             new String[] {"\0\0\0\fjP  \r\n", "a JPEG 2000"}, new String[] {"GRIB", "a GRIB"}, new String[] {"<kml>", "XML or HTML"},
             new String[] {"hello", "in no known format"}, new String[] {"PK\3\4", "a zip"}, new String[] {"%PDF-1.4", "a PDF"});

@@ -105,7 +105,7 @@ public class LifeCycleTest {
     }
 
     @Test
-    public void aUserWhoClosesTheWindowIsNoticedOnce() throws Exception {
+    public void closingTheWindowIsNoticedOnce() throws Exception {
         AtomicInteger closed = new AtomicInteger();
         try (Views view = new Views(ViewProjects.room(), new WindowOptions().setSize(320, 200).setTitle("SEAR to close")
                 .setOnClosed(closed::incrementAndGet))) {
@@ -121,7 +121,7 @@ public class LifeCycleTest {
     }
 
     @Test
-    public void closingFromTheProgramTellsNobody() throws Exception {
+    public void closingFromTheProgramCausesNoCallback() throws Exception {
         AtomicInteger closed = new AtomicInteger();
         Views view = new Views(ViewProjects.room(), new WindowOptions().setSize(320, 200).setOnClosed(closed::incrementAndGet));
         view.close();

@@ -203,7 +203,7 @@ public class NoDisplayTest {
     }
 
     @Test
-    public void whatTheDisplayCheckSays() {
+    public void displayCheckMessages() {
         assertEquals("there is no display (DISPLAY is not set)", DisplayCheck.problem("Linux", Map.of()));
         assertNull(DisplayCheck.problem("Linux", Map.of("DISPLAY", ":0")));
         assertNull(DisplayCheck.problem("Linux", Map.of("WAYLAND_DISPLAY", "wayland-0")));

@@ -67,7 +67,7 @@ public class OwnProcessTest {
     }
 
     @Test
-    public void closingEndsTheProcessAndTellsNobody() {
+    public void closingEndsTheProcessWithoutACallback() {
         ProcessHandle child = ProcessHandle.current().children().filter(process -> process.info().command().orElse("").endsWith("java"))
             .findFirst().get();
         window.close();
@@ -78,7 +78,7 @@ public class OwnProcessTest {
     }
 
     @Test
-    public void aUserWhoClosesTheWindowIsNoticed() throws Exception {
+    public void closingTheWindowIsNoticed() throws Exception {
         CloseButton.press("SEAR elsewhere");
         Views.until("it is noticed", () -> closed.get() == 1);
         assertFalse(window.isOpen());

@@ -60,7 +60,7 @@ public class ShadowsTest {
     }
 
     @Test
-    public void shadowsOfWhatStandsStillCostNoDrawing() throws Exception {
+    public void shadowsOfStillObjectsCostNoDrawing() throws Exception {
         try (Views view = office()) {
             view.world.runner.setPaused(true);
             view.frames(PICTURES);
@@ -77,7 +77,7 @@ public class ShadowsTest {
     }
 
     @Test
-    public void whatMovesHasAnotherShadow() throws Exception {
+    public void movingObjectsRedrawTheirShadow() throws Exception {
         try (Views view = office()) {
             view.world.runner.setPaused(true);
             view.frames(PICTURES);

@@ -33,7 +33,7 @@ public class PanelsPageTest {
     public final TemporaryFolder folder = new TemporaryFolder();
 
     @Test
-    public void theShortestPanelShowsWhatItsServicePublishesAndCallsIt() throws Exception {
+    public void theShortestPanelShowsPublishedValuesAndCallsItsService() throws Exception {
         Path classes = folder.newFolder("classes").toPath();
         Path source = folder.newFile("X.java").toPath();
         Files.writeString(source, SERVICE);

@@ -74,7 +74,7 @@ public class ShellTest {
     }
 
     @Test
-    public void whatAPanelShowsItselfIsNotShownTwice() {
+    public void messagesThatAPanelShowsAreNotShownTwice() {
         robotLab.call("sear", "warn", "only in the tab");
         browser.seeText(".sear-log", "only in the tab");
         assertFalse(browser.text("footer").contains("only in the tab"));

@@ -67,7 +67,7 @@ public class TwoPagesTest {
     }
 
     @Test
-    public void eachShowsWhatTheOtherOneDoesAndNothingIsLost() throws Exception {
+    public void eachShowsTheOthersChangesAndNothingIsLost() throws Exception {
         TABS.robotLab().run("sear.newProject()\nsear.edit({'do': 'add', 'type': 'Box', 'name': 'crate'})");
         Page one = new Page(TABS.browser());
         try (Browser second = new Browser(WIDTH, HEIGHT)) {

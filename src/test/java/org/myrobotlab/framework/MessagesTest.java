@@ -31,7 +31,7 @@ public class MessagesTest {
     }
 
     @Test
-    public void whatAMethodAnswersReachesItsListenersInOrder() throws InterruptedException {
+    public void resultsOfAMethodReachItsListenersInOrder() throws InterruptedException {
         b.subscribe("a", "publishNumber");
         for (int i = 0; i < 1000; i++) {
             a.invoke("publishNumber", i);
@@ -42,7 +42,7 @@ public class MessagesTest {
     }
 
     @Test
-    public void callbacksAreNamedAfterWhatIsPublished() {
+    public void callbacksAreNamedAfterTheTopic() {
         assertEquals("onNumber", CodecUtils.getCallbackTopicName("publishNumber"));
         assertEquals("onNumber", CodecUtils.getCallbackTopicName("getNumber"));
         assertEquals("onStarted", CodecUtils.getCallbackTopicName("started"));
@@ -86,7 +86,7 @@ public class MessagesTest {
     }
 
     @Test
-    public void sendCallsAtOnceAndItsListenersWhoseAnswersNobodyHears() {
+    public void sendCallsImmediatelyAndDropsTheResult() {
         a.addListener("publishNumber", "b", "publishNumber");
         a.addListener("publishNumber", "a", "onNumber");
         b.addListener("publishNumber", "a", "onNumber");
@@ -106,13 +106,13 @@ public class MessagesTest {
     }
 
     @Test
-    public void numbersWidenToWhatAMethodTakes() throws Exception {
+    public void numbersWidenToTheParameterType() throws Exception {
         assertEquals(1.5, a.sendBlocking("b", "half", 3));
         assertEquals(1.5, b.invoke("half", 3L));
     }
 
     @Test
-    public void aBlockingCallOfNobodyIsAnError() throws Exception {
+    public void aBlockingCallToAMissingServiceIsAnError() throws Exception {
         assertNull(a.sendBlocking("nobody", 50, "half", 1.0));
         assertEquals("cannot get service nobody", a.getLastError().key);
     }
@@ -144,7 +144,7 @@ public class MessagesTest {
     }
 
     @Test
-    public void whatAServiceWarnsOfIsAnError() throws InterruptedException {
+    public void warningsOfAServiceAreErrors() throws InterruptedException {
         b.subscribe("a", "publishStatus");
         assertTrue(Status.warn("low").isError());
         a.warn("low");
@@ -156,7 +156,7 @@ public class MessagesTest {
     }
 
     @Test
-    public void whatAMethodThrowsBecomesAnErrorAndTheServiceGoesOn() throws InterruptedException {
+    public void anExceptionOfAMethodBecomesAnErrorAndTheServiceContinues() throws InterruptedException {
         b.subscribe("a", "publishError", "onStatus");
         a.in(Message.createMessage("b", "a", "fail", new Object[0]));
         String error = ((Status) b.next()).key;
@@ -193,7 +193,7 @@ public class MessagesTest {
     }
 
     @Test
-    public void whoIsGoneStillListensAndHearsWhenItIsStartedAgain() throws InterruptedException {
+    public void aReleasedListenerReceivesAgainAfterARestart() throws InterruptedException {
         b.subscribe("a", "publishNumber");
         Runtime.release("b");
         assertTrue(a.hasSubscribed("b", "publishNumber"));

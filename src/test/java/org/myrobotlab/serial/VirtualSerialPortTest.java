@@ -66,7 +66,7 @@ public class VirtualSerialPortTest {
     }
 
     @Test
-    public void bytesForAPortThatNobodyOpenedAreLost() throws Exception {
+    public void bytesForAnUnopenedPortAreLost() throws Exception {
         VirtualSerialPort.makeNullModem(left, right);
         left.open();
         left.write(1);
@@ -100,7 +100,7 @@ public class VirtualSerialPortTest {
     }
 
     @Test
-    public void whoAsksWhileItClosesGetsListenersOrNone() throws Exception {
+    public void queriesDuringCloseReturnListenersOrNone() throws Exception {
         AtomicBoolean done = new AtomicBoolean();
         AtomicReference<Object> wrong = new AtomicReference<>();
         Thread asking = new Thread(() -> {
@@ -147,7 +147,7 @@ public class VirtualSerialPortTest {
     }
 
     @Test
-    public void aPortInUseSaysByWhom() throws Exception {
+    public void aPortInUseNamesItsUser() throws Exception {
         connect();
         try {
             right.listen(new Collector("other"));
@@ -158,7 +158,7 @@ public class VirtualSerialPortTest {
     }
 
     @Test
-    public void withoutCableWritingSaysSo() throws Exception {
+    public void writingWithoutCableIsReported() throws Exception {
         left.open();
         try {
             left.write(1);

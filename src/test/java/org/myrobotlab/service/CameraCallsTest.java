@@ -108,7 +108,7 @@ public class CameraCallsTest {
     }
 
     @Test
-    public void whatIsAskedOfTheWrongOneIsAnswered() {
+    public void queriesToTheWrongCameraAreAnswered() {
         refuses("sensor compass is a Compass, not a Camera, legal: color eye, depth eye, infrared eye", () -> sear.getImage("compass"));
         refuses("the name is missing (None), legal: color eye, depth eye, infrared eye", () -> sear.getPixels(null));
         refuses("camera color eye makes pictures of kind color, legal: setKind(\"depth\") before the start", () -> sear.getDepth("color eye"));

@@ -138,7 +138,7 @@ public class PythonTest {
     }
 
     @Test
-    public void aCallbackWithoutFunctionSaysSo() throws InterruptedException {
+    public void aCallbackWithoutFunctionIsReported() throws InterruptedException {
         talker.subscribe("python", "publishError", "onStatus");
         talker.addListener("publishNumber", "python", "nix");
         talker.invoke("publishNumber", 1);
@@ -147,7 +147,7 @@ public class PythonTest {
     }
 
     @Test
-    public void whatScriptsPrintIsPublishedByLine() throws InterruptedException {
+    public void outputOfScriptsIsPublishedByLine() throws InterruptedException {
         talker.subscribe("python", "publishStdOut", "onReleased");
         assertTrue(python.exec("print 'one', 2\nprint u'\u00fc'"));
         assertEquals("released one 2\n", talker.heard.poll(60, TimeUnit.SECONDS));

@@ -141,7 +141,7 @@ public class RuntimeTest {
     }
 
     @Test
-    public void whatCantStartAnswersNullAndAnErrorSaysWhy() {
+    public void aFailedStartReturnsNullAndReportsTheCause() {
         refused(Runtime.start("a", "Nix"), "can't start a as Nix: there is no service type Nix");
         refused(Runtime.start("a", "Lidar"), "can't start a as Lidar: there is no service type Lidar, did you mean LIDAR?");
         refused(Runtime.start("a", "java.lang.String"), "can't start a as String: java.lang.String is not a service type");
@@ -160,7 +160,7 @@ public class RuntimeTest {
     }
 
     @Test
-    public void typesTellWhatTheyAreFor() {
+    public void typesHaveDescriptions() {
         assertEquals("reads from and writes to serial ports", Runtime.start("s", "Serial").getDescription());
         try {
             Runtime.start("t", TALKER).getDescription();
@@ -171,7 +171,7 @@ public class RuntimeTest {
     }
 
     @Test
-    public void othersAreToldOfStartsAndReleases() throws InterruptedException {
+    public void startsAndReleasesArePublished() throws InterruptedException {
         Talker listener = (Talker) Runtime.start("listener", TALKER);
         Runtime.getInstance().addListener("started", "listener");
         Runtime.getInstance().addListener("released", "listener");

@@ -88,7 +88,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void theRobotDrivesAsTold() {
+    public void theRobotFollowsDriveCalls() {
         sear.startSimulation();
         sear.simSleep(1);
         double start = sear.getOdomResult();
@@ -105,7 +105,7 @@ public class SearServiceTest {
 
     /** As at the end of MyRobotLab, which releases services one by one and the simulation last. */
     @Test
-    public void aDeviceWhoseUartIsClosedFirstSaysNothing() throws Exception {
+    public void aDeviceWhoseUartIsClosedFirstIsSilent() throws Exception {
         sear.startSimulation();
         Serial uart = (Serial) Runtime.getService("receiver_GPSsimulator_Serial_Service");
         uart.addListener("publishStatus", "searStatus", "onStatus");
@@ -189,7 +189,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void whoSetsAnotherRateThanTheDevicesIsWarned() throws Exception {
+    public void anotherBaudRateThanTheDevicesIsReported() throws Exception {
         sear.startSimulation();
         Serial serial = (Serial) Runtime.start("testSerial", "Serial");
         serial.connect(TestWorld.LIDAR_PORT, 9600, 8, 1, 0);
@@ -197,7 +197,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void whoConnectsToTheDevicesOwnEndIsToldTheRightPort() {
+    public void connectingToTheDevicesEndReportsTheRightPort() {
         sear.startSimulation();
         LIDAR lidar = (LIDAR) Runtime.start("testLidar", "LIDAR");
         IOException e = assertThrows(IOException.class, () -> lidar.connect("/dev/my_Lidar01"));
@@ -235,7 +235,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void releasedWhileAScriptSleepsItTellsTheScript() throws Exception {
+    public void aReleaseDuringASleepRaisesInTheScript() throws Exception {
         System.setProperty("sear.speed", "1");
         sear.startSimulation();
         String[] end = new String[1];
@@ -321,7 +321,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void afterAResetWarningsAreToldAnew() throws Exception {
+    public void warningsAreRepeatedAfterAReset() throws Exception {
         sear.startSimulation();
         Serial serial = (Serial) Runtime.start("testSerial", "Serial");
         serial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
@@ -448,7 +448,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void aBackupThatMakesRoomForNewerOnesIsTold() throws Exception {
+    public void aWarningReportsADroppedBackup() throws Exception {
         for (int i = 0; i < 2; i++) {
             Path map = Files.createDirectories(folder.resolve("assets")).resolve("map.tif");
             try (RandomAccessFile file = new RandomAccessFile(map.toFile(), "rw")) {
@@ -512,7 +512,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void savingAndLoadingALargeProjectTellHowFarTheyAre() throws Exception {
+    public void savingAndLoadingALargeProjectReportProgress() throws Exception {
         Path bundle = temporary.getRoot().toPath().resolve("large.sear");
         Files.createDirectories(folder.resolve("assets"));
         Files.write(folder.resolve("assets/large.dat"), new byte[20 << 20]);

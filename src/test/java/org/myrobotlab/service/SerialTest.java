@@ -147,7 +147,7 @@ public class SerialTest {
     }
 
     @Test
-    public void listenersAreToldBeforeThePortIsClosed() throws IOException {
+    public void listenersAreInformedBeforeThePortCloses() throws IOException {
         Keeper keeper = (Keeper) Runtime.start("keeper", Keeper.class.getName());
         keeper.line = user;
         user.addByteListener(keeper);

@@ -68,7 +68,7 @@ public class TwoSearServicesTest {
     }
 
     @Test
-    public void onlyTheOneWhoseSimulationRunsTellsOfALateObject() throws Exception {
+    public void onlyTheServiceWithTheSimulationReportsALateObject() throws Exception {
         script("first");
         assertTrue(first.getStatuses().toString(), first.getStatuses().toString().contains("Box \"late in first\" " + LATE));
         assertFalse(second.getStatuses().toString(), second.getStatuses().toString().contains(LATE));

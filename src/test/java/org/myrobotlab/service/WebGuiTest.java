@@ -147,7 +147,7 @@ public class WebGuiTest {
     }
 
     @Test
-    public void wrongCallsSayWhatIsWrong() throws Exception {
+    public void wrongCallsAreReported() throws Exception {
         assertEquals("\"there is no service nix\"\n", get("/api/service/nix").body());
         assertEquals(404, get("/api/service/nix").statusCode());
         assertEquals("\"Talker has no method half for the arguments [1,2]\"\n", post("/api/service/talker/half", "[1, 2]").body());
@@ -160,7 +160,7 @@ public class WebGuiTest {
     }
 
     @Test
-    public void pagesHearWhatTheySubscribeTo() throws Exception {
+    public void pagesReceiveTheirSubscriptions() throws Exception {
         WebSocket page = open();
         assertTrue(next("services").get("services").toString().contains("name=talker"));
         page.sendText("{\"subscribe\":\"talker\",\"topic\":\"publishNumber\"}", true).join();

@@ -175,7 +175,7 @@ public class ContestTest {
 
     /** Messages use the script's words, without the name of a service. */
     @Test
-    public void whatIsNotThereInAContestIsTold() throws Exception {
+    public void callsUnavailableInAContestAreReported() throws Exception {
         Path contest = rovers(REFEREE);
         run(entered(contest, "pose", START + "sear.getPose('rover0')\n", "two", START + "sear.driveStraight('rover1', 1)\n",
             "motor", START + "sear.setMotorPower(None, 1)\n", "fast", START + "sear.setWheelSpeeds(0, -101)\n"));
@@ -190,7 +190,7 @@ public class ContestTest {
     }
 
     @Test
-    public void theRefereeHasTheLastWord() throws Exception {
+    public void theRefereeDecidesTheResult() throws Exception {
         Path contest = rovers("SECONDS = 100\ndef positions(contest):\n    contest.entries[0].robot = 'rover5'\n"
             + "    contest.entries[1].place(-3, 1, 0)\n"
             + "def started(contest):\n    print [entry.robot for entry in contest.entries]\n"

@@ -128,7 +128,7 @@ public class DistributionTest {
     }
 
     @Test
-    public void whatMyRobotLabHasItselfIsNotInstalled() throws IOException {
+    public void librariesOfMyRobotLabAreNotInstalled() throws IOException {
         for (Path jar : distribution.jars("plugin")) {
             String name = jar.getFileName().toString();
             assertFalse(name, name.matches("(slf4j|logback|jackson|jython|jssc|snakeyaml|sear-embedded|undertow).*"));
@@ -187,7 +187,7 @@ public class DistributionTest {
 
     /** Runs as in MyRobotLab's Python tab while a simulation with these sensors runs. */
     @Test
-    public void theExamplesOfLidarAndGpsPrintWhatTheyMeasure() throws Exception {
+    public void theExamplesOfLidarAndGpsPrintTheirMeasurements() throws Exception {
         Path resources = Path.of(System.getProperty("sear.root", "."), "resources/resource").toAbsolutePath();
         Path script = folder.getRoot().toPath().resolve("both.py");
         Files.writeString(script, "sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('" + distribution.home().resolve("examples/sensors.sear")
@@ -289,7 +289,7 @@ public class DistributionTest {
     }
 
     @Test
-    public void whatIsNoMyRobotLabIsRefusedByCommand() throws Exception {
+    public void foldersWithoutMyRobotLabAreRejectedByCommand() throws Exception {
         Distribution.Result result = sear("install", folder.newFolder("empty").toString());
         assertEquals(result.toString(), 1, result.status);
         assertTrue(result.err, result.err.startsWith("sear install: ") && result.err.contains("holds no myrobotlab.jar"));

@@ -113,7 +113,7 @@ public class InstalledPluginTest {
         call("python/execFile", "[\"resource/SEAR/SEAR.py\"]");
         await("the script's output", () -> log().split(" m to the wall", -1).length == 6);
         assertTrue(Files.isDirectory(mrl.resolve("SEARproject")));
-        theExamplesOfLidarAndGpsPrintWhatTheyMeasure();
+        theExamplesOfLidarAndGpsPrintTheirMeasurements();
         for (String service : new String[] {"sear", "lidar", "gps"}) {
             call("runtime/release", "[\"" + service + "\"]");
         }
@@ -130,7 +130,7 @@ public class InstalledPluginTest {
         assertFalse(log(), log().contains("ERROR") || log().contains("Exception"));
     }
 
-    private void theExamplesOfLidarAndGpsPrintWhatTheyMeasure() throws Exception {
+    private void theExamplesOfLidarAndGpsPrintTheirMeasurements() throws Exception {
         call("sear/loadProject", "[\"resource/SEAR/sensors.sear\"]");
         call("sear/startSimulation", "[]");
         call("sear/simSleep", "[1]");

@@ -141,7 +141,7 @@ public class InstallerTest extends LaidOutMrl {
     }
 
     @Test
-    public void whatIsNoMrlIsRefused() throws Exception {
+    public void foldersWithoutMrlAreRejected() throws Exception {
         assertRefused("is not a folder", mrl.resolve("nowhere"));
         assertRefused("holds no myrobotlab.jar", plugin);
         Files.writeString(mrl.resolve("myrobotlab.jar"), "not a zip");
@@ -183,7 +183,7 @@ public class InstallerTest extends LaidOutMrl {
     }
 
     @Test
-    public void removingWhatIsNotThereIsRefused() throws Exception {
+    public void removingWithoutAnInstallationIsRejected() throws Exception {
         try {
             new Installer(mrl).remove();
             throw new AssertionError("was not refused");

@@ -73,7 +73,7 @@ public class LaunchersTest {
     }
 
     @Test
-    public void bothTakeJavaHomeIfThereIsAJavaInItAndSayWhatIsMissing() throws IOException {
+    public void bothUseJavaHomeAndReportAMissingJava() throws IOException {
         String bat = text("sear.bat");
         assertTrue(bat, bat.contains("if defined JAVA_HOME if exist \"%JAVA_HOME%\\bin\\java.exe\" set \"JAVA_CMD=%JAVA_HOME%\\bin\\java.exe\""));
         Pattern missing = Pattern.compile("needs Java 11 or newer on the PATH \\(or JAVA_HOME set\\)");

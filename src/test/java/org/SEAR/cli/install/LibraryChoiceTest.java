@@ -86,7 +86,7 @@ public class LibraryChoiceTest extends LaidOutMrl {
     }
 
     @Test
-    public void anOlderEngineIsKeptAndTheWayToAWindowIsTold() throws Exception {
+    public void anOlderEngineIsKeptAndTheRemedyForTheWindowIsPrinted() throws Exception {
         olderEngine();
         String text = command();
         assertSays(text, "  keep    jme3-core-3.3.2-stable.jar, 3.6.1-stable would be ours: the window needs 3.6; --replace-jme puts ours into its "
@@ -132,7 +132,7 @@ public class LibraryChoiceTest extends LaidOutMrl {
     }
 
     @Test
-    public void whatMyRobotLabInstalledAnewIsNotOverwritten() throws Exception {
+    public void librariesReinstalledByMyRobotLabAreNotOverwritten() throws Exception {
         olderEngine();
         command("--replace-jme");
         jar(mrl.resolve(OLD_CORE), "3.3.2 again", "com/jme3/math/Vector3f.class");
@@ -146,7 +146,7 @@ public class LibraryChoiceTest extends LaidOutMrl {
     }
 
     @Test
-    public void withoutServiceDataTheLastLinesSayWhatIsMissing() throws Exception {
+    public void withoutServiceDataTheLastLinesNameMissingParts() throws Exception {
         Files.delete(mrl.resolve("libraries/serviceData.json"));
         for (String done : new String[] {"Done. Start MyRobotLab; SEAR, LIDAR and GPS can be started.",
             "Nothing to do now: SEAR 1.0.0 is installed."}) {

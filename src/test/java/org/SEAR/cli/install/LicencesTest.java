@@ -10,7 +10,7 @@ import org.junit.Test;
 /** The distribution names the licence of every library that it ships. */
 public class LicencesTest {
     @Test
-    public void everyLibraryStandsInTheList() throws IOException {
+    public void everyLibraryIsListed() throws IOException {
         String list = Files.readString(Path.of(System.getProperty("sear.root", "."), "src/dist/LICENSES.md"));
         for (String jar : System.getProperty("sear.shipped").split(" ")) {
             String artifact = new JarName(Path.of(jar)).artifact.replaceAll("-natives-.*", "");

@@ -225,7 +225,7 @@ public class LessonChecksTest {
     }
 
     @Test
-    public void whoMovesTheRobotByHandIsFound() throws Exception {
+    public void movingTheRobotByHandIsDetected() throws Exception {
         LessonRun run = run("square", solution("square") + "sear.setVelocity(\"robot\", 0, 0, 1)\nsear.simSleep(0.1)\n");
         assertEquals(1, run.getByHand().size());
         assertTrue(run.getByHand().toString(), run.getByHand().get(0).startsWith("robot was pushed or given a velocity at 32."));

@@ -118,7 +118,7 @@ public class SweepTest {
      * the cause.
      */
     @Test
-    public void whatGoesWrongCostsOneRow() throws Exception {
+    public void aFailureCostsOneRow() throws Exception {
         Path script = folder.resolve("wrong.py");
         Files.writeString(script, String.join("\n", "#!/usr/bin/env python3", "import os, signal", "sear = Runtime.start('sear', 'SEAR')",
             "kind = sear.getParameter('kind', 'good')", "while kind == 'endless': sleep(0.1)", "if kind == 'dies':",
@@ -148,7 +148,7 @@ public class SweepTest {
     }
 
     @Test
-    public void whatIsNotLegalIsTold() throws Exception {
+    public void illegalArgumentsAreReported() throws Exception {
         Files.writeString(folder.resolve("script.py"), "");
         assertEquals("all refused\n", python(PROGRAMS.resolve("refused.py")));
         assertTrue(said, said.contains("sear sweep: --limit is \"-1\", legal: a number above 0\n"));

@@ -61,7 +61,7 @@ public class FirmataTest {
 
     /** Requests of pyFirmata2 for an analog pin and its sampling. */
     @Test
-    public void voltagesAreToldAtEachSample() {
+    public void voltagesAreSentAtEachSample() {
         Boards.Probe sharp = uno.probe(14);
         sharp.volts = 2.5;
         assertEquals("E0 00 04", uno.answer("C0 01"));
@@ -81,7 +81,7 @@ public class FirmataTest {
     }
 
     @Test
-    public void levelsAreToldWhenTheyChange() {
+    public void levelsAreReportedOnChange() {
         Boards.Probe contact = uno.probe(4);
         contact.volts = 5;
         assertEquals("90 10 00", uno.answer(FIRMATA.get("pin 4 an input, its port told")));

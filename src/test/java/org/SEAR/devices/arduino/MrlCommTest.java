@@ -51,7 +51,7 @@ public class MrlCommTest {
     }
 
     @Test
-    public void itSaysWhatItIsOnceASecond() {
+    public void itSendsItsBoardInfoOnceASecond() {
         uno.line.pass(3.01);
         assertEquals(3, taken(MrlFunction.PUBLISH_BOARD_INFO).size());
     }
@@ -152,7 +152,7 @@ public class MrlCommTest {
     }
 
     @Test
-    public void whatCantBeIsToldAsAnError() {
+    public void illegalRequestsAreAnsweredWithAnError() {
         assertTrue(errors("AA 05 04 63 01 00 00").contains("no pin 99"));
         assertTrue(errors("AA 02 30 09").contains("device does not exist"));
         assertTrue(errors("AA 04 2F 01 00 08").contains("legal 2 to 13, A0 to A5"));

@@ -149,7 +149,7 @@ public class ColaScannerTest {
     }
 
     @Test
-    public void whoItIs() {
+    public void itsIdentity() {
         assertEquals(COLA.get("an LMS111"), ask(COLA.get("ask for the device")));
         assertEquals(COLA.get("no name"), ask(COLA.get("ask for the name")));
         assertEquals(COLA.get("firmware 1.36"), ask(COLA.get("ask for the firmware")));
@@ -267,14 +267,14 @@ public class ColaScannerTest {
     }
 
     @Test
-    public void whatItCantMeasureIsZero() {
+    public void unmeasurableRangesAreZero() {
         power(LidarModel.LMS111, 270, 0.5, beam -> new double[] {0.499, 0.5, 20, 20.0004, 20.001, Double.POSITIVE_INFINITY}[beam % 6]);
         String[] scan = ask(COLA.get("ask for a scan")).split(" ");
         assertEquals("0 1F4 4E20 4E20 0 0", String.join(" ", Arrays.copyOfRange(scan, FIRST_VALUE, FIRST_VALUE + 6)));
     }
 
     @Test
-    public void whatAScanCarriesIsChosen() {
+    public void theContentOfAScanIsSelectable() {
         ask(LOGIN);
         ask("sWN LMPoutputRange 1 1388 DBBA0 DBBA0");
         ask("sWN LocationName 5 front");
@@ -348,7 +348,7 @@ public class ColaScannerTest {
     }
 
     @Test
-    public void aFanOfTheObjectIsWhatItStartsWith() {
+    public void theFanStartsAsInTheObject() {
         power(LidarModel.LMS111, 100, 0.25, beam -> 2);
         assertEquals("sRA LMPscancfg 9C4 1 9C4 FFF92230 225510", ask(COLA.get("ask for frequency and resolution")));
         assertEquals("sRA LMPoutputRange 1 9C4 61A80 155CC0", ask(COLA.get("ask for the range of angles")));

@@ -144,7 +144,7 @@ public class NeoM8nTest {
     }
 
     @Test
-    public void settingsAreAnsweredWithWhatIsSet() {
+    public void settingQueriesReturnTheSettings() {
         assertEquals(UBX.get("UBX, NMEA and RTCM in, UBX and NMEA out, 9600 baud", "port settings acknowledged"),
             ask(UBX.get("ask for the settings of this port")));
         ask(PVT_ON);
@@ -154,7 +154,7 @@ public class NeoM8nTest {
     }
 
     @Test
-    public void whatDriversSetAtTheirStartIsKeptAndAnswered() {
+    public void settingsOfDriversAreStoredAndReturned() {
         String air = UBX.get("navigation for up to 1 g in the air, the rest as a NEO-M8N is delivered, from u-center");
         String done = " B5 62 05 01 02 00 06 24 32 5B";
         assertEquals(changed(air, 8, 0) + done, ask(frame(UbxMessage.CFG_NAV5)));
@@ -275,7 +275,7 @@ public class NeoM8nTest {
     }
 
     @Test
-    public void whatIsSavedOutlastsThePower() {
+    public void savedSettingsSurvivePowerOff() {
         ask(UBX.get("five solutions a second"));
         gps.powerOff();
         gps.powerOn(line.now);

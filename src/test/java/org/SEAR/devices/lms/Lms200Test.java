@@ -62,7 +62,7 @@ public class Lms200Test {
     }
 
     @Test
-    public void wrongBaudTelegramsOfTheOldDriverAreObeyedOnlyIfLenient() {
+    public void wrongBaudTelegramsOfTheOldDriverWorkOnlyIfLenient() {
         assertEquals("15", ask(LMS.get("19200 baud of the old driver, with a wrong checksum")));
         assertEquals("15", ask(LMS.get("38400 baud of the old driver, with a wrong checksum")));
         assertEquals(9600, lms.getBaud());

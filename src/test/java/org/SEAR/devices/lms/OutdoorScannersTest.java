@@ -45,7 +45,7 @@ public class OutdoorScannersTest {
     }
 
     @Test
-    public void theySayWhoTheyAre() {
+    public void theyReportTheirIdentity() {
         assertTrue(power("LMS221").status().startsWith("LMS221: 180 degrees every 1.0, cm"));
         assertEquals("06 " + LMS.get("type of an LMS221"), ask(TYPE));
         power("LMS291");

@@ -62,14 +62,14 @@ public class RplidarA1Test {
     }
 
     @Test
-    public void itTellsWhatItIs() {
+    public void itReportsItsIdentity() {
         assertEquals(RPLIDAR.get("model 24, firmware 1.20, its number"), ask(RPLIDAR.get("ask who it is")));
         assertEquals(RPLIDAR.get("health: good"), ask(RPLIDAR.get("ask for its health")));
         assertEquals(RPLIDAR.get("500 us a sample, 250 of an express scan"), ask("A5 59"));
     }
 
     @Test
-    public void whatAnA1DoesNotKnowIsNotAnswered() {
+    public void unknownRequestsAreNotAnswered() {
         assertEquals("the motor's speed", "", ask(RPLIDAR.get("motor at 660 of 1023")));
         assertEquals("an accessory board", "", ask(RPLIDAR.get("ask for the motor's control")));
         assertEquals("boost, of newer firmware", "", ask(RPLIDAR.get("ask for an express scan of another mode")));

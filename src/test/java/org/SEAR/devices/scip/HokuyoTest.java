@@ -61,7 +61,7 @@ public class HokuyoTest {
     }
 
     @Test
-    public void itTellsWhatItIs() {
+    public void itReportsItsIdentity() {
         assertEquals(SCIP.get("parameters of an URG-04LX"),
             ask("PP"));
         assertEquals(SCIP.get("version of an URG-04LX, up to its last checksum"),
@@ -126,7 +126,7 @@ public class HokuyoTest {
     }
 
     @Test
-    public void whatDoesNotFitThroughTheLineIsLeftOut() {
+    public void scansBeyondTheLinesCapacityAreSkipped() {
         List<Reply> replies = replies("MD0044072501000", 4);
         assertFalse("no broken one but the last", replies.subList(0, replies.size() - 1).contains(null));
         assertEquals("185.5 ms each: every second one", 200, replies.get(3).time() - replies.get(2).time());
@@ -147,7 +147,7 @@ public class HokuyoTest {
     }
 
     @Test
-    public void aClusterTellsTheNearestOfItsSteps() {
+    public void aClusterHasTheNearestRangeOfItsSteps() {
         scanner.world = beam -> beam == 342 ? 0.7 : beam == 345 ? Double.POSITIVE_INFINITY : 2;
         List<Reply> replies = replies("MS0384039203001", 1);
         assertArrayEquals(new int[] {700, 2000, 2000}, replies.get(1).values(Encoding.SHORT));

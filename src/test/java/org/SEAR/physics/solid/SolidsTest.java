@@ -92,7 +92,7 @@ public class SolidsTest {
     }
 
     @Test
-    public void halfSizesAreThoseOfWhatCollides() {
+    public void halfSizesAreThoseOfTheCollidingBody() {
         for (int i = 0; i < solids.size(); i++) {
             Solid solid = solids.get(i);
             String name = shapes.get(i).getName();
@@ -107,7 +107,7 @@ public class SolidsTest {
      * and moments of inertia agree.
      */
     @Test
-    public void theWindowShowsWhatCollides() {
+    public void theWindowShowsTheCollidingBody() {
         for (int i = 0; i < solids.size(); i++) {
             String name = shapes.get(i).getName();
             Solid solid = solids.get(i);
@@ -160,7 +160,7 @@ public class SolidsTest {
 
     /** Just beyond the end of a beam to the centre is inside; just before it is outside. */
     @Test
-    public void beamsMeetWhatCollides() {
+    public void beamsHitTheCollidingBody() {
         for (int i = 0; i < solids.size(); i++) {
             Solid solid = solids.get(i);
             BeamScene scene = new BeamScene();
@@ -186,7 +186,7 @@ public class SolidsTest {
     }
 
     @Test
-    public void theTabsOutlineReachesAsFarAsWhatCollides() {
+    public void theTabsOutlineReachesAsFarAsTheCollidingBody() {
         for (int i = 0; i < solids.size(); i++) {
             Solid solid = solids.get(i);
             for (int k = 0; k < 100; k++) {

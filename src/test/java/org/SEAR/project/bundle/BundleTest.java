@@ -134,7 +134,7 @@ public class BundleTest {
     }
 
     @Test
-    public void looksAtExamplesPushNobodysWorkOut() throws Exception {
+    public void openedExamplesDisplaceNoBackupOfTheUser() throws Exception {
         new Box("mine", 1, 1, 1, 0);
         Map<String, String> mine = project.files();
         Path bundle = place("example.sear");
@@ -152,7 +152,7 @@ public class BundleTest {
     }
 
     @Test
-    public void anExampleThatWasChangedIsSomebodysWork() throws Exception {
+    public void aChangedExampleIsBackedUp() throws Exception {
         new Box("mine", 1, 1, 1, 0);
         Path bundle = place("example.sear");
         Bundle.save(project.folder(), bundle);
@@ -214,7 +214,7 @@ public class BundleTest {
     }
 
     @Test
-    public void whatPacksVeryWellCanBeLoadedAgainAndProgressIsTold() throws Exception {
+    public void highlyCompressedProjectsLoadWithProgress() throws Exception {
         createProject();
         Files.write(project.folder().resolve("assets/zeros.dat"), new byte[20 << 20]);
         List<Long> told = new ArrayList<>();

@@ -41,7 +41,7 @@ public class DissertationBundlesTest {
     }
 
     @Test
-    public void whatWasUnpackedAndZippedByHandOpensAgain() throws Exception {
+    public void bundlesUnpackedAndZippedByHandOpen() throws Exception {
         RawZip zip = new RawZip();
         zip.stored("SEARproject/sear-version.txt", "1\n");
         zip.stored("SEARproject/environment/b.xml", "<Box><name>b</name><length>1</length><width>1</width><height>1</height></Box>");

@@ -81,7 +81,7 @@ public class FilesTest {
     }
 
     @Test
-    public void whatIsLeftOfABackupThatWasBeingDeletedGoesAway() throws Exception {
+    public void remainsOfADeletedBackupAreRemoved() throws Exception {
         new Box("b", 1, 1, 1, 0);
         Path rest = project.folder().resolveSibling("SEARproject.deleting");
         Files.createDirectories(rest.resolve("assets"));

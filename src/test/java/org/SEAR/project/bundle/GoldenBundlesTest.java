@@ -34,7 +34,7 @@ public class GoldenBundlesTest {
     }
 
     @Test
-    public void versionOneMeansWhatItMeant() throws Exception {
+    public void versionOneKeepsItsMeaning() throws Exception {
         Path bundle = Paths.get(GoldenBundlesTest.class.getResource("golden/version1-sensors.sear").toURI());
         Project read = Bundle.load(bundle, project.folder());
         assertEquals(16, read.getEnvironment().size());

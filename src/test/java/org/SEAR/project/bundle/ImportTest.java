@@ -95,7 +95,7 @@ public class ImportTest {
     }
 
     @Test
-    public void whatCantBeImportedChangesNothing() throws Exception {
+    public void aFailedImportChangesNothing() throws Exception {
         Map<String, String> before = ProjectRule.files(project.folder());
         try {
             Bundle.importRobot(bundle, project.folder(), "nobody", Progress.NONE);

@@ -129,7 +129,7 @@ public class TerrainBundleTest {
     }
 
     @Test
-    public void aBrokenMapInABundleIsToldAndNothingIsLoadedOfIt() throws Exception {
+    public void aBundleWithABrokenMapIsRejectedAsAWhole() throws Exception {
         own(MAP, Arrays.copyOf(jacksboro(), 60_000));
         new Terrain("jacksboro", MAP).setArea(36.485, -84.2308, 2000, 3000);
         Bundle.save(project.folder(), bundle());

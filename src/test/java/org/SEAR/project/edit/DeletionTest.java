@@ -114,7 +114,7 @@ public class DeletionTest extends EditedProject {
     }
 
     @Test
-    public void whatIsNamedCanBeDeletedAndOneUndoBringsBackEveryByte() throws Exception {
+    public void referencedObjectsCanBeDeletedAndOneUndoRestoresEveryByte() throws Exception {
         for (Map.Entry<String, Case> entry : cases().entrySet()) {
             Case one = entry.getValue();
             edit("do", "robot", "template", "rover", "name", "rover");
@@ -147,7 +147,7 @@ public class DeletionTest extends EditedProject {
     }
 
     @Test
-    public void whatIsDeletedWithAPartIsForgottenLikewise() throws Exception {
+    public void objectsDeletedWithAPartAreForgotten() throws Exception {
         edit("do", "robot", "template", "rover", "name", "rover");
         add("Distance", "ping", "beam", "laser");
         add("Arduino", "uno", "wire", List.of(wire("5", "leftMotor", "pwm"), wire("6", "leftMotor", "reverse"), wire("7", "ping", "ping")));
@@ -162,7 +162,7 @@ public class DeletionTest extends EditedProject {
     }
 
     @Test
-    public void whatAServoCarriesStaysWhereItIs() throws Exception {
+    public void partsOfADeletedServoKeepTheirPose() throws Exception {
         edit("do", "robot", "template", "rover", "name", "rover");
         add("Distance", "ping", "beam", "laser", "y", 0.2);
         add("Servo", "pan", "part", List.of("ping"));
@@ -222,7 +222,7 @@ public class DeletionTest extends EditedProject {
     // ---- with others ---------------------------------------------------------------------------------------------------------
 
     @Test
-    public void whatAnotherPageAndAHandChangeMeanwhileIsNotLost() throws Exception {
+    public void changesOfAnotherPageAndByHandAreNotLost() throws Exception {
         edit("do", "robot", "template", "rover", "name", "rover");
         ProjectEditor other = new ProjectEditor(project.folder());
         other.apply(map("do", "set", "object", "rover/leftMotor", "set", map("gearRatio", 3)));

@@ -56,7 +56,7 @@ public class GrammarTest {
     }
 
     @Test
-    public void everyClassCanBeAddedWithNothingButWhatTheGrammarSays() throws Exception {
+    public void everyClassCanBeAddedByTheGrammarAlone() throws Exception {
         ProjectEditor editor = new ProjectEditor(project.folder());
         assertEquals("create2", editor.apply(Map.of("do", "robot", "template", "create2")).object);
         for (Map<String, Object> type : Grammar.types()) {

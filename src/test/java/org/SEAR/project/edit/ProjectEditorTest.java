@@ -34,7 +34,7 @@ public class ProjectEditorTest extends EditedProject {
 
     /** An object that a script still holds can't recreate a renamed or deleted object under its old name. */
     @Test
-    public void whatTheProjectHasNoMoreStaysGone() throws Exception {
+    public void deletedObjectsStayDeleted() throws Exception {
         Box crate = new Box("crate", 1, 1, 1, 1);
         SEARrobot rover = Robots.rover("rover");
         edit("do", "rename", "object", "crate", "name", "chest");
@@ -50,7 +50,7 @@ public class ProjectEditorTest extends EditedProject {
     }
 
     @Test
-    public void whatIsMadeByEditsHasTheFilesOfAScript() throws Exception {
+    public void editsWriteTheFilesOfAScript() throws Exception {
         Box crate = new Box("crate", 0.5, 0.4, 0.3, 2);
         crate.move(1, 0.15, -2);
         crate.setColor("red");
@@ -103,7 +103,7 @@ public class ProjectEditorTest extends EditedProject {
     }
 
     @Test
-    public void whatNamesAPartFollowsItsNewNameInTheSameStep() throws Exception {
+    public void referencesFollowARenamedPartInTheSameStep() throws Exception {
         for (String robot : List.of("rover", "other")) {
             edit("do", "robot", "template", "create", "name", robot);
             edit("do", "add", "type", "Motor", "name", "engine", "to", robot, "set", map("wheel", List.of("right", "left")));
@@ -172,7 +172,7 @@ public class ProjectEditorTest extends EditedProject {
     // ---- refusals ----------------------------------------------------------------------------------------------------------
 
     @Test
-    public void whatIsIllegalIsSaidAtItsFieldAndNothingChanges() throws Exception {
+    public void illegalEditsAreReportedAtTheirFieldAndChangeNothing() throws Exception {
         edit("do", "add", "type", "Box", "name", "crate");
         Map<String, String> before = project.files();
         assertEquals("environment/crate.xml: length is \"-1\", legal: a number from 0.0001 to 100000 m\n"
@@ -251,7 +251,7 @@ public class ProjectEditorTest extends EditedProject {
     }
 
     @Test
-    public void whatAHandChangesMeanwhileIsAStepOfItsOwn() throws Exception {
+    public void aManualChangeIsASeparateStep() throws Exception {
         edit("do", "add", "type", "Box", "name", "crate");
         edit("do", "set", "object", "crate", "set", map("x", 1));
         String hand = project.text("environment/crate.xml").replace("<x>1</x>", "<x>7</x>");

@@ -175,7 +175,7 @@ public class BrokenModelsTest {
     }
 
     @Test
-    public void allModelsThatCantBeLoadedAreToldAtOnce() throws Exception {
+    public void allUnloadableModelsAreReportedTogether() throws Exception {
         asset("a.obj", "v 0 0\n".getBytes(StandardCharsets.UTF_8));
         asset("b.glb", "no glb, for it has other bytes".getBytes(StandardCharsets.UTF_8));
         project.put("environment/a.xml", model("a.obj", 0).replace("<name>o", "<name>a"));

@@ -12,7 +12,7 @@ import org.junit.Test;
 /** A thread whose model loads failed can load the next model. */
 public class EngineThreadTest {
     @Test
-    public void whatALoaderTookAndDidNotGiveBackIsNotMissed() throws Exception {
+    public void resourcesKeptByALoaderAreReplaced() throws Exception {
         for (int i = 0; i < 20; i++) {
             assertNotNull(EngineThread.call(TempVars::get));
         }

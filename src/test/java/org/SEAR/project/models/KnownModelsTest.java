@@ -31,7 +31,7 @@ public class KnownModelsTest {
 
     /** Like loadProject: the start uses the models loaded by the check, although the folder is renamed in between. */
     @Test
-    public void whatIsCheckedIsNotLoadedAgain() throws Exception {
+    public void checkedModelsAreNotLoadedAgain() throws Exception {
         project.put("assets/m.obj", CORNERS);
         Model model = new Model("m", "m.obj");
         Project.read(project.folder()).checkFiles();
@@ -42,7 +42,7 @@ public class KnownModelsTest {
     }
 
     @Test
-    public void changedFilesAreLoadedAnew() throws Exception {
+    public void changedFilesAreReloaded() throws Exception {
         project.put("assets/m.obj", CORNERS);
         Model model = new Model("m", "m.obj");
         load(project.folder(), model);
@@ -63,7 +63,7 @@ public class KnownModelsTest {
     }
 
     @Test
-    public void whatCanNotBeShownIsToldEachTime() throws Exception {
+    public void unshowablePicturesAreReportedEachTime() throws Exception {
         project.put("assets/m.obj", "mtllib m.mtl\n" + CORNERS);
         Model model = new Model("m", "m.obj");
         load(project.folder(), model);

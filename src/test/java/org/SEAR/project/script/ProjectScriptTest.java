@@ -186,7 +186,7 @@ public class ProjectScriptTest {
     }
 
     @Test
-    public void whatArithmeticLeavesInTheLastDigitsIsNotWritten() throws Exception {
+    public void roundingErrorsAreNotWritten() throws Exception {
         double cell = 0.8;
         Box box = new Box("box", 6 * cell + 1, 0.1 + 0.2, 11.181769303614649, 1);
         box.move(-3 * cell, 1e-7 / 3, 1.0 / 3);

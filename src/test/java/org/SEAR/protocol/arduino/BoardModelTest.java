@@ -24,7 +24,7 @@ public class BoardModelTest {
     }
 
     @Test
-    public void whatPinsCan() {
+    public void capabilitiesOfPins() {
         assertEquals("3, 5, 6, 9 to 11", BoardModel.UNO.pinsFor(PinUse.PWM));
         assertEquals("2 to 13, A0 to A5", BoardModel.UNO.pinsFor(PinUse.DIGITAL));
         assertEquals("2, 3", BoardModel.UNO.pinsFor(PinUse.INTERRUPT));

@@ -66,7 +66,7 @@ public class CodecTest {
     }
 
     @Test
-    public void whatNobodyKnowsIsLeftOut() {
+    public void unknownMessagesAreSkipped() {
         assertEquals(0, read(FirmataReader.BOARD, "01 02 F1 05 F0 79 F9").stream().filter(FirmataMessage::isSysex).count());
         List<FirmataMessage> found = read(FirmataReader.BOARD, "33 F4 0D 01 44 F0 F7 F0 79 F7 F9");
         assertEquals(3, found.size());

@@ -59,7 +59,7 @@ public class LidarModelTest {
     }
 
     @Test
-    public void anUnknownNameIsToldWhichThereAre() {
+    public void anUnknownNameIsRejectedWithTheKnownOnes() {
         String message = "";
         try {
             LidarModel.of("LMS400");

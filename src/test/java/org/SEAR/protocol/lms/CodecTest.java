@@ -139,7 +139,7 @@ public class CodecTest {
     }
 
     @Test
-    public void theCountWordTellsNumberUnitAndPart() {
+    public void theCountWordHasNumberUnitAndPart() {
         assertEquals(0x00B5, CountWord.whole(181, 0).toWord());
         assertEquals(0x4169, CountWord.whole(361, 1).toWord());
         assertEquals(0x70B4, CountWord.partial(180, 1, 2).toWord());

@@ -128,7 +128,7 @@ public class TelegramReaderTest {
     }
 
     @Test
-    public void whoeverIsToldMayStartOver() {
+    public void listenersMayResetTheReader() {
         TelegramReader clearing = reader(address -> address >= Telegram.FROM_DEVICE, true);
         clearing.accept(Bytes.bytes("06 " + MODE_REPLY + " 15 02 80 03 00 A0 00 11 16 0A " + VARIANT_REPLY));
         assertEquals("AN", strays.toString());
@@ -137,7 +137,7 @@ public class TelegramReaderTest {
     }
 
     @Test
-    public void ofADamagedTelegramsOwnBytesNoDamageIsTold() {
+    public void aDamagedTelegramIsReportedOnce() {
         TelegramReader any = reader(address -> true, false);
         any.accept(Bytes.bytes("02 00 06 00 02 00 01 00 31 15 13 13 " + "02 00 01 00 31 15 12"));
         assertEquals("the outer one", 1, wrong.size());
@@ -145,7 +145,7 @@ public class TelegramReaderTest {
     }
 
     @Test
-    public void anInterruptedTelegramGivesBackWhatItSwallowed() {
+    public void telegramsInsideAnInterruptedOneAreFound() {
         TelegramReader any = reader(address -> true, false);
         any.accept(Bytes.bytes("02 02 00 03 02 00 01 00 32 16 12"));
         assertTrue(any.isPending());

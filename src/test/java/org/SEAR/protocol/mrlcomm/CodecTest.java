@@ -70,7 +70,7 @@ public class CodecTest {
     }
 
     @Test
-    public void aListIsCutToWhatAFrameHolds() {
+    public void aListIsCutToTheSizeOfAFrame() {
         byte[] frame = MrlMessage.of(MrlFunction.PUBLISH_DEBUG).addText(new String(new char[200]).replace('\0', 'x')).end().toBytes();
         assertEquals(2 + 64, frame.length);
         assertEquals(64, frame[1]);

@@ -38,7 +38,7 @@ public class CodecTest {
     }
 
     @Test
-    public void whatIsNoNumberIsToldWithTheLegalRange() {
+    public void invalidNumbersAreReportedWithTheLegalRange() {
         try {
             Encoding.decode("0p", 0, 2);
             fail("decoded");
@@ -121,7 +121,7 @@ public class CodecTest {
     }
 
     @Test
-    public void brokenRepliesAreToldAndTheNextIsRead() {
+    public void brokenRepliesAreReportedAndTheNextIsRead() {
         List<String> seen = new ArrayList<>();
         ReplyReader reader = new ReplyReader(reply -> seen.add(reply.getEcho()), () -> seen.add("broken"));
         reader.accept("QT\n00Q\n\nBM\n00P\n\n\nnoise without end\n\nQT\n00P\n\n".getBytes(StandardCharsets.ISO_8859_1));

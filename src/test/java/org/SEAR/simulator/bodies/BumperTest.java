@@ -90,7 +90,7 @@ public class BumperTest {
     }
 
     @Test
-    public void whatMissesThePlatesPressesOnlyTheWholeRobot() throws Exception {
+    public void contactsBesideThePlatesPressOnlyTheWholeRobot() throws Exception {
         rover(0);
         box("post", 0.05, 0.05, 0.5, 0, 0.16, 0.25, 0.5);
         start();
@@ -116,7 +116,7 @@ public class BumperTest {
 
     /** The wheels stick out in front of the body: an object that they touch presses the bumper and moves if it can. */
     @Test
-    public void whatWheelsMeetPressesAndIsPushed() throws Exception {
+    public void objectsHitByWheelsPressTheBumperAndMove() throws Exception {
         for (double mass : new double[] {0, 2}) {
             new Floor("floor", 50, 50);
             SEARrobot rover = new SEARrobot("rover");
@@ -165,7 +165,7 @@ public class BumperTest {
     }
 
     @Test
-    public void whatLiesOnTheFloorTouchesItInItsSleep() throws Exception {
+    public void aSleepingRobotTouchesTheFloor() throws Exception {
         new Floor("floor", 9, 9);
         sledge();
         start();

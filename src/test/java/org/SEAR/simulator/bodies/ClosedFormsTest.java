@@ -92,7 +92,7 @@ public class ClosedFormsTest {
     }
 
     @Test
-    public void whatBouncesComesBackAsHighAsItsRestitutionSays() throws Exception {
+    public void aBounceReachesTheHeightOfItsRestitution() throws Exception {
         new Floor("floor", 10, 10);
         Box box = new Box("thing", 0.3, 0.3, 0.3, 1);
         box.setRestitution(0.8);
@@ -126,7 +126,7 @@ public class ClosedFormsTest {
     }
 
     @Test
-    public void whatWasPushedSlidesOnUntilFrictionHasStoppedIt() throws Exception {
+    public void aPushedObjectSlidesUntilFrictionStopsIt() throws Exception {
         new Floor("floor", 50, 10);
         Box box = new Box("thing", 0.6, 0.3, 0.3, 2);
         box.setFriction(0.05);

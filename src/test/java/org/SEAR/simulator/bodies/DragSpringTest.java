@@ -73,7 +73,7 @@ public class DragSpringTest {
     }
 
     @Test
-    public void itLetsGoWhenNobodyMovesItAnyMore() throws Exception {
+    public void itEndsWithoutFurtherMoves() throws Exception {
         new Box("box", 0.3, 0.3, 0.3, 2).move(0, 0.15, 0);
         try (Simulation simulation = Worlds.start(project)) {
             DragSpring hand = hand("box");
@@ -91,7 +91,7 @@ public class DragSpringTest {
     }
 
     @Test
-    public void aRobotIsPulledAndWhatIsFixedIsNot() throws Exception {
+    public void aRobotIsPulledAndAFixedObjectIsNot() throws Exception {
         SEARrobot robot = Worlds.roomba("roomba", 0, 0, 0);
         new Box("wall", 1, 1, 1, 0).move(5, 0.5, 5);
         try (Simulation simulation = Worlds.start(project)) {

@@ -61,7 +61,7 @@ public class LaunchTest {
 
     /** Speeds so low that a touching contact need not be detected in every step. */
     @Test
-    public void whatCreepsIsStoppedByWhatStandsThere() throws Exception {
+    public void aCreepingObjectStopsAtAnObstacle() throws Exception {
         new Floor("floor", 20, 20).setFriction(0);
         new Box("wall", 0.3, 0.3, 0.3).move(0, 0.15, 0);
         for (double speed : new double[] {0.003, 0.008, 0.011}) {
@@ -125,7 +125,7 @@ public class LaunchTest {
     }
 
     @Test
-    public void whatSleepsWakesAndSlidesUntilFrictionHasStoppedIt() throws Exception {
+    public void aPushWakesASleepingObjectAndFrictionStopsIt() throws Exception {
         new Floor("floor", 40, 40);
         Box box = new Box("box", 0.6, 0.6, 0.2, 2);
         box.setFriction(0.25);
@@ -160,7 +160,7 @@ public class LaunchTest {
     }
 
     @Test
-    public void whatIsPutElsewhereIsAtRestThere() throws Exception {
+    public void teleportedObjectsAreAtRest() throws Exception {
         new Floor("floor", 40, 40);
         new Box("box", 0.3, 0.3, 0.3, 1).move(0, 0.15, 0);
         try (Simulation simulation = Worlds.start(project)) {
@@ -178,7 +178,7 @@ public class LaunchTest {
     }
 
     @Test
-    public void whatCannotBeIsRefusedByName() throws Exception {
+    public void impossibleValuesAreRejectedByName() throws Exception {
         Box fixed = new Box("wall", 1, 1, 1);
         Box box = new Box("box", 0.3, 0.3, 0.3, 1, 0, 5, 0);
         refused("Box \"wall\" is fixed (mass 0) and can't have a velocity", () -> fixed.setVelocity(1, 0, 0));
@@ -207,7 +207,7 @@ public class LaunchTest {
     }
 
     @Test
-    public void filesThatSayWhatCannotBeAreRefused() throws Exception {
+    public void filesWithImpossibleValuesAreRejected() throws Exception {
         project.put("environment/box.xml", "<Box><name>box</name><length>1</length><width>1</width><height>1</height><spinY>30</spinY></Box>");
         String message = problem();
         assertTrue(message, message.contains("environment/box.xml") && message.contains("spinY") && message.contains("0 for a fixed object"));
@@ -222,7 +222,7 @@ public class LaunchTest {
     }
 
     @Test
-    public void theFileSaysWithWhatAThingStarts() throws Exception {
+    public void theFileHasTheStartingVelocity() throws Exception {
         Box box = new Box("box", 0.3, 0.3, 0.3, 1);
         box.setVelocity(1, -2, 0.5);
         box.setSpin(0, 720, 0);

@@ -83,7 +83,7 @@ public class RestingTest {
     }
 
     @Test
-    public void whatFallsComesToRestOnAFace() throws Exception {
+    public void fallingObjectsComeToRestOnAFace() throws Exception {
         place(new Box("box", 0.3, 0.4, 0.2, 2), 0, 0.5, 0, 10, 20, 30);
         place(new Cone("cone", 0.2, 0.6, 3), 2, 0.3, 0, 0, 0, 80);
         Simulation simulation = Worlds.start(project);

@@ -80,7 +80,7 @@ public class TippingTest {
 
     /** It stands on a slope slightly below the angle and falls over on one slightly above. */
     @Test
-    public void itTipsOverOnTheSlopeThatIsSaid() throws Exception {
+    public void itTipsOverOnTheReportedSlope() throws Exception {
         for (double share : new double[] {0.85, 1.15}) {
             tower(1, 3, 0, 0.6);
             double told = Math.toDegrees(Math.atan2(0.15, 0.45 + RADIUS + HANGING));
@@ -98,7 +98,7 @@ public class TippingTest {
     }
 
     @Test
-    public void thatIsSaidAtTheStart() throws Exception {
+    public void theSlopeIsReportedAtTheStart() throws Exception {
         new Floor("floor", 10, 10);
         tower(1, 3, 0, 0.9);
         assertEquals("[robot tower tips over to the left on a slope of 11 degrees, or when it brakes or turns with more than 2.0 m/s\u00b2."
@@ -115,7 +115,7 @@ public class TippingTest {
     }
 
     @Test
-    public void nothingIsSaidOfRobotsThatOneStartsFrom() throws Exception {
+    public void templateRobotsCauseNoWarning() throws Exception {
         new Floor("floor", 10, 10);
         ProjectEditor editor = new ProjectEditor(project.folder());
         for (String template : RobotTemplates.names()) {

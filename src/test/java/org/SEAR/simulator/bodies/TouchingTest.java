@@ -134,7 +134,7 @@ public class TouchingTest {
     }
 
     @Test
-    public void whatStartsInsideTheFloorIsLiftedOutWithAWarning() throws Exception {
+    public void objectsThatStartInsideTheFloorAreLiftedOutWithAWarning() throws Exception {
         new Floor("floor", 50, 50);
         Cylinder can = new Cylinder("trash Can", 0.25, 0.75, 10);
         can.move(-3, 0, -3.5);

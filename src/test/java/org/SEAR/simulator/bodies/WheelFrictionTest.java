@@ -71,7 +71,7 @@ public class WheelFrictionTest {
     }
 
     @Test
-    public void whatSaysNothingGripsByOne() throws Exception {
+    public void theDefaultGripIsOne() throws Exception {
         double usual = drive(floor(null), robot -> { })[0];
         assertTrue("way " + usual, usual > 0.7);
         assertEquals("1.25 on 0.8", usual, drive(floor(0.8), wheels(1.25))[0], 0);

@@ -55,7 +55,7 @@ public class GroundPlacementTest {
     }
 
     @Test
-    public void theGroundIsWhereItIsBelowWhatStandsOnIt() throws Exception {
+    public void theGroundIsFoundBelowAnObject() throws Exception {
         new Floor("floor", 20, 20);
         new Box("box", 1, 0.5, 0.5, 2).placeAt(1, 1);
         new Box("pillar", 1, 0.5, 0.5).placeAt(3, 3);
@@ -121,7 +121,7 @@ public class GroundPlacementTest {
     }
 
     @Test
-    public void aHeadingObliquelyUpASlopeIsWhatACompassReads() throws Exception {
+    public void anObliqueHeadingOnASlopeEqualsTheCompassReading() throws Exception {
         slope();
         SEARrobot robot = Worlds.cart("cart", 20, 0.1, 0.25, new double[] {0.2, -0.2}, 0, 0, 0, 0);
         robot.placeAt(0, 0);
@@ -144,7 +144,7 @@ public class GroundPlacementTest {
     }
 
     @Test
-    public void whatHasNoGroundAndNoEarthIsTold() throws Exception {
+    public void missingGroundOrOriginIsReported() throws Exception {
         new Floor("floor", 20, 20);
         new Box("beside", 1, 1, 1).placeAt(30, 3);
         new Box("nowhere", 1, 1, 1).place(36.5, -84.2);

@@ -134,7 +134,7 @@ public class HeightsUnderfootTest {
     }
 
     @Test
-    public void whatComesToTheRimFallsOff() throws Exception {
+    public void objectsFallOffTheRim() throws Exception {
         Worlds.roomba("roomba", 0.2, 9.3, 0);
         Box box = new Box("box", 0.5, 0.3, 0.4, 2);
         box.move(10.1, 0.3, 0);
@@ -146,7 +146,7 @@ public class HeightsUnderfootTest {
     }
 
     @Test
-    public void whatStartsInTheGroundIsLiftedOntoIt() throws Exception {
+    public void objectsThatStartInTheGroundAreLiftedOntoIt() throws Exception {
         Box box = new Box("box", 0.5, 0.3, 0.4, 2);
         box.move(3.1, 0.05, -2.2);
         HeightField flat = Grounds.slope(0);

@@ -93,7 +93,7 @@ public class PlacingTest {
     }
 
     @Test
-    public void whatLayOnItFallsAndWhatSleptWakes() throws Exception {
+    public void objectsOnAMovedSupportWakeAndFall() throws Exception {
         try (Simulation world = start()) {
             run(world, 600);
             assertEquals(1.15, world.getPose("ball").y, 0.01);
@@ -157,7 +157,7 @@ public class PlacingTest {
     }
 
     @Test
-    public void whatIsTakenBackStandsWhereItStoodBefore() throws Exception {
+    public void undoneMovesRestoreTheFormerPlace() throws Exception {
         try (Simulation world = start()) {
             drive(world, 120);
             Pose driven = world.getPose("rover");
@@ -189,7 +189,7 @@ public class PlacingTest {
 
     /** The shelf is fixed at a height of 0.95 to 1.05 m; the ball lies on it. */
     @Test
-    public void aRobotStandsOnWhatIsBelowAndIsNeverInsideOfAnything() throws Exception {
+    public void aTeleportedRobotStandsOnItsSupportWithoutOverlap() throws Exception {
         Box step = new Box("step", 1, 1, 0.2);
         step.move(-3, 0.1, 0);
         try (Simulation world = start()) {

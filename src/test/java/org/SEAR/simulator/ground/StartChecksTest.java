@@ -20,14 +20,14 @@ public class StartChecksTest {
     public final ProjectRule project = new ProjectRule();
 
     @Test
-    public void aRobotWithoutGroundIsTold() throws Exception {
+    public void aRobotWithoutGroundIsReported() throws Exception {
         Worlds.roomba("roomba", 1, 2, 0);
         assertEquals("[robot roomba has no ground below its start at x 1.00, y 0.10, z 2.00 and will fall:"
             + " Floor(\"floor\", 20, 20) makes one at height 0]", Worlds.start(project).snapshot().warnings.toString());
     }
 
     @Test
-    public void aRobotWithoutWheelsIsTold() throws Exception {
+    public void aRobotWithoutWheelsIsReported() throws Exception {
         new Floor("floor", 10, 10);
         SEARrobot robot = new SEARrobot("post");
         robot.addComponent(new Dynamics("dynamics", 1, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, 0, 0, 0, 0));
@@ -44,7 +44,7 @@ public class StartChecksTest {
     }
 
     @Test
-    public void aRobotWithOtherWheelsThanItsFirmwareThinksIsTold() throws Exception {
+    public void aRobotWithOtherWheelsThanInItsFirmwareIsReported() throws Exception {
         new Floor("floor", 10, 10);
         SEARrobot robot = new SEARrobot("old");
         Dynamics drive = new Dynamics("drive", 4, 0, 0.1, 0, 0, 0, 0);

@@ -97,7 +97,7 @@ public class TerrainPlacesTest {
     }
 
     @Test
-    public void whatWasFilledInIsTold() throws Exception {
+    public void filledGapsAreReported() throws Exception {
         project.put("assets/holes.asc", "ncols 3\nnrows 3\nxllcenter -84.2\nyllcenter 36.4\ncellsize 0.001\nNODATA_value -1\n5 5 5\n5 5 -1\n5 5 5\n");
         new Terrain("holes", "holes.asc");
         try (Simulation simulation = Worlds.start(project)) {
@@ -107,7 +107,7 @@ public class TerrainPlacesTest {
     }
 
     @Test
-    public void aReceiverWithOtherCoordinatesIsTold() throws Exception {
+    public void aReceiverWithOtherCoordinatesIsReported() throws Exception {
         around(SUMMIT_LATITUDE, SUMMIT_LONGITUDE);
         rover(new GPS("gps", 33.61, 182.5, -80.865)).placeAt(0, 0);
         try (Simulation simulation = Worlds.start(project)) {
@@ -164,7 +164,7 @@ public class TerrainPlacesTest {
     }
 
     @Test
-    public void aMapThatIsNoneIsTold() throws Exception {
+    public void aFileThatIsNotAMapIsReported() throws Exception {
         project.put("assets/letter.tif", "Dear reader");
         Terrain terrain = new Terrain("letter", "letter.tif");
         assertFalse(terrain.hasArea());

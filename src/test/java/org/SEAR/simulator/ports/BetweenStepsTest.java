@@ -149,7 +149,7 @@ public class BetweenStepsTest {
     }
 
     @Test(timeout = 60_000)
-    public void whileTimeStandsStillTheBoardBootsInNoTimeAsSoonAsWhoHasOpenedItsPortWaits() throws Exception {
+    public void whileTimeStandsStillTheBoardBootsImmediatelyForAWaitingProgram() throws Exception {
         uno.write(Bytes.bytes("AA 05 04 0E 01 00 00"));
         world.answer();
         heard();
@@ -194,7 +194,7 @@ public class BetweenStepsTest {
     }
 
     @Test
-    public void whatTheBoardHasSaidBeforeLeavesTheLineFirst() {
+    public void earlierBytesOfTheBoardLeaveTheLineFirst() {
         uno.write(Bytes.bytes("AA 05 04 0E 01 00 00"));
         Worlds.run(world, 0.1);
         heard();

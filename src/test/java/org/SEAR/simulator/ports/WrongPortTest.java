@@ -95,7 +95,7 @@ public class WrongPortTest {
     }
 
     @Test
-    public void whoSpeaksToAnotherDeviceIsToldOnceAndToItsOwnNever() throws Exception {
+    public void bytesForAnotherDeviceAreReportedOnceAndRightOnesNever() throws Exception {
         Simulation simulation = world();
         assertEquals(FIRST_WORDS.size(), simulation.getLines().size());
         for (SerialLine line : simulation.getLines()) {
@@ -118,7 +118,7 @@ public class WrongPortTest {
     }
 
     @Test
-    public void whoStaysAtTheRateThatItsDeviceHasLeftIsTold() throws Exception {
+    public void aProgramAtTheDevicesFormerRateIsReported() throws Exception {
         Simulation simulation = world();
         SerialLine line = simulation.getLines().stream().filter(one -> one.getObjectName().equals("LMS200")).findFirst().get();
         line.setHostBaud(9600);

@@ -81,7 +81,7 @@ public class BlockedRobotTest {
     }
 
     @Test
-    public void stopsAtWhatIsFixedAndNeverEntersIt() throws Exception {
+    public void stopsAtFixedObjectsAndNeverEntersThem() throws Exception {
         for (String kind : OBSTACLES) {
             for (double speed : SPEEDS) {
                 assertStops("box", kind, 0, speed);
@@ -91,7 +91,7 @@ public class BlockedRobotTest {
     }
 
     @Test
-    public void stopsAtWhatIsTooHeavyToPush() throws Exception {
+    public void stopsAtObjectsTooHeavyToPush() throws Exception {
         for (String kind : OBSTACLES) {
             assertStops("box", kind, HEAVY, 0.1);
             assertStops("round", kind, HEAVY, 0.5);
@@ -100,7 +100,7 @@ public class BlockedRobotTest {
 
     /** A wheel in front of the body meets the box first, and its grip keeps the robot straight. */
     @Test
-    public void aWheelThatSticksOutHoldsItStraightAtWhatIsHeavy() throws Exception {
+    public void aProtrudingWheelKeepsItStraightAtAHeavyObject() throws Exception {
         for (double mass : new double[] {0, 30, 1000}) {
             new Floor("floor", 50, 50);
             SEARrobot object = new SEARrobot("robot");

@@ -94,7 +94,7 @@ public class FirstRobotTest {
 
     /** The load on each wheel can't be determined. */
     @Test
-    public void wheelsThatNobodyHasPutAnywhereAreToldAndItLeansOnItsBody() throws Exception {
+    public void unplacedWheelsAreReportedAndTheRobotLeansOnItsBody() throws Exception {
         for (int wheels = 1; wheels <= 2; wheels++) {
             new Floor("floor", 20, 20);
             SEARrobot robot = new SEARrobot("first");
@@ -118,7 +118,7 @@ public class FirstRobotTest {
     }
 
     @Test
-    public void springsThatCannotHoldItAreTold() throws Exception {
+    public void tooWeakSpringsAreReported() throws Exception {
         robot(new Dynamics("soft", 2, 40, 0.3, 0.4, 10000, 0.2), 0.05, -0.15, 0.05, 0);
         try (Simulation simulation = Worlds.start(project)) {
             String warnings = simulation.snapshot().warnings.toString();

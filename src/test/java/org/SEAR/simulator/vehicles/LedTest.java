@@ -54,7 +54,7 @@ public class LedTest {
     }
 
     @Test
-    public void aRobotAtRestShowsWhatItsLightsDo() throws Exception {
+    public void lightsOfARobotAtRestAreShown() throws Exception {
         try (Simulation simulation = start()) {
             Worlds.run(simulation, 10);
             assertEquals(0, Worlds.physics(simulation).getBusyBodies());

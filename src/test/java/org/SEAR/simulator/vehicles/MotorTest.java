@@ -62,7 +62,7 @@ public class MotorTest {
     }
 
     @Test
-    public void underLoadItIsAsSlowAsItsLineSays() throws Exception {
+    public void underLoadItFollowsItsTorqueSpeedLine() throws Exception {
         for (double gear : new double[] {1, 5}) {
             Simulation simulation = cart(6, STALL / gear, NO_LOAD * gear, gear);
             simulation.getMotor("engine").setPower(1);
@@ -99,7 +99,7 @@ public class MotorTest {
     }
 
     @Test
-    public void whatIsTooHeavyRollsBackAsTheLineSays() throws Exception {
+    public void aTooHeavyCartRollsBackByTheMotorsLine() throws Exception {
         Simulation simulation = cart(6, 0.1, NO_LOAD, 1);
         simulation.getMotor("engine").setPower(1);
         Worlds.run(simulation, 8);

@@ -41,7 +41,7 @@ public class ServoContactTest {
      * and nothing tips over.
      */
     @Test
-    public void aGripperHoldsWhatItGrips() throws Exception {
+    public void aGripperHoldsItsObject() throws Exception {
         for (double size : new double[] {0.03, 0.05}) {
             for (double torque : new double[] {0.18, 2}) {
                 SEARrobot crane = crane(3);
@@ -81,7 +81,7 @@ public class ServoContactTest {
 
     /** A weight lying on an arm slows it like a mounted one: speed * (1 - moment / stall torque). */
     @Test
-    public void whatLiesOnAnArmIsALoad() throws Exception {
+    public void anObjectLyingOnAnArmIsALoad() throws Exception {
         double mass = 0.05;
         double lever = 0.2;
         SEARrobot crane = crane(10);
@@ -101,7 +101,7 @@ public class ServoContactTest {
 
     /** An arm that can't push an obstacle stops there; neither the obstacle nor its robot moves away. */
     @Test
-    public void aWeakArmStopsAtWhatIsHeavy() throws Exception {
+    public void aWeakArmStopsAtAHeavyObject() throws Exception {
         SEARrobot crane = crane(10);
         Arm.on(crane, new Servo("hinge", 0, 0.2, 0.1), 400, 0.18, Arm.box("stick", 0.02, 0.3, 0.02, 0.02, 0, 0.2, 0.25));
         Arm.box("block", 0.2, 0.2, 0.4, 40, 0.3, 0.2, 0.25);
@@ -123,7 +123,7 @@ public class ServoContactTest {
 
     /** Legs that push the ground reach their angles: the robot comes to rest without a warning about blocked servos. */
     @Test
-    public void whatStandsOnItsServosComesToRest() throws Exception {
+    public void aRobotOnServoLegsComesToRest() throws Exception {
         new Floor("floor", 10, 10);
         SEARrobot bug = new SEARrobot("bug");
         bug.addComponent(new Dynamics("weight", 1));

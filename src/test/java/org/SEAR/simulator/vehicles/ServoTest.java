@@ -117,7 +117,7 @@ public class ServoTest {
 
     /** A swinging arm pushes an object, and beams of other sensors see the arm in its actual pose. */
     @Test
-    public void anArmPushesWhatItMeets() throws Exception {
+    public void anArmPushesAnObject() throws Exception {
         SEARrobot robot = roomba();
         Arm.on(robot, new Servo("shoulder", 0, 0.12, 0), 60, 5, Arm.box("arm", 0.04, 0.3, 0.04, 0.1, 0, 0.12, 0.3));
         Arm.box("thing", 0.1, 0.1, 0.3, 0.2, 0.3, 0.15, 0.3);
@@ -140,7 +140,7 @@ public class ServoTest {
      * the stick doesn't penetrate it.
      */
     @Test
-    public void whatAnArmPushesStaysBeforeIt() throws Exception {
+    public void aPushedObjectStaysInFrontOfTheArm() throws Exception {
         for (double speed : new double[] {60, 200, 400}) {
             SEARrobot robot = roomba();
             Arm.on(robot, new Servo("shoulder", 0, 0.05, 0.1), speed, 5, Arm.box("stick", 0.02, 0.3, 0.02, 0.02, 0, 0.05, 0.25));

@@ -113,7 +113,7 @@ public class ServoTorqueTest {
     }
 
     @Test
-    public void whatItLiftsMakesItSlower() throws Exception {
+    public void aLoadMakesItSlower() throws Exception {
         lift(0.5);
         Simulation simulation = Worlds.start(project);
         simulation.getServo("lift").setAngle(-60);
@@ -131,7 +131,7 @@ public class ServoTorqueTest {
     }
 
     @Test
-    public void whatIsTooHeavySinksToWhereTheTorqueHoldsItAndOneWarningSaysSo() throws Exception {
+    public void aTooHeavyLoadSinksToItsBalanceWithOneWarning() throws Exception {
         Servo servo = lift(2);
         Simulation simulation = Worlds.start(project);
         ServoHardware lift = simulation.getServo("lift");
@@ -154,7 +154,7 @@ public class ServoTorqueTest {
 
     /** A pan carries the arm of a tilt: the higher the arm, the nearer its weight is to the pan's axis. */
     @Test
-    public void whatAnotherServoHoldsCountsWhereItIs() throws Exception {
+    public void loadsOnAnotherServoCountAtTheirPlace() throws Exception {
         Servo pan = new Servo("pan", 0, HEIGHT, 0);
         Servo tilt = new Servo("tilt", 0, HEIGHT, 0, 0, 0, 90);
         tilt.setStallTorque(5);

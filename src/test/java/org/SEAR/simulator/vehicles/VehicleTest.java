@@ -71,7 +71,7 @@ public class VehicleTest {
     }
 
     @Test
-    public void aSteeredRobotStopsHoweverItIsToldTo() throws Exception {
+    public void aSteeredRobotStopsByAnyCommand() throws Exception {
         car();
         for (double radius : new double[] {0, -0.0, 1, Double.POSITIVE_INFINITY}) {
             try (Simulation simulation = Worlds.start(project)) {
@@ -130,7 +130,7 @@ public class VehicleTest {
     }
 
     @Test
-    public void theInnerWheelIsSteeredFarther() throws Exception {
+    public void theInnerWheelIsSteeredFurther() throws Exception {
         car();
         Simulation simulation = Worlds.start(project);
         simulation.getRobots().get(0).steer(20);

@@ -112,7 +112,7 @@ public class WheelsOnThingsTest {
 
     /** Wheels that point up must not carry a robot on its back from below the floor. */
     @Test
-    public void whatLiesOnItsBackLiesStill() throws Exception {
+    public void aRobotOnItsBackLiesStill() throws Exception {
         new Floor("floor", 160, 60);
         int count = 3 * READY.size();
         for (int i = 0; i < count; i++) {

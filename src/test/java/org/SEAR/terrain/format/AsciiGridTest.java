@@ -57,7 +57,7 @@ public class AsciiGridTest {
     }
 
     @Test
-    public void whatIsWrongIsNamed() {
+    public void invalidInputIsReported() {
         String head = "ncols 3\nnrows 2\nxllcorner 8\nyllcorner 47\ncellsize 0.1\n";
         refused(head + "1 2 3 4 5        ", "the height in row 1, column 2, is missing, legal: a number (is the file cut off?)");
         refused(head + "1 2 x4 4 5 6", "the height in row 0, column 2, is \"x4\", legal: a number");

@@ -38,7 +38,7 @@ public class HostileTiffTest {
     }
 
     @Test
-    public void cutOffAnywhereIsToldOrStillWhole() {
+    public void truncatedFilesAreRejectedUnlessStillComplete() {
         byte[] whole = good().bytes();
         for (int length = 1; length < whole.length; length++) {
             byte[] cut = Arrays.copyOf(whole, length);
@@ -60,7 +60,7 @@ public class HostileTiffTest {
     }
 
     @Test
-    public void whatCantBeRead() {
+    public void unreadableFilesAreRejected() {
         refused(good().with(277, 3), "SamplesPerPixel is 3, legal: 1");
         refused(good().with(258, 12), "BitsPerSample is 12, legal: 8, 16, 32 or 64");
         refused(good().with(259, 7), "Compression is 7 (JPEG), legal: 1 (none)");

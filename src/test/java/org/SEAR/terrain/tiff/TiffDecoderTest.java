@@ -42,7 +42,7 @@ public class TiffDecoderTest {
     }
 
     @Test
-    public void lzwThatSaysNothing() {
+    public void invalidLzw() {
         IOException e = assertThrows(IOException.class, () -> unpacked(5, 4, codes(256, 300, 257)));
         assertTrue(e.getMessage(), e.getMessage().contains("a.tif: strip 0 is broken (an LZW code that stands for nothing yet)"));
         IOException cut = assertThrows(IOException.class, () -> unpacked(5, 4, codes(256, 1, 257)));

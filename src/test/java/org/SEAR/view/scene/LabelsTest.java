@@ -36,7 +36,7 @@ public class LabelsTest {
     }
 
     @Test
-    public void ofManyAtOnePlaceThreeAreShownAndTheOthersLeftOut() {
+    public void ofManyLabelsAtOnePlaceThreeAreShown() {
         put(8, 0);
         for (int i = 0; i < 8; i++) {
             assertEquals("sensor " + i, i < 3 ? "sensor " + i + "  1.000 m" : null, labels.text("sensor " + i));

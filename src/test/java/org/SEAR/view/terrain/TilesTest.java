@@ -140,7 +140,7 @@ public class TilesTest {
     }
 
     @Test
-    public void aTileIsOffByNoMoreThanItIsSaidToBe() {
+    public void aTilesErrorIsWithinItsBound() {
         TilePyramid pyramid = new TilePyramid(hills(400, 300, 30));
         HeightGrid field = pyramid.field;
         for (int level = 0; level < pyramid.levels; level++) {

@@ -168,7 +168,7 @@ public class BuildingTest {
     }
 
     @Test
-    public void thingsPlacedByClicksOnTheMapAreWhatAScriptMakesAndUndoTakesThemAllBack() throws Exception {
+    public void objectsPlacedByClicksEqualThoseOfAScriptAndUndoRemovesThem() throws Exception {
         Map<String, String> wanted = filesOf(9, 0, THINGS);
         buildOnTheMap();
         placeOnMap("Floor", 0, 0, "floor1");
@@ -208,7 +208,7 @@ public class BuildingTest {
 
     /** A button puts a sensor into the robot's middle, or a click to its point. */
     @Test
-    public void aRobotAndItsSensorsPlacedByClicksAreWhatAScriptMakes() throws Exception {
+    public void aRobotBuiltByClicksEqualsThatOfAScript() throws Exception {
         Map<String, String> wanted = filesOf(9, 1, THINGS, ROBOT, SENSORS);
         make(9, 0, THINGS);
         Map<String, String> before = files();
@@ -378,7 +378,7 @@ public class BuildingTest {
     }
 
     @Test
-    public void whatMovedWhileItRanIsWrittenWhereItStands() {
+    public void objectsMovedByTheRunAreWrittenWhereTheyStand() {
         assertEquals("a crate that was tipped over and pushed", "{\"rx\":\"0\",\"ry\":\"0\",\"rz\":\"90\",\"z\":\"3\",\"x\":\"4\"}",
             written("{robot: null, object: {pose: [1, 2, 3, 0, 0, 90]}}", "{x: '1', y: '2', z: '0', ry: '0'}", true, "{x: '4'}"));
         assertEquals("a robot whose Dynamics is 2 m ahead of it", "{\"x\":\"3\",\"z\":\"6\",\"ry\":\"90\"}",

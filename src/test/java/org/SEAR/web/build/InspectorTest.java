@@ -53,7 +53,7 @@ public class InspectorTest {
     }
 
     @Test
-    public void whatGrowsStandsWhereItStood() {
+    public void aGrowingObjectStaysOnTheGround() {
         select("box");
         type("height", "0.5");
         waitForValue("height", "0.5");
@@ -86,7 +86,7 @@ public class InspectorTest {
     }
 
     @Test
-    public void escapePutsBackWhatAFieldStoodFor() {
+    public void escapeRestoresAField() {
         select("box");
         type("height", "30cm");
         browser.seeText("[data-field='height'] .sear-wrong", "write 0.3");
@@ -106,7 +106,7 @@ public class InspectorTest {
     }
 
     @Test
-    public void thePaletteKnowsOtherWordsToo() {
+    public void thePaletteKnowsSynonyms() {
         browser.click(".sear-build");
         String[][] words = {{"sonar", "Distance sensor"}, {"ultrasonic", "Distance sensor"}, {"wall", "Box"}, {"ball", "Sphere"},
             {"ground", "Floor"}, {"encoder", "Odometer"}, {"gps", "GPS receiver"}, {"laser", "Laser scanner"}, {"robot", "Chassis"}};
@@ -119,7 +119,7 @@ public class InspectorTest {
     }
 
     @Test
-    public void afterPutItInTheMiddleTheKeysMoveWhatWasPut() {
+    public void afterPuttingItInTheMiddleTheKeysMoveIt() {
         browser.click(".sear-build");
         browser.click("[data-make='Cone']");
         WebElement middle = browser.see(".sear-middle");

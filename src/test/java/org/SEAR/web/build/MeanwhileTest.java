@@ -73,7 +73,7 @@ public class MeanwhileTest {
     }
 
     @Test
-    public void whatIsTypedStaysAndIsRefusedWhereAnotherHasSetTheSame() {
+    public void typedTextStaysAndIsRejectedIfAnotherPageSetTheField() {
         WebElement x = type("x", "7");
         another("set", "crate", "x", 5);
         browser.until("the other one's edit", () -> tab.isTrue("edits.object.values.x == '5'"));
@@ -111,7 +111,7 @@ public class MeanwhileTest {
     }
 
     @Test
-    public void aDragEndsWithAWordWhenAnotherDeletesTheThing() {
+    public void aDragEndsWithAMessageWhenAnotherPageDeletesTheObject() {
         for (String handle : new String[] {"", "x"}) {
             double x = handle.isEmpty() ? 0.3 : tab.number("building.handle('x')[0]");
             at(x, 0).clickAndHold().perform();
@@ -125,7 +125,7 @@ public class MeanwhileTest {
     }
 
     @Test
-    public void whatKeysHaveMovedIsWrittenBeforeAnythingElseIsDone() {
+    public void movesByKeysAreWrittenBeforeOtherActions() {
         WebElement view = browser.see(".sear-view");
         view.sendKeys(Keys.ARROW_UP, Keys.chord(Keys.CONTROL, "z"));
         browser.until("that it was undone", () -> tab.isTrue("edits.redoable == 'move crate' && edits.undoable == 'add crate'"));
@@ -142,7 +142,7 @@ public class MeanwhileTest {
     }
 
     @Test
-    public void withoutAnAnswerAnEditIsTakenBackWithAWordAndCanBeTriedAgain() {
+    public void anUnansweredEditIsUndoneWithAMessageAndCanBeRepeated() {
         browser.script("var msg = angular.element(document.querySelector('.sear-main')).scope().msg; msg.own = msg.send; msg.send = () => {}");
         type("mass", "9", Keys.ENTER);
         at(0.3, 0.3).clickAndHold().perform();

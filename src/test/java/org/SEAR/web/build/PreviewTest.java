@@ -94,7 +94,7 @@ public class PreviewTest {
     }
 
     @Test
-    public void whatAScriptMakesAndChangesIsFollowed() {
+    public void thePreviewFollowsAScript() {
         robotLab.call("sear", "newProject");
         browser.seeText(".sear-welcome", "Where do you want to begin?");
         assertFalse("nothing to start", browser.see(".sear-start").isEnabled());

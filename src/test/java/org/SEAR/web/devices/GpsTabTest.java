@@ -163,7 +163,7 @@ public class GpsTabTest {
     }
 
     @Test
-    public void aWrongBaudRateIsToldAndCanBePutRight() {
+    public void aWrongBaudRateIsShownAndCanBeCorrected() {
         connect(DeviceWorld.GPS_PORT, "4800");
         browser.seeText(".gps-message", "is it switched on, and is this its baud rate?");
         browser.seeText(".gps-status", "connected, no data");

@@ -40,7 +40,7 @@ public class AnimatedGifTest {
     }
 
     @Test
-    public void picturesFollowEachOtherAndWhatStaysIsNotWrittenAgain() throws Exception {
+    public void framesStoreOnlyChanges() throws Exception {
         AnimatedGif gif = new AnimatedGif();
         gif.add(picture(10, Color.RED), 20);
         gif.add(picture(10, Color.RED), 30);

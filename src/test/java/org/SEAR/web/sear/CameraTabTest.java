@@ -93,7 +93,7 @@ public class CameraTabTest {
     }
 
     @Test
-    public void aClickSaysHowFarHowWarmAndOfWhichColourAPixelIs() {
+    public void aClickShowsDistanceTemperatureAndColourOfAPixel() {
         see();
         browser.seeText(eye("depth") + ".sear-eye-picture", "");
         tab.start();
@@ -178,7 +178,7 @@ public class CameraTabTest {
 
     /** The lines are there before the start. */
     @Test
-    public void theViewHasLinesAroundWhatACameraSees() {
+    public void theViewHasLinesAroundACamerasField() {
         see();
         browser.click(".sear-space");
         browser.until("its lines", () -> tab.isTrue("view.scene() && view.scene().sensors.length === 4"

@@ -121,7 +121,7 @@ public class HeldKeysTest {
     }
 
     @Test
-    public void whatNothingSteersSaysSoOnceAndDrivesOn() {
+    public void anUnsteeredRobotIsReportedOnceAndDrivesOn() {
         begin(MONOCYCLE, "robot");
         hold("w");
         browser.until("ahead", () -> tab.number(ROBOT + "speed") > 0.1);

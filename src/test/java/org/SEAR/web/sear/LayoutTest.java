@@ -217,7 +217,7 @@ public class LayoutTest {
     }
 
     @Test
-    public void whatIsFoldedGivesItsRoomToTheViewAndStaysFolded() {
+    public void foldedSectionsEnlargeTheViewAndStayFolded() {
         openAt(LAPTOP_WIDTH, LAPTOP_HEIGHT);
         double[] before = box(".sear-stage canvas");
         for (String part : new String[] {"world", "inspector", "readings"}) {
@@ -245,7 +245,7 @@ public class LayoutTest {
     }
 
     @Test
-    public void onATelephoneViewAndDriveButtonsAreWhatIsSeenFirst() {
+    public void aTelephoneShowsViewAndDriveButtonsFirst() {
         openAt(PHONE_WIDTH, PHONE_HEIGHT);
         checkInWindow(PHONE_WIDTH, PHONE_HEIGHT, ".sear-start", ".sear-stop", ".sear-status", ".sear-stage canvas", ".sear-left", ".sear-forward",
             ".sear-halt", ".sear-backward", ".sear-right");

@@ -42,7 +42,7 @@ public class OwnSensorTabTest {
     }
 
     @Test
-    public void itsWordsItsPictureAndItsNumbersAreThere() throws Exception {
+    public void itsTextItsPictureAndItsNumbersAreShown() throws Exception {
         Path jar = temporary.newFolder("jar").toPath();
         OtherJar.at(jar, "ThermalGridSensor$Type");
         try (MyRobotLab robotLab = new MyRobotLab(SCRIPT, jar.toString()); Browser browser = new Browser(1280, 1000)) {

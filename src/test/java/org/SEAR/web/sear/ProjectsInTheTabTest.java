@@ -84,7 +84,7 @@ public class ProjectsInTheTabTest {
     }
 
     @Test
-    public void nothingIsOverwrittenThatThisPageDidNotWriteUnlessTheUserSaysSo() throws IOException {
+    public void foreignFilesAreOnlyOverwrittenOnConfirmation() throws IOException {
         byte[] foreign = {1, 2, 3};
         Files.write(robotLab.file("maze.sear"), foreign);
         tab.openExample("maze");
@@ -166,7 +166,7 @@ public class ProjectsInTheTabTest {
     }
 
     @Test
-    public void aMissingFileIsToldInTheTab() {
+    public void theTabReportsAMissingFile() {
         browser.type(".sear-path", "nix.sear");
         browser.click(".sear-load");
         browser.seeText(".sear-main .alert-danger", "there is no file ");

@@ -147,7 +147,7 @@ public class RecordsTabTest {
     }
 
     @Test
-    public void aReplaySaysSoAndEndsAsSoonAsItsUserTurnsToWhatIsNow() {
+    public void aReplayIsMarkedAndEndsWithTheFirstLiveAction() {
         TABS.robotLab().run(WORLD + "\n" + RUNS);
         browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
         browser.click(".sear-plots");

@@ -36,7 +36,7 @@ public class ScriptsAndPortsTest {
     // ---- Python --------------------------------------------------------------------------------------------------------
 
     @Test
-    public void aScriptRunsAndItsConsoleShowsWhatItPrints() {
+    public void theConsoleShowsTheOutputOfAScript() {
         code("for name in sear.getSensorNames(): print 'I have', name");
         browser.click(".python-run");
         browser.seeText(".mrl-console", "I have compass");
@@ -48,7 +48,7 @@ public class ScriptsAndPortsTest {
     }
 
     @Test
-    public void anErrorStandsInTheConsoleWithItsLine() {
+    public void theConsoleShowsAnErrorWithItsLine() {
         code("print 'first'\nnonsense()");
         browser.click(".python-run");
         browser.seeText(".mrl-console .err", "line 2");
@@ -68,7 +68,7 @@ public class ScriptsAndPortsTest {
     }
 
     @Test
-    public void whatAServiceCanDoIsOfferedWhileItIsTyped() {
+    public void completionOffersTheMethodsOfAService() {
         code("");
         python.type("if True:", Keys.ENTER, "sear.");
         browser.until("the calls of the page scripting.md", () -> isOffered("drive(speed, radius)"));
@@ -141,7 +141,7 @@ public class ScriptsAndPortsTest {
     }
 
     @Test
-    public void aScriptOfSomebodyElseIsOnlyOverwrittenOnDemand() throws IOException {
+    public void aForeignScriptIsOnlyOverwrittenOnRequest() throws IOException {
         Files.writeString(robotLab.file("foreign.py"), "print 'foreign'");
         code("print 'mine'");
         browser.type(".python-file", "foreign.py");

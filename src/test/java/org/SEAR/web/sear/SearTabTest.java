@@ -142,7 +142,7 @@ public class SearTabTest {
     }
 
     @Test
-    public void inLockStepTheTabSaysThatTimeWaitsAndLetsItRun() {
+    public void inLockStepTheTabShowsThatTimeWaitsAndCanRunIt() {
         tab.openExample("maze");
         robotLab.call("sear", "setLockStep", true);
         tab.start();
@@ -218,7 +218,7 @@ public class SearTabTest {
     }
 
     @Test
-    public void withShiftTheMousePullsWhatIsLooseAndLetsItGo() {
+    public void withShiftTheMouseDragsLooseObjects() {
         robotLab.run("from org.SEAR.POJOs import Box, Floor\nsear.newProject()\nFloor('floor', 10, 10)\n"
             + "Box('crate', 0.5, 0.5, 0.5, 2).move(1, 0.25, -1)\nBox('wall', 0.5, 0.5, 0.5, 0).move(-1, 0.25, -1)\n");
         browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().objects.length == 3"));
@@ -289,7 +289,7 @@ public class SearTabTest {
     }
 
     @Test
-    public void theWorldIsFittedAnewWhenThePageGetsNarrower() {
+    public void theWorldIsFittedAgainWhenThePageGetsNarrower() {
         tab.openExample("maze");
         tab.start();
         browser.click(".sear-pause");
@@ -460,7 +460,7 @@ public class SearTabTest {
     }
 
     @Test
-    public void aPageThatOpensLaterKnowsWhatHasFallenOutOfTheWorld() {
+    public void aPageOpenedLaterKnowsObjectsThatFellOutOfTheWorld() {
         robotLab.call("sear", "newProject");
         robotLab.run("from org.SEAR.POJOs import Box, Floor\nFloor('floor', 2, 2)\nlost = Box('lost', 0.3, 0.3, 0.3, 1)\nlost.move(3, 1, 3)\n");
         tab.start();

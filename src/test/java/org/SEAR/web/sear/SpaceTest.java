@@ -179,7 +179,7 @@ public class SpaceTest {
     }
 
     @Test
-    public void fitShowsWhatIsHighAndNearToTheEyeWhole() {
+    public void fitShowsHighAndNearObjectsWhole() {
         TABS.robotLab().run("from org.SEAR.POJOs import Box\nBox('tower', 0.5, 0.5, 4).move(-2, 2, -2)");
         browser.until("the tower", () -> tab.isTrue("(world.shown().objects | filter:{name: 'tower'}).length == 1"));
         browser.click(".sear-fit");
@@ -226,7 +226,7 @@ public class SpaceTest {
     }
 
     @Test
-    public void theMapIsThereAsBeforeAndThePageRemembersWhatWasChosen() {
+    public void theMapStaysAndThePageRemembersTheChoice() {
         browser.until("a view of everything", () -> number("scene.orbit.distance") > 5.5);
         browser.click(".sear-map");
         browser.see(".sear-view");
@@ -241,7 +241,7 @@ public class SpaceTest {
     }
 
     @Test
-    public void withoutWebGlThePageSaysSoAndShowsTheMap() {
+    public void withoutWebGlThePageReportsItAndShowsTheMap() {
         browser.script("HTMLCanvasElement.prototype.getContext = (function(original) { return function(kind) {"
             + " return kind.indexOf('webgl') >= 0 ? null : original.apply(this, arguments) } })(HTMLCanvasElement.prototype.getContext)");
         browser.click(".sear-map");
@@ -257,7 +257,7 @@ public class SpaceTest {
 
     /** Pictures and shadows are counted, not timed, while the service sends unchanged states. */
     @Test
-    public void whatRestsIsDrawnOnceAndShadowsOnlyWhenSomethingHasMoved() {
+    public void restingScenesAreDrawnOnceAndShadowsOnlyAfterMoves() {
         TABS.robotLab().call("sear", "startSimulation");
         browser.until("the running world", () -> told() > 2);
         browser.until("no more pictures of a world at rest, while its time goes on", () -> {
@@ -277,7 +277,7 @@ public class SpaceTest {
 
     /** Software rendering, which is too slow for smooth edges and soft shadows at thirty pictures a second. */
     @Test
-    public void theProcessorDrawsAsManyPixelsOfWhatMovesAsThereIsTimeFor() {
+    public void withoutGpuMovingScenesHaveFewerPixels() {
         assertEquals(true, inScene("scene.byProcessor && scene.renderer.shadowMap.type === THREE.BasicShadowMap"));
         assertEquals("what moves, by the time that pictures take; what rests, in a small view and in a large one", "0.5 0.5 1 1 1.5 1",
             inScene("[200, 24, 15, 24].map(millis => { for (var i = 0; i < 99; i++) { scene.took(millis) }"

@@ -46,7 +46,7 @@ public class StatusLineTest {
     }
 
     @Test
-    public void whatHasNoNameIsNotSaved() {
+    public void aProjectWithoutNameIsNotSaved() {
         browser.see(".sear-path").sendKeys(Keys.chord(Keys.CONTROL, "a"), Keys.DELETE);
         browser.click(".sear-save");
         browser.seeText(".sear-last", "enter a name in the field Project before you save, for example project.sear");
@@ -74,7 +74,7 @@ public class StatusLineTest {
     }
 
     @Test
-    public void aRefusedNameIsSaidBelowItsFieldAndLeavesNothingBehind() {
+    public void aRejectedNameIsReportedBelowItsFieldAndLeavesNothing() {
         selectTheCrate();
         type("#sear-p-name", "a/b");
         browser.seeText(".sear-name-error", "\"a/b\" is not a valid name here; legal: ");
@@ -100,7 +100,7 @@ public class StatusLineTest {
     }
 
     @Test
-    public void theDrawerOfMessagesCountsOnlyWhatNobodyHasSeen() {
+    public void theDrawerOfMessagesCountsOnlyUnseenOnes() {
         TABS.robotLab().call("sear", "warn", "one");
         browser.seeText(".sear-log", "one");
         assertEquals("it is open", 0, browser.all(".sear-fold-messages .sear-count").size());

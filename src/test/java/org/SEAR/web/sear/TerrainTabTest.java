@@ -65,7 +65,7 @@ public class TerrainTabTest {
     }
 
     @Test
-    public void thePreviewShowsTheGroundAndWhatIsUnderThePointer() {
+    public void thePreviewShowsTheGroundAndThePointAtThePointer() {
         double[] middle = point(0, 0);
         double pixel = 1 / tab.number("view.scale");
         assertEquals(36.485, middle[2], 2 * pixel / 111_000);

@@ -95,7 +95,7 @@ public class TourTest {
     }
 
     @Test
-    public void whatIsToBeClickedIsInSightOnSmallPages() {
+    public void clickTargetsAreVisibleOnSmallPages() {
         for (int[] size : new int[][] {{1280, 800}, {1024, 768}}) {
             browser.setPageSize(size[0], size[1]);
             try {
@@ -115,7 +115,7 @@ public class TourTest {
     }
 
     @Test
-    public void aBoxThatIsNotInTheWayIsSaidToBeSo() {
+    public void aBoxBesideTheWayIsReported() {
         goToTheObstacle();
         WebElement view = browser.see(".sear-view");
         onMap(view, 0.5, -1.5).click().perform();

@@ -87,7 +87,7 @@ public class AddressTest {
     }
 
     @Test
-    public void nobodyListensToOthersWithoutAToken() throws Exception {
+    public void listeningToOthersRequiresAToken() throws Exception {
         Address.listen("0.0.0.0", null);
         int port = FreePort.find();
         IOException refused = assertThrows(IOException.class, () -> new WebServer(port, List.of(), new Hub("hub")));

@@ -101,7 +101,7 @@ public class ConnectionsTest {
     }
 
     @Test
-    public void whoIsAboutToAskOutlastsRequestsThatBeganBefore() {
+    public void newConnectionsOutlastEarlierRequests() {
         for (int i = 0; i < Connections.MOST - 1; i++) {
             asks(comes());
         }

@@ -71,7 +71,7 @@ public class LoginTest {
     }
 
     @Test
-    public void aPersonIsAskedAndAProgramIsTold() throws Exception {
+    public void peopleGetTheLoginFormAndProgramsAnError() throws Exception {
         String asked = server.response(HERE, "GET /", "", HTML);
         assertEquals(401, status(asked));
         assertTrue(asked, asked.contains("<form method=\"post\" action=\"/login\"") && asked.contains("role=\"alert\"></p>"));
@@ -129,7 +129,7 @@ public class LoginTest {
     }
 
     @Test
-    public void whoTriesTooOftenWaitsAndNobodyElseDoes() throws Exception {
+    public void onlyAClientWithTooManyAttemptsWaits() throws Exception {
         String cookie = cookie(link(THERE, server.token().text()));
         for (int i = 0; i < TokenAttempts.MOST; i++) {
             assertEquals(401, status(i % 2 == 0 ? form(THERE, "wrong") : link(THERE, "wrong")));
@@ -143,7 +143,7 @@ public class LoginTest {
     }
 
     @Test
-    public void theFormTakesOnlyWhatATokenCanBe() throws Exception {
+    public void theFormAcceptsOnlyPossibleTokens() throws Exception {
         assertEquals(413, status(form(HERE, "x".repeat(2000))));
         String chunked = server.head("POST /login", FORM, "Transfer-Encoding: chunked") + "\r\n6\r\ntoken=\r\n";
         try (Socket socket = server.connect()) {

@@ -86,7 +86,7 @@ public class OpenPagesTest {
     }
 
     @Test
-    public void nobodyIsWaitedForWhereNobodyLooks() throws Exception {
+    public void withoutPagesItDoesNotWait() throws Exception {
         ends(stay(InputStream.nullInputStream(), FOR_EVER));
     }
 
@@ -142,7 +142,7 @@ public class OpenPagesTest {
     }
 
     @Test
-    public void atATerminalEnterEndsItWhoeverLooks() throws Exception {
+    public void atATerminalEnterEndsItDespiteOpenPages() throws Exception {
         try (PipedOutputStream keys = new PipedOutputStream(); PipedInputStream terminal = new PipedInputStream(keys)) {
             OpenPages.come();
             CompletableFuture<Void> over = stay(terminal, FOR_EVER);

@@ -52,7 +52,7 @@ public class SturdyServerTest {
     }
 
     @Test
-    public void slowBodiesBlockNobody() throws Exception {
+    public void slowBodiesDoNotBlockOthers() throws Exception {
         for (int i = 0; i < MANY; i++) {
             open.add(server.begin("POST /api/service/talker/publishNumber", "[", JSON, "Content-Length: 3"));
             open.add(server.begin("POST /api/service/talker/publishNumber", "1\r\n[\r\n", JSON, "Transfer-Encoding: chunked"));
@@ -64,7 +64,7 @@ public class SturdyServerTest {
     }
 
     @Test
-    public void callsThatTakeLongBlockNobody() throws Exception {
+    public void longCallsDoNotBlockOthers() throws Exception {
         for (int i = 0; i < MANY; i++) {
             open.add(server.begin("POST /api/service/talker/await", "[]", JSON, "Content-Length: 2"));
         }
@@ -77,7 +77,7 @@ public class SturdyServerTest {
     }
 
     @Test
-    public void clientsThatNeverReadBlockNobody() throws Exception {
+    public void clientsThatNeverReadDoNotBlockOthers() throws Exception {
         for (int i = 0; i < MANY; i++) {
             open.add(server.begin("POST /api/service/talker/longText", "[" + 8 * MEGABYTE + "]", JSON, "Content-Length: 9"));
         }
@@ -167,7 +167,7 @@ public class SturdyServerTest {
     }
 
     @Test
-    public void whoIsRefusedAsAPageTakesNoPlace() throws Exception {
+    public void rejectedPagesTakeNoPlace() throws Exception {
         for (int i = 0; i < 2 * MOST_CONNECTIONS + MANY; i++) {
             open.add(server.webSocket());
         }
@@ -274,7 +274,7 @@ public class SturdyServerTest {
 
     /** The page closes during the long first message, before the server handles the second. */
     @Test
-    public void whatAPageSubscribesJustBeforeItGoesIsNotListenedTo() throws Exception {
+    public void aSubscriptionOfAClosingPageIsDropped() throws Exception {
         Socket page = server.webSocket();
         open.add(page);
         String slow = "{\"name\":\"talker\",\"method\":\"half\",\"data\":[[" + "[1],".repeat(MEGABYTE) + "0]]}";

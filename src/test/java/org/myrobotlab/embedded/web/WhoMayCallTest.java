@@ -50,7 +50,7 @@ public class WhoMayCallTest {
     }
 
     @Test
-    public void whatAFormOrABeaconCanSendIsNoCall() throws Exception {
+    public void formsAndBeaconsCannotCall() throws Exception {
         assertEquals(415, post());
         for (String type : new String[] {"application/x-www-form-urlencoded", "multipart/form-data; boundary=x", "text/plain",
             "text/plain; a=application/json", "application/jsonp", ""}) {
@@ -72,7 +72,7 @@ public class WhoMayCallTest {
     }
 
     @Test
-    public void whatABrowserBringsFromElsewhereIsRefused() throws Exception {
+    public void requestsOfForeignPagesAreRejected() throws Exception {
         for (String site : new String[] {"none", "cross-site", "same-site"}) {
             assertEquals(site, 403, post(JSON, "Sec-Fetch-Site: " + site));
             assertEquals(site, 403, server.status("GET /api/service", "", "Sec-Fetch-Site: " + site));

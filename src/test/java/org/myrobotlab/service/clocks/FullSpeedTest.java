@@ -74,7 +74,7 @@ public class FullSpeedTest {
     }
 
     @Test
-    public void aReceiverIsNotSaidToBeSilent() throws Exception {
+    public void aReceiverIsNotReportedAsSilent() throws Exception {
         GPS gps = (GPS) Runtime.start("fastGps", "GPS");
         gps.addListener("publishStatus", "fastStatus", "onStatus");
         gps.connect(TestWorld.GPS_PORT);

@@ -119,7 +119,7 @@ public class StoppedMeanwhileTest {
     }
 
     @Test
-    public void whoOnlyLooksIsAnsweredAndWhoAsksIsToldThatNothingRuns() throws Exception {
+    public void pollsAreAnsweredAndQueriesReportThatNothingRuns() throws Exception {
         SimulationControl control = new SimulationControl(new RecordingHost(), () -> folder);
         control.start(false);
         SimulationSession session = control.session();

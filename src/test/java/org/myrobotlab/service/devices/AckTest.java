@@ -156,7 +156,7 @@ public class AckTest {
     }
 
     @Test(timeout = 120_000)
-    public void whoOpensThePortHearsAtOnceWhatBoardItIsAndTheSameBytesEachTime() throws Exception {
+    public void openingThePortReturnsTheBoardInfoWithTheSameBytesEachTime() throws Exception {
         Map<Double, String> first = connect();
         assertEquals(first, connect());
         assertTrue("and a second later again", first.get(first.keySet().stream().reduce(0.0, Math::max)).contains(INFO));

@@ -94,7 +94,7 @@ public class ColaPortTest {
     }
 
     @Test
-    public void aScanIsWhatTheScriptCallAnswers() throws Exception {
+    public void aScanEqualsTheScriptCall() throws Exception {
         try (Socket socket = connect()) {
             send(socket, "sRN LMDscandata");
             String[] scan = receive(socket).split(" ");

@@ -88,7 +88,7 @@ public class GpsServiceTest {
     }
 
     @Test
-    public void aPortThatSomebodyElseClosesIsNoticed() throws Exception {
+    public void aPortClosedByAnotherIsNoticed() throws Exception {
         gps.connect(PORT);
         ((Serial) Runtime.getService("testGps.serial")).disconnect();
         assertTrue(heard.awaitStatus("port " + PORT + " was closed: testGps reconnects"));
@@ -106,7 +106,7 @@ public class GpsServiceTest {
     }
 
     @Test
-    public void whatCannotStandInASentenceIsNotSent() throws Exception {
+    public void illegalCharactersOfASentenceAreNotSent() throws Exception {
         gps.connect(PORT);
         String legal = ", legal: printable ASCII without $, * and check sum, which are added, as \"PMTK220,200\"";
         for (String body : new String[] {"", "$PMTK605", "PMTK605*31", "PMTK605\r\n", "PMTK\u00fc"}) {
@@ -212,7 +212,7 @@ public class GpsServiceTest {
     }
 
     @Test
-    public void aNeoM8nIsToldInItsOwnLanguage() throws Exception {
+    public void aNeoM8nIsConfiguredByUbx() throws Exception {
         gps.setModel("u-blox");
         assertEquals("NEO-M8N", gps.getConfig().model);
         assertEquals(9600, gps.getConfig().baud);

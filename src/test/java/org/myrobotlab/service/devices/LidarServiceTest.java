@@ -139,7 +139,7 @@ public class LidarServiceTest {
     }
 
     @Test
-    public void aNewScanModeIsTold() throws Exception {
+    public void aNewScanModeIsPublished() throws Exception {
         answers.put("02 00 05 00 3B 64 00 64 00 1D 0F", "06 02 80 07 00 BB 01 64 00 64 00 10 4F BD");
         lidar.connect(PORT);
         lidar.setScanMode(100, 1);
@@ -184,7 +184,7 @@ public class LidarServiceTest {
     }
 
     @Test
-    public void aPortInUseSaysByWhom() throws Exception {
+    public void aPortInUseNamesItsUser() throws Exception {
         Serial other = (Serial) Runtime.start("otherSerial", "Serial");
         other.connect(PORT, 9600, 8, 1, 0);
         try {
@@ -211,7 +211,7 @@ public class LidarServiceTest {
     }
 
     @Test
-    public void withoutConnectionScanningSaysSo() {
+    public void scanningWithoutConnectionIsReported() {
         try {
             lidar.singleScan();
             fail("scanned");
@@ -221,14 +221,14 @@ public class LidarServiceTest {
     }
 
     @Test
-    public void aPortThatSomebodyElseClosesIsNoticed() throws Exception {
+    public void aPortClosedByAnotherIsNoticed() throws Exception {
         lidar.connect(PORT);
         lidar.addListener("publishState", "rawScans", "onState");
         ((Serial) Runtime.getService("testLidar.serial")).disconnect();
         assertTrue(raw.awaitStatus("port " + PORT + " was closed: testLidar reconnects"));
         assertFalse(lidar.isConnected());
         assertTrue(raw.awaitState("\"connected\":false"));
-        withoutConnectionScanningSaysSo();
+        scanningWithoutConnectionIsReported();
         lidar.reconnectSerial();
         lidar.singleScan();
         assertEquals(1, raw.await(1).size());
@@ -238,7 +238,7 @@ public class LidarServiceTest {
     public void aVirtualPortThatIsGoneIsNoticed() throws Exception {
         lidar.connect(PORT);
         device.close();
-        withoutConnectionScanningSaysSo();
+        scanningWithoutConnectionIsReported();
         assertTrue(raw.awaitStatus("port " + PORT + " was closed"));
     }
 

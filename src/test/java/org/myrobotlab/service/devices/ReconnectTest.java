@@ -133,7 +133,7 @@ public class ReconnectTest {
     }
 
     @Test
-    public void theUnitIsRememberedAndToldToADeviceThatHasAnother() throws Exception {
+    public void theUnitIsRestoredAndSetOnTheDevice() throws Exception {
         lidar.setToCM();
         sear.simSleep(20);
         assertEquals("cm", lidar.getUnit());
@@ -173,7 +173,7 @@ public class ReconnectTest {
     }
 
     @Test
-    public void whoeverWasDisconnectedOrReleasedIsNot() throws Exception {
+    public void disconnectedOrReleasedServicesDoNotReconnect() throws Exception {
         Serial serial = (Serial) Runtime.start("backSerial", "Serial");
         serial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
         lidar.disconnect();
@@ -191,7 +191,7 @@ public class ReconnectTest {
      * connects.
      */
     @Test
-    public void whoeverCameBackByItselfGivesWayToWhoConnectsByACall() throws Exception {
+    public void reconnectedServicesYieldToConnectCalls() throws Exception {
         for (boolean lockStep : new boolean[] {true, false}) {
             Serial serial = (Serial) Runtime.start("backSerial", "Serial");
             serial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
@@ -217,7 +217,7 @@ public class ReconnectTest {
     }
 
     @Test
-    public void nobodyComesBackToAnotherProject() throws Exception {
+    public void servicesDoNotReconnectToAnotherProject() throws Exception {
         sear.stopSimulation();
         sear.newProject();
         TestWorld.build(temporary.newFolder().toPath());

@@ -211,7 +211,7 @@ public class LmsDriverTest {
     }
 
     @Test
-    public void whatIsNotPermittedIsAnErrorAndTheNextRequestFollows() {
+    public void aForbiddenRequestIsAnErrorAndTheNextFollows() {
         askScan();
         askMode();
         driver.receive(Bytes.bytes("06 02 80 02 00 92 10 7F 33"));
@@ -230,7 +230,7 @@ public class LmsDriverTest {
     }
 
     @Test(expected = IllegalStateException.class)
-    public void aScriptThatAsksFasterThanTheDeviceAnswersIsTold() {
+    public void aScriptFasterThanTheDeviceIsReported() {
         for (int i = 0; i < 200; i++) {
             askScan();
         }

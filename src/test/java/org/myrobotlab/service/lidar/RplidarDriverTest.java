@@ -53,7 +53,7 @@ public class RplidarDriverTest {
     }
 
     @Test
-    public void whatIsNotMeasuredIsNoDistance() {
+    public void missingSamplesAreNoDistance() {
         ask(RplidarCommand.SCAN, false);
         driver.receive(SCAN);
         assertEquals("[SCAN]", answers.toString());

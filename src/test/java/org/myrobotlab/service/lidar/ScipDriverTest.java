@@ -40,7 +40,7 @@ public class ScipDriverTest {
     }
 
     @Test
-    public void theLostAnswerIsAskedForAgainAndThenTold() {
+    public void aLostAnswerIsRequestedAgainAndThenReported() {
         ask("BM");
         driver.receive(bytes("BM|02R||"));
         ask("QT");

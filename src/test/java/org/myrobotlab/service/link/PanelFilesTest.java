@@ -75,7 +75,7 @@ public class PanelFilesTest {
     }
 
     @Test
-    public void whatAnOlderVersionWroteIsReplaced() throws IOException {
+    public void filesOfAnOlderVersionAreReplaced() throws IOException {
         String ours = installed();
         Files.writeString(root().resolve(SCRIPT), "older");
         Files.writeString(root().resolve(RECORD), SCRIPT + "=" + sha256("older") + "\n");
@@ -83,7 +83,7 @@ public class PanelFilesTest {
     }
 
     @Test
-    public void whatOnlyAnOlderVersionHadGoesUnlessTheUserChangedIt() throws IOException {
+    public void obsoleteFilesAreDeletedUnlessTheUserChangedThem() throws IOException {
         installed();
         Files.writeString(root().resolve("WebGui/older.js"), "older");
         Files.writeString(root().resolve("WebGui/changed.js"), "mine");
@@ -95,7 +95,7 @@ public class PanelFilesTest {
     }
 
     @Test
-    public void whatTheUserChangedStays() throws IOException {
+    public void changesOfTheUserStay() throws IOException {
         installed();
         Files.writeString(root().resolve(SCRIPT), "mine");
         assertEquals("mine", installed());

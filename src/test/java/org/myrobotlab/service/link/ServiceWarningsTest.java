@@ -25,7 +25,7 @@ public class ServiceWarningsTest {
     }
 
     @Test
-    public void aWarningIsPublishedAndStandsInTheLogOnce() throws Exception {
+    public void aWarningIsPublishedAndLoggedOnce() throws Exception {
         Heard service = (Heard) Runtime.start("warned", "Heard");
         service.addListener("publishStatus", "warned", "onStatus");
         ByteArrayOutputStream log = new ByteArrayOutputStream();

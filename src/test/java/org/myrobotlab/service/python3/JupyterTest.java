@@ -79,7 +79,7 @@ public class JupyterTest {
      * need to be present.
      */
     @Test
-    public void theNotebookShowsWhatStandsInIt() throws Exception {
+    public void theNotebookReproducesItsOutputs() throws Exception {
         Path result = temporary.getRoot().toPath().resolve("result.ipynb");
         run(List.of(JUPYTER), SCRIPTS.resolve("run_notebook.py").toString(), NOTEBOOK.toString(), temporary.newFolder().toString(),
             result.toString(), "2");

@@ -135,7 +135,7 @@ public class Python3PackageTest {
 
     /** A Jython script opens the gateway and starts a Python 3 program, as a user would in another window. */
     @Test
-    public void aProgramConnectsToWhatRuns() throws Exception {
+    public void aProgramConnectsToARunningSimulation() throws Exception {
         List<String> blocks = DocBlock.of("docs/python3.md", "python");
         assertEquals(1, blocks.size());
         Path home = temporary.newFolder().toPath();

@@ -110,7 +110,7 @@ public class BodyCallsTest {
     }
 
     @Test
-    public void wrongCallsSayWhatIsLegal() {
+    public void wrongCallsAreReportedWithTheLegalRange() {
         assertThrows(IllegalStateException.class, () -> sear.push("crate", List.of(1, 0, 0), 1));
         sear.startSimulation();
         refused("legal: three numbers", () -> sear.push("crate", List.of(1, 0), 1));

@@ -132,7 +132,7 @@ public class CallbackNamesTest {
 
     /** An earlier listener would call the next script's function of that name. */
     @Test
-    public void nobodyElseUsesTheNameOfACallback() {
+    public void callbackNamesAreUnique() {
         List<String> taken = new ArrayList<>();
         for (Listener one : listeners) {
             Pattern own = Pattern.compile("(?m)^\\s*((def|class)\\s+NAME\\b|NAME\\s*=)|\\bas NAME\\b".replace("NAME", one.callback));

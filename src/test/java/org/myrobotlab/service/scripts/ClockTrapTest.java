@@ -53,7 +53,7 @@ public class ClockTrapTest {
     }
 
     @Test
-    public void aSleepThatLetsNoSimulatedTimePassIsToldOnce() throws Exception {
+    public void aSleepWithoutSimulatedTimeIsReportedOnce() throws Exception {
         sear.setLockStep(true);
         sear.startSimulation();
         assertTrue(python.exec(String.format(SLEEP, "heard.getStatuses().toString().count(\"by the computer's clock\")")));
@@ -63,7 +63,7 @@ public class ClockTrapTest {
     }
 
     @Test
-    public void aLoopThatLetsNoSimulatedTimePassIsToldOnceWithItsLine() throws Exception {
+    public void aLoopWithoutSimulatedTimeIsReportedOnceWithItsLine() throws Exception {
         sear.setLockStep(true);
         sear.startSimulation();
         assertTrue(String.valueOf(python.getLastError()), python.exec("import time\nend = time.time() + 60\n"

@@ -99,7 +99,7 @@ public class DrivingCallsTest {
     }
 
     @Test
-    public void whatComesLastCountsCallOrCommand() throws Exception {
+    public void theLastCallOrCommandCounts() throws Exception {
         Serial serial = (Serial) Runtime.start("drivingSerial", "Serial");
         serial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
         serial.write(FarEnd.bytes("80 83 89 00 C8 80 00"));
@@ -129,7 +129,7 @@ public class DrivingCallsTest {
     }
 
     @Test
-    public void whatIsNotLegalIsNamedWithWhatIs() {
+    public void illegalArgumentsAreReportedWithTheLegalRange() {
         assertEquals("driveStraight: speed is NaN, legal: -100.0 to 100.0 m/s", refused(() -> sear.driveStraight(Double.NaN)));
         assertEquals("spin: speed is 1.0E9, legal: -3600.0 to 3600.0 degrees per second", refused(() -> sear.spin(1e9)));
         assertEquals("setWheelSpeeds: right is -101.0, legal: -100.0 to 100.0 m/s", refused(() -> sear.setWheelSpeeds(0, -101)));
@@ -141,7 +141,7 @@ public class DrivingCallsTest {
     }
 
     @Test
-    public void aRobotThatCannotSaysSo() throws Exception {
+    public void aRobotWithoutTheAbilityReportsIt() throws Exception {
         sear.stopSimulation();
         Path robot = folder.resolve("robot/roomba.xml");
         String whole = Files.readString(robot);

@@ -77,7 +77,7 @@ public class EditCallsTest {
     }
 
     @Test
-    public void panelsGetWhatIsWrongAsAnAnswer() throws Exception {
+    public void panelsGetErrorsAsAnswers() throws Exception {
         Edits edits = new Edits(new SimulationControl(null, () -> folder));
         Map<String, Object> answer = edits.attempt(Map.of("do", "set", "object", "wall", "set", Map.of("mass", "heavy"), "page", "a"));
         assertEquals(false, answer.get("done"));
@@ -91,7 +91,7 @@ public class EditCallsTest {
     }
 
     @Test
-    public void whatIsMovedWhileItRunsMovesAndTheRestWaits() {
+    public void movesApplyDuringARunAndOtherEditsWait() {
         sear.startSimulation();
         sear.simSleep(0.5);
         assertEquals(TestWorld.WALL - 0.15, sear.getDistanceResult("ping"), 0.02);
@@ -111,7 +111,7 @@ public class EditCallsTest {
 
     /** Moves the robot as the tab's drag does: onto a step, and by undo back to where it had driven. */
     @Test
-    public void aRobotThatIsMovedWhileItRunsStandsOnWhatIsThereAndUndoPutsItBack() throws Exception {
+    public void aRobotMovedDuringARunStandsOnItsSupportAndUndoMovesItBack() throws Exception {
         sear.edit(Map.of("do", "add", "type", "Box", "name", "step",
             "set", Map.of("x", 3, "y", 0.15, "z", -3, "length", 2, "width", 2, "height", 0.3)));
         sear.startSimulation();

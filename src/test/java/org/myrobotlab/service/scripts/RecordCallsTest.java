@@ -104,7 +104,7 @@ public class RecordCallsTest {
     }
 
     @Test
-    public void aRecordThatIsNotWholeIsReadAndSaysSo() throws Exception {
+    public void anIncompleteRecordIsReadAndReported() throws Exception {
         Heard heard = (Heard) Runtime.start("recordStatus", "Heard");
         sear.addListener("publishStatus", "recordStatus", "onStatus");
         String file = sear.recordRun(record);
@@ -125,7 +125,7 @@ public class RecordCallsTest {
     }
 
     @Test
-    public void whatIsWrongIsSaid() throws Exception {
+    public void errorsAreReported() throws Exception {
         Path other = temporary.getRoot().toPath().resolve("other.searlog");
         Files.writeString(other, "no record");
         String said = assertThrows(IllegalStateException.class, () -> sear.recordRun(other.toString())).getMessage();

@@ -181,7 +181,7 @@ public class OpencvExamplesTest {
     }
 
     @Test
-    public void whatIsMissingIsSaid() throws Exception {
+    public void missingRequirementsAreReported() throws Exception {
         Path without = folder.newFolder("without").toPath();
         Files.writeString(without.resolve("cv2.py"), "raise ImportError('there is no OpenCV here')\n");
         assertRefused(without, "OpenCV is missing. Install it: python3 -m pip install opencv-python");

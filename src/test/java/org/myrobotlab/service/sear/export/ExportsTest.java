@@ -125,7 +125,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void aDeviceThatTalksToNobodyIsNotHeldUp() throws Exception {
+    public void aDeviceWithoutReaderIsNotBlocked() throws Exception {
         exports.terminal("/dev/test_user", null);
         for (int i = 0; i < 1000; i++) {
             device.write(all());
@@ -134,7 +134,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void whatCameWhileNobodyHadThePseudoTerminalOpenIsGone() throws Exception {
+    public void bytesForAClosedPseudoTerminalAreDropped() throws Exception {
         Assume.assumeTrue("macOS needs a side kept open", System.getProperty("os.name").equals("Linux"));
         String path = exports.terminal("/dev/test_user", null);
         for (int round = 1; round <= 3; round++) {
@@ -168,7 +168,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void theSettingsOfAPseudoTerminalSurviveThatNobodyHasItOpen() throws Exception {
+    public void theSettingsOfAPseudoTerminalSurviveWhileItIsClosed() throws Exception {
         int[] baud = listenToBaud();
         String path = exports.terminal("/dev/test_user", null);
         assertEquals(0, new ProcessBuilder("stty", "-F", path, "19200").inheritIO().start().waitFor());
@@ -510,7 +510,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void aTcpProgramThatReadsNothingLosesWholeMessagesAndHoldsNobodyUp() throws Exception {
+    public void aTcpProgramThatReadsNothingLosesWholeMessagesAndBlocksNoOther() throws Exception {
         int number = exports.rfc2217("/dev/test_user", 0);
         try (Socket client = new Socket(InetAddress.getLoopbackAddress(), number)) {
             client.getOutputStream().write(1);

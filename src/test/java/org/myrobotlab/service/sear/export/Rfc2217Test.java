@@ -94,7 +94,7 @@ public class Rfc2217Test {
     }
 
     @Test
-    public void rawBytesAreToldOnceAndPass() {
+    public void rawBytesAreReportedOnceAndPass() {
         answer("02 00 01 00 31 15 12");
         assertEquals("[]", host.warnings.toString());
         answer("02 00 01 00 31 15 12");

@@ -107,7 +107,7 @@ public class HostileVisitorsTest {
     }
 
     @Test
-    public void whatIsNoRequestIsAnsweredAndForgotten() throws Exception {
+    public void invalidRequestsAreAnsweredAndDropped() throws Exception {
         world.startPaused();
         int port = open("color");
         String end = "\r\nHost: localhost:" + port + "\r\n\r\n";
@@ -178,7 +178,7 @@ public class HostileVisitorsTest {
     }
 
     @Test
-    public void whoComesWhenAllPlacesAreTakenIsToldSo() throws Exception {
+    public void clientsBeyondTheLimitAreRejectedWithTheCause() throws Exception {
         world.startPaused();
         int port = open("color");
         List<Visitor> visitors = new ArrayList<>();
@@ -198,7 +198,7 @@ public class HostileVisitorsTest {
 
     /** Each of ten clients that read nothing holds at most one picture. */
     @Test
-    public void picturesThatNobodyTakesAreNotKept() throws Exception {
+    public void unreadPicturesAreNotStored() throws Exception {
         world.startPaused();
         CameraImage image = world.cameras.look("fast");
         PictureServer server = PictureServer.open("fast", DeviceProfile.PLAIN, 0, new Demand(), TimeUnit.HOURS.toMillis(1));

@@ -234,7 +234,7 @@ public class NetworkCameraTest {
     }
 
     @Test
-    public void whatIsWrongIsSaid() throws Exception {
+    public void errorsAreReported() throws Exception {
         int early = exports.plain("eye", 0);
         world.startPaused();
         exports.begin();

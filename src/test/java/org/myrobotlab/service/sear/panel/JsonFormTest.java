@@ -32,7 +32,7 @@ public class JsonFormTest {
     }
 
     @Test
-    public void onlyWhatHasChangedIsToldAndWhatHasGoneAsNull() {
+    public void onlyChangesAreSentAndRemovedFieldsAsNull() {
         Below before = new Below();
         before.maybe = "b";
         before.inside = List.of(new Above());

@@ -59,7 +59,7 @@ public class LookTableTest {
     /** A page may send any JSON. */
     @SuppressWarnings({"unchecked", "rawtypes"})
     @Test
-    public void whatIsNoListOfKeysIsRefused() {
+    public void invalidListsOfKeysAreRejected() {
         assertEquals("the keys of looks are null, legal: a list of texts",
             assertThrows(IllegalArgumentException.class, () -> looks.of(null)).getMessage());
         for (Object one : new Object[] {null, 1}) {

@@ -100,7 +100,7 @@ public class OwnReadingTest {
     }
 
     @Test
-    public void theTabGetsItsWordsNumbersAndPicture() throws Exception {
+    public void theTabGetsItsTextNumbersAndPicture() throws Exception {
         JsonNode sensors = JSON.valueToTree(new WorldFeed().next(world, new WorldFeed.Message())).get("sensors");
         JsonNode eye = sensors.get(0);
         assertEquals("eye", eye.get("name").asText());
@@ -119,7 +119,7 @@ public class OwnReadingTest {
     }
 
     @Test
-    public void theWindowShowsItsWords() {
+    public void theWindowShowsItsText() {
         RunnerLink link = new RunnerLink(new SimulationRunner(world), () -> false);
         steps(10);
         assertEquals(words(), link.sceneState().values.get("eye"));
@@ -128,7 +128,7 @@ public class OwnReadingTest {
     }
 
     @Test
-    public void aRecordKeepsItsNumbersByTheirNamesAndTellsThem() throws Exception {
+    public void aRecordStoresAndReturnsItsNumbersByName() throws Exception {
         Path file = project.folder().resolveSibling("eye.searlog");
         Recorder recorder = Recorder.begin(world, file, Recorder.LIMIT, said -> { });
         steps(4);

@@ -130,7 +130,7 @@ public class RecordMotionTest {
     }
 
     @Test
-    public void whatCantBeRunAgainSaysWhy() throws Exception {
+    public void aFailedRerunReportsItsCause() throws Exception {
         try (Simulation world = world(1)) {
             Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
             run(world, SECOND);

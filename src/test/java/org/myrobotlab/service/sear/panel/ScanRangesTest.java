@@ -54,7 +54,7 @@ public class ScanRangesTest {
     }
 
     @Test
-    public void whatIsNothingFarOffDiffersFromTheFarthest() {
+    public void noReturnDiffersFromTheFurthestRange() {
         assertNotEquals(new ScanRanges(new double[] {8}).text(), new ScanRanges(new double[] {Double.POSITIVE_INFINITY}).text());
         assertEquals(0, read(new ScanRanges(new double[0]).text()).length);
     }

@@ -86,7 +86,7 @@ public class WorldFeedTest {
     }
 
     @Test
-    public void whatRestsIsSentOnceHoweverMuchThereIs() throws Exception {
+    public void restingObjectsAreSentOnce() throws Exception {
         try (Simulation few = world(1); Simulation many = world(MANY)) {
             assertEquals(MANY + 2, ((List<?>) next(many).get("objects")).size());
             Map<String, Object> large = resting(many);
@@ -99,7 +99,7 @@ public class WorldFeedTest {
     }
 
     @Test
-    public void whatMovesIsSentByItsPlace() throws Exception {
+    public void movingObjectsAreSentByIndex() throws Exception {
         try (Simulation world = world(3)) {
             Map<String, Object> whole = next(world);
             int faller = world.getProject().getEnvironment().stream().map(SearObject::getName).collect(Collectors.toList()).indexOf("faller");
@@ -132,7 +132,7 @@ public class WorldFeedTest {
 
     /** Panels draw parts on a servo at their present pose and get messages only while it turns. */
     @Test
-    public void whatAServoTurnsIsToldAsItTurns() throws Exception {
+    public void partsOfAServoAreSentAsItTurns() throws Exception {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
         Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>s</component>"
@@ -159,7 +159,7 @@ public class WorldFeedTest {
 
     /** Panels get the list of lights once, then each change of brightness. */
     @Test
-    public void lightsAreToldWhenTheyChange() throws Exception {
+    public void lightsAreSentOnChange() throws Exception {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
         Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>lamp</component></SEARrobot>");
@@ -187,7 +187,7 @@ public class WorldFeedTest {
 
     /** Panels request its pictures one by one, so a camera without viewers costs next to nothing. */
     @Test
-    public void aCameraIsToldWithoutAPictureBeingTaken() throws Exception {
+    public void aCameraIsListedWithoutTakingAPicture() throws Exception {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
         Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>eye</component></SEARrobot>");
@@ -216,7 +216,7 @@ public class WorldFeedTest {
 
     /** Panels get the beam directions once, then one range per beam. */
     @Test
-    public void panelsAreToldWhichWaysAScannersBeamsGo() throws Exception {
+    public void panelsGetTheDirectionsOfAScannersBeams() throws Exception {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
         Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>eye</component></SEARrobot>");

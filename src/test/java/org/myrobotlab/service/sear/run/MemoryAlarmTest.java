@@ -23,7 +23,7 @@ public class MemoryAlarmTest {
 
     /** The limit is so low that a few kilobytes fill the heap. */
     @Test
-    public void itIsToldOnceAfterACollection() throws Exception {
+    public void itIsReportedOnceAfterACollection() throws Exception {
         byte[] old = new byte[4 << 20];
         MemoryAlarm alarm = new MemoryAlarm(1e-6, text -> {
             told.add(text);
@@ -46,7 +46,7 @@ public class MemoryAlarmTest {
     }
 
     @Test
-    public void aHeapWithRoomIsNoNews() {
+    public void aHeapWithFreeMemoryIsNotReported() {
         MemoryAlarm alarm = new MemoryAlarm(MemoryAlarm.NEARLY_FULL, told::add);
         alarm.open();
         assertTrue("it watches", thresholds() > 0);

@@ -48,7 +48,7 @@ public class RunParametersTest {
     }
 
     @Test
-    public void whatIsOfAnotherKindIsRefused() {
+    public void valuesOfAnotherKindAreRejected() {
         given("speed", "fast");
         given("count", "0.5");
         given("on", "1");
@@ -70,7 +70,7 @@ public class RunParametersTest {
     }
 
     @Test
-    public void whoAsksForNoneOfTheNameIsKnown() {
+    public void unusedParameterNamesAreKnown() {
         given("speeed", "1");
         given("lit", "true");
         assertTrue(RunParameters.unasked().containsAll(List.of("speeed", "lit")));

@@ -38,7 +38,7 @@ public class ModulesTest {
     private static final Path MODULES = SERVICE.resolve("js/sear");
 
     @Test
-    public void aRoomImportsOnlyFromRoomsBelowIt() throws IOException {
+    public void aPackageImportsOnlyFromPackagesBelowIt() throws IOException {
         List<String> wrong = new ArrayList<>();
         Set<String> seen = new HashSet<>();
         imports().forEach((file, imported) -> {
@@ -58,7 +58,7 @@ public class ModulesTest {
     }
 
     @Test
-    public void aKnotIsFound() {
+    public void aCycleIsFound() {
         Path a = Paths.get("a.js");
         Path b = Paths.get("b.js");
         Path c = Paths.get("c.js");
@@ -74,7 +74,7 @@ public class ModulesTest {
     }
 
     @Test
-    public void aRoomHasTwentyFilesAtMost() throws IOException {
+    public void aPackageHasTwentyFilesAtMost() throws IOException {
         imports().keySet().stream().collect(Collectors.groupingBy(ModulesTest::room, Collectors.counting()))
             .forEach((room, count) -> assertTrue(room + " has " + count + " files, legal: " + MOST_FILES, count <= MOST_FILES));
     }

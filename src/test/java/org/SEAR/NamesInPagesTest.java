@@ -36,7 +36,7 @@ public class NamesInPagesTest {
     private static final Pattern OBJECTS = Pattern.compile("^POJOs(\\.|$)");
 
     @Test
-    public void eachClassThatIsNamedIsThere() throws IOException {
+    public void eachNamedClassExists() throws IOException {
         List<Path> sources = sources();
         List<String> wrong = new ArrayList<>();
         Set<String> known = known(sources);

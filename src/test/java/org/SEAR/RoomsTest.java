@@ -73,7 +73,7 @@ public class RoomsTest {
     private static final List<String> OTHERS = Arrays.asList("mrl", "cli", "assets", "jmh");
 
     @Test
-    public void aRoomImportsOnlyFromRoomsBelowIt() throws IOException {
+    public void aPackageImportsOnlyFromPackagesBelowIt() throws IOException {
         List<String> wrong = new ArrayList<>();
         for (Path file : sources()) {
             int from = ROOMS.indexOf(packageOf(file));
@@ -137,7 +137,7 @@ public class RoomsTest {
     }
 
     @Test
-    public void noKnotOfFilesInsideARoomIsLargerThanSix() throws IOException {
+    public void noCycleOfFilesInsideAPackageIsLargerThanSix() throws IOException {
         List<String> wrong = new ArrayList<>();
         for (Map.Entry<String, Map<String, Set<String>>> room : uses().entrySet()) {
             int most = LARGE_KNOTS.getOrDefault(room.getKey(), LARGEST_KNOT);

@@ -112,7 +112,7 @@ public class ClicksTest extends InPage {
     }
 
     @Test
-    public void aThingIsBuiltTakenBackSavedBesideAForeignFileAndOverItAndUploaded() throws Exception {
+    public void anObjectIsBuiltUndoneSavedBesideAndOverAForeignFileAndUploaded() throws Exception {
         page.open(mrl, "sear");
         page.await("an empty project", "world.preview !== null && edits.grammar !== null && world.shown() && !world.shown().objects.length");
         page.browser.click("[data-tile='build']");

@@ -77,14 +77,14 @@ public class InstallTest {
     }
 
     @Test
-    public void aMyRobotLabThatWasNeverStartedIsAsItWas() throws Exception {
+    public void aMyRobotLabThatWasNeverStartedIsUnchangedAfterRemoval() throws Exception {
         RealMrlCopy copy = new RealMrlCopy("installed");
         assertItIsAsItWas(copy.folder());
     }
 
     /** Includes the files that MyRobotLab and SEAR's panels have written since. */
     @Test
-    public void oneThatHasRunIsAsItWas() throws Exception {
+    public void aMyRobotLabThatHasRunIsUnchangedAfterRemoval() throws Exception {
         Path running = RealMrl.shared().folder();
         Path folder = new RealMrlCopy("installed").folder();
         RealMrlCopy.delete(folder);

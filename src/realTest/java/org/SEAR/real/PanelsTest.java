@@ -80,7 +80,7 @@ public class PanelsTest extends InPage {
 
     /** MyRobotLab's page is always light. */
     @Test
-    public void wordsCanBeReadWhereTheUserPrefersDarkPages() {
+    public void textIsReadableIfTheUserPrefersDarkPages() {
         page.browser.setTheme("dark");
         try {
             page.open(mrl, "sear");
@@ -101,7 +101,7 @@ public class PanelsTest extends InPage {
      * immediately.
      */
     @Test
-    public void aServiceThatIsStartedWhileThePageIsOpenHasAllInItsPanel() throws Exception {
+    public void aServiceStartedWhileThePageIsOpenHasACompletePanel() throws Exception {
         page.open(mrl, "sear");
         page.await("what the first panel has asked for", "edits.grammar !== null && project.examples.length > 5");
         assertEquals("", mrl.python("another = Runtime.start('another', 'SEAR')"));

@@ -20,26 +20,26 @@ public class PackageGraphTest {
     private static final Path PICTURE = Path.of(System.getProperty("sear.root", "."), "docs/images/packages.svg");
 
     @Test
-    public void noPackageUsesOneThatUsesIt() throws Exception {
+    public void packagesHaveNoCycles() throws Exception {
         PackageGraph graph = PackageGraph.ofPlugin();
         assertTrue(graph.uses().toString(), graph.below("org.myrobotlab.service").contains("org.myrobotlab.serial"));
         assertEquals(graph.uses().toString(), Collections.emptySet(), graph.circles());
     }
 
     @Test
-    public void thePictureInTheDocsShowsThem() throws Exception {
+    public void thePictureInTheDocsIsUpToDate() throws Exception {
         String picture = new PackagePicture(PackageGraph.ofPlugin()).svg();
         assertEquals("run ./gradlew packageGraph", picture, Files.readString(PICTURE, StandardCharsets.UTF_8));
     }
 
     @Test
-    public void aCircleIsFound() {
+    public void aCycleIsFound() {
         PackageGraph graph = new PackageGraph(Map.of("a", List.of("b"), "b", List.of("c"), "c", List.of("b", "d"), "e", List.of("a")));
         assertEquals(Set.of("b", "c"), graph.circles());
     }
 
     @Test
-    public void anArrowThatFollowsFromOthersIsLeftOut() {
+    public void transitiveArrowsAreLeftOut() {
         PackageGraph graph = new PackageGraph(Map.of("a", List.of("b", "c"), "b", List.of("c")));
         assertEquals(Set.of("b"), graph.direct("a"));
         assertEquals(2, graph.height("a"));

@@ -57,7 +57,7 @@ public class PerformancePageTest {
 
     /** The quick run shows that these commands work; here only their options are checked. */
     @Test
-    public void theCommandsOfThePageHaveOptionsThatThereAre() throws Exception {
+    public void theCommandsOfThePageHaveValidOptions() throws Exception {
         String help = run("--help");
         List<String> commands = DocBlock.commands("docs/performance.md", "scripts/benchmark");
         assertTrue(commands.toString(), commands.size() > 1);
@@ -87,7 +87,7 @@ public class PerformancePageTest {
 
     /** Applies as soon as a run on a quiet machine is recorded. */
     @Test
-    public void thePageBelongsToItsNumbers() throws Exception {
+    public void thePageMatchesItsFigures() throws Exception {
         Path numbers = ROOT.resolve("docs/performance.json");
         if (!Files.exists(numbers)) {
             return;

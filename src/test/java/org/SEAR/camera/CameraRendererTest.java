@@ -58,7 +58,7 @@ public class CameraRendererTest {
     }
 
     @Test
-    public void aPixelLooksWhereTheLensHasIt() {
+    public void aPixelLooksAlongItsRayOfTheLens() {
         double[] distortion = {-0.25, 0.06, 0.002, -0.001};
         BrownLens lens = lens(distortion);
         CameraRenderer eye = eye(distortion);

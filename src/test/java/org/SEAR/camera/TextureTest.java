@@ -26,7 +26,7 @@ public class TextureTest {
     }
 
     @Test
-    public void placesCountFromTheLowerLeft() {
+    public void coordinatesCountFromTheLowerLeft() {
         look(four(true), 0.25, 0.75, 0.01);
         assertSeen("upper left", 0xff0000, EVEN);
         look(four(true), 0.75, 0.75, 0.01);
@@ -48,7 +48,7 @@ public class TextureTest {
     }
 
     @Test
-    public void farAwayAPatternIsItsMean() {
+    public void aDistantPatternHasItsMeanColour() {
         int[] pixels = new int[64 * 64];
         for (int i = 0; i < pixels.length; i++) {
             pixels[i] = (i % 64 + i / 64) % 2 == 0 ? 0xffffff : 0;

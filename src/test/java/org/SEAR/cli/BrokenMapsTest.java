@@ -117,7 +117,7 @@ public class BrokenMapsTest {
 
     /** A broken picture shared with a box, which alone would cause only a warning, is still an error. */
     @Test
-    public void aBrokenPictureOfAThingIsAWarning() throws Exception {
+    public void aBrokenPictureOfAnObjectIsAWarning() throws Exception {
         asset("map.tif", map().bytes());
         asset("text.png", "hello");
         new Box("box", 1, 1, 1).setImage("text.png");
@@ -179,7 +179,7 @@ public class BrokenMapsTest {
      * file's header are only read at the start.
      */
     @Test
-    public void allBrokenMapsAreNamedAtOnce() throws Exception {
+    public void allBrokenMapsAreReportedTogether() throws Exception {
         asset("map.tif", map().bytes());
         asset("text.tif", "hello, this is a text");
         asset("short.asc", "ncols 3\nnrows 3\nxllcorner 8\nyllcorner 47\n1 2 3\n");

@@ -193,7 +193,7 @@ public class ClassCommandTest {
     }
 
     @Test
-    public void withoutTheTeachersProgramThePupilsEnd() throws Exception {
+    public void pupilsProgramsEndWithTheTeachersProgram() throws Exception {
         Files.writeString(path("names.txt"), "Ada\n");
         port = FreePort.find();
         List<String> arguments = arguments(command(line -> line.contains("--url")));
@@ -244,7 +244,7 @@ public class ClassCommandTest {
     }
 
     @Test
-    public void aSearForOneTakesItsTokenFromAFileAndKeepsToItsPort() throws Exception {
+    public void aSearForOnePupilTakesItsTokenFromAFileAndKeepsItsPort() throws Exception {
         List<String> commands = DocBlock.commands("docs/classroom.md", "sear --headless");
         assertEquals(commands.toString(), 1, commands.size());
         port = FreePort.find();

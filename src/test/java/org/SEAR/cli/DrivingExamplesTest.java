@@ -89,7 +89,7 @@ public class DrivingExamplesTest {
     }
 
     @Test
-    public void theWallIsFollowedOnceRound() throws Exception {
+    public void theWallIsFollowedAllAround() throws Exception {
         String text = run("wall_follower.py", "follower");
         double[] robot = end(text, "follower");
         assertEquals(text, 0, Math.hypot(robot[0] + 1.5, robot[1] + 1), 0.35);
@@ -186,7 +186,7 @@ public class DrivingExamplesTest {
     }
 
     @Test
-    public void theLineIsFollowedOnceRound() throws Exception {
+    public void theLineIsFollowedAllAround() throws Exception {
         String text = run("line_follower.py", "follower");
         double[] round = numbers(text, "Once round in [0-9.]+ s: ([0-9.]+) m, the line lost (\\d+) times");
         assertEquals("the tape is 4.9 m long", 4.9, round[0], 0.15);

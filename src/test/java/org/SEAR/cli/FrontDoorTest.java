@@ -106,7 +106,7 @@ public class FrontDoorTest {
     }
 
     @Test
-    public void withNothingTheTabsOpenOnAnEmptyProjectWithExamples() throws Exception {
+    public void withoutArgumentsTheTabsOpenOnAnEmptyProjectWithExamples() throws Exception {
         sear();
         isOpen();
         assertTrue(call("sear/getExamples").contains("maze"));

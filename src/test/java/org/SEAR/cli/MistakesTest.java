@@ -94,7 +94,7 @@ public class MistakesTest {
     }
 
     @Test
-    public void eachEndsInAMessageWithLineThingAndRemedy() throws Exception {
+    public void eachEndsInAMessageWithLineObjectAndRemedy() throws Exception {
         Path root = temporary.newFolder().toPath().toRealPath();
         Map<Path, Mistake> laid = new LinkedHashMap<>();
         for (Mistake mistake : mistakes()) {

@@ -96,7 +96,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void aPortInUseIsAnsweredWithAnotherOne() throws Exception {
+    public void anotherPortReplacesAPortInUse() throws Exception {
         try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             int port = other.getLocalPort();
             assertEquals(err, 0, sear(script("print webgui.getPort(), webgui.isStarted()"), "--headless", "--port", String.valueOf(port)));
@@ -132,7 +132,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void todaysPythonIsAnsweredWithTheVersionOfThisOne() throws Exception {
+    public void python3SyntaxIsReportedWithTheVersionOfThisPython() throws Exception {
         assertEquals(1, sear(script("x = 3\nprint f'{x} m'"), "--port", "none"));
         assertTrue(err, err.trim().endsWith("scripts are Python 2.7 (Jython), which has no f-strings: write \"%d m\" % metres"));
         assertEquals(1, sear(script("print('a', end='')"), "--port", "none"));
@@ -142,7 +142,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void aNameThatThereIsNotIsAnsweredWithTheNearestThatThereIs() throws Exception {
+    public void anUnknownNameIsReportedWithTheNearestKnownOne() throws Exception {
         String objects = "from org.SEAR.POJOs import *\n";
         assertMeant("LIDAR", objects + "Lidar('scanner')");
         assertMeant("robot", "robot = 1\nprint robt");
@@ -240,7 +240,7 @@ public class SearCommandTest {
 
     /** {@code sear help check} shows help and does not check the project. */
     @Test
-    public void helpIsOfACommandAndDoesNothing() throws Exception {
+    public void helpShowsACommandWithoutRunningIt() throws Exception {
         assertEquals(0, sear("help", "check"));
         assertTrue(out, out.startsWith("Usage: sear check"));
     }
@@ -276,7 +276,7 @@ public class SearCommandTest {
     }
 
     @Test
-    public void checkKnowsPartsOfOneNameByTheirRobots() throws Exception {
+    public void checkDistinguishesPartsOfOneNameByTheirRobots() throws Exception {
         assertEquals(err, 0, sear(script("from org.SEAR.POJOs import Distance, Dynamics, Floor, SEARrobot\nFloor('floor', 20, 20)\n"
             + "for name, x in (('rover', 0), ('scout', 2)):\n    robot = SEARrobot(name)\n    drive = Dynamics('drive', 3)\n"
             + "    robot.addComponent(drive)\n    drive.move(x, 0.1, 0)\n    robot.addComponent(Distance('ping'))\n"), "--port", "none"));

@@ -16,7 +16,7 @@ public class EpaTest {
     private final GjkDistance gjk = new GjkDistance();
 
     @Test
-    public void boxesPartAlongTheAxisOnWhichTheyOverlapLeast() {
+    public void boxesSeparateAlongTheAxisOfLeastOverlap() {
         for (int i = 0; i < 500; i++) {
             double[] a = {shapes.size(), shapes.size(), shapes.size()};
             double[] b = {shapes.size(), shapes.size(), shapes.size()};
@@ -33,7 +33,7 @@ public class EpaTest {
     }
 
     @Test
-    public void uprightCylindersPartUpwardsOrSideways() {
+    public void uprightCylindersSeparateUpwardsOrSideways() {
         for (int i = 0; i < 200; i++) {
             double a = shapes.size();
             double b = shapes.size();
@@ -46,7 +46,7 @@ public class EpaTest {
     }
 
     @Test
-    public void ballsPartAlongTheLineOfTheirCentres() {
+    public void ballsSeparateAlongTheLineOfTheirCentres() {
         for (int i = 0; i < 200; i++) {
             double[] n = shapes.direction(3);
             double radius = shapes.size();
@@ -58,7 +58,7 @@ public class EpaTest {
     }
 
     @Test
-    public void spheresPartAlongTheLineOfTheirCentres() {
+    public void spheresSeparateAlongTheLineOfTheirCentres() {
         for (int i = 0; i < 200; i++) {
             double[] n = shapes.direction(3);
             double radius = shapes.size();
@@ -86,7 +86,7 @@ public class EpaTest {
      * No direction separates the sets over a shorter distance, and the separation along the normal equals the depth.
      */
     @Test
-    public void noDirectionPartsThemSooner() {
+    public void noDirectionSeparatesThemOverAShorterDistance() {
         int deep = 0;
         for (int i = 0; i < 500; i++) {
             PlacedConvex first = shapes.place(shapes.shape(), 0.7);

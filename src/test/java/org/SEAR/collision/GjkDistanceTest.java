@@ -49,7 +49,7 @@ public class GjkDistanceTest {
 
     /** A plane that separates both sets by the distance and a point of each set at that distance together prove it. */
     @Test
-    public void everyDistanceHasItsWitnesses() {
+    public void everyDistanceHasWitnessPoints() {
         int apart = 0;
         for (int i = 0; i < 2000; i++) {
             PlacedConvex first = shapes.place(shapes.shape(), 2);
@@ -67,7 +67,7 @@ public class GjkDistanceTest {
 
     /** The result of the face test equals the result of the search. */
     @Test
-    public void aFaceUnderTheOthersSupportPointIsTheAnswer() {
+    public void aFaceUnderTheOthersSupportPointIsTheResult() {
         int ofFirst = 0;
         int ofSecond = 0;
         GjkDistance byFace = new GjkDistance();
@@ -101,7 +101,7 @@ public class GjkDistanceTest {
     }
 
     @Test
-    public void aFaceBesideTheOthersSupportPointIsNone() {
+    public void aFaceBesideTheOthersSupportPointIsNoResult() {
         PlacedConvex cube = RandomShapes.at(new ConvexBox(0.5, 0.5, 0.5), 0, 0, 0);
         PlacedConvex beside = RandomShapes.at(new ConvexBox(0.1, 0.1, 0.1), 0.7, 0.8, 0);
         ContactFeature top = new ContactFeature();

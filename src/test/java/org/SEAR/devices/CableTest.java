@@ -154,7 +154,7 @@ public class CableTest {
     }
 
     @Test
-    public void anotherSpeedIsGarbageBothWays() {
+    public void aBaudMismatchGivesGarbageBothWays() {
         cable.setHostBaud(19200);
         cable.write(new byte[] {1, 2, 3});
         step(0);

@@ -55,7 +55,7 @@ public class DeviceTypesTest {
 
     /** Another jar may simulate a LIDAR that is not an LMS200. */
     @Test
-    public void theNextKindIsAskedWhenOneHasNoDeviceForAnObject() {
+    public void theNextTypeIsTriedIfOneHasNoDeviceForAnObject() {
         GPS gps = new GPS("gps", 48, 300, 11);
         SerialDevice device = new GpsType().create(gps, new FakeContext());
         DeviceTypes types = new DeviceTypes(Arrays.asList(type(GPS.class, null), type(LIDAR.class, null), type(LIDAR.class, device)));
@@ -79,7 +79,7 @@ public class DeviceTypesTest {
     }
 
     @Test
-    public void aKindAnswersOnlyForItsModels() {
+    public void aTypeHandlesOnlyItsModels() {
         LIDAR lidar = new LIDAR("lidar");
         FakeContext line = new FakeContext();
         for (LidarModel model : LidarModel.values()) {
@@ -115,7 +115,7 @@ public class DeviceTypesTest {
 
     /** Every legal model name has a receiver, so a valid project starts. */
     @Test
-    public void anObjectTakesTheReceiversThatThereAreInAnySpelling() {
+    public void anObjectAcceptsKnownReceiversInAnySpelling() {
         for (String name : Arrays.asList("FV_M8", "fv m11", "mt3329", "MT3301", "u-blox", "NEO-M8N")) {
             assertTrue(name, TextRule.GPS_MODEL.isLegal(name) && GpsModel.of(name) != null);
         }

@@ -153,7 +153,7 @@ public class CodeOfTheDocsTest {
 
     /** Ensures that the tests run the current text of the page. */
     @Test
-    public void everyNamedClassTakesTheBlocksFromThePage() throws IOException {
+    public void everyNamedClassReadsTheBlocksFromThePage() throws IOException {
         for (Map.Entry<String, Class<?>> one : RUN_BY.entrySet()) {
             String[] words = one.getKey().split(" ", 3);
             String source = source(one.getValue());

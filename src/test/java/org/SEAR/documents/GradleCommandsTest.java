@@ -72,7 +72,7 @@ public class GradleCommandsTest {
     }
 
     @Test
-    public void theTestsThatAPageChoosesAreThere() throws IOException {
+    public void theTestsNamedOnAPageExist() throws IOException {
         List<String> patterns = new ArrayList<>();
         for (String call : calls()) {
             Matcher tests = TESTS.matcher(call);

@@ -28,7 +28,7 @@ public class PythonStubsTest {
 
     /** Without these names, {@code from sear import *} imports nothing for a type checker. */
     @Test
-    public void theHintsHaveAllThatTheStarBrings() throws IOException, InterruptedException {
+    public void theHintsHaveAllNamesOfAStarImport() throws IOException, InterruptedException {
         Process python = new ProcessBuilder("python3", "-c", "import ast, sys\n"
             + "def made(path):\n"
             + "    tree = ast.parse(open(path).read())\n"

@@ -13,7 +13,7 @@ public class AabbTest {
     }
 
     @Test
-    public void anEmptyOneOverlapsNothingAndHoldsNothing() {
+    public void anEmptyBoxOverlapsAndContainsNothing() {
         Aabb all = box(-1e300, -1e300, -1e300, 1e300, 1e300, 1e300);
         assertFalse(new Aabb().overlaps(all));
         assertFalse(all.overlaps(new Aabb()));
@@ -55,7 +55,7 @@ public class AabbTest {
     }
 
     @Test
-    public void growsToEverySideAndSweepsToOne() {
+    public void growsToAllSidesAndSweepsToOneSide() {
         assertEquals("(-2.0, -1.0, 0.0) to (3.0, 4.0, 5.0)", box(-1, 0, 1, 2, 3, 4).grow(1).toString());
         assertEquals("(-1.0, -2.0, 1.0) to (5.0, 3.0, 4.0)", box(-1, 0, 1, 2, 3, 4).sweep(3, -2, 0).toString());
     }

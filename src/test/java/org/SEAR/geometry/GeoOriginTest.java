@@ -7,7 +7,7 @@ import org.junit.Test;
 /** Conversion between points of the world and places on Earth, both ways. */
 public class GeoOriginTest {
     @Test
-    public void aPlaceIsWhereItsPointIs() {
+    public void placesAndPointsConvertBothWays() {
         double[][] origins = {{36.485, -84.2308}, {0, 0}, {-89.99, 12}, {52, 179.999}};
         for (double[] at : origins) {
             GeoOrigin origin = new GeoOrigin(at[0], 300, at[1]);

@@ -14,7 +14,7 @@ public class HeightFieldTest {
     private final HeightField field = new HeightField(3, 2, -10, 4, 10, 2, new float[] {0, 1, 4, 8, 2, 2});
 
     @Test
-    public void postsLieRowByRowFromTheSouthWest() {
+    public void samplesAreOrderedByRowsFromTheSouthWest() {
         assertEquals(8, field.y(1, 1), 0);
         assertEquals(0, field.x(1), 0);
         assertEquals(6, field.z(1), 0);
@@ -26,14 +26,14 @@ public class HeightFieldTest {
     }
 
     @Test
-    public void aCellIsTwoPlanesThatMeetFromSouthWestToNorthEast() {
+    public void aCellHasTwoTrianglesAlongItsSouthWestDiagonal() {
         assertEquals("on the diagonal", 4, field.height(-5, 5), 1e-12);
         assertEquals("east of it", 0.5 + (8 - 1) * 0.25, field.height(-7.5, 5), 1e-12);
         assertEquals("west of it", 4 * 0.75 + (8 - 4) * 0.5, field.height(-2.5, 5), 1e-12);
     }
 
     @Test
-    public void besideTheFieldThereIsNoGround() {
+    public void outsideTheFieldThereIsNoGround() {
         assertTrue(Double.isNaN(field.height(10.001, 5)));
         assertTrue(Double.isNaN(field.height(0, 3.999)));
         assertTrue(Double.isNaN(field.height(Double.NaN, 5)));
@@ -48,7 +48,7 @@ public class HeightFieldTest {
     }
 
     @Test
-    public void trianglesHaveThePostsAsCornersAndSeenFromAboveRunCounterClockwise() {
+    public void trianglesHaveTheSamplesAsCornersAndAreCounterClockwiseFromAbove() {
         float[] corners = new float[9];
         field.triangle(0, 0, 0, corners);
         assertArrayEquals(new float[] {-10, 0, 4, -10, 1, 6, 0, 8, 6}, corners, 0);
@@ -87,7 +87,7 @@ public class HeightFieldTest {
     }
 
     @Test
-    public void blocksKnowTheirLeastAndGreatestHeight() {
+    public void blocksStoreTheirLeastAndGreatestElevation() {
         for (int[] size : new int[][] {{2, 2}, {3, 3}, {4, 9}, {33, 2}, {50, 70}, {65, 65}}) {
             HeightField any = new HeightField(size[0], size[1], 0, 0, 1, 1, heights(size[0] * size[1], 8));
             HeightPyramid pyramid = any.getPyramid();

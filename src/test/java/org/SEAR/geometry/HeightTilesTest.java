@@ -56,7 +56,7 @@ public class HeightTilesTest {
     }
 
     @Test
-    public void noMoreThanTheMostAreHeld() {
+    public void theNumberOfTilesInMemoryIsLimited() {
         assertEquals(0, tiles.held());
         for (int i = 0; i < 200; i++) {
             tiles.tile(random.nextInt(tiles.size()));

@@ -84,7 +84,7 @@ public class EpisodeTest {
     }
 
     @Test
-    public void readingsStandOneAfterTheOtherAsTheyAreNamed() throws Exception {
+    public void readingsAreInTheOrderOfTheirNames() throws Exception {
         SEARrobot robot = room();
         lidar(robot);
         robot.addComponent(new Distance("ping", "PING)))", 0, 0.2, 0.1, 0, 0, 0));
@@ -121,7 +121,7 @@ public class EpisodeTest {
     }
 
     @Test
-    public void anActionLastsSoManySteps() throws Exception {
+    public void anActionLastsItsNumberOfSteps() throws Exception {
         room();
         Episode episode = episode(null);
         episode.step(0.5, 0.5, 60);
@@ -165,7 +165,7 @@ public class EpisodeTest {
     }
 
     @Test
-    public void aSeedGivesTheSameBytesWhateverWasBefore() throws Exception {
+    public void aSeedGivesTheSameBytesIndependentlyOfEarlierEpisodes() throws Exception {
         SEARrobot robot = room();
         lidar(robot).setNoise(new Noise().setWhite(0.02).setDrift(0.05).setDropout(0.1));
         Compass compass = new Compass("compass");
@@ -215,7 +215,7 @@ public class EpisodeTest {
     }
 
     @Test
-    public void aBeamThatDropsOutKeepsItsNumber() throws Exception {
+    public void aDroppedBeamKeepsItsIndex() throws Exception {
         SEARrobot robot = room();
         Compass compass = new Compass("compass");
         compass.setNoise(new Noise().setWhite(0.5).setDropout(0.5));

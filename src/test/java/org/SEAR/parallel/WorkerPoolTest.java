@@ -102,7 +102,7 @@ public class WorkerPoolTest {
     }
 
     @Test
-    public void aPieceThatSharesWorkDoesItItself() {
+    public void aPieceThatSharesWorkRunsItItself() {
         threads(4);
         AtomicIntegerArray done = new AtomicIntegerArray(8 * 8);
         Set<String> wrong = ConcurrentHashMap.newKeySet();
@@ -166,7 +166,7 @@ public class WorkerPoolTest {
     }
 
     @Test
-    public void anotherNumberOfThreadsNamesTheLegalOnes() {
+    public void anIllegalNumberOfThreadsIsReportedWithTheLegalRange() {
         for (int threads : new int[] {0, -1, 257}) {
             assertEquals("threads is " + threads + ", legal: 1 to 256",
                 assertThrows(IllegalArgumentException.class, () -> pool.setThreads(threads)).getMessage());

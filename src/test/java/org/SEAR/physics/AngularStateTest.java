@@ -42,7 +42,7 @@ public class AngularStateTest {
 
     /** A body held against a surface changes its angular velocity like a free one and keeps its orientation. */
     @Test
-    public void aLittleTurnChangesTheAngularVelocityAsTheWholeOneDoes() {
+    public void aHeldRotationChangesTheAngularVelocityLikeAFreeOne() {
         Random random = new Random(1);
         for (int i = 0; i < 1000; i++) {
             AngularState free = spin(random.nextLong());

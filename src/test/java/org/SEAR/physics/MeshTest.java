@@ -7,7 +7,7 @@ public class MeshTest {
     private final Findings findings = new Findings();
 
     @Test
-    public void nothingStumblesOverInnerEdges() throws Exception {
+    public void bodiesDoNotStumbleOverInnerEdges() throws Exception {
         for (int cells : new int[] {2, 25, 60}) {
             MeshScenes.over(true, cells, findings);
             MeshScenes.over(false, cells, findings);

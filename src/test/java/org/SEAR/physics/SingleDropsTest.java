@@ -15,7 +15,7 @@ public class SingleDropsTest {
     private final Findings findings = new Findings();
 
     @Test
-    public void everythingThatIsDroppedComesToRestAsItCanLie() throws Exception {
+    public void everyDroppedBodyComesToRestOnAFaceRimOrSide() throws Exception {
         for (long seed = 1; seed <= 3; seed++) {
             DropScenes.single(SINGLES, seed, findings);
         }

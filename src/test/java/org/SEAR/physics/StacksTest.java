@@ -31,7 +31,7 @@ public class StacksTest {
     }
 
     @Test
-    public void aTonDroppedOntoAKilogramThrowsNothing() throws Exception {
+    public void aTonDroppedOntoAKilogramCausesNoThrow() throws Exception {
         StackScenes.dropOntoLight(findings);
         findings.assertHold();
     }

@@ -73,7 +73,7 @@ public class PlanTest {
     }
 
     @Test
-    public void beamsEndWhereTheyMeetSomething() throws Exception {
+    public void beamsEndAtTheirHits() throws Exception {
         SEARrobot robot = room();
         robot.addComponent(new LIDAR("lidar", 8, 180, 1, 0, 0.2, 0));
         robot.addComponent(new Distance("eye", "laser", 0, 0.3, 0, 0, 0, 0));
@@ -98,7 +98,7 @@ public class PlanTest {
     }
 
     @Test
-    public void manyThingsThatAreAlikeHaveNoNames() throws Exception {
+    public void manySimilarObjectsHaveNoNames() throws Exception {
         room();
         for (int i = 0; i < 6; i++) {
             new Box("post " + i, 0.1, 0.1, 1, 0).move(-4, 0.5, i - 3);
@@ -110,7 +110,7 @@ public class PlanTest {
     }
 
     @Test
-    public void anEmptyWorldIsAnEmptyPaper() throws Exception {
+    public void anEmptyWorldIsAnEmptyPlan() throws Exception {
         new Floor("floor", 10, 10, false);
         assertTrue(svg(true).contains(">2 m</text>"));
     }

@@ -40,7 +40,7 @@ public class BeamNamesTest {
     }
 
     @Test
-    public void aBeamOfTheProjectGoesFirstAndExactlyAsWrittenBeforeAll() throws Exception {
+    public void beamsOfTheProjectAndExactSpellingsComeFirst() throws Exception {
         String cone = "<cone><halfAngle>5</halfAngle><range>1</range></cone></Beam>";
         project.put("beams/Laser.xml", "<Beam><name>Laser</name>" + cone);
         assertEquals("Laser", beam("Laser"));

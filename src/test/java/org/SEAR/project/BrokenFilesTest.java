@@ -56,7 +56,7 @@ public class BrokenFilesTest {
     }
 
     @Test
-    public void allProblemsOfAProjectAreReportedAtOnce() throws Exception {
+    public void allProblemsOfAProjectAreReportedTogether() throws Exception {
         project.put("environment/a.xml", "<Box>\n<name>a</name>\n<length>-1</length>\n<width>x</width>\n</Box>");
         project.put("environment/b.xml", "<Nonsense/>");
         project.put("robot/r.xml", "<SEARrobot>\n<name>r</name>\n<component>gone</component>\n</SEARrobot>");
@@ -83,7 +83,7 @@ public class BrokenFilesTest {
     }
 
     @Test
-    public void aFolderThatIsNotThereIsAClearProblem() {
+    public void aMissingFolderIsAClearProblem() {
         assertEquals(List.of(project.folder() + ": there is no such folder, legal: a SEARproject folder; creating an object makes one"),
             problems(project.folder()));
     }

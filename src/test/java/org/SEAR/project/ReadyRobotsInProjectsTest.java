@@ -123,7 +123,7 @@ public class ReadyRobotsInProjectsTest {
     }
 
     @Test
-    public void aPartMakesWayForThingsOfTheEnvironmentAndForRobots() throws Exception {
+    public void aPartYieldsItsNameToObjectsAndRobots() throws Exception {
         new Box("Body", 1, 1, 1, 0).move(5, 0.5, 5);
         new Box("left", 1, 1, 1, 0).move(5, 0.5, 8);
         new Floor("caster", 40, 40);

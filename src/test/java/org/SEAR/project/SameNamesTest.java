@@ -184,7 +184,7 @@ public class SameNamesTest {
     }
 
     @Test
-    public void aRobotThatIsNoLongerInTheProjectKeepsOutOfIt() throws Exception {
+    public void aRemovedRobotIsNotWrittenAgain() throws Exception {
         robot("rover", "ping");
         Bundle.newProject(project.folder(), Progress.NONE);
         robot("scout", "ping");

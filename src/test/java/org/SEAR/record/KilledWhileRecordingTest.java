@@ -96,7 +96,7 @@ public class KilledWhileRecordingTest {
     }
 
     @Test
-    public void itsRecordIsThereButForTheLastMoments() throws Exception {
+    public void itsRecordIsCompleteExceptForTheLastMoments() throws Exception {
         new Floor("floor", 50, 50);
         SEARrobot robot = Robots.create("rover", "/dev/uart", "/dev/user");
         robot.addComponent(new Distance("ping"));

@@ -171,12 +171,12 @@ public class OrdersTest {
     }
 
     @Test
-    public void anOrderWhileOutputsAreDeliveredBelongsToTheNextStep() throws Exception {
+    public void aCommandDuringDeliveryBelongsToTheNextStep() throws Exception {
         comesAfterItsStep(world -> world.order(new ActuatorOrder(Kind.ANGLE, "neck", world.getStep() % 90)));
     }
 
     @Test
-    public void aResetWhileOutputsAreDeliveredComesAfterTheirStep() throws Exception {
+    public void aResetDuringDeliveryFollowsItsStep() throws Exception {
         comesAfterItsStep(world -> {
             if (world.getStep() > 200) {
                 world.reset();
@@ -206,7 +206,7 @@ public class OrdersTest {
     }
 
     @Test
-    public void aMoveWhileOutputsAreDeliveredBelongsToTheNextStep() throws Exception {
+    public void aMoveDuringDeliveryBelongsToTheNextStep() throws Exception {
         comesAfterItsStep(world -> {
             Pose to = Pose.ofDegrees(world.getStep() * 1e-3, 0.1, 0, 0, 0, 0);
             world.move("car", to, to);

@@ -204,7 +204,7 @@ public class CameraSensorTest {
     }
 
     @Test
-    public void aPictureThatIsMadeLaterShowsTheWorldAsItWas() throws Exception {
+    public void aLateRenderedPictureShowsTheWorldOfItsTime() throws Exception {
         new Floor("floor", 20, 20);
         new Box("falling", 0.5, 0.5, 0.5, 1).move(0, 4, 3);
         plate(camera("eye", Camera.COLOR, 64, 48), camera("depth", Camera.DEPTH, 64, 48));

@@ -141,7 +141,7 @@ public class SurfaceSensorsTest {
     }
 
     @Test
-    public void plainThingsHaveTheirColorAndNothingIsDark() throws Exception {
+    public void plainObjectsHaveTheirColourAndEmptySpaceIsDark() throws Exception {
         new Floor("floor", 9, 9).setColor("#204060");
         Box crate = new Box("crate", 1, 1, 1, 0);
         crate.setColor("red");

@@ -80,7 +80,7 @@ public class RunnerTest {
     }
 
     @Test(timeout = 120_000)
-    public void aCommandThatFailsBecomesAWarningAndTheRunGoesOn() throws Exception {
+    public void aFailedCommandBecomesAWarningAndTheRunContinues() throws Exception {
         thread.start();
         runner.getSimulation().post(world -> {
             throw new IllegalStateException("no such thing");

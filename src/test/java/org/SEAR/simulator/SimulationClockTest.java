@@ -58,7 +58,7 @@ public class SimulationClockTest {
     }
 
     @Test
-    public void tenMinutesTakeSecondsOfAProcessor() throws Exception {
+    public void tenMinutesTakeSecondsOfCpuTime() throws Exception {
         for (int i = 0; i < 50; i++) {
             Box box = new Box("box" + i, 1, 1, 1, 0);
             box.move(10 * Math.sin(i), 0.5, 10 * Math.cos(i));

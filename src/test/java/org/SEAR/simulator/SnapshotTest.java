@@ -74,7 +74,7 @@ public class SnapshotTest {
     }
 
     @Test
-    public void itStaysAsItWasAndHoldsNothingOfTheRunningWorld() throws Exception {
+    public void aSnapshotIsImmutableAndIndependentOfTheWorld() throws Exception {
         Simulation simulation = roomba();
         simulation.post(world -> world.getRobots().get(0).drive(0.3, 1));
         Worlds.run(simulation, 1);

@@ -166,7 +166,7 @@ public class ThreadsTest {
 
     /** Scanners that send all the time, enough of them for threads to pay off. */
     @Test
-    public void scansOfDevicesAreMadeBesideEachOther() throws Exception {
+    public void scansOfDevicesAreMeasuredInParallel() throws Exception {
         new Floor("floor", 50, 50);
         SEARrobot robot = Worlds.roomba("roomba", 0, 0, 0);
         for (int i = 0; i < 5; i++) {

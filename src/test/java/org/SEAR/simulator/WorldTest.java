@@ -148,7 +148,7 @@ public class WorldTest {
     }
 
     @Test
-    public void beingLetDownAtTheStartIsNoWheelDrop() throws Exception {
+    public void loweringAtTheStartIsNoWheelDrop() throws Exception {
         Worlds.roomba("roomba", 0, 0, 0);
         Worlds.roomba("skydiver", 3, 0, 0).move(0, 20, 0);
         Simulation simulation = Worlds.start(project);

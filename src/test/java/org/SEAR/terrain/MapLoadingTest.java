@@ -199,7 +199,7 @@ public class MapLoadingTest {
     }
 
     @Test
-    public void aColouredPictureIsNoMap() throws IOException {
+    public void aColouredPictureIsNotAMap() throws IOException {
         BufferedImage image = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
         image.setRGB(2, 3, 0x102030);
         ByteArrayOutputStream png = new ByteArrayOutputStream();

@@ -42,7 +42,7 @@ public class ClosedByUserTest {
     }
 
     @Test
-    public void theSimulationGoesOnWithoutAWindow() throws Exception {
+    public void theSimulationContinuesWithoutAWindow() throws Exception {
         assertFalse("default", sear.getConfig().closingWindowStops);
         closeWindow();
         Views.until("the window has gone", ClosedByUserTest::isTold);

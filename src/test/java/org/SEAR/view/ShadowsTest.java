@@ -96,7 +96,7 @@ public class ShadowsTest {
     }
 
     @Test
-    public void shadowsTakeTheSunsShareOfTheLightAlsoWhereThereIsNoTime() throws Exception {
+    public void shadowsRemoveTheSunsLightEvenOnSlowMachines() throws Exception {
         try (Views view = office()) {
             view.world.runner.setPaused(true);
             view.press("F2");

@@ -23,7 +23,7 @@ public class ReconnectTest {
     }
 
     @Test
-    public void afterARestartOnTheSamePortThePageGoesOnByItself() throws Exception {
+    public void afterARestartOnTheSamePortThePageContinues() throws Exception {
         expectLostConnection();
         tab.openExample("maze");
         tab.start();
@@ -55,7 +55,7 @@ public class ReconnectTest {
     }
 
     @Test
-    public void aPageThatWasLeftGoesOnWhenTheUserComesBack() {
+    public void anInactivePageContinuesWhenTheUserReturns() {
         tab.openExample("maze");
         tab.start();
         browser.driver().get("about:blank");

@@ -168,7 +168,7 @@ public class MessagesTest {
     }
 
     @Test
-    public void anExceptionOutOfAMessageHookEndsTheThread() throws InterruptedException {
+    public void anExceptionFromAMessageHookEndsTheThread() throws InterruptedException {
         b.subscribe("a", "publishError", "onStatus");
         Thread thread = a.getThisThread();
         a.failInHook(true);
@@ -179,7 +179,7 @@ public class MessagesTest {
     }
 
     @Test
-    public void tasksComeAgainUntilTheyArePurged() throws InterruptedException {
+    public void tasksRepeatUntilTheyArePurged() throws InterruptedException {
         a.addTask(5, "tick");
         assertEquals("tick", a.next());
         assertEquals("tick", a.next());

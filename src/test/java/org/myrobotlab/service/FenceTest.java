@@ -86,7 +86,7 @@ public class FenceTest {
     }
 
     @Test
-    public void aSlowCallbackHasRunWhateverItsThreadIsCalled() {
+    public void aSlowCallbackHasRunRegardlessOfItsThreadsName() {
         renameThreads("python");
         run("import time",
             "def fenceSlow(data):",
@@ -129,7 +129,7 @@ public class FenceTest {
     }
 
     @Test
-    public void itLeavesNothingInMyRobotLabsLists() throws Exception {
+    public void itLeavesNoEntriesInMyRobotLabsLists() throws Exception {
         run("lidar.addListener('publishLidarData', python.getName(), 'fenceQuiet')",
             "def fenceQuiet(data): seen.append(1)",
             "lidar.singleScan()",

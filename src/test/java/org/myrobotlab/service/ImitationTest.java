@@ -55,7 +55,7 @@ public class ImitationTest {
     }
 
     @Test
-    public void aServiceThatDeniesThatItRunsIsStartedAgainAndSoRefused() {
+    public void aServiceThatDeniesRunningIsStartedAgainAndThusRejected() {
         assertNotNull(Runtime.start("denier", Denier.class.getName()));
         assertFalse(Runtime.isStarted("denier"));
         assertNull(Runtime.start("denier", Denier.class.getName()));
@@ -63,7 +63,7 @@ public class ImitationTest {
     }
 
     @Test
-    public void aSecondStartAnswersTheSameService() {
+    public void aSecondStartReturnsTheSameService() {
         for (String type : new String[] {"SEAR", "LIDAR", "GPS"}) {
             ServiceInterface first = Runtime.start("the" + type, type);
             assertNotNull(type, first);
@@ -96,7 +96,7 @@ public class ImitationTest {
     }
 
     @Test
-    public void aSavedConfigurationIsBrokenOffByAServiceThatDeniesThatItRuns() {
+    public void aServiceThatDeniesRunningAbortsASavedConfiguration() {
         Runtime.start("denier", Denier.class.getName());
         Runtime.start("wire", "Serial");
         RuntimeConfig runtime = Runtime.getInstance().getConfig();
@@ -113,7 +113,7 @@ public class ImitationTest {
     }
 
     @Test
-    public void aConfigurationThatIsNotThereIsAnError() {
+    public void aMissingConfigurationIsAnError() {
         Runtime.startConfig(SET);
         assertEquals("there is no saved configuration " + SET + ": its runtime.yml is missing", Runtime.getInstance().getLastError().key);
     }
@@ -151,7 +151,7 @@ public class ImitationTest {
     }
 
     @Test
-    public void startingALidarPutsTheServicesClassOverAnImportedObjectOfThatName() {
+    public void startingALidarReplacesAnImportedClassOfThatName() {
         Python python = (Python) Runtime.start("python", "Python");
         assertTrue(python.exec("from org.SEAR.POJOs import LIDAR\nfrom java.util.concurrent import TimeUnit\nimport time\nimported = LIDAR\n"
             + "Runtime.start('scanner', 'LIDAR')\nend = time.time() + 20\nwhile LIDAR is imported and time.time() < end: time.sleep(0.005)\n"

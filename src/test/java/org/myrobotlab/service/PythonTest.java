@@ -102,7 +102,7 @@ public class PythonTest {
     }
 
     @Test
-    public void aFileMayBeginWithTheMarkOfWindowsEditors() throws Exception {
+    public void aFileMayBeginWithAByteOrderMark() throws Exception {
         for (String code : new String[] {"x = 1\r\n", "# coding: utf-8\r\nx = u'\u00fc'\r\n", "x = u'\u65e5'\r\n"}) {
             Path script = folder.newFile().toPath();
             Files.writeString(script, "\ufeff" + code);
@@ -163,7 +163,7 @@ public class PythonTest {
     }
 
     @Test(timeout = 120_000)
-    public void stopBreaksOffEndlessLoopsAndSleeps() throws InterruptedException {
+    public void stopAbortsEndlessLoopsAndSleeps() throws InterruptedException {
         for (String endless : new String[] {"while True: n = 1", "sleep(1000)"}) {
             CountDownLatch ended = new CountDownLatch(1);
             python.set("begun", false);
@@ -220,13 +220,13 @@ public class PythonTest {
     }
 
     @Test
-    public void allObjectsAreImportedAtOnce() {
+    public void allObjectsAreImportedTogether() {
         assertTrue(python.exec("from org.SEAR.POJOs import Cone\nfrom org.SEAR.POJOs import *\nimport org.SEAR.POJOs.Floor\n"
             + "assert str(Box) == \"<type 'org.SEAR.POJOs.Box'>\"\nassert Cone and SEARrobot and org.SEAR.POJOs.Floor\n"));
     }
 
     @Test
-    public void theModuleTimeIsWhole() {
+    public void theModuleTimeIsComplete() {
         assertTrue(python.exec("from time import *\nimport time, java\nstart = java.lang.System.nanoTime()\ntime.sleep(0.05)\nsleep(0.05)\n"
             + "assert java.lang.System.nanoTime() - start > 90e6\n"
             + "assert clock and strftime('%Y', gmtime(0)) == '1970' and timezone == time.timezone"));
@@ -248,7 +248,7 @@ public class PythonTest {
     }
 
     @Test
-    public void aCharacterThatPythonDoesNotKnowIsAnErrorOfTheTab() {
+    public void aCharacterUnknownToPythonIsAnErrorInTheTab() {
         python.exec("errors = []\ndef onStdError(text): errors.append(text)\npython.addListener('publishStdError', 'python', 'onStdError')");
         assertFalse(python.exec("print \u201chi\u201d"));
         until("len(errors) == 1");

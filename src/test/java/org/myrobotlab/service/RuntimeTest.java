@@ -80,7 +80,7 @@ public class RuntimeTest {
     }
 
     @Test
-    public void aServiceThatCannotBeReleasedKeepsNoOtherFromIt() {
+    public void aServiceThatCannotBeReleasedBlocksNoOtherRelease() {
         ServiceInterface first = Runtime.start("first", TALKER);
         Runtime.start("clinging", Clinging.class.getName());
         ServiceInterface last = Runtime.start("last", TALKER);
@@ -124,7 +124,7 @@ public class RuntimeTest {
     }
 
     @Test
-    public void createdIsNotYetStarted() {
+    public void aCreatedServiceIsNotYetStarted() {
         ServiceInterface made = Runtime.create("s", "Serial");
         assertFalse(made.isRunning());
         assertSame(made, Runtime.start("s"));
@@ -134,7 +134,7 @@ public class RuntimeTest {
     }
 
     @Test
-    public void aNameInUseAnswersTheExistingServiceOfWhateverType() {
+    public void aNameInUseReturnsTheExistingServiceOfAnyType() {
         ServiceInterface serial = Runtime.start("x", "Serial");
         assertSame(serial, Runtime.start("x", "Roomba"));
         assertSame(serial, Runtime.createAndStart("x", "org.myrobotlab.service.Serial"));

@@ -32,7 +32,7 @@ public class SearHostTest {
 
     /** The window's thread, for which the end of a simulation waits, does not stop the simulation itself. */
     @Test(timeout = 60_000)
-    public void aClosedWindowLeavesStoppingToSearsOwnThread() throws InterruptedException {
+    public void closingTheWindowStopsOnSearsOwnThread() throws InterruptedException {
         // made directly: for a class without its own configuration MyRobotLab makes one of another type, which SEAR
         // rejects
         Stopped sear = new Stopped("hosted", Runtime.getInstance().getId());

@@ -337,7 +337,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void mistakesAreErrorsAndTheSimulationGoesOn() throws Exception {
+    public void mistakesAreErrorsAndTheSimulationContinues() throws Exception {
         assertFails("no simulation runs", sear::stopSimulation);
         assertFails("no simulation runs", () -> sear.getDistanceResult("ping"));
         sear.startSimulation();
@@ -385,7 +385,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void asManyReadingsArePublishedAsAskedFor() throws Exception {
+    public void theRequestedNumberOfReadingsIsPublished() throws Exception {
         sear.startSimulation();
         sear.addListener("publishReading", "searStatus", "onValue");
         sear.startPublishing("ping", 10);
@@ -412,7 +412,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void panelsGetTheProjectAsItWouldStartAndAgainWhenItChanges() throws Exception {
+    public void panelsGetThePreviewAndItsChanges() throws Exception {
         Map<String, Object> first = sear.getPreview("");
         Map<?, ?> world = (Map<?, ?>) first.get("world");
         assertEquals(2, ((List<?>) world.get("objects")).size());
@@ -490,7 +490,7 @@ public class SearServiceTest {
 
     /** Two robots have a "scanner" and a third has a "roomba_scanner": each port leads to its own device. */
     @Test
-    public void aPartNamedLikeTwoPutTogetherHasAServiceOfItsOwn() throws Exception {
+    public void aPartNamedLikeRobotAndPartHasItsOwnService() throws Exception {
         Path bundle = temporary.getRoot().toPath().resolve("rover.sear");
         sear.saveProject(bundle.toString());
         sear.importRobot(bundle.toString(), "roomba");
@@ -543,7 +543,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void sensorsMeasureOnAsManyThreadsAsAskedFor() throws Exception {
+    public void sensorsMeasureOnTheRequestedNumberOfThreads() throws Exception {
         for (int threads : new int[] {0, 257}) {
             assertFails("threads is " + threads + ", legal: 1 to 256", () -> sear.setThreads(threads));
         }
@@ -583,7 +583,7 @@ public class SearServiceTest {
     }
 
     @Test
-    public void anExampleThatWasOnlyLookedAtNeedsNoBackup() {
+    public void anUnchangedExampleNeedsNoBackup() {
         assertNotNull(sear.newProject());
         sear.loadProject("examples/office.sear");
         sear.startSimulation();

@@ -113,7 +113,7 @@ public class WebGuiTest {
     }
 
     @Test
-    public void aMissingPanelIsEmptyAndOneOnTheDiskWins() throws Exception {
+    public void aMissingPanelIsEmptyAndAFileOnTheDiskTakesPrecedence() throws Exception {
         assertEquals(200, get("/service/js/NixGui.js").statusCode());
         assertEquals("", get("/service/js/NixGui.js").body());
         Path panel = folder.getRoot().toPath().resolve("pages/service/js/PythonGui.js");
@@ -126,7 +126,7 @@ public class WebGuiTest {
     }
 
     @Test
-    public void callsAreMadeByPostAndSomeThingsAreReadByGet() throws Exception {
+    public void callsUsePostAndReadingsGet() throws Exception {
         assertEquals("1.5\n", post("/api/service/talker/half", "[3]").body());
         assertEquals("true\n", get("/api/service/talker/isRunning").body());
         assertEquals(405, get("/api/service/talker/half/3").statusCode());
@@ -216,7 +216,7 @@ public class WebGuiTest {
 
     /** At the end of a simulation a page may still request the state of its ports. */
     @Test
-    public void aServiceThatHasJustGoneIsNoErrorOfThePage() throws Exception {
+    public void aJustReleasedServiceIsNoErrorOfThePage() throws Exception {
         WebSocket page = open();
         next("services");
         Runtime.release("talker");
@@ -238,7 +238,7 @@ public class WebGuiTest {
     }
 
     @Test
-    public void aServiceIsOnlyListenedToAsLongAsAPageWantsIt() throws Exception {
+    public void subscriptionsEndWithTheLastPage() throws Exception {
         WebSocket first = open();
         WebSocket second = open();
         for (WebSocket page : List.of(first, second)) {

@@ -140,7 +140,7 @@ public class ContestTest {
     }
 
     @Test
-    public void aScriptThatGoesWrongCostsItsOwnRobotOnly() throws Exception {
+    public void aFailingScriptAffectsOnlyItsOwnRobot() throws Exception {
         Path contest = rovers(REFEREE);
         String good = START + "sear.driveStraight(0.3)\nprint sear.getSensorNames()\nwhile True:\n    sear.simSleep(0.5)\n";
         assertTrue(run(entered(contest, "good", good)).startsWith("0\n"));
@@ -240,7 +240,7 @@ public class ContestTest {
     }
 
     @Test
-    public void bumpsAreCountedAndPlacesKept() throws Exception {
+    public void bumpsAreCountedAndPlacesStored() throws Exception {
         Path contest = rovers("SECONDS = 8\ndef positions(contest):\n    for entry, z, heading in zip(contest.entries, (0, 2), (90, -90)):\n"
             + "        entry.place(-3, z, heading)\n"
             + "def stepped(contest): pass\n"

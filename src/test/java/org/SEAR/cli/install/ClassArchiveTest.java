@@ -71,7 +71,7 @@ public class ClassArchiveTest {
 
     /** With a moved folder or a broken archive the program starts without the archive and without a message. */
     @Test
-    public void anArchiveThatDoesNotFitIsPassedOver() throws Exception {
+    public void aMismatchedArchiveIsIgnored() throws Exception {
         Path copy = folder.newFolder("sear").toPath();
         for (String part : List.of("bin", "lib", "plugin")) {
             Files.createDirectories(copy.resolve(part));

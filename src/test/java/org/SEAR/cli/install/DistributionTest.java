@@ -136,7 +136,7 @@ public class DistributionTest {
     }
 
     @Test
-    public void everythingIsForTheUserToRead() throws IOException {
+    public void everythingIsReadableForTheUser() throws IOException {
         for (String file : new String[] {"LICENSE", "LICENSES.md", "README.md", "docs/install.md", "examples/maze.py", "scripts/demo.py",
             "bin/sear.bat"}) {
             assertTrue(file, Files.isRegularFile(distribution.home().resolve(file)));

@@ -44,7 +44,7 @@ public class InstallerTest extends LaidOutMrl {
     }
 
     @Test
-    public void removeLeavesTheFolderAsItWasToTheByte() throws Exception {
+    public void removeRestoresTheFolderToTheByte() throws Exception {
         Map<String, String> before = tree();
         install();
         remove();
@@ -52,7 +52,7 @@ public class InstallerTest extends LaidOutMrl {
     }
 
     @Test
-    public void anUpdateReplacesAndDropsAndCanStillBeRemovedWhole() throws Exception {
+    public void anUpdateReplacesAndDeletesFilesAndCanBeRemovedCompletely() throws Exception {
         Map<String, String> before = tree();
         install();
         payload("1.1.0");
@@ -133,7 +133,7 @@ public class InstallerTest extends LaidOutMrl {
     }
 
     @Test
-    public void theFolderAboveWillDoWhenThereIsOneMrlInIt() throws Exception {
+    public void theParentFolderIsAcceptedIfItContainsOneMrl() throws Exception {
         assertEquals(mrl, new Installer(mrl.getParent()).mrl.root);
         Files.createDirectories(mrl.getParent().resolve("other"));
         Files.copy(mrl.resolve("myrobotlab.jar"), mrl.getParent().resolve("other/myrobotlab.jar"));
@@ -193,7 +193,7 @@ public class InstallerTest extends LaidOutMrl {
     }
 
     @Test
-    public void whenAWriteFailsEverythingIsAsItWas() throws Exception {
+    public void aFailedWriteRestoresEverything() throws Exception {
         InstallPlan plan = new Installer(mrl).install(plugin, false);
         Files.createDirectories(mrl.resolve("resource/SEAR.png.sear-new/in the way"));
         Map<String, String> before = tree();
@@ -216,7 +216,7 @@ public class InstallerTest extends LaidOutMrl {
      * MyRobotLab sometimes rewrites its service data in its own format. An update must not take that for the original.
      */
     @Test
-    public void anUpdateAfterMrlRewroteServiceDataCanStillBeRemovedWhole() throws Exception {
+    public void anUpdateAfterMrlRewroteServiceDataCanBeRemovedCompletely() throws Exception {
         install();
         String now = Files.readString(mrl.resolve("libraries/serviceData.json"));
         text("libraries/serviceData.json", now.replace("\"license\" : \"apache\"", "\"license\" : \"apache\", \"link\" : null"));
@@ -242,7 +242,7 @@ public class InstallerTest extends LaidOutMrl {
     }
 
     @Test
-    public void everythingBelongsToTheOwnerOfTheFolder() throws Exception {
+    public void allFilesBelongToTheOwnerOfTheFolder() throws Exception {
         if ("root".equals(System.getProperty("user.name"))) {
             Files.setOwner(mrl, mrl.getFileSystem().getUserPrincipalLookupService().lookupPrincipalByName("nobody"));
         }

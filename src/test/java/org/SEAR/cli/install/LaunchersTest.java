@@ -66,7 +66,7 @@ public class LaunchersTest {
     }
 
     @Test
-    public void windowsLinesEndAsWindowsWantsThem() throws IOException {
+    public void theWindowsLauncherHasWindowsLineEnds() throws IOException {
         String bat = text("sear.bat");
         assertEquals(bat.replace("\r\n", "").length(), bat.replaceAll("[\r\n]", "").length());
         assertTrue(bat.endsWith("\r\n"));

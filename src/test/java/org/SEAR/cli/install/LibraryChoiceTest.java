@@ -101,7 +101,7 @@ public class LibraryChoiceTest extends LaidOutMrl {
     }
 
     @Test
-    public void theOlderEngineIsReplacedUpdatedAndBroughtBack() throws Exception {
+    public void theOlderEngineIsReplacedUpdatedAndRestored() throws Exception {
         olderEngine();
         Map<String, String> before = tree();
         String text = command("--replace-jme");
@@ -121,7 +121,7 @@ public class LibraryChoiceTest extends LaidOutMrl {
 
     /** Such a folder has both versions, and the folder's order decides which one loads. */
     @Test
-    public void besideANewerEngineTheOlderOneOnlyGoes() throws Exception {
+    public void besideANewerEngineTheOlderOneIsRemoved() throws Exception {
         jar(mrl.resolve(OLD_CORE), "3.3.2", "com/jme3/math/Vector3f.class");
         Map<String, String> before = tree();
         assertSays(command(), "  keep    jme3-core-3.6.1-stable.jar: MyRobotLab has this library");

@@ -232,7 +232,7 @@ public class LessonChecksTest {
     }
 
     @Test
-    public void aScriptsOwnRecordDisturbsNothing() throws Exception {
+    public void aScriptsOwnRecordDoesNotDisturbTheCheck() throws Exception {
         String script = solution("square").replace("sear.startSimulation()", "sear.recordRun(\"" + folder.getRoot() + "/own.searlog\")\n"
             + "sear.startSimulation()");
         assertEquals(List.of(), run("square", script).getMissing());

@@ -75,7 +75,7 @@ public class SweepTest {
 
     /** Runs the page's Jython script, aborts and resumes it, and repeats one of its rows. */
     @Test
-    public void aScriptOfJythonIsSweptGoesOnAndIsTheSameAgain() throws Exception {
+    public void aJythonScriptIsSweptResumedAndRepeatedIdentically() throws Exception {
         Path script = folder.resolve("ahead.py");
         List<String> blocks = DocBlock.of("docs/sweeps.md", "python");
         assertEquals(1, blocks.size());

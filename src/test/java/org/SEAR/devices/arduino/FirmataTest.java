@@ -179,14 +179,14 @@ public class FirmataTest {
     }
 
     @Test
-    public void theTwoWireBusIsEmpty() {
+    public void theI2cBusIsEmpty() {
         assertTrue(uno.answer(FIRMATA.get("read a byte of the bus device 1E")).startsWith("F0 71 49 00 32 00 43 00"));
         assertTrue(uno.line.warnings.toString(), uno.line.warnings.get(0).contains("I2C"));
     }
 
     /** Samples beyond the line's capacity are dropped, not queued. */
     @Test
-    public void samplesThatTheLineCantCarryAreLeftOut() {
+    public void samplesBeyondTheLinesCapacityAreDropped() {
         for (int channel = 0; channel < 6; channel++) {
             uno.line.host(0xC0 + channel, 1);
         }

@@ -94,7 +94,7 @@ public class MrlCommTest {
     }
 
     @Test
-    public void aPinThatIsReadInEachLoopLeavesRoomOnTheLine() {
+    public void aPinReadInEachLoopLeavesCapacityOnTheLine() {
         uno.probe(14).volts = 2.5;
         uno.line.host(MRL_COMM.get("read analog pin 14 in each loop"));
         uno.line.pass(2);

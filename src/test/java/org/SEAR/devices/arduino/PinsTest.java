@@ -28,7 +28,7 @@ public class PinsTest {
     }
 
     @Test
-    public void aPinThatNothingIsWiredToFloats() {
+    public void anUnwiredPinFloats() {
         uno.pins.setMode(14, Pins.Mode.INPUT);
         Set<Integer> seen = new TreeSet<>();
         for (int i = 0; i < 100; i++) {
@@ -44,7 +44,7 @@ public class PinsTest {
     }
 
     @Test
-    public void anotherSeedCountsFromTheNextReset() {
+    public void aNewSeedAppliesFromTheNextReset() {
         uno.pins.setMode(14, Pins.Mode.INPUT);
         int before = uno.pins.readAnalog(14);
         uno.line.seed = 2;

@@ -245,7 +245,7 @@ public class ColaScannerTest {
      * distance.
      */
     @Test
-    public void anyFanIsSent() {
+    public void anArbitraryFanIsSent() {
         double[][] fans = {{360, 0.01}, {360, 6.5535}, {45, 5}, {7.25, 0.7}, {120, 1 / 3.0}, {359.9, 0.1234}};
         for (double[] fan : fans) {
             line = new FakeContext();

@@ -184,7 +184,7 @@ public class Mt3301Test {
     }
 
     @Test
-    public void aSlowLineLeavesOutFixesInsteadOfFallingBehind() {
+    public void aSlowLineSkipsFixesInsteadOfFallingBehind() {
         ask(NMEA.get("4800 baud"));
         line.pass(0.2);
         ask(NMEA.get("5 fixes a second"));
@@ -193,7 +193,7 @@ public class Mt3301Test {
     }
 
     @Test
-    public void thePowerSwitchMakesAReceiverBeginAgain() {
+    public void thePowerSwitchRestartsAReceiver() {
         power(GpsModel.MT3301, 3);
         line.pass(4);
         ask(NMEA.get("9600 baud"));

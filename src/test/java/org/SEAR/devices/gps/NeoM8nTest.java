@@ -100,7 +100,7 @@ public class NeoM8nTest {
 
     /** NEO-6 and NEO-M8 send the same, except for the talker. */
     @Test
-    public void withoutAFixItKnowsNothing() {
+    public void withoutAFixItSendsEmptyFields() {
         power(100);
         line.pass(1);
         List<String> lines = List.of(line.takeText().split("\r\n"));
@@ -188,7 +188,7 @@ public class NeoM8nTest {
     }
 
     @Test
-    public void theSolutionInEachOfItsMessages() {
+    public void theSolutionIsInEachOfItsMessages() {
         byte[] pvt = poll(UbxMessage.NAV_PVT);
         assertEquals(471190000 / 1e7 + 0.166233166, NavPvt.LATITUDE.get(pvt) / 1e7, 1e-7);
         assertEquals(499600, NavPvt.ALTITUDE.get(pvt));

@@ -91,7 +91,7 @@ public class Hmc6352Test {
     }
 
     @Test
-    public void aReadingThatDropsOutIsTheOneBefore() {
+    public void aDroppedReadingRepeatsThePreviousOne() {
         assertEquals("03 84", heading(90));
         assertEquals("03 84", heading(Double.NaN));
     }

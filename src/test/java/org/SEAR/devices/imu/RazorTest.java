@@ -69,7 +69,7 @@ public class RazorTest {
     }
 
     @Test
-    public void anglesAsFloatsWithASynchToken() {
+    public void anglesAsFloatsWithASyncToken() {
         line.hostText("#o0");
         line.take();
         line.hostText("#ob#o1#sX7");
@@ -130,7 +130,7 @@ public class RazorTest {
     }
 
     @Test
-    public void thePowerSwitchMakesItBeginAgain() {
+    public void thePowerSwitchRestartsIt() {
         line.hostText("#ob#o0");
         razor.powerOff();
         razor.powerOn(line.now);
@@ -140,7 +140,7 @@ public class RazorTest {
     }
 
     @Test
-    public void aReadingThatDropsOutIsTheOneBefore() {
+    public void aDroppedReadingRepeatsThePreviousOne() {
         line.reading = reading(Double.NaN, Double.NaN, Double.NaN);
         line.pass(0.1);
         assertTrue(line.takeText().startsWith("#YPR=-142.28"));

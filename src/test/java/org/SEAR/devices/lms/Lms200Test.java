@@ -142,7 +142,7 @@ public class Lms200Test {
      * its mode 4.
      */
     @Test
-    public void thirtyTwoBytesOfConfigurationAreTakenAndTheRestStays() {
+    public void aConfigurationOf32BytesKeepsTheRest() {
         ask(INSTALLATION);
         assertTrue(ask(LMS.get("write the configuration of the quick manual, whole"))
             .startsWith("06 02 80 25 00 F7 01"));
@@ -250,7 +250,7 @@ public class Lms200Test {
     }
 
     @Test
-    public void anOwnAddressIsHeardBesideTheBroadcast() {
+    public void itsOwnAddressWorksBesideTheBroadcast() {
         power(Variant.V180_1, 9600, false, new Identity("LMS200;301063;V02.06 ", "00000000", 1));
         assertEquals("06 " + LMS.get("mode changed, of the device with address 1"), ask(ON_REQUEST));
         line.host(Bytes.hex(new Telegram(1, new byte[] {0x32}).toBytes()));
@@ -262,7 +262,7 @@ public class Lms200Test {
     }
 
     @Test
-    public void aPauseEndsATelegramAndTheNextIsAnswered() {
+    public void aPauseAbortsATelegramAndTheNextIsAnswered() {
         line.host("02 00 02 00 30");
         line.pass(0.1);
         line.host("01 31 18");
@@ -325,7 +325,7 @@ public class Lms200Test {
 
     /** A driver restarts in mid-stream: at every moment it gets its ACK in time, and whole telegrams afterwards. */
     @Test
-    public void aScanOnTheLineDoesNotHoldUpAnAck() {
+    public void aScanOnTheLineDoesNotDelayAnAck() {
         for (int phase = 0; phase < 40; phase++) {
             power(Variant.V180_HALF, 38400, false, Identity.LMS200_30106);
             line.host(LMS.get("stream all scans"));
@@ -341,7 +341,7 @@ public class Lms200Test {
     }
 
     @Test
-    public void anAnsweredScanIsNeverBrokenOff() {
+    public void anAnsweredScanIsNeverAborted() {
         power(Variant.V180_HALF, 38400, false, Identity.LMS200_30106);
         line.host(LMS.get("ask for a scan"));
         line.pass(0.1);
@@ -353,7 +353,7 @@ public class Lms200Test {
     }
 
     @Test
-    public void aStreamGoesOnAfterAQuestion() {
+    public void aStreamContinuesAfterAQuery() {
         power(Variant.V180_HALF, 38400, false, Identity.LMS200_30106);
         line.host(LMS.get("stream all scans"));
         line.pass(1);

@@ -62,7 +62,7 @@ public class RoombaFirmwareTest {
     }
 
     @Test
-    public void createAndCreate2GoFromAnyModeToAny() {
+    public void createAndCreate2ChangeFromAnyModeToAny() {
         for (OiModel model : new OiModel[] {OiModel.CREATE, OiModel.CREATE2}) {
             power(model);
             assertEquals("", ask("8E 23"));
@@ -75,7 +75,7 @@ public class RoombaFirmwareTest {
     }
 
     @Test
-    public void theRoomba400ClimbsItsLadder() {
+    public void theRoomba400ChangesModesStepByStep() {
         power(OiModel.ROOMBA400);
         line.host("80 84");
         assertEquals(OiMode.PASSIVE, roomba.getMode());
@@ -246,7 +246,7 @@ public class RoombaFirmwareTest {
     }
 
     @Test
-    public void theScriptOfTheSquareGoesRound() {
+    public void theScriptOfTheSquareDrivesASquare() {
         power(OiModel.CREATE);
         line.host(OI.get("square of the specification, a script that plays itself"));
         for (int side = 0; side < 4; side++) {
@@ -334,7 +334,7 @@ public class RoombaFirmwareTest {
     }
 
     @Test
-    public void asleepItWakesOnlyOnStart() {
+    public void aSleepingRoombaWakesOnlyOnStart() {
         power(OiModel.CREATE2);
         line.host("80 83 85");
         assertEquals("", ask("8E 23"));
@@ -381,7 +381,7 @@ public class RoombaFirmwareTest {
     }
 
     @Test
-    public void theBatteryStaysAsEmptyWithoutPower() {
+    public void theBatteryKeepsItsChargeWithoutPower() {
         power(OiModel.CREATE);
         line.host("80");
         line.pass(60);

@@ -94,7 +94,7 @@ public class BundleTest {
     }
 
     @Test
-    public void aBundleThatWasUnpackedByHandIsSavedAsTheSameBundle() throws Exception {
+    public void aBundleUnpackedByHandIsSavedAsTheSameBundle() throws Exception {
         createProject();
         Bundle.save(project.folder(), place("a.sear"));
         project.put("sear-version.txt", "1\n");

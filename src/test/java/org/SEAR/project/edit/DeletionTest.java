@@ -240,7 +240,7 @@ public class DeletionTest extends EditedProject {
     }
 
     @Test
-    public void severalDeletionsAtOnceSayAllThatWentWithThem() throws Exception {
+    public void severalDeletionsReportAllDependentDeletions() throws Exception {
         edit("do", "robot", "template", "rover", "name", "rover");
         Map<String, String> before = objects();
         Outcome outcome = edit("do", "all", "edits",

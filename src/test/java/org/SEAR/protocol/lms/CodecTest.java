@@ -134,7 +134,7 @@ public class CodecTest {
     }
 
     @Test(expected = IllegalArgumentException.class)
-    public void aShortConfigurationIsNone() {
+    public void aShortConfigurationIsInvalid() {
         Configuration.of(new Telegram(0x80, new byte[20]), 1);
     }
 

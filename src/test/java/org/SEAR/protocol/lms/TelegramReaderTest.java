@@ -96,7 +96,7 @@ public class TelegramReaderTest {
     }
 
     @Test
-    public void theHostsOwnTelegramsAreNoAnswers() {
+    public void theHostsOwnTelegramsAreNotAnswers() {
         feed(LMS.get("ask for a scan"));
         assertEquals(0, telegrams.size());
     }
@@ -116,7 +116,7 @@ public class TelegramReaderTest {
     }
 
     @Test
-    public void garbageAloneNeverFillsTheBufferForEver() {
+    public void garbageDoesNotFillTheBuffer() {
         Random random = new Random(Fuzz.SEED);
         byte[] chunk = new byte[1000];
         for (int i = 0; i < 1000; i++) {

@@ -69,7 +69,7 @@ public class NmeaTest {
     }
 
     @Test(expected = IllegalArgumentException.class)
-    public void anEmptyFieldIsNoCoordinate() {
+    public void anEmptyFieldIsNotACoordinate() {
         Nmea.degrees("", Nmea.LATITUDE_DIGITS);
     }
 

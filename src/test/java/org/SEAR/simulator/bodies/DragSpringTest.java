@@ -37,7 +37,7 @@ public class DragSpringTest {
     }
 
     @Test
-    public void aThingIsLiftedWhereTheHandGoesAndFallsWhenItLetsGo() throws Exception {
+    public void anObjectIsDraggedAndFallsAfterTheRelease() throws Exception {
         new Box("box", 0.3, 0.3, 0.3, 2).move(0, 0.15, 0);
         try (Simulation simulation = Worlds.start(project)) {
             Worlds.run(simulation, 0.5);

@@ -51,7 +51,7 @@ public class LaunchTest {
     }
 
     @Test
-    public void aThingStartsWithItsVelocityAndSpin() throws Exception {
+    public void anObjectStartsWithItsVelocityAndSpin() throws Exception {
         try (Simulation simulation = thrown()) {
             Worlds.run(simulation, 1);
             at("a parabola", 3, 100 + 5 - G / 2, -2, simulation.getPose("box"));

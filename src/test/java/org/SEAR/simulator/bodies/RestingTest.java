@@ -41,7 +41,7 @@ public class RestingTest {
     }
 
     @Test
-    public void differentThingsOnTopOfEachOtherStayPut() throws Exception {
+    public void differentObjectsOnTopOfEachOtherStay() throws Exception {
         place(new Box("box", 0.5, 0.5, 0.3, 2), 0, 0.15, 0, 0, 30, 0);
         place(new Cylinder("can", 0.15, 0.4, 2), 0.1, 0.5, 0, 0, 0, 0);
         place(new Cone("cone", 0.15, 0.4, 1), 0.1, 0.9, 0, 0, 0, 0);
@@ -49,7 +49,7 @@ public class RestingTest {
     }
 
     @Test
-    public void roundThingsStandAndLie() throws Exception {
+    public void roundObjectsStandAndLie() throws Exception {
         double slope = Math.atan2(0.2, 0.6);
         place(new Cylinder("standing", 0.2, 0.6, 3), 0, 0.3, 0, 0, 0, 0);
         place(new Cylinder("lying", 0.2, 0.6, 3), 2, 0.2, 0, 0, 0, 90);

@@ -111,7 +111,7 @@ public class HeightsUnderfootTest {
     }
 
     @Test
-    public void fastThingsDoNotFallThrough() throws Exception {
+    public void fastObjectsDoNotTunnel() throws Exception {
         HeightField field = Grounds.rough(400, 0.05, 5);
         for (double speed : new double[] {20, 80, 300}) {
             Sphere ball = new Sphere("ball" + (int) speed, 0.02, 0.1);

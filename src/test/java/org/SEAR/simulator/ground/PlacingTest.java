@@ -65,7 +65,7 @@ public class PlacingTest {
     }
 
     @Test
-    public void beamsSeeAFixedThingWhereItWasPut() throws Exception {
+    public void beamsSeeATeleportedFixedObject() throws Exception {
         try (Simulation world = start()) {
             run(world, 120);
             assertEquals(2, ahead(world), 0.01);
@@ -81,7 +81,7 @@ public class PlacingTest {
     }
 
     @Test
-    public void robotsStopAtAFixedThingWhereItWasPutAndDriveWhereItWas() throws Exception {
+    public void robotsStopAtATeleportedFixedObjectAndDriveOverItsFormerPlace() throws Exception {
         try (Simulation world = start()) {
             run(world, 60);
             wall.move(0, 0.5, 4.1);

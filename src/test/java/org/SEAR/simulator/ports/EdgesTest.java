@@ -25,7 +25,7 @@ public class EdgesTest {
     public final ProjectRule project = new ProjectRule();
 
     @Test
-    public void theLightestThingFallsAndRests() throws Exception {
+    public void theLightestObjectFallsAndRests() throws Exception {
         new Floor("floor", 10, 10);
         Box box = new Box("box", 0.1, 0.1, 0.1, 1e-6);
         box.move(0, 0.5, 0);
@@ -44,7 +44,7 @@ public class EdgesTest {
     }
 
     @Test
-    public void aFewThingsOnOneSpotArePushedApartAndSomeAreNamed() throws Exception {
+    public void aFewObjectsAtOneSpotSeparateAndSomeAreNamed() throws Exception {
         new Floor("floor", 20, 20);
         for (int i = 0; i < 12; i++) {
             new Box("box" + i, 0.2, 0.2, 0.2, 1).move(0, 0.1, 0);
@@ -58,7 +58,7 @@ public class EdgesTest {
     }
 
     @Test
-    public void tooManyThingsOnOneSpotAreRefused() throws Exception {
+    public void tooManyObjectsAtOneSpotAreRejected() throws Exception {
         Worlds.roomba("roomba", 0, 0, 0);
         for (int i = 0; i < 9995; i++) {
             project.put("environment/box" + i + ".xml", "<Box><name>box" + i + "</name><length>0.2</length><width>0.2</width><height>0.2</height>"

@@ -183,7 +183,7 @@ public class ServoTest {
 
     /** Friction drags the object along. */
     @Test
-    public void aThingOnAPlateTurnsWithIt() throws Exception {
+    public void anObjectOnAPlateTurnsWithIt() throws Exception {
         SEARrobot robot = roomba();
         Arm.on(robot, new Servo("table", 0, 0.3, 0), 60, 5, Arm.box("plate", 0.4, 0.4, 0.02, 0.3, 0, 0.3, 0));
         Arm.box("thing", 0.05, 0.05, 0.05, 0.1, 0.1, 0.4, 0).setFriction(2);
@@ -199,7 +199,7 @@ public class ServoTest {
 
     /** At a large radius, for several turns. */
     @Test
-    public void aThingOnAPlateStaysAtItsDistance() throws Exception {
+    public void anObjectOnAPlateStaysAtItsDistance() throws Exception {
         SEARrobot robot = roomba();
         Servo table = Arm.on(robot, new Servo("table", 0, 0.3, 0), 60, 5, Arm.box("plate", 0.8, 0.8, 0.02, 0.3, 0, 0.3, 0));
         table.setRange(-360, 360);

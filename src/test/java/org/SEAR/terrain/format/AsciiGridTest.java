@@ -51,7 +51,7 @@ public class AsciiGridTest {
     }
 
     @Test
-    public void metresAreNoDegrees() throws IOException {
+    public void metresAreNotDegrees() throws IOException {
         assertNull(open("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n" + HEIGHTS).place.system);
         assertNull(open("ncols 3\nnrows 2\nxllcorner 500000\nyllcorner 0\ncellsize 1\n" + HEIGHTS).place.system);
     }

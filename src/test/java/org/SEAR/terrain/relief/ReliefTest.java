@@ -89,7 +89,7 @@ public class ReliefTest {
     }
 
     @Test
-    public void whereItIsSteepThereIsRock() {
+    public void steepGroundIsRock() {
         Heights cliff = (x, z) -> Math.max(0, Math.min(100, (x - 500) * 3)) + x * 1e-3;
         GroundPicture picture = GroundPicture.landscape(new Relief(field(100, 100, 10, cliff), 100, 1, 0), NOON, null);
         int rock = at(picture, 51, 50);

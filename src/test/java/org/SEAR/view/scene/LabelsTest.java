@@ -44,7 +44,7 @@ public class LabelsTest {
     }
 
     @Test
-    public void oneThatWasLeftOutComesBackWhenThereIsRoom() {
+    public void aHiddenLabelReturnsWhenThereIsSpace() {
         put(5, 0);
         assertNull(labels.text("sensor 4"));
         put(5, 0.5f);

@@ -270,7 +270,7 @@ public class BuildingTest {
         "image.src = kinds[0].style['background-image'].slice(5, -2)");
 
     @Test
-    public void eachThingOfThePaletteHasAPictureOfItsOwnThatTheViewHasDrawn() throws Exception {
+    public void eachPaletteItemHasItsOwnRenderedPicture() throws Exception {
         build(".sear-map");
         int count = browser.all(".sear-make .sear-symbol").size();
         assertTrue(String.valueOf(count), count >= 30);
@@ -340,7 +340,7 @@ public class BuildingTest {
     }
 
     @Test
-    public void aHandleOnTheMapMakesAThingLongerTheOtherSideStays() throws IOException {
+    public void aHandleOnTheMapLengthensAnObjectAndTheOtherSideStays() throws IOException {
         WebElement view = boxWithHandles();
         Map<String, String> before = files();
         drag(view, onMapOf("x"), tab.toScreen(-1.275, -2));
@@ -352,7 +352,7 @@ public class BuildingTest {
     }
 
     @Test
-    public void aHandleOnTheMapTurnsAThing() throws IOException {
+    public void aHandleOnTheMapRotatesAnObject() throws IOException {
         WebElement view = boxWithHandles();
         drag(view, onMapOf("x"), tab.toScreen(-1.275, -2));
         browser.until("it is longer", () -> Math.abs(place("x").get(0).doubleValue() + 1.275) < 1e-3);

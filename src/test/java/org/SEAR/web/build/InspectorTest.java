@@ -71,7 +71,7 @@ public class InspectorTest {
     }
 
     @Test
-    public void aCommaOrAUnitIsAnsweredWithTheNumberToWrite() {
+    public void aCommaOrAUnitIsReportedWithTheExpectedNumber() {
         select("box");
         String[][] typed = {{"0,3", "write 0.3"}, {"30cm", "write 0.3"}, {"1,5 m", "write 1.5"}};
         for (String[] one : typed) {

@@ -99,7 +99,7 @@ public class MeanwhileTest {
     }
 
     @Test
-    public void aDragIsRefusedWhereAnotherHasMovedTheThing() {
+    public void aDragIsRejectedIfAnotherPageMovedTheObject() {
         at(0.3, 0.3).clickAndHold().perform();
         at(1.3, 0.3).perform();
         another("set", "crate", "x", 3);

@@ -303,7 +303,7 @@ public class LidarTabTest {
     }
 
     @Test
-    public void afterARestartOfTheServerThePanelGoesOn() throws Exception {
+    public void afterARestartOfTheServerThePanelContinues() throws Exception {
         connect();
         scan();
         browser.expectErrors("WebSocket connection");

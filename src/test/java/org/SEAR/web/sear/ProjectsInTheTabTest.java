@@ -251,7 +251,7 @@ public class ProjectsInTheTabTest {
     }
 
     @Test
-    public void aDroppedFileThatIsNoBundleIsRefusedAndTheProjectStays() throws IOException {
+    public void aDroppedFileOtherThanABundleIsRejectedAndTheProjectStays() throws IOException {
         tab.openExample("maze");
         tab.waitForRobot("maze Roomba");
         drop("nonsense.sear", noise(100));

@@ -287,7 +287,7 @@ public class RecordsTabTest {
     }
 
     @Test
-    public void theRunIsPlottedWhileItGoesOnAndRecordedByAButton() {
+    public void aRunIsPlottedLiveAndRecordedByAButton() {
         TABS.robotLab().run(WORLD.replace("'ping'", "'constructor'"));     // a name that every JavaScript object has
         browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
         browser.click(".sear-plots");

@@ -76,7 +76,7 @@ public class SearTabTest {
 
     /** A servo steers the car, which prevents circles by command; a straight drive is not a circle. */
     @Test
-    public void forwardIsNoCircle() {
+    public void forwardIsNotACircle() {
         tab.openExample("car");
         tab.start();
         browser.click(".sear-forward");

@@ -110,7 +110,7 @@ public class ConnectionsTest {
     }
 
     @Test
-    public void requestsMakeRoomForEachOther() {
+    public void oldRequestsAreClosedForNewOnes() {
         for (int i = 0; i < Connections.MOST + 2; i++) {
             asks(comes());
         }

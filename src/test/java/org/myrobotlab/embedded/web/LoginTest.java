@@ -49,7 +49,7 @@ public class LoginTest {
     }
 
     @Test
-    public void theLinkAndTheFormGiveACookieForEverything() throws Exception {
+    public void linkAndFormSetACookieForAllPaths() throws Exception {
         for (String entered : new String[] {link(HERE, server.token().text()), form(HERE, server.token().text())}) {
             assertEquals(entered, 200, status(entered));
             Matcher cookie = COOKIE.matcher(entered);
@@ -117,7 +117,7 @@ public class LoginTest {
     }
 
     @Test
-    public void aCookieIsNoWayInForOtherPages() throws Exception {
+    public void aCookieDoesNotAdmitOtherPages() throws Exception {
         String cookie = cookie(link(HERE, server.token().text()));
         String neighbour = "Origin: http://localhost:" + (server.port() + 1);
         assertEquals(403, server.status("POST /api/service/talker/tick", "[]", JSON, cookie, neighbour));

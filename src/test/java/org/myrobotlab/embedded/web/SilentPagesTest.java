@@ -68,7 +68,7 @@ public class SilentPagesTest {
     }
 
     @Test
-    public void theOneThatHasBeenSilentForTheLongestTimeMakesWay() throws Exception {
+    public void theLongestSilentPageIsClosedFirst() throws Exception {
         pass(59);
         isRefused();
         pass(2);
@@ -86,7 +86,7 @@ public class SilentPagesTest {
     }
 
     @Test
-    public void pagesAreAskedWhetherTheyAreThere() throws Exception {
+    public void pagesArePinged() throws Exception {
         assertEquals(0, Server.nextFrame(pages.get(0).getInputStream(), PING).length);
     }
 }

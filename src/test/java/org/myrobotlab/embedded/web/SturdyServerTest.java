@@ -181,7 +181,7 @@ public class SturdyServerTest {
     }
 
     @Test
-    public void connectionsThatAskNothingMakeRoomForOthers() throws Exception {
+    public void connectionsWithoutRequestAreClosedForOthers() throws Exception {
         for (int i = 0; i < 2 * MOST_CONNECTIONS + MANY; i++) {
             Socket idle = server.connect();
             open.add(idle);
@@ -194,7 +194,7 @@ public class SturdyServerTest {
     }
 
     @Test
-    public void requestsThatSayMoreThanTheySendMakeRoomForOthers() throws Exception {
+    public void incompleteRequestsAreClosedForOthers() throws Exception {
         String[] requests = {server.head("GET /", "Content-Length: 9"), server.head("GET /", "Host: elsewhere", "Content-Length: 9"),
             server.head("POST /api/service/talker/tick", JSON, "Content-Length: 9")};
         long start = System.nanoTime();
@@ -209,7 +209,7 @@ public class SturdyServerTest {
 
     /** Undertow would print a stack trace for each. */
     @Test
-    public void aBodyInPiecesThatIsTooLongIsRefused() throws Exception {
+    public void aTooLongChunkedBodyIsRejected() throws Exception {
         String piece = "1000001\r\n" + " ".repeat(0x1000001) + "\r\n";
         Socket socket = server.begin("POST /api/service/talker/half", piece, JSON, "Transfer-Encoding: chunked");
         open.add(socket);
@@ -218,7 +218,7 @@ public class SturdyServerTest {
     }
 
     @Test
-    public void aPageThatIsOpenOutlastsConnectionsThatAskNothing() throws Exception {
+    public void anOpenPageOutlastsConnectionsWithoutRequest() throws Exception {
         Socket page = server.webSocket();
         open.add(page);
         for (int i = 0; i < 2 * MOST_CONNECTIONS; i++) {
@@ -230,7 +230,7 @@ public class SturdyServerTest {
     }
 
     @Test
-    public void controlFramesMayComeAmidAMessageAndItsEndMayNeverCome() throws Exception {
+    public void controlFramesAndMissingEndsOfMessagesAreHandled() throws Exception {
         Socket page = server.webSocket();
         open.add(page);
         page.getOutputStream().write(Server.frame(FRAGMENT, "{\"id\":1,\"name\":\"talker\",".getBytes(StandardCharsets.UTF_8)));
@@ -243,7 +243,7 @@ public class SturdyServerTest {
     }
 
     @Test
-    public void jsonThatIsNoCallIsAnsweredAndThePageGoesOn() throws Exception {
+    public void invalidCallsAreAnsweredAndThePageContinues() throws Exception {
         Socket page = server.webSocket();
         open.add(page);
         String nested = "[".repeat(60_000) + "]".repeat(60_000);

@@ -124,7 +124,7 @@ public class WhoMayCallTest {
     }
 
     @Test
-    public void noTokenIsAskedForUnlessOneIsWanted() {
+    public void withoutAConfiguredTokenNoneIsRequired() {
         assertTrue(Token.current().fits(""));
         assertTrue(Token.current().fits("anything"));
         Token token = Token.require();

@@ -139,7 +139,7 @@ public class LockStepTest {
     }
 
     @Test
-    public void aSleepInLockStepOutlivesPauseAndReset() throws Exception {
+    public void aSleepInLockStepContinuesAfterPauseAndReset() throws Exception {
         for (int i = 0; i < 3; i++) {
             resetWhileAScriptSleeps(true, 1);
         }

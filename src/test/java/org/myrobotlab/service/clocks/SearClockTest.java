@@ -54,7 +54,7 @@ public class SearClockTest {
     }
 
     @Test
-    public void tenMinutesOfDrivingTakeSecondsOfAProcessor() {
+    public void tenMinutesOfDrivingTakeSecondsOfCpuTime() {
         start("max");
         sear.startSimulation();
         sear.drive(0.1, 0.3);

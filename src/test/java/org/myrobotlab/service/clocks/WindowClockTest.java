@@ -56,7 +56,7 @@ public class WindowClockTest {
 
     /** Simulated time is at most the real time since the last check without a window, on a busy machine too. */
     @Test
-    public void timeBeginsWhenTheWindowIsThere() throws Exception {
+    public void timeBeginsWhenTheWindowIsOpen() throws Exception {
         AtomicLong withoutWindow = new AtomicLong(System.nanoTime());
         Thread watcher = new Thread(() -> {
             long asked = System.nanoTime();
@@ -77,7 +77,7 @@ public class WindowClockTest {
     }
 
     @Test
-    public void inLockStepTimeIsTheScripts() {
+    public void inLockStepTheScriptControlsTime() {
         sear.setLockStep(true);
         sear.startSimulation();
         assertEquals(0, sear.getTime(), 0);
@@ -87,7 +87,7 @@ public class WindowClockTest {
 
     /** A process has one window at a time, so this one blocks the simulation's. */
     @Test
-    public void withoutAWindowTimeBeginsAllTheSame() throws Exception {
+    public void withoutAWindowTimeStillBegins() throws Exception {
         SimulationRunner other = new SimulationRunner(Simulation.load(project.resolve("SEARproject"), 1));
         try (SimulatorWindow inTheWay = SimulatorWindow.open(other, new WindowOptions().setSize(320, 200))) {
             assertTrue(inTheWay.getProblem(), inTheWay.isOpen());

@@ -130,7 +130,7 @@ public class ColaPortTest {
     }
 
     @Test
-    public void eachProgramStartsAfreshWhateverTheOneBeforeHasLeft() throws Exception {
+    public void eachProgramStartsInTheDefaultState() throws Exception {
         for (int kill = 0; kill < KILLS; kill++) {
             try (Socket socket = connect()) {
                 send(socket, "sWN LMPoutputRange 1 1388 0 1B7740");

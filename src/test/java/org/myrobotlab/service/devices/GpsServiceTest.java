@@ -149,7 +149,7 @@ public class GpsServiceTest {
     }
 
     @Test
-    public void aPlainReceiverIsAskedNothing() throws Exception {
+    public void aPlainReceiverGetsNoQueries() throws Exception {
         gps.addListener("publishSentence", "positions", "onValue");
         gps.setModel("NMEA");
         gps.connect(PORT);
@@ -180,7 +180,7 @@ public class GpsServiceTest {
     }
 
     @Test
-    public void aSolutionOfUbxIsReadAsASentenceIs() throws Exception {
+    public void aUbxSolutionIsReadLikeASentence() throws Exception {
         gps.addListener("publishGGAData", "positions", "onValue");
         gps.connect(PORT);
         receiver.send(Bytes.bytes("B5 62" + UbxTest.PVT));
@@ -200,7 +200,7 @@ public class GpsServiceTest {
 
     /** The receiver sends both with each fix. */
     @Test
-    public void aSentenceAndASolutionOfOneMomentAreOnePosition() throws Exception {
+    public void aSentenceAndASolutionOfTheSameTimeAreOnePosition() throws Exception {
         gps.addListener("publishGPS", "positions", "onValue");
         gps.connect(PORT);
         receiver.send(Bytes.bytes(UbxTest.PVT));

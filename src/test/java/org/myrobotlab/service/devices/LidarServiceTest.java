@@ -119,7 +119,7 @@ public class LidarServiceTest {
     }
 
     @Test
-    public void unitAndFanAreLearntFromTheDevice() throws Exception {
+    public void unitAndFanAreReadFromTheDevice() throws Exception {
         lidar.connect(PORT);
         lidar.singleScan();
         raw.await(1);
@@ -129,7 +129,7 @@ public class LidarServiceTest {
     }
 
     @Test
-    public void aDeviceThatStreamsAlreadyIsStreaming() throws Exception {
+    public void anAlreadyStreamingDeviceIsRecognised() throws Exception {
         answers.put("02 00 01 00 31 15 12", status("24", "B6 4E"));
         answers.put("02 00 02 00 20 25 35 08", MODE_TAKEN);
         lidar.connect(PORT);
@@ -159,7 +159,7 @@ public class LidarServiceTest {
     }
 
     @Test
-    public void scanModesThatNoDeviceHasAreRefusedAtOnce() throws Exception {
+    public void unsupportedScanModesAreRejectedImmediately() throws Exception {
         lidar.connect(PORT);
         try {
             lidar.setScanMode(180, 0.25);
@@ -170,7 +170,7 @@ public class LidarServiceTest {
     }
 
     @Test
-    public void anUnknownPortIsAnsweredWithThoseThereAre() throws Exception {
+    public void anUnknownPortIsReportedWithTheExistingOnes() throws Exception {
         try {
             lidar.connect("/dev/nothing_here");
             fail("connected to nothing");
@@ -235,7 +235,7 @@ public class LidarServiceTest {
     }
 
     @Test
-    public void aVirtualPortThatIsGoneIsNoticed() throws Exception {
+    public void aRemovedVirtualPortIsNoticed() throws Exception {
         lidar.connect(PORT);
         device.close();
         scanningWithoutConnectionIsReported();
@@ -243,7 +243,7 @@ public class LidarServiceTest {
     }
 
     @Test
-    public void aRealPortThatCantBeOpenedIsAnsweredWithThoseThereAre() throws Exception {
+    public void anUnopenablePortIsReportedWithTheExistingOnes() throws Exception {
         lidar.connect(PORT);
         try {
             lidar.connect("/dev/nothing_here");

@@ -93,7 +93,7 @@ public class PatienceTest {
     }
 
     @Test
-    public void aScanIsNotLostWhileTheThreadThatBringsItHasNoProcessor() throws Exception {
+    public void aScanIsNotLostWhileItsThreadGetsNoCpuTime() throws Exception {
         Starved starved = (Starved) Runtime.start("starved", Starved.class.getName());
         ((Serial) Runtime.getService("patienceLidar.serial")).addByteListener(starved);
         connect();
@@ -107,7 +107,7 @@ public class PatienceTest {
     }
 
     @Test
-    public void aCallbackThatHangsIsGivenUpAndWaitedForAgainWhenItHasEnded() throws Exception {
+    public void aHangingCallbackIsSkippedAndAwaitedAgainAfterItsEnd() throws Exception {
         CountDownLatch hang = new CountDownLatch(1);
         python.set("hang", hang);
         python.set("seen", new ArrayList<>());

@@ -111,7 +111,7 @@ public class ReconnectTest {
     }
 
     @Test
-    public void servicesOfARestoredConfigurationConnectWhenTheirPortsComeAndSaySo() throws Exception {
+    public void servicesOfARestoredConfigurationConnectAndReportItWhenTheirPortsAppear() throws Exception {
         gps.addListener("publishStatus", "backStatus", "onStatus");
         saveReleaseAndLoad();
         assertFalse(lidar.isConnected() || gps.isConnected());

@@ -69,7 +69,7 @@ public class RoombaHelperTest {
     }
 
     @Test
-    public void theRoombaOfNixieThatLetsGoOfItsPort() throws Exception {
+    public void theRoombaOfNixieThatClosesItsPort() throws Exception {
         connects("False");
     }
 

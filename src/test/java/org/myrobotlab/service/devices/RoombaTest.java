@@ -93,7 +93,7 @@ public class RoombaTest {
     }
 
     @Test
-    public void aSecondRoombaHasASerialOfItsOwn() throws Exception {
+    public void aSecondRoombaHasItsOwnSerialService() throws Exception {
         Serial.connectVirtualUart("/dev/second");
         Roomba second = (Roomba) Runtime.start("second", "Roomba");
         assertTrue(second.connect("/dev/second", 57600, 8, 1, 0));

@@ -125,7 +125,7 @@ public class SearDevicesTest {
     }
 
     @Test
-    public void anExportOfTheProjectIsMadeAtItsStartAndGoesWithTheProject() throws Exception {
+    public void anExportOfTheProjectStartsAndEndsWithTheProject() throws Exception {
         Path ports = temporary.getRoot().toPath().resolve("SEARports");
         robotOf(folder, "<export>ttyRobot</export>");
         assertFalse(Files.exists(ports));

@@ -85,7 +85,7 @@ public class LmsDriverTest {
     }
 
     @Test
-    public void theNextRequestWaitsForTheAnswerToTheFormer() {
+    public void theNextRequestWaitsForThePreviousAnswer() {
         askScan();
         askMode();
         assertEquals(1, sent.size());
@@ -123,7 +123,7 @@ public class LmsDriverTest {
     }
 
     @Test
-    public void anAnswerThatBreaksAScanOffIsFoundAfterAPause() {
+    public void anAnswerThatInterruptsAScanIsFoundAfterAPause() {
         askMode();
         driver.receive(Bytes.bytes("02 80 D6 02 B0 69 41 15 15 15 15 06 15 15"));
         driver.receive(MODE_REPLY);
@@ -134,7 +134,7 @@ public class LmsDriverTest {
     }
 
     @Test
-    public void timeThatStandsStillIsNoTimeOut() {
+    public void pausedTimeCausesNoTimeout() {
         askScan();
         for (int i = 0; i < 100_000; i++) {
             driver.tick();
@@ -169,7 +169,7 @@ public class LmsDriverTest {
     }
 
     @Test
-    public void silenceOnALineThatSpokeIsRepeatedAndThenAnError() {
+    public void silenceAfterEarlierDataCausesARepeatAndThenAnError() {
         askMode();
         driver.receive(MODE_REPLY);
         askScan();
@@ -193,7 +193,7 @@ public class LmsDriverTest {
     }
 
     @Test
-    public void aDeviceThatIsNotThereIsReportedOnce() {
+    public void aMissingDeviceIsReportedOnce() {
         askScan();
         askMode();
         pass(120);
@@ -202,7 +202,7 @@ public class LmsDriverTest {
     }
 
     @Test
-    public void streamedScansCountAsAnswersToNothing() {
+    public void streamedScansAreNotAnswers() {
         driver.receive(SCAN_REPLY);
         askMode();
         driver.receive(SCAN_REPLY);
@@ -220,7 +220,7 @@ public class LmsDriverTest {
     }
 
     @Test
-    public void afterAChangeOfBaudRateTheDeviceGetsAMoment() {
+    public void theDriverWaitsAfterAChangeOfBaudRate() {
         driver.changeBaud(38400);
         askScan();
         assertEquals(0, sent.size());

@@ -31,7 +31,7 @@ public class LmsRepliesTest {
     }
 
     @Test
-    public void flagBitsAreNoDistanceAndOverflowsAreNoReturn() {
+    public void flagBitsAreIgnoredAndOverflowsAreNoReturn() {
         RangeScan scan = scan("02 80 0E 00 B0 05 40 00 00 01 00 E8 83 F7 1F FF 1F 10 D4 58");
         assertArrayEquals(new int[] {0, 1, 1000, 8183, 8191}, scan.raw);
         assertEquals("mm", scan.unit);

@@ -67,7 +67,7 @@ public class RplidarDriverTest {
     }
 
     @Test
-    public void capsulesAreSpreadOverTheWayToTheNext() {
+    public void capsulesAreInterpolatedToTheNext() {
         ask(RplidarCommand.EXPRESS_SCAN, false);
         driver.receive(EXPRESS);
         int[] metre = new int[32];

@@ -63,7 +63,7 @@ public class ScipDriverTest {
     }
 
     @Test
-    public void aScanThatMakesNoSenseIsAnError() {
+    public void anInvalidScanIsAnError() {
         driver.receive(bytes("MD0384038401000|99b||"));
         assertEquals("[scan of 0]", answers.toString());
         answers.clear();

@@ -64,7 +64,7 @@ public class LifeTest {
     }
 
     @Test
-    public void startedAndReleasedAgainAndAgain() {
+    public void startedAndReleasedRepeatedly() {
         for (int round = 0; round < 5; round++) {
             SEAR sear = start("life" + round % 2);
             sear.simSleep(0.1);
@@ -156,7 +156,7 @@ public class LifeTest {
     }
 
     @Test
-    public void releasedByTwoThreadsAtOnce() throws Exception {
+    public void releasedByTwoThreadsSimultaneously() throws Exception {
         SEAR sear = start("life");
         Thread other = new Thread(sear::releaseService);
         other.start();

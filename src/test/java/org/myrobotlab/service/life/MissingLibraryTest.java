@@ -93,7 +93,7 @@ public class MissingLibraryTest {
     }
 
     @Test
-    public void withoutJMonkeyEngineTheSimulationRunsAllTheSame() throws Exception {
+    public void withoutJMonkeyEngineTheSimulationStillRuns() throws Exception {
         assertEquals(List.of("runs"), runWithout("jme3-core"));
     }
 

@@ -72,7 +72,7 @@ public class SavedSimulationTest {
     }
 
     @Test
-    public void theSimulationsOwnServicesDontComeBackAndItSimulatesAgain() throws Exception {
+    public void theSimulationsOwnServicesAreNotRestoredAndItSimulatesAgain() throws Exception {
         simulateAndScan();
         assertNotNull("it is in the registry all the same", Runtime.getService(UART));
         saveAndReleaseAndLoad();

@@ -96,7 +96,7 @@ public class WindowLifeTest {
     }
 
     @Test
-    public void releasedItTakesItsWindowAlongAndAnotherCanFollow() {
+    public void aReleaseClosesItsWindowAndAnotherServiceCanFollow() {
         sear.simSleep(0.1);
         assertTrue(Runtime.releaseService("sear"));
         assertNothingIsLeft();
@@ -143,7 +143,7 @@ public class WindowLifeTest {
 
     /** Both services have the same world. The second gets an error, and its attempt leaves the first window open. */
     @Test
-    public void aSecondServiceLeavesTheFirstItsWindow() {
+    public void aSecondServiceLeavesTheFirstWindowOpen() {
         SEAR second = (SEAR) Runtime.start("second", "SEAR");
         try {
             second.startSimulation();

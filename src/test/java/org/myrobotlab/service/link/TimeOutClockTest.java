@@ -82,7 +82,7 @@ public class TimeOutClockTest {
     }
 
     @Test
-    public void aPauseSavesUpNoMoreThanAMoment() {
+    public void aPauseAccumulatesALimitedTime() {
         clock.restart();
         pass(0, 3600);
         clock.now();
@@ -91,7 +91,7 @@ public class TimeOutClockTest {
     }
 
     @Test
-    public void itStandsStillWhileBytesAreOnTheirWay() {
+    public void itPausesWhileBytesAreInTransit() {
         clock.restart();
         pass(1, 1);
         double before = clock.now();
@@ -114,7 +114,7 @@ public class TimeOutClockTest {
     }
 
     @Test
-    public void aResetDoesNotSetItBack() {
+    public void aResetDoesNotDecreaseIt() {
         clock.restart();
         pass(10, 20);
         clock.now();

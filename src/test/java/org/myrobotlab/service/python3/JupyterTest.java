@@ -102,7 +102,7 @@ public class JupyterTest {
     }
 
     @Test
-    public void anInterruptBreaksOffAWait() throws Exception {
+    public void anInterruptAbortsAWait() throws Exception {
         String said = run(List.of(JUPYTER), SCRIPTS.resolve("interrupted.py").toString());
         for (String wait : List.of("simSleep(1000000) at speed max", "step(10000000) at speed max", "simSleep(1000000) at speed 5")) {
             assertTrue(said, said.contains(wait + " was interrupted\n"));
@@ -110,7 +110,7 @@ public class JupyterTest {
     }
 
     @Test
-    public void thingsShowThemselvesWithoutFail() throws Exception {
+    public void objectsAlwaysHaveADisplay() throws Exception {
         for (List<String> numpy : List.of(List.<String>of(), List.of(System.getProperty("sear.numpy1")))) {
             String said = run(numpy, SCRIPTS.resolve("pictures.py").toString());
             assertTrue(said, said.endsWith("all shown\n"));

@@ -73,7 +73,7 @@ public class Python3PackageTest {
     }
 
     @Test
-    public void callsReadingsErrorsAndCallbacksAreTheSameBothWays() throws Exception {
+    public void callsReadingsErrorsAndCallbacksAgreeBothWays() throws Exception {
         Path script = ROOT.resolve("src/test/python3/calls.py");
         String here = inProcess(script);
         assertTrue(here, here.endsWith("False\n"));
@@ -82,7 +82,7 @@ public class Python3PackageTest {
     }
 
     @Test
-    public void itBeginsWithTheClassesThatTheBuildHasWrittenDown() throws Exception {
+    public void itStartsFromTheClassArchive() throws Exception {
         String classes = run(List.of("python3", "-c", "import os; os.environ['JAVA_OPTS'] += ' -Xlog:class+load'; import sear; "
             + "sear.start(headless=True, speed='max'); sear.Runtime.start('sear', 'SEAR')"), ROOT.resolve("python/src").toString(), LIBRARIES);
         assertTrue(classes, classes.contains(" org.myrobotlab.service.SEAR source: shared objects file"));

@@ -48,7 +48,7 @@ public class BodyCallsTest {
     }
 
     @Test
-    public void anObjectActsInTheWorldThatHasReadItAndLeavesItsFile() throws Exception {
+    public void anObjectActsOnTheRunningWorldAndNotOnItsFile() throws Exception {
         crate.setVelocity(0, 0, 0.5);
         sear.startSimulation();
         sear.simSleep(2);
@@ -67,7 +67,7 @@ public class BodyCallsTest {
     }
 
     @Test
-    public void anObjectThatWasMadeMeanwhileIsForTheNextStart() throws Exception {
+    public void anObjectMadeDuringARunAppearsAtTheNextStart() throws Exception {
         sear.startSimulation();
         sear.simSleep(1);
         double[] pose = sear.getPose("crate");
@@ -92,7 +92,7 @@ public class BodyCallsTest {
     }
 
     @Test
-    public void callsMoveThingsAndRobots() {
+    public void callsMoveObjectsAndRobots() {
         sear.startSimulation();
         sear.simSleep(1);
         sear.setVelocity("roomba", 0, 2, 0);

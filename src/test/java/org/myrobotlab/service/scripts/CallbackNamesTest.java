@@ -147,7 +147,7 @@ public class CallbackNamesTest {
     }
 
     @Test
-    public void theListingsThatKeepInputSaySoInTheirFirstLines() throws IOException {
+    public void listingsThatUseInputStateItInTheirFirstLines() throws IOException {
         for (String file : PRINTED_WITH_INPUT) {
             String head = Files.readAllLines(ROOT.resolve(file)).stream().takeWhile(line -> line.startsWith("#")).collect(Collectors.joining(" "));
             assertTrue(head, head.contains("keeps its name input"));

@@ -75,7 +75,7 @@ public class ClockTrapTest {
     }
 
     @Test
-    public void anObjectMadeNowIsThereAfterTheNextStart() throws Exception {
+    public void anObjectMadeInLockStepAppearsAfterTheNextStart() throws Exception {
         sear.startSimulation();
         new Box("late", 1, 1, 1, 0);
         assertTrue(heard.awaitStatus("Box \"late\" was made while a simulation runs"));

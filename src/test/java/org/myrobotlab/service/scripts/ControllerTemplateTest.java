@@ -118,7 +118,7 @@ public class ControllerTemplateTest {
     }
 
     @Test
-    public void bytesThatAreNoRequestAreLeftAlone() throws Exception {
+    public void bytesOutsideRequestsAreIgnored() throws Exception {
         python.exec("sensorCommands[0x2B] = lambda: [1]");
         user.write(new byte[] {0x2B, 0x2B, (byte) 0x8E, 1, (byte) 0x8E, 0x2B});
         assertEquals("[0, 1]", heard.await(2).toString());

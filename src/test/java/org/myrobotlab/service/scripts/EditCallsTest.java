@@ -65,7 +65,7 @@ public class EditCallsTest {
     }
 
     @Test
-    public void anEditThatWasCutOffIsTakenBackBeforeAnybodyReadsIt() throws Exception {
+    public void anInterruptedEditIsUndoneBeforeTheProjectIsRead() throws Exception {
         sear.edit(Map.of("do", "add", "type", "Box"));
         sear.edit(Map.of("do", "add", "type", "Sphere"));
         Runtime.releaseService("editSear");

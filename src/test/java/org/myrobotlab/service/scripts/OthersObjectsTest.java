@@ -61,7 +61,7 @@ public class OthersObjectsTest {
 
     /** For example a robot's Dynamics, whose name the robot of the next project also has. */
     @Test
-    public void aNameThatWasGivenInAnotherProjectIsNotGivenYet() throws Exception {
+    public void namesOfAnotherProjectDoNotCount() throws Exception {
         String other = "'" + temporary.getRoot().toPath().resolve("other.sear") + "'";
         python.execAndWait(BUILD + "from org.SEAR.POJOs import Robots\nsear.newProject()\nRobots.create2('first')\nsear.saveProject(" + other
             + ")\nsear.loadProject(" + other + ")\nRobots.create2('second')\nsear.info('that was all')\n");

@@ -98,7 +98,7 @@ public class ScriptTrapsTest {
     }
 
     @Test
-    public void thePublishersOfOldAreGone() throws IOException {
+    public void formerPublishersAreNotUsed() throws IOException {
         assertNowhere("publishByte", "publishByte\\b");
         assertNowhere("a msg_ variable", "\\bmsg_\\w+");
     }
@@ -113,7 +113,7 @@ public class ScriptTrapsTest {
     }
 
     @Test
-    public void theRoombaIsConnectedInTheWayThatWorksEverywhere() throws IOException {
+    public void theRoombaIsConnectedByTheHelper() throws IOException {
         for (Path script : scripts()) {
             if (code(script).contains("\"Roomba\"") && !isListing(script)) {
                 assertTrue(script.toString(), code(script).contains("def connectRoomba(roomba, port):"));

@@ -116,7 +116,7 @@ public class OpencvExamplesTest {
 
     /** Follows once a line at a radius of 0.7 + 0.15 cos 3a metres. */
     @Test
-    public void theLineIsFollowedOnceRound() throws Exception {
+    public void theLineIsFollowedAllAround() throws Exception {
         robotLab.run("sear.recordRun('lines.searlog')");
         Path picture = folder.getRoot().toPath().resolve("lines.png");
         String text = run("opencv_lines.py", "--save", picture.toString());
@@ -161,7 +161,7 @@ public class OpencvExamplesTest {
 
     /** Drives the robot to the other side of the dock first. */
     @Test
-    public void theRobotDocksFromElsewhereInASimulationThatRuns() throws Exception {
+    public void theRobotDocksFromAnotherPlaceInARunningSimulation() throws Exception {
         robotLab.run("sear.loadProject('examples/dock.sear')\nsear.startSimulation()\nsear.setLockStep(True)\nsear.simSleep(0.5)\n"
             + "sear.driveStraight(-0.5)\nsear.simSleep(5)\nsear.driveStraight(0)\nsear.simSleep(1)\nsear.setLockStep(False)");
         assertTrue("on the other side", robotLab.call("sear", "getPose", "docker").get(2).asDouble() < -1);

@@ -131,7 +131,7 @@ public class ThirdPartyArduinoTest extends WithPrograms {
     }
 
     @Test
-    public void pyfirmata2IsKilledAndComesBack() throws Exception {
+    public void pyfirmata2IsKilledAndReconnects() throws Exception {
         String port = sear.exportPort(PORT);
         kill(python("pyfirmata2_endure.py", port, Programs.PATIENCE));
         assertValues(programs.run(python("pyfirmata2_endure.py", port, Programs.SECONDS), new ArrayList<>()));
@@ -146,7 +146,7 @@ public class ThirdPartyArduinoTest extends WithPrograms {
 
     /** Uses TCP, because the program's package for serial ports is machine code from another download. */
     @Test
-    public void johnnyFiveDrivesReadsIsKilledAndComesBack() throws Exception {
+    public void johnnyFiveDrivesReadsIsKilledAndReconnects() throws Exception {
         int port = sear.exportTcp(PORT, 0);
         kill(node(port, Programs.PATIENCE));
         sear.reset();

@@ -56,7 +56,7 @@ public class ThirdPartyEnduranceTest extends WithPrograms {
     }
 
     @Test
-    public void threeDriversAreKilledComeBackAndLoseNothing() throws Exception {
+    public void threeDriversAreKilledReconnectAndLoseNothing() throws Exception {
         for (int kill = 0; kill < KILLS; kill++) {
             Process robot = programs.start(python("pycreate2_drive.py", sear.exportPort(ROBOT), Programs.PATIENCE));
             Process receiver = programs.start(python("pyubx2_read.py", sear.exportPort(RECEIVER), Programs.PATIENCE));

@@ -80,7 +80,7 @@ public class ThirdPartyLidarsTest extends WithPrograms {
 
     /** The driver logs all ranges of a scan for any fan. */
     @Test
-    public void mrptReadsAFanThatNoScannerOnSaleHas() throws Exception {
+    public void mrptReadsAnArbitraryFan() throws Exception {
         start("CoLa", 231, 5.5);
         Path config = grabber("sick-lms1xx-mrpt.ini", "log", "@PORT@", Integer.toString(sear.exportTcp(PORT, 0)));
         compare(inTime(programs.grabScans(config, 20, Programs.SECONDS)), sear.getLidarResult("scanner"), 30, 0.00101);

@@ -142,7 +142,7 @@ public class ThirdPartyVisionTest {
     }
 
     @Test
-    public void markersAreFoundWhereTheyAre() throws Exception {
+    public void markersAreFoundAtTheirPoses() throws Exception {
         new Floor("floor", 20, 20);
         Pose aruco = Pose.ofDegrees(0.4, 0.5, 2, 0, 35, 10);
         new Marker("aruco", "DICT_4X4_50", 7, SIZE, 0.4, 0.5, 2, 0, 35, 10);

@@ -179,7 +179,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void aProgramThatWritesFasterThanTheDeviceTakesIsHeldUpAndLosesNothing() throws Exception {
+    public void aProgramFasterThanTheDeviceIsBlockedAndLosesNothing() throws Exception {
         CountDownLatch go = new CountDownLatch(1);
         device.close();
         device.open();
@@ -213,7 +213,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void aWriterWhoseExportIsClosedIsNotHeldUp() throws Exception {
+    public void aWriterOfAClosedExportIsNotBlocked() throws Exception {
         CountDownLatch never = new CountDownLatch(1);
         device.close();
         device.open();
@@ -250,7 +250,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void aLinkGivesItAStableNameAndGoesAway() throws Exception {
+    public void aLinkGivesItAStableNameAndIsRemoved() throws Exception {
         Path link = temporary.getRoot().toPath().resolve("roomba");
         assertEquals(link.toString(), exports.terminal("/dev/test_user", link.toString()));
         assertTrue(Files.isSymbolicLink(link));
@@ -259,7 +259,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void anOrdinaryFileIsNoPlaceForALink() throws Exception {
+    public void anOrdinaryFileIsNotReplacedByALink() throws Exception {
         Path file = temporary.newFile("precious").toPath();
         try {
             exports.terminal("/dev/test_user", file.toString());
@@ -348,7 +348,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void onlyALinkToAPseudoTerminalIsReplacedAndOnlyTheOwnOneRemoved() throws Exception {
+    public void onlyLinksToPseudoTerminalsAreReplacedAndOnlyItsOwnRemoved() throws Exception {
         Path file = temporary.newFile("precious").toPath();
         Path other = Files.createSymbolicLink(temporary.getRoot().toPath().resolve("other"), file);
         assertThrows(IOException.class, () -> exports.terminal("/dev/test_user", other.toString()));
@@ -364,7 +364,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void askedForAgainItIsTheSameExport() throws Exception {
+    public void repeatedExportsAreTheSame() throws Exception {
         String link = temporary.getRoot().toPath().resolve("link").toString();
         assertEquals(exports.terminal("/dev/test_user", null), exports.terminal("/dev/test_user", null));
         assertEquals(link, exports.terminal("/dev/test_user", link));
@@ -376,7 +376,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void anExportStaysWhileThereIsNoPortAndIsSilent() throws Exception {
+    public void anExportWithoutPortStaysAndIsSilent() throws Exception {
         SerialDeviceFactory.remove(user);
         Path link = temporary.getRoot().toPath().resolve("early");
         exports.terminal("/dev/test_user", link.toString());
@@ -427,7 +427,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void aRateThatWasSetOnOneExportIsNotThatOfAnother() throws Exception {
+    public void exportsHaveSeparateBaudRates() throws Exception {
         int[] baud = listenToBaud();
         String path = exports.terminal("/dev/test_user", null);
         int raw = exports.tcp("/dev/test_user", 0);
@@ -454,7 +454,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void programsThatSetNoRateFindTheDevices() throws Exception {
+    public void programsWithoutASetRateGetTheDevices() throws Exception {
         PseudoTerminal terminal = PseudoTerminal.open("/dev/test_user", null);
         try {
             terminal.deviceAt(57600);
@@ -474,7 +474,7 @@ public class ExportsTest {
      * real robot.
      */
     @Test
-    public void aProgramThatSetsTheRateThatIsThereHasSetIt() throws Exception {
+    public void settingTheCurrentRateCounts() throws Exception {
         Assume.assumeTrue("macOS doesn't tell it", System.getProperty("os.name").equals("Linux"));
         int[] baud = listenToBaud();
         String path = exports.terminal("/dev/test_user", null);
@@ -489,7 +489,7 @@ public class ExportsTest {
     }
 
     @Test
-    public void aProgramThatWantsLinesGetsThem() throws Exception {
+    public void aProgramThatReadsLinesGetsThem() throws Exception {
         Assume.assumeTrue("macOS does nothing of it", System.getProperty("os.name").equals("Linux"));
         String path = exports.terminal("/dev/test_user", null);
         assertEquals(0, new ProcessBuilder("stty", "-F", path, "9600", "icanon").inheritIO().start().waitFor());
@@ -557,7 +557,7 @@ public class ExportsTest {
 
     /** Each hand-over between threads may be delayed on a busy computer. */
     @Test
-    public void aSimulatedDeviceIsReachedWithoutHandOvers() throws Exception {
+    public void aSimulatedDeviceIsReachedWithoutThreadHandOvers() throws Exception {
         PortBridge bridge = new PortBridge("/dev/test_user", host);
         TcpEndpoint server = TcpEndpoint.open("/dev/test_user", TcpSession.RAW, 0);
         String[] writer = new String[1];

@@ -81,7 +81,7 @@ public class Rfc2217Test {
     }
 
     @Test
-    public void theBaudRateIsSetAndAskedFor() {
+    public void theBaudRateIsSetAndQueried() {
         assertEquals("FF FA 2C 65 00 00 25 80 FF F0", answer("FF FA 2C 01 00 00 00 00 FF F0"));
         assertEquals("the device's own", 0, baud);
         assertEquals("FF FA 2C 65 00 01 C2 00 FF F0", answer("FF FA 2C 01 00 01 C2 00 FF F0"));
@@ -116,14 +116,14 @@ public class Rfc2217Test {
     }
 
     @Test
-    public void theLineIs8N1WhateverIsAskedFor() {
+    public void theLineIsAlways8N1() {
         assertEquals("FF FA 2C 66 08 FF F0", answer("FF FA 2C 02 07 FF F0"));
         assertEquals("FF FA 2C 67 01 FF F0", answer("FF FA 2C 03 03 FF F0"));
         assertEquals("FF FA 2C 68 01 FF F0", answer("FF FA 2C 04 02 FF F0"));
     }
 
     @Test
-    public void dtrAndRtsAreTakenAndAnswered() {
+    public void dtrAndRtsAreAcceptedAndAcknowledged() {
         assertEquals("no handshake", "FF FA 2C 69 01 FF F0", answer("FF FA 2C 05 03 FF F0"));
         assertEquals("on at first", "FF FA 2C 69 08 FF F0", answer("FF FA 2C 05 07 FF F0"));
         assertEquals("FF FA 2C 69 09 FF F0", answer("FF FA 2C 05 09 FF F0"));
@@ -157,7 +157,7 @@ public class Rfc2217Test {
     }
 
     @Test
-    public void nothingThatComesHangsOrFillsIt() {
+    public void noInputBlocksOrFillsIt() {
         Random random = new Random(Fuzz.SEED);
         byte[] piece = new byte[1000];
         for (int done = 0; done < Fuzz.BYTES; done += piece.length) {

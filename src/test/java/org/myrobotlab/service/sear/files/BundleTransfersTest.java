@@ -44,7 +44,7 @@ public class BundleTransfersTest {
     }
 
     @Test
-    public void partsOutOfOrderAreRefusedAndABeginningForgetsTheFormer() throws Exception {
+    public void partsOutOfOrderAreRejectedAndANewStartDropsTheOldOne() throws Exception {
         transfers.receive("my.sear", 0, 3, base64(0, 10));
         assertRefused("arrived out of order, expected 1", () -> transfers.receive("my.sear", 2, 3, base64(0, 10)));
         assertTrue(transfers.receive("other.sear", 0, 1, base64(0, 5)));

@@ -68,7 +68,7 @@ public class HostileVisitorsTest {
     }
 
     @Test
-    public void onlyThisComputersOwnProgramsAndPagesGetIn() throws Exception {
+    public void onlyProgramsAndPagesOfThisComputerHaveAccess() throws Exception {
         world.startPaused();
         int port = open("color");
         String get = "GET /image.jpg HTTP/1.1\r\n";
@@ -136,7 +136,7 @@ public class HostileVisitorsTest {
     }
 
     @Test
-    public void hundredLookAndOneOfThemReadsNothing() throws Exception {
+    public void oneOfAHundredClientsReadsNothing() throws Exception {
         world.start();
         int port = open("fast");
         ExecutorService readers = Executors.newCachedThreadPool();

@@ -138,7 +138,7 @@ public class NetworkCameraTest {
     }
 
     @Test
-    public void aStreamOfAPausedWorldGoesOn() throws Exception {
+    public void aStreamOfAPausedWorldContinues() throws Exception {
         world.startPaused();
         int port = exports.plain("color", 0);
         try (Visitor visitor = Visitor.at(port, "/stream.mjpg")) {
@@ -182,7 +182,7 @@ public class NetworkCameraTest {
      * it.
      */
     @Test
-    public void aProgramThatLooksForJpegFilesFindsThem() throws Exception {
+    public void aProgramThatSearchesJpegFilesFindsThem() throws Exception {
         world.startPaused();
         int port = exports.plain("color", 0);
         byte[] still = get(port, "/image.jpg", "image/jpeg");

@@ -98,7 +98,7 @@ public class LookTableTest {
     }
 
     @Test
-    public void aLargeLookComesInParts() throws Exception {
+    public void aLargeLookIsSentInParts() throws Exception {
         StringBuilder file = new StringBuilder();
         int rows = 110;
         for (int i = 0; i < rows * rows; i++) {

@@ -81,7 +81,7 @@ public class RecordMotionTest {
     }
 
     @Test
-    public void wheelsServosAndBeamsAreAsTheyWere() throws Exception {
+    public void wheelsServosAndBeamsAreReproduced() throws Exception {
         double[] seen;
         double hit;
         try (Simulation world = world(1)) {
@@ -115,7 +115,7 @@ public class RecordMotionTest {
     }
 
     @Test
-    public void manyBeamsAndALongRunAreNoLongerThanAMessage() throws Exception {
+    public void manyBeamsAndALongRunFitIntoAMessage() throws Exception {
         try (Simulation world = world(0.25)) {
             Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
             world.order(new ActuatorOrder(Kind.SPEED, "engine", 1));

@@ -27,7 +27,7 @@ public class ScanRangesTest {
     }
 
     @Test
-    public void theUnitIsAsFineAsTheFarthestBeamAllows() {
+    public void theUnitFollowsTheLongestRange() {
         double[] near = read(new ScanRanges(new double[] {0, 0.0001, 6.5534, Double.POSITIVE_INFINITY, Double.NaN}).text());
         assertEquals(5, near.length);
         assertEquals(0, near[0], 0);

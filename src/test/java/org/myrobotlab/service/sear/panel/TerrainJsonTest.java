@@ -61,7 +61,7 @@ public class TerrainJsonTest {
     }
 
     @Test
-    public void placesBetweenThePointsAreRightToAMetreOverAHundredKilometres() {
+    public void interpolatedPlacesAreRightToAMetreOverAHundredKilometres() {
         HeightField field = field(101, 101, 1000, false);
         GeoOrigin origin = new GeoOrigin(60, 200, 179.9);
         List<double[]> places = new TerrainJson("stamp", field, origin, 200, 0, null).places.orElseThrow();

@@ -115,7 +115,7 @@ public class WorldFeedTest {
     }
 
     @Test
-    public void messagesAreNumberedAndAResetBeginsWithTheWhole() throws Exception {
+    public void messagesAreNumberedAndAResetSendsTheWholeWorld() throws Exception {
         try (Simulation world = world(1); Simulation other = world(2)) {
             assertEquals(1L, next(world).get("number"));
             step(world, STEPS_BETWEEN);

@@ -15,7 +15,7 @@ public class EulerAnglesTest {
     }
 
     @Test
-    public void anglesTurnedBackGiveTheSameRotation() {
+    public void anglesReproduceTheRotation() {
         Random random = new Random(Fuzz.SEED);
         for (int i = 0; i < 1000; i++) {
             Pose pose = Pose.ofDegrees(0, 0, 0, random.nextDouble() * 720 - 360, random.nextDouble() * 720 - 360, random.nextDouble() * 720 - 360);
@@ -25,7 +25,7 @@ public class EulerAnglesTest {
     }
 
     @Test
-    public void straightUpAndDownAreNoTrouble() {
+    public void straightUpAndDownAreHandled() {
         for (double z : new double[] {90, -90}) {
             for (double y : new double[] {0, 30, -120}) {
                 Pose pose = Pose.ofDegrees(0, 0, 0, 0, y, z);

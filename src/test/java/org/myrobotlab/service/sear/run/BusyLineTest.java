@@ -19,13 +19,13 @@ public class BusyLineTest {
     }
 
     @Test
-    public void askingAgainAndAgainIsALoop() {
+    public void repeatedQueriesAreALoop() {
         assertEquals("line 12 of drive.py", line(SCRIPT));
         assertEquals("line 12 of drive.py", line(call("getTime"), SCRIPT));
     }
 
     @Test
-    public void callsThatTakeLongAreNone() {
+    public void longCallsAreNotALoop() {
         for (String method : new String[] {"step", "simSleep", "startSimulation", "loadProject", "rerunRecord"}) {
             assertNull(method, line(call("lambda$" + method + "$0"), call(method), SCRIPT));
         }

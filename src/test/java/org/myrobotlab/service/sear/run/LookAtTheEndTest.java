@@ -40,7 +40,7 @@ public class LookAtTheEndTest {
     }
 
     @Test
-    public void seesNothingAndDoesNotComplain() throws Exception {
+    public void anInterruptedReadReturnsNothingWithoutAnError() throws Exception {
         System.setProperty("sear.headless", "true");
         Path folder = TestWorld.build(temporary.getRoot().toPath());
         SimulationControl control = new SimulationControl(new RecordingHost(), () -> folder);

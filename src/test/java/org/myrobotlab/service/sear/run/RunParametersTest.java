@@ -59,7 +59,7 @@ public class RunParametersTest {
     }
 
     @Test
-    public void resultsAreKeptUntilTheyAreTaken() {
+    public void resultsAreStoredUntilTheyAreTaken() {
         RunParameters.setResult("way", 1.5f);
         RunParameters.setResult("steps", 3);
         RunParameters.setResult("way", 2.5);
@@ -80,7 +80,7 @@ public class RunParametersTest {
     }
 
     @Test
-    public void aResultThatIsNoneIsRefused() {
+    public void invalidResultsAreRejected() {
         BigInteger large = BigInteger.TWO.pow(70);
         assertEquals("result way is 1180591620717411303424, legal: -2**63 to 2**63-1; float(value) keeps 15 digits of it",
             refused(() -> RunParameters.setResult("way", large)));
@@ -95,7 +95,7 @@ public class RunParametersTest {
     }
 
     @Test
-    public void resultsAreNotKeptWithoutEnd() {
+    public void theNumberOfResultsIsLimited() {
         assertEquals("result text has 10001 characters, legal: at most 10000", refused(() -> RunParameters.setResult("text", "a".repeat(10_001))));
         for (int i = 0; i < 1000; i++) {
             RunParameters.setResult("number" + i, i);

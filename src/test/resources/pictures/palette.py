@@ -1,4 +1,4 @@
-# What the palette's pictures show: shapes that look like the thing, for what has no shape of its own. PalettePictures draws them with the view.
+# Shapes for the palette's pictures of objects that have no shape of their own. PalettePictures draws them with the view.
 from org.SEAR.POJOs import *
 
 DARK, GREY, SILVER, WHITE, BRASS, TEAL, BLUE = '#5a626a', '#8d959c', '#c9ced3', '#f4f5f5', '#d3a03a', '#18808a', '#2f6fb0'

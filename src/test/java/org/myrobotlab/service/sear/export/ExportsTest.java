@@ -302,10 +302,7 @@ public class ExportsTest {
         }
     }
 
-    /**
-     * Command 129 of a Create offers 14400 and 28800 baud, for which Linux has no code. Programs set them by ioctl
-     * TCSETS2, as pyserial does.
-     */
+    /** Linux has no code for 14400 and 28800 baud; programs set them by ioctl TCSETS2, as pyserial does. */
     @Test
     public void aRateForWhichTheSystemHasNoCodeReachesThePort() throws Exception {
         Assume.assumeTrue("TCSETS2 is Linux's", System.getProperty("os.name").equals("Linux"));
@@ -410,10 +407,7 @@ public class ExportsTest {
         }
     }
 
-    /**
-     * Waits for the last byte; without a port, the program is not blocked, and the port receives only what the system's
-     * buffer still has.
-     */
+    /** Waits for the last byte; of the bytes written without a port, only the system's buffer remains. */
     private void awaitLast(int expected) throws Exception {
         long end = System.nanoTime() + PATIENCE;
         synchronized (received) {
@@ -469,10 +463,7 @@ public class ExportsTest {
         }
     }
 
-    /**
-     * A driver that begins with the device's rate, changes the device's rate and does not follow gets no answer on the
-     * real robot.
-     */
+    /** On the real robot, a driver that does not follow its device's new rate gets no answer. */
     @Test
     public void settingTheCurrentRateCounts() throws Exception {
         Assume.assumeTrue("macOS doesn't tell it", System.getProperty("os.name").equals("Linux"));
@@ -555,7 +546,6 @@ public class ExportsTest {
         }
     }
 
-    /** Each hand-over between threads may be delayed on a busy computer. */
     @Test
     public void aSimulatedDeviceIsReachedWithoutThreadHandOvers() throws Exception {
         PortBridge bridge = new PortBridge("/dev/test_user", host);

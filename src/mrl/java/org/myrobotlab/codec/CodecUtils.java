@@ -5,24 +5,24 @@ import org.myrobotlab.embedded.Json;
 import org.myrobotlab.embedded.Registry;
 import org.myrobotlab.embedded.Yaml;
 
-/** Names, and objects as text. Any thread. */
+/** Service names, callback names and objects as JSON or YAML. Any thread. */
 public class CodecUtils {
     private static final String PUBLISH = "publish";
     private static final String GET = "get";
     private static final String SERVICES = "org.myrobotlab.service.";
 
-    /** Name without the id of the process. */
+    /** Returns the name without the process id. */
     public static String getShortName(String name) {
         int at = name == null ? -1 : name.indexOf('@');
         return at < 0 ? name : name.substring(0, at);
     }
 
-    /** Name with the id of the process. */
+    /** Returns the name with the process id: {@code name@id}. */
     public static String getFullName(String name) {
         return name == null || name.indexOf('@') >= 0 ? name : name + "@" + Registry.ID;
     }
 
-    /** Id of the process in a full name; null in a short one. */
+    /** Returns the process id of a full name; null for a short name. */
     public static String getId(String name) {
         int at = name == null ? -1 : name.indexOf('@');
         return at < 0 ? null : name.substring(at + 1);
@@ -37,7 +37,7 @@ public class CodecUtils {
         return id == null || id.equals(Registry.ID);
     }
 
-    /** The method that is called when this one is published: publishX and getX give onX. */
+    /** Returns the callback for a published method: {@code publishX} and {@code getX} become {@code onX}. */
     public static String getCallbackTopicName(String topicMethod) {
         if (topicMethod.startsWith(PUBLISH)) {
             return "on" + capitalize(topicMethod.substring(PUBLISH.length()));
@@ -52,22 +52,22 @@ public class CodecUtils {
         return text == null || text.isEmpty() ? text : Character.toUpperCase(text.charAt(0)) + text.substring(1);
     }
 
-    /** Class name of a service type. */
+    /** Returns the class name of a service type. */
     public static String makeFullTypeName(String type) {
         return type == null || type.indexOf('.') >= 0 ? type : SERVICES + type;
     }
 
-    /** Type without package. */
+    /** Returns the type without its package. */
     public static String getSimpleName(String type) {
         return type.substring(type.lastIndexOf('.') + 1);
     }
 
-    /** A name that can be a variable in a script. */
+    /** Returns the name as a legal Python variable name. */
     public static String getSafeReferenceName(String name) {
         return name.replaceAll("[^A-Za-z0-9_]", "_");
     }
 
-    /** Types of arguments, for messages. */
+    /** Returns the types of the arguments, for messages. */
     public static String getParameterSignature(Object[] data) {
         if (data == null) {
             return "";

@@ -1,2 +1,2 @@
-/** MyRobotLab's own: names and JSON of messages, as far as scripts and services use them. Any thread. */
+/** MyRobotLab's codec: service names, and messages as JSON, as far as scripts and services use them. Any thread. */
 package org.myrobotlab.codec;

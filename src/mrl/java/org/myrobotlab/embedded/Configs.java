@@ -8,18 +8,18 @@ import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
 import org.myrobotlab.service.config.ServiceConfig;
 
-/** The configuration files of services: {@code data/config/SET/NAME.yml} below the working folder. */
+/** Configuration files of services: {@code data/config/SET/NAME.yml} below the working folder. */
 public final class Configs {
-    /** The folder of all sets. */
+    /** Folder of all sets. */
     public static final String ROOT = Paths.get("data", "config").toString();
 
     private Configs() {
     }
 
     /**
-     * What is written for a service; null if there is no file.
+     * Reads the configuration of a service; null without a file.
      *
-     * @throws IllegalArgumentException if the file is no configuration
+     * @throws IllegalArgumentException if the file is not a valid configuration
      */
     public static ServiceConfig read(String set, String name) {
         Path file = file(set, name);
@@ -33,7 +33,6 @@ public final class Configs {
         }
     }
 
-    /** Writes the configuration of a service. */
     public static void write(String set, String name, ServiceConfig config) throws IOException {
         Path file = file(set, name);
         Files.createDirectories(file.getParent());

@@ -2,12 +2,15 @@ package org.myrobotlab.embedded;
 
 import java.lang.reflect.InvocationTargetException;
 
-/** Says in one line why something failed. */
+/** Describes the cause of an error in one line. */
 public final class ErrorReasons {
     private ErrorReasons() {
     }
 
-    /** The message of the innermost cause that has one, with the kind of error where the message alone would not tell. */
+    /**
+     * Returns the message of the error, with its class name unless the message is written for users.
+     * Unwraps {@code InvocationTargetException} and {@code ExceptionInInitializerError}.
+     */
     public static String of(Throwable error) {
         Throwable at = error;
         while (at instanceof InvocationTargetException && at.getCause() != null) {
@@ -24,7 +27,7 @@ public final class ErrorReasons {
         return message == null || message.isEmpty() ? kind : isForPeople(at) ? message : kind + ": " + message;
     }
 
-    /** Whether the message of such an exception is written for people. */
+    /** Returns whether messages of this exception type are written for users. */
     private static boolean isForPeople(Throwable error) {
         return error instanceof IllegalArgumentException || error instanceof IllegalStateException || error instanceof java.io.IOException;
     }

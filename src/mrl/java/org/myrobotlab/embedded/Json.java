@@ -7,7 +7,7 @@ import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializationFeature;
 
-/** Objects as JSON: every field that is neither static nor transient, private ones too, and nothing else. Any thread. */
+/** Objects as JSON: all fields, including private ones, except static and transient ones. Any thread. */
 public final class Json {
     private static final int DEEPEST = 500;
     private static final int LONGEST_NUMBER = 1000;
@@ -35,8 +35,8 @@ public final class Json {
     /**
      * Reads JSON.
      *
-     * @throws IllegalArgumentException if the text is not JSON for such an object, deeper than {@value #DEEPEST} lists in lists, or with a number of
-     *     more than {@value #LONGEST_NUMBER} digits
+     * @throws IllegalArgumentException if the text is not JSON of this type, is nested more than {@value #DEEPEST}
+     *     levels deep, or has a number of more than {@value #LONGEST_NUMBER} digits
      */
     public static <T> T read(String json, Class<T> type) {
         checkLimits(json);
@@ -51,7 +51,7 @@ public final class Json {
         }
     }
 
-    /** The mapper calls itself for each list in a list, and takes minutes for a number of a million digits. */
+    /** Protects the mapper, which recurses for each nested list and needs minutes for a number of a million digits. */
     private static void checkLimits(String json) {
         int depth = 0;
         int digits = 0;
@@ -78,9 +78,9 @@ public final class Json {
     }
 
     /**
-     * Turns what was read as plain JSON into an object of a type.
+     * Converts a value read as plain JSON into an object of the type.
      *
-     * @throws IllegalArgumentException if it doesn't fit
+     * @throws IllegalArgumentException if the value doesn't fit the type
      */
     public static Object convert(Object value, java.lang.reflect.Type type) {
         return MAPPER.convertValue(value, MAPPER.constructType(type));

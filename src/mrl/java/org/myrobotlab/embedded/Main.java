@@ -3,7 +3,7 @@ package org.myrobotlab.embedded;
 import java.util.concurrent.CountDownLatch;
 import org.myrobotlab.service.Runtime;
 
-/** The embedded MyRobotLab as a program of its own: starts services and stays until Runtime.shutdown() or Ctrl+C. */
+/** Runs the embedded MyRobotLab as a program: starts services and waits for Runtime.shutdown() or Ctrl+C. */
 public final class Main {
     private static final String DEFAULT_CONFIG = "default";
 

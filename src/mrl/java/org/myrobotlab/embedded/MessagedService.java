@@ -19,7 +19,7 @@ import org.myrobotlab.logging.LoggerFactory;
 import org.myrobotlab.service.Runtime;
 import org.slf4j.Logger;
 
-/** Messages into a service and out of it, calls by name, and calls by the clock. */
+/** Messages to and from a service, calls by name, and timed calls. */
 public abstract class MessagedService extends PublishingService implements Broadcaster, FutureInvoker {
     private static final Logger LOG = LoggerFactory.getLogger(MessagedService.class);
     private static final AtomicLong FUTURES = new AtomicLong();
@@ -34,7 +34,7 @@ public abstract class MessagedService extends PublishingService implements Broad
         inbox = new Inbox(getName());
     }
 
-    /** Carries a message out. */
+    /** Executes a message. */
     protected void process(Message msg) {
         if (preRoutingHook(msg) && preProcessHook(msg)) {
             invoke(msg);
@@ -42,18 +42,18 @@ public abstract class MessagedService extends PublishingService implements Broad
     }
 
     /**
-     * Sees each message first.
+     * Called first for each message.
      *
-     * @return false if it was dealt with. An exception ends the service's thread.
+     * @return false if the hook has handled the message. An exception ends the service's thread.
      */
     public boolean preRoutingHook(Message msg) {
         return true;
     }
 
     /**
-     * Sees each message before it is carried out.
+     * Called before each message is executed.
      *
-     * @return false if it was dealt with. An exception ends the service's thread.
+     * @return false if the hook has handled the message. An exception ends the service's thread.
      */
     public boolean preProcessHook(Message msg) {
         return true;
@@ -115,7 +115,7 @@ public abstract class MessagedService extends PublishingService implements Broad
         return invokeOn(true, this, method, params);
     }
 
-    /** Calls a method of another service of this process. */
+    /** Calls a method of another service in this process. */
     public final Object invokeOn(String serviceName, String method, Object... params) {
         return invokeOn(false, Runtime.getService(serviceName), method, params);
     }
@@ -147,8 +147,9 @@ public abstract class MessagedService extends PublishingService implements Broad
     }
 
     /**
-     * The words of the status are those of the real one: arguments as Java shows an array, the reason as Java shows an exception. The log has them
-     * for people, if the service has not said the reason itself.
+     * Reports a failed call. The status text is that of the real MyRobotLab: the arguments as Java prints an array, the
+     * exception by its {@code toString}. The log gets a readable reason, unless the service has just logged that reason
+     * itself.
      */
     private void failed(String methodName, Object[] params, Throwable cause) {
         if (cause instanceof InterruptedException) {
@@ -164,11 +165,14 @@ public abstract class MessagedService extends PublishingService implements Broad
      * Publishes that a call has failed.
      *
      * @param text of the status
-     * @param reason for the log, where the method stands before it
+     * @param reason for the log, which puts the method before it
      */
     abstract void complain(String text, String method, String reason);
 
-    /** Listeners' methods are called here and now; what these answer is not published. For who has no such method its default one is called. */
+    /**
+     * Calls the listeners on this thread and does not publish their results. A receiver without the method gets a call
+     * of its default method.
+     */
     private void callListeners(Object from, String method, Object answer) {
         Outbox box = from instanceof PublishingService ? ((PublishingService) from).outbox : outbox;
         for (MRLListener listener : box.getNotifyList().getOrDefault(method, List.of())) {
@@ -217,7 +221,10 @@ public abstract class MessagedService extends PublishingService implements Broad
         send(receiver, method, new Object[0]);
     }
 
-    /** Calls another service of this process here and now, past all that waits, with its listeners' methods; the message of one argument waits. */
+    /**
+     * Calls another service of this process immediately on this thread, ahead of queued messages, and then its
+     * listeners. {@code send(Message)} queues instead.
+     */
     @Override
     public void send(String receiver, String method, Object... data) {
         ServiceInterface service = Runtime.getService(receiver);
@@ -243,7 +250,10 @@ public abstract class MessagedService extends PublishingService implements Broad
         return sendBlocking(Message.createMessage(getFullName(), receiver, method, data), timeout);
     }
 
-    /** Calls another service of this process here and now, past all that waits; its listeners are told as ever. */
+    /**
+     * Calls another service of this process immediately on this thread, ahead of queued messages. The listeners get the
+     * result as usual.
+     */
     @Override
     public Object sendBlocking(Message msg, Integer timeout) throws InterruptedException, TimeoutException {
         ServiceInterface service = Runtime.getService(msg.name);

@@ -17,13 +17,12 @@ public final class Methods {
     private static final int ASSIGNABLE = 3;
     private static final int WIDER = 2;
     private static final int ANYTHING = 1;
-    /** Number types from narrow to wide. */
     private static final Class<?>[] WIDTHS = {Byte.class, Short.class, Integer.class, Long.class, Float.class, Double.class};
 
     private Methods() {
     }
 
-    /** The method that fits best; null if none does. */
+    /** Returns the best fitting method; null if none fits. */
     public static Method find(Class<?> type, String name, Object... args) {
         StringBuilder key = new StringBuilder(type.getName()).append('.').append(name);
         for (Object arg : args) {
@@ -84,9 +83,9 @@ public final class Methods {
     }
 
     /**
-     * Calls a method with arguments that {@link #find} found fitting.
+     * Calls a method with arguments for which {@link #find} has found it.
      *
-     * @throws InvocationTargetException with what the method threw
+     * @throws InvocationTargetException wraps the exception that the method threw
      */
     public static Object call(Object target, Method method, Object... args) throws InvocationTargetException {
         Class<?>[] types = method.getParameterTypes();

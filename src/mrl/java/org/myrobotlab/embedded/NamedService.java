@@ -6,7 +6,7 @@ import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.meta.abstracts.MetaData;
 
-/** What a service is called and what it is. */
+/** Name, id and type of a service. */
 public abstract class NamedService implements ServiceInterface {
     protected MetaData serviceType;
     protected String id;

@@ -10,9 +10,9 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** The name that there is and that was perhaps meant by one that there is not. Any thread. */
+/** Suggests a known name for an unknown one. Any thread. */
 public final class NearestName {
-    /** Names that have less in common are not suggested. */
+    /** Lowest similarity of a suggestion. */
     private static final double NEAR = 0.65;
     private static final double WITHOUT_VERB = 0.9;
     private static final int MAX_ACTIONS = 4;
@@ -20,7 +20,7 @@ public final class NearestName {
     private NearestName() {
     }
 
-    /** {@code did you mean startSimulation?}; empty if there is none like it. */
+    /** Returns {@code did you mean startSimulation?}; empty if no known name is similar. */
     public static String of(String wanted, Set<String> known) {
         for (String one : known) {
             if (one.equalsIgnoreCase(wanted)) {
@@ -41,7 +41,7 @@ public final class NearestName {
         return "did you mean " + name + "?";
     }
 
-    /** The same for a member of a class: one of its own, rather than one that every service has. */
+    /** Suggests a public member of a class; members declared by the class itself come before inherited ones. */
     public static String member(String wanted, Class<?> type) {
         String own = of(wanted, members(type.getDeclaredMethods(), type.getDeclaredFields()));
         return own.isEmpty() ? of(wanted, members(type.getMethods(), type.getFields())) : own;
@@ -62,12 +62,15 @@ public final class NearestName {
         return names;
     }
 
-    /** Whether an action's first word was written alone: start. */
+    /** Returns whether the name is the first word of a known one, as {@code start} of {@code startSimulation}. */
     private static boolean isVerbOf(String wanted, String known) {
         return wanted.length() > 2 && known.matches(Pattern.quote(wanted) + "[A-Z].*");
     }
 
-    /** How near a name is to what was written: as a whole, or a little less without its first word, which people leave out: startSimulation. */
+    /**
+     * Returns the similarity to the whole name, or at 0.9 times to the name without its first word, which users often
+     * leave out.
+     */
     private static double nearness(String wanted, String known) {
         String plain = wanted.toLowerCase(Locale.ROOT);
         String rest = known.replaceFirst("^[a-z]+(?=[A-Z])", "");
@@ -75,12 +78,14 @@ public final class NearestName {
         return rest.length() == known.length() ? whole : Math.max(whole, WITHOUT_VERB * similarity(plain, rest.toLowerCase(Locale.ROOT)));
     }
 
-    /** Who writes the name of no question doesn't ask; start, of all actions, is what is meant by a thing that is done. */
+    /**
+     * Rank among equally similar names: {@code start...} first, queries ({@code is}, {@code has}, {@code get}) last.
+     */
     private static int likelihood(String name) {
         return name.matches("(is|has|get)[A-Z].*") ? 0 : name.startsWith("start") ? 2 : 1;
     }
 
-    /** Share of letters that both have, in one order: 1 for the same. */
+    /** Returns twice the length of the longest common subsequence over the sum of both lengths: 1 for equal names. */
     private static double similarity(String a, String b) {
         int[] common = new int[b.length() + 1];
         for (int i = 0; i < a.length(); i++) {

@@ -4,14 +4,14 @@ import org.python.core.Py;
 import org.python.core.PyException;
 
 /**
- * Errors of a memory that has run out, where they are caught and become a message: whoever watches the end of threads
- * ({@link Thread#setDefaultUncaughtExceptionHandler}) is told of them as if they had ended one. Any thread.
+ * Passes caught out-of-memory errors to the default handler of uncaught exceptions ({@link
+ * Thread#setDefaultUncaughtExceptionHandler}), as if they had ended a thread. Any thread.
  */
 public final class OutOfMemory {
     private OutOfMemory() {
     }
 
-    /** Tells of what a called method has thrown, if it or what caused it is such an error. */
+    /** Reports an exception of a called method if it, or one of its causes, is an out-of-memory error. */
     public static void report(Throwable thrown) {
         for (Throwable at = thrown; at != null; at = at.getCause() == at ? null : at.getCause()) {
             if (at instanceof OutOfMemoryError) {
@@ -21,7 +21,7 @@ public final class OutOfMemory {
         }
     }
 
-    /** Tells of what a script has raised: Python's MemoryError or Java's error. */
+    /** Reports an exception of a script if it is Python's MemoryError or Java's out-of-memory error. */
     public static void report(PyException raised) {
         if (raised.match(Py.MemoryError)) {
             reportWatcher(new OutOfMemoryError("in a script: " + raised.value));

@@ -14,7 +14,7 @@ import org.myrobotlab.framework.interfaces.NameProvider;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.Runtime;
 
-/** Who listens to a service, and to whom it listens. */
+/** Listeners and subscriptions of a service. */
 public abstract class PublishingService extends NamedService {
     protected final transient Outbox outbox;
 

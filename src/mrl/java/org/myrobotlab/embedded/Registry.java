@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 
-/** All services of this process by full name, in the order of their creation. Any thread. */
+/** All services of this process by full name, in the order of creation. Any thread. */
 public final class Registry {
     /** Id of this process, the part of a full name after the @. */
     public static final String ID = "embedded";
@@ -17,15 +17,14 @@ public final class Registry {
         return services.get(fullName);
     }
 
-    /** Adds a service. */
     public synchronized void put(ServiceInterface service) {
         services.put(service.getFullName(), service);
     }
 
     /**
-     * Takes a service out.
+     * Removes a service.
      *
-     * @return whether it was there
+     * @return whether it was registered
      */
     public synchronized boolean remove(String fullName) {
         return services.remove(fullName) != null;
@@ -35,7 +34,7 @@ public final class Registry {
         return new LinkedHashMap<>(services);
     }
 
-    /** The services, the newest first. */
+    /** Returns the services, the newest first. */
     public synchronized List<ServiceInterface> newestFirst() {
         List<ServiceInterface> all = new ArrayList<>(services.values());
         java.util.Collections.reverse(all);

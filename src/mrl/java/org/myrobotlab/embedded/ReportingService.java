@@ -6,7 +6,7 @@ import org.myrobotlab.logging.LoggerFactory;
 import org.myrobotlab.service.interfaces.QueueReporter;
 import org.slf4j.Logger;
 
-/** What a service tells about itself: statuses, its last error. */
+/** Statuses of a service and its last error. */
 public abstract class ReportingService extends MessagedService implements QueueReporter {
     private static final Logger LOG = LoggerFactory.getLogger(ReportingService.class);
 
@@ -36,12 +36,15 @@ public abstract class ReportingService extends MessagedService implements QueueR
         invoke("publishStatus", status);
     }
 
-    /** A text of several lines, as a traceback, begins on a line of its own; with the line of the script that has called, if one has. */
+    /**
+     * Returns the text for the log, with the line of the calling script, if any. A text of several lines, such as a
+     * traceback, starts on a new line.
+     */
     private static String spaced(Status status) {
         return (status.key.indexOf('\n') < 0 ? " " : System.lineSeparator()) + status.key + (status.isInfo() ? "" : ScriptPlace.here());
     }
 
-    /** Only what is published by these methods stands in the log, too, as in the real one: who broadcasts a status himself, logs it himself. */
+    /** Logs and broadcasts a status. {@code broadcastStatus} alone does not log, as in the real MyRobotLab. */
     private Status broadcasted(Status status) {
         if (status.isError()) {
             LOG.error("{}:{}", getName(), spaced(status));
@@ -77,12 +80,15 @@ public abstract class ReportingService extends MessagedService implements QueueR
         return broadcasted(Status.error(format, args));
     }
 
-    /** Publishes an error, as in the real one: {@code broadcastStatus(Status.warn(format, args))} is what publishes a warning. */
+    /**
+     * Publishes an error, as in the real MyRobotLab; {@code broadcastStatus(Status.warn(format, args))} publishes a
+     * warning.
+     */
     public Status warn(String text) {
         return broadcasted(Status.warn(text));
     }
 
-    /** The same with a format. */
+    /** Publishes an error, with a format. */
     @Override
     public Status warn(String format, Object... args) {
         return warn(String.format(format, args));
@@ -97,12 +103,12 @@ public abstract class ReportingService extends MessagedService implements QueueR
         return broadcasted(Status.info(format, args));
     }
 
-    /** Where errors are published. */
+    /** Publishes errors. */
     public Status publishError(Status status) {
         return status;
     }
 
-    /** Where warnings are published. */
+    /** Publishes warnings. */
     public Status publishWarn(Status status) {
         return status;
     }

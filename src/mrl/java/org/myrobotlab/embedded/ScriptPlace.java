@@ -3,19 +3,19 @@ package org.myrobotlab.embedded;
 import org.python.core.Py;
 import org.python.core.PyFrame;
 
-/** The line of a script that is being carried out. Any thread. */
+/** The script line that the calling thread executes. Any thread. */
 public final class ScriptPlace {
     private static final String SCRIPT = "org.python.pycode.";
 
     private ScriptPlace() {
     }
 
-    /** Code that Python brings along, and the line by which a function of the script is called. */
+    /** Returns whether the file is part of Python's library, or the call of a callback. */
     private static boolean isOfOthers(String file) {
         return file.equals("<callback>") || file.contains("__pyclasspath__") || file.contains("/Lib/");
     }
 
-    /** {@code " (line 7 of first.py)"}, where the calling thread carries out a script; else empty. */
+    /** Returns {@code " (line 7 of first.py)"} while the calling thread executes a script; else empty. */
     public static String here() {
         if (StackWalker.getInstance().walk(frames -> frames.noneMatch(frame -> frame.getClassName().startsWith(SCRIPT)))) {
             return "";

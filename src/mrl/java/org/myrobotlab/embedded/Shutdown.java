@@ -1,18 +1,18 @@
 package org.myrobotlab.embedded;
 
-/** What ends the program when a script or a user shuts MyRobotLab down. */
+/** Ends the program when a script or a user shuts MyRobotLab down. */
 public final class Shutdown {
     private static volatile Runnable action = () -> { };
 
     private Shutdown() {
     }
 
-    /** Sets what is done after everything was released; nothing unless set. */
+    /** Sets the action that follows the release of all services; none by default. */
     public static void then(Runnable newAction) {
         action = newAction;
     }
 
-    /** Does it. */
+    /** Runs the action. */
     public static void run() {
         action.run();
     }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The options of MyRobotLab's own command line: {@code -c CONFIG} and {@code -s NAME TYPE NAME TYPE ...}, for example
+ * Options of MyRobotLab's own command line: {@code -c CONFIG} and {@code -s NAME TYPE NAME TYPE ...}, for example
  * {@code -s python Python sear SEAR}.
  */
 public final class StartOptions {
@@ -13,7 +13,7 @@ public final class StartOptions {
     private final List<String[]> services = new ArrayList<>();
     private String config;
 
-    /** @throws IllegalArgumentException if the options make no sense */
+    /** @throws IllegalArgumentException if an option is unknown or has invalid values */
     public StartOptions(String... arguments) {
         int i = 0;
         while (i < arguments.length) {
@@ -56,12 +56,12 @@ public final class StartOptions {
         }
     }
 
-    /** Name of the set of configuration files, null if not given. */
+    /** Returns the name of the set of configuration files; null if not given. */
     public String getConfig() {
         return config;
     }
 
-    /** Name and type of each service to start. */
+    /** Returns name and type of each service to start. */
     public List<String[]> getServices() {
         return services;
     }

@@ -6,7 +6,7 @@ import java.util.TimerTask;
 import java.util.concurrent.ConcurrentHashMap;
 import org.myrobotlab.framework.Message;
 
-/** The tasks of one service: messages that it sends itself by the clock. Any thread. */
+/** Timed messages of a service to itself. Any thread. */
 final class Tasks {
     private final MessagedService service;
     private final Map<String, Timer> timers = new ConcurrentHashMap<>();

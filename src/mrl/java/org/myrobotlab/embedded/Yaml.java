@@ -19,7 +19,7 @@ public final class Yaml {
         return new org.yaml.snakeyaml.Yaml(new Representer(options), options).dump(config);
     }
 
-    /** @throws IllegalArgumentException if the text is not YAML for such a configuration */
+    /** @throws IllegalArgumentException if the text is not YAML of this configuration type */
     public static <T> T read(String text, Class<T> type) {
         LoaderOptions options = new LoaderOptions();
         String allowed = ServiceConfig.class.getPackageName() + ".";

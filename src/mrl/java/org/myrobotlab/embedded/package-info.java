@@ -1,5 +1,5 @@
 /**
- * What the embedded MyRobotLab is made of and the real one does otherwise: its start, the registry of services, messages between them, files and the
- * end. May use {@code org.myrobotlab.framework} and the services. Any thread unless a class says otherwise.
+ * The parts of the embedded MyRobotLab that differ from the real one: start, registry of services, messages, files and
+ * shutdown. May use {@code org.myrobotlab.framework} and the services. Any thread unless a class says otherwise.
  */
 package org.myrobotlab.embedded;

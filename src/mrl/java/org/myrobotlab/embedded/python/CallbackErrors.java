@@ -8,14 +8,14 @@ import org.python.core.PyFunction;
 import org.python.core.PyObject;
 import org.python.core.PyTraceback;
 
-/** What to add to the error of a function that was called back. The thread that has failed. */
+/** Hints for errors of callbacks. The thread that has failed. */
 final class CallbackErrors {
     private static final Pattern ARGUMENTS = Pattern.compile("\\(\\) takes .* arguments? \\(\\d+ given\\)$");
 
     private CallbackErrors() {
     }
 
-    /** Where the function is, and how many arguments it gets, if it takes as many as it does not get; else empty. */
+    /** Returns the expected signature and the place of a function with the wrong number of parameters; else empty. */
     static String hint(PyException e, PyObject function) {
         boolean inside = e.traceback != null && e.traceback.tb_next instanceof PyTraceback;
         String message = e.value.__str__().toString();

@@ -6,7 +6,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 
-/** What scripts print: passed on at once, and line by line to a reader. Any thread. */
+/** Output of scripts: passes bytes on immediately, and complete lines to a reader. Any thread. */
 public final class ConsoleStream extends OutputStream {
     private final OutputStream console;
     private final Consumer<String> lines;

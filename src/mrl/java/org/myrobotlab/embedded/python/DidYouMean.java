@@ -12,7 +12,7 @@ import org.myrobotlab.embedded.NearestName;
 import org.python.core.PyFunction;
 import org.python.core.PyObject;
 
-/** The name that was perhaps meant by one that there is not. Any thread that runs Python. */
+/** Suggestions for unknown names. Any thread that runs Python. */
 public final class DidYouMean {
     private static final Pattern NO_NAME = Pattern.compile("name '(\\w+)' is not defined");
     private static final Pattern NO_ATTRIBUTE = Pattern.compile("'([\\w.$]+)'(?: object)? has no attribute '(\\w+)'");
@@ -23,7 +23,7 @@ public final class DidYouMean {
     private DidYouMean() {
     }
 
-    /** For a service type: ", did you mean LIDAR?"; empty if there is none of that spelling. */
+    /** Returns ", did you mean LIDAR?" for a service type in other letter case; else empty. */
     public static String service(String type) {
         try {
             for (String known : PackageClasses.of(SERVICES, DidYouMean.class.getClassLoader())) {
@@ -37,7 +37,7 @@ public final class DidYouMean {
         }
     }
 
-    /** For a name that a script uses and that there is not: a line, or empty. */
+    /** Returns a hint line for an undefined name; else empty. */
     static String name(String message, Scope scope) {
         Matcher name = NO_NAME.matcher(message);
         if (!name.find()) {
@@ -60,7 +60,7 @@ public final class DidYouMean {
         return called.isEmpty() ? line(NearestName.of(wanted, scope.names())) : called;
     }
 
-    /** For a Java object's member that a script uses and that there is not: a line, or empty. */
+    /** Returns a hint line for a missing member of a Java object; else empty. */
     static String member(String message, Scope scope) {
         Matcher attribute = NO_ATTRIBUTE.matcher(message);
         if (!attribute.find()) {
@@ -70,11 +70,11 @@ public final class DidYouMean {
             String called = attribute.group(1).startsWith(OBJECTS) ? callOf(attribute.group(2), attribute.group(1), scope) : "";
             return called.isEmpty() ? line(NearestName.member(attribute.group(2), Class.forName(attribute.group(1)))) : called;
         } catch (ClassNotFoundException e) {
-            return ""; // a class of the script's own
+            return ""; // a class that the script defines
         }
     }
 
-    /** A service of the type that the name spells, which the script calls otherwise: robot for sear. */
+    /** Suggests the script's variable for a service that is written by its type, as robot for sear. */
     private static String serviceOf(String wanted, Scope scope) {
         String found = "";
         for (String one : scope.names()) {
@@ -87,7 +87,10 @@ public final class DidYouMean {
             : "\ndid you mean " + found + "? That is what this script calls its service of type " + scope.objectTypeOf(found).getSimpleName();
     }
 
-    /** What an object does not do, but the service: rover.drive(...) for sear.drive("rover", ...), ping.getDistance() for a reading. */
+    /**
+     * Suggests the service's call for a call of an object: sear.drive("rover", ...) for rover.drive(...), or a reading
+     * for ping.getDistance().
+     */
     private static String callOf(String wanted, String type, Scope scope) throws ClassNotFoundException {
         Class<?> service = Class.forName(SEAR);
         String simple = type.substring(type.lastIndexOf('.') + 1);
@@ -106,7 +109,7 @@ public final class DidYouMean {
         return question.isEmpty() ? "" : "\n" + question;
     }
 
-    /** For a function of the script that there is not: ", did you mean onScan?"; empty if there is none like it. */
+    /** Returns ", did you mean onScan?" for a missing function of the script; empty without a similar one. */
     static String function(String wanted, PyObject variables) {
         Set<String> functions = new TreeSet<>();
         for (PyObject name : variables.invoke("keys").asIterable()) {
@@ -118,7 +121,7 @@ public final class DidYouMean {
         return question.isEmpty() ? "" : ", " + question;
     }
 
-    /** A method whose object was left out: simSleep(1) for sear.simSleep(1). */
+    /** Suggests the object of a method that was called without one: sear.simSleep(1) for simSleep(1). */
     private static String methodOf(String wanted, Scope scope) {
         for (String owner : scope.names()) {
             Class<?> type = scope.objectTypeOf(owner);

@@ -13,9 +13,9 @@ import org.python.core.PyObject;
 import org.python.core.PyString;
 import org.python.core.PyTuple;
 
-/** The values that a line of a script gives to a call, as far as they can be read there: plain ones and names. The thread that has failed. */
+/** Arguments of a call as written in a script line; understands literals and names. The thread that has failed. */
 final class GivenValues {
-    /** Where objects come from that have a name. */
+    /** Package of the objects with names. */
     private static final String OBJECTS = "org.SEAR.POJOs.";
     private static final Pattern NUMBER = Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)(e[-+]?\\d+)?");
     private static final Pattern TEXT = Pattern.compile("(?i)u?(\"[^\"]*\"|'[^']*')");
@@ -23,13 +23,13 @@ final class GivenValues {
     private final List<String> values = new ArrayList<>();
     private final Scope scope;
 
-    /** What a value may be given for. */
+    /** Type of an argument. */
     private enum Kind { NUMBER, TEXT, TRUTH, OTHER }
 
     /**
-     * Those of the first call of that name; none if it does not end in the line.
+     * Reads the arguments of the first call of that name; none if the call does not end in the line.
      *
-     * @param scope what names mean
+     * @param scope values of names
      */
     GivenValues(String call, String line, Scope scope) {
         this.scope = scope;
@@ -51,11 +51,11 @@ final class GivenValues {
     }
 
     /**
-     * Why one of them is none of a type.
+     * Explains why an argument has the wrong type.
      *
      * @param number from 1
-     * @param types those that are legal
-     * @return empty if there is nothing to say
+     * @param types the legal types
+     * @return empty without an explanation
      */
     String wrong(int number, String types) {
         String written = number <= values.size() ? values.get(number - 1) : "";
@@ -74,16 +74,16 @@ final class GivenValues {
         return kind(written) == Kind.TEXT ? written + " is a text, " + value.__repr__() : "";
     }
 
-    /** Whether two of them are a decimal number with a comma in it. */
+    /** Returns whether the line has a decimal number with a comma. */
     boolean hasDecimalComma(String line) {
         return !values.isEmpty() && line.matches(".*[(,\\s]-?\\d+,\\d+\\s*[),].*");
     }
 
     /**
-     * The call that takes them in another order.
+     * Returns the call with its arguments reordered to fit.
      *
      * @param written the call as it is written
-     * @return null if it takes other values
+     * @return null if no other order fits
      */
     String inOrderOf(Executable call, String written) {
         Class<?>[] types = call.getParameterTypes();

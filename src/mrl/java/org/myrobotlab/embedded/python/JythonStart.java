@@ -10,16 +10,16 @@ import org.python.util.PythonInterpreter;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** What Python has to do once in a JVM before the first script, which takes longest of all that has to be done before it. Any thread. */
+/** Initialises Jython once in a JVM; the slowest part of a start. Any thread. */
 public final class JythonStart {
     private static final Logger LOG = LoggerFactory.getLogger(JythonStart.class);
-    /** Whose classes scripts import all at once. */
+    /** Package for {@code from org.SEAR.POJOs import *}. */
     private static final String OBJECTS = "org.SEAR.POJOs";
-    /** It has the parser and the compiler loaded. */
+    /** Code that loads the parser and the compiler. */
     private static final String FIRST = "import org\n";
     /**
-     * Where Python's own modules are in its jar. They are looked for one by one, for a list of all that is in the jar, 25,000 files, takes a tenth of
-     * the time until a script begins.
+     * Folder of Python's modules in Jython's jar. Modules are looked up one by one, because listing the jar's 25,000
+     * files takes a tenth of the start time.
      */
     private static final String LIBRARY = "Lib";
     private static boolean done;
@@ -27,14 +27,17 @@ public final class JythonStart {
     private JythonStart() {
     }
 
-    /** Begins on a thread of its own, while the one that calls does other things. */
+    /** Begins initialising on a separate thread. */
     public static void begin() {
         Thread thread = new Thread(JythonStart::tryToWarmUp, "jython start");
         thread.setDaemon(true);
         thread.start();
     }
 
-    /** A program that ends meanwhile, by Ctrl+C or for want of its script, needs no Python any more; else the script's interpreter has the error. */
+    /**
+     * The program may end during initialisation, by Ctrl+C or a missing script. Any other error recurs in the script's
+     * interpreter.
+     */
     private static void tryToWarmUp() {
         try {
             warmUp();
@@ -43,7 +46,7 @@ public final class JythonStart {
         }
     }
 
-    /** Who wants an interpreter meanwhile waits for the end: what both do takes longer than what one does. */
+    /** Others who want an interpreter wait for the end: two initialisations in parallel take longer than one. */
     private static synchronized void warmUp() {
         await();
         try (PythonInterpreter first = new PythonInterpreter(null, newState())) {
@@ -51,7 +54,7 @@ public final class JythonStart {
         }
     }
 
-    /** All that is the same for each interpreter is there when it returns. */
+    /** Initialises what all interpreters share; returns when that is done. */
     static synchronized void await() {
         if (done) {
             return;

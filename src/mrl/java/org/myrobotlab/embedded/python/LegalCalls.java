@@ -16,7 +16,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** How a constructor or method of a Java class is called that a script has called otherwise. Any thread. */
+/** Lists the legal calls of a Java constructor or method after a call with wrong arguments. Any thread. */
 final class LegalCalls {
     private static final Pattern REFUSED = Pattern.compile("^([\\w.$]+)\\(\\): (?:expected .* args?; got (\\d+)"
         + "|(\\d+)\\w\\w arg can't be coerced to (.+))$");
@@ -38,10 +38,10 @@ final class LegalCalls {
     }
 
     /**
-     * For what Jython says of arguments that don't fit: the calls that there are.
+     * Lists the legal calls for Jython's error about arguments that don't fit.
      *
-     * @param line the script's, as far as it is known
-     * @return lines to be added; empty if it says something else
+     * @param line the script's line; may be empty
+     * @return lines to append to the error; empty for another error
      */
     static String lines(String message, String line, Scope scope) {
         Matcher refused = REFUSED.matcher(message);
@@ -80,7 +80,7 @@ final class LegalCalls {
             .collect(Collectors.joining(", or "));
     }
 
-    /** By constructor, what is written before its brackets. */
+    /** Returns the text before the brackets, by constructor. */
     private static Map<Executable, String> constructors(String type) {
         try {
             Class<?> made = Class.forName(type);
@@ -90,7 +90,10 @@ final class LegalCalls {
         }
     }
 
-    /** Of the objects that the line names; if it is not known, of all that the script has. By method, what is written before its brackets. */
+    /**
+     * Returns the text before the brackets, by method: of the objects that the line names, else of all objects of the
+     * script.
+     */
     private static Map<Executable, String> methods(String name, String line, Scope scope) {
         Matcher called = Pattern.compile("(\\w+)\\." + Pattern.quote(name) + "\\(").matcher(line);
         Set<String> owners = new TreeSet<>();
@@ -119,7 +122,7 @@ final class LegalCalls {
             .collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
-    /** As the pages write it: newMass is mass. */
+    /** Returns the parameter's name as in the docs: mass for newMass. */
     private static String nameOf(Parameter parameter) {
         String name = parameter.getName().replaceAll("^new([A-Z])", "$1");
         return name.length() > 1 && Character.isUpperCase(name.charAt(1)) ? name : Character.toLowerCase(name.charAt(0)) + name.substring(1);

@@ -15,7 +15,10 @@ import java.util.TreeSet;
 import java.util.jar.JarEntry;
 import java.util.stream.Stream;
 
-/** The classes of a package, in jars and folders of the class path: Python has to be told for {@code from PACKAGE import *}. Any thread. */
+/**
+ * The classes of a package in jars and folders of the class path; Jython needs them for {@code from PACKAGE import *}.
+ * Any thread.
+ */
 final class PackageClasses {
     private static final String CLASS = ".class";
 
@@ -23,7 +26,7 @@ final class PackageClasses {
     }
 
     /**
-     * Simple names of the top-level classes, in order; empty if there is no such package.
+     * Returns the simple names of the top-level classes, sorted; empty if there is no such package.
      *
      * @throws IOException if the class path can't be read
      */

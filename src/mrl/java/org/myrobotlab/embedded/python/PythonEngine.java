@@ -30,12 +30,10 @@ import org.python.util.PythonInterpreter;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/**
- * One Python interpreter. Scripts and callbacks share its variables; each runs on the thread of whoever calls. Any thread.
- */
+/** A Python interpreter. Scripts and callbacks share its variables; each runs on its caller's thread. Any thread. */
 public final class PythonEngine {
     private static final Logger LOG = LoggerFactory.getLogger(PythonEngine.class);
-    /** So begin the names of what services call back for themselves: no function of the script. */
+    /** Prefix of callbacks that services use internally, which are no functions of the script. */
     private static final String OF_SERVICES = "_";
     private static final Map<String, PythonEngine> ENGINES = new ConcurrentHashMap<>();
 
@@ -49,15 +47,15 @@ public final class PythonEngine {
     private volatile Consumer<String> failed = text -> { };
     private final ScriptThreads threads = new ScriptThreads(this);
     private final Map<Thread, Run> running = new HashMap<>();
-    /** Threads of the script that are started and have not begun yet; guarded by {@link #running}. */
+    /** Threads of the script that were started but do not run yet; guarded by {@link #running}. */
     private int starting;
     private volatile boolean closed;
-    /** Calls of the script's functions, compiled when they came first, by bare name. */
+    /** Compiled calls of the script's functions, by function name. */
     private final Map<String, PyCode> calls = new ConcurrentHashMap<>();
 
     /**
-     * @param out where scripts print to
-     * @param err where errors go
+     * @param out output of scripts
+     * @param err error output of scripts
      */
     public PythonEngine(String name, OutputStream out, OutputStream err) {
         this.name = name;
@@ -69,15 +67,15 @@ public final class PythonEngine {
         ENGINES.put(name, this);
     }
 
-    /** The interpreter of a running Python service; null if there is none of that name. */
+    /** Returns the interpreter of a running Python service; null if there is none of that name. */
     public static PythonEngine of(String serviceName) {
         return ENGINES.get(serviceName);
     }
 
     /**
-     * Runs a file; its folder is where it imports from.
+     * Runs a file; its folder is added to the module path.
      *
-     * @throws IOException if it can't be read
+     * @throws IOException if the file can't be read
      */
     public ScriptResult runFile(String file) throws IOException {
         Path path = Paths.get(file).toAbsolutePath();
@@ -91,7 +89,6 @@ public final class PythonEngine {
         return run(code, file);
     }
 
-    /** Runs code. */
     public ScriptResult run(String code) {
         return run(code.getBytes(StandardCharsets.UTF_8), "<script>");
     }
@@ -103,7 +100,7 @@ public final class PythonEngine {
         threads.hook(new String(code, StandardCharsets.ISO_8859_1));
         try {
             last = guarded(() -> interpreter.execfile(new ByteArrayInputStream(source), fileName));
-        } catch (RuntimeException e) { // Jython's own errors, which can't hold what is no ASCII
+        } catch (RuntimeException e) { // Jython can't represent non-ASCII text in its own errors
             LOG.debug("{} could not be run", fileName, e);
             String foreign = SyntaxErrors.foreign(fileName);
             last = ScriptResult.failed(foreign == null ? fileName + " can't be run: " + e.getMessage() : foreign);
@@ -111,7 +108,7 @@ public final class PythonEngine {
         return last;
     }
 
-    /** Runs a script of another kind, which tells its errors itself. */
+    /** Runs a script of another kind, which reports its errors itself. */
     public ScriptResult exited(Callable<Integer> script) throws IOException {
         Run run = enter();
         try {
@@ -129,17 +126,17 @@ public final class PythonEngine {
         return last;
     }
 
-    /** @param listener takes what a script hardly means, before it is run */
+    /** @param listener gets warnings about likely mistakes before a script runs */
     public void setWarned(Consumer<String> listener) {
         warned = listener;
     }
 
-    /** @param listener takes the errors of threads that the script has made */
+    /** @param listener gets the errors of the script's threads */
     public void setFailed(Consumer<String> listener) {
         failed = listener;
     }
 
-    /** @param more by how many threads have been started and not begun yet */
+    /** @param more change in the number of threads that were started but do not run yet */
     void threadStarts(int more) {
         synchronized (running) {
             starting += more;
@@ -147,7 +144,7 @@ public final class PythonEngine {
         }
     }
 
-    /** Does the work of a thread that the script has made; not if it comes to it only after the end. */
+    /** Runs the work of a thread of the script, unless the interpreter is closed. */
     void runThread(PyObject work, String threadName, boolean daemon) {
         Run run;
         synchronized (running) {
@@ -178,17 +175,17 @@ public final class PythonEngine {
         }
     }
 
-    /** How the last script ended. */
+    /** Returns the result of the last script. */
     public ScriptResult getLastResult() {
         return last;
     }
 
-    /** See {@link #setArguments}. */
+    /** Returns the arguments set by {@link #setArguments}. */
     public List<String> getArguments() {
         return arguments;
     }
 
-    /** What files that are run find in sys.argv behind their name. */
+    /** Sets sys.argv for files, without the file's own name. */
     public void setArguments(List<String> newArguments) {
         arguments = List.copyOf(newArguments);
     }
@@ -207,23 +204,24 @@ public final class PythonEngine {
         return result;
     }
 
-    /** Something called a function back that the script does not have. */
+    /** Returns the error for a callback to a function that the script doesn't have. */
     public String missing(String publisher, String function) {
         callFailed = true;
         return publisher + " calls back " + function + ", but the script has no function of that name"
             + DidYouMean.function(function, interpreter.getLocals());
     }
 
-    /** Whether a function that was called has raised. */
+    /** Returns whether a called function has raised. */
     public boolean hasCallFailed() {
         return callFailed;
     }
 
     /**
-     * Calls a function as the real MyRobotLab does: the arguments become variables named after their publisher, and the call is compiled once for
-     * each function name. So a function always gets the values of the publisher that called it first, whichever script it belongs to now.
+     * Calls a function as the real MyRobotLab does: the arguments become variables named after their publisher, and the
+     * call is compiled once per function name. So a function always gets the values of its first publisher, whichever
+     * publisher calls it now.
      *
-     * @param publisher the beginning of the variables' names
+     * @param publisher prefix of the variable names
      */
     public ScriptResult callBack(String publisher, String function, Object... arguments) {
         if (finishing && !function.startsWith(OF_SERVICES)) {
@@ -237,7 +235,7 @@ public final class PythonEngine {
                 call.append(i == 0 ? "" : ",").append(variable);
             }
             PyCode code = calls.computeIfAbsent(function, unused -> compiled(call.append(')').toString()));
-            // not by the interpreter's exec, which would end the line that the script is printing
+            // the interpreter's exec would end the line that the script is printing
             Py.setSystemState(interpreter.getSystemState());
             Py.exec(code, interpreter.getLocals(), interpreter.getLocals());
         });
@@ -245,12 +243,12 @@ public final class PythonEngine {
         return result;
     }
 
-    /** Not by the interpreter's own compile: that makes it refuse scripts that name their encoding from then on. */
+    /** Bypasses the interpreter's compile, after which it would reject scripts that declare an encoding. */
     private static PyCode compiled(String code) {
         return Py.compile_flags(code, "<callback>", CompileMode.exec, new CompilerFlags());
     }
 
-    /** Whether the script has a function or another variable of that name. */
+    /** Returns whether the script has a variable or function of that name. */
     public boolean has(String variable) {
         return interpreter.get(variable.split("\\.")[0]) != null;
     }
@@ -259,7 +257,7 @@ public final class PythonEngine {
         return guarded(null, work);
     }
 
-    /** @param function that is called back; null if none is */
+    /** @param function the function that is called back; null if none is */
     private ScriptResult guarded(String function, Runnable work) {
         Run run = enter();
         try {
@@ -275,7 +273,7 @@ public final class PythonEngine {
         }
     }
 
-    /** Does work that counts as running until its end, with all that it calls here. */
+    /** Runs work that counts as running, with all that it calls here. */
     public void occupied(Runnable work) {
         Run run = enter();
         try {
@@ -308,9 +306,9 @@ public final class PythonEngine {
     }
 
     /**
-     * Lets the callbacks that run now come to their end, and no more begin.
+     * Lets running callbacks finish and starts no more.
      *
-     * @return whether they have ended within that time
+     * @return whether all have ended in time
      */
     public boolean finishCallbacks(long millis) throws InterruptedException {
         finishing = true;
@@ -318,9 +316,9 @@ public final class PythonEngine {
     }
 
     /**
-     * Lets the threads that the script has made come to their end.
+     * Lets the script's threads finish.
      *
-     * @return whether they have ended within that time
+     * @return whether all have ended in time
      */
     public boolean finishThreads(long millis) throws InterruptedException {
         return await(millis, true);
@@ -344,9 +342,9 @@ public final class PythonEngine {
     }
 
     /**
-     * Breaks off all that runs, with a KeyboardInterrupt.
+     * Cancels everything that runs, with a KeyboardInterrupt.
      *
-     * @return whether anything ran
+     * @return whether anything was running
      */
     public boolean interrupt() {
         synchronized (running) {
@@ -360,14 +358,14 @@ public final class PythonEngine {
         }
     }
 
-    /** Whether a script or callback runs now. */
+    /** Returns whether a script or callback is running. */
     public boolean isRunning() {
         synchronized (running) {
             return !running.isEmpty();
         }
     }
 
-    /** Adds a folder that modules are imported from. */
+    /** Adds a folder to the module path. */
     public void addModulePath(String folder) {
         PyList path = interpreter.getSystemState().path;
         PyString entry = Py.fileSystemEncode(folder);
@@ -380,18 +378,18 @@ public final class PythonEngine {
         interpreter.set(variable, value);
     }
 
-    /** A variable as a Java object; null if there is none. */
+    /** Returns a variable as a Java object; null if there is none. */
     public Object get(String variable) {
         PyObject value = interpreter.get(variable);
         return value == null ? null : value.__tojava__(Object.class);
     }
 
-    /** A variable; null if there is none. */
+    /** Returns a variable; null if there is none. */
     public PyObject getPyObject(String variable) {
         return interpreter.get(variable);
     }
 
-    /** Forgets a variable. */
+    /** Deletes a variable. */
     public void remove(String variable) {
         PyObject variables = interpreter.getLocals();
         if (variables.__finditem__(variable) != null) {
@@ -399,7 +397,7 @@ public final class PythonEngine {
         }
     }
 
-    /** Breaks off all that runs and forgets everything. */
+    /** Cancels everything that runs and releases the interpreter. */
     public void close() {
         closed = true;
         ENGINES.remove(name, this);
@@ -408,13 +406,13 @@ public final class PythonEngine {
         interpreter.close();
     }
 
-    /** What runs on one thread. */
+    /** Execution state of one thread. */
     private static final class Run {
         private final ThreadState state = Py.getThreadState();
         private volatile boolean isStopped;
-        /** Of a thread that the script has made. */
+        /** Whether this is a thread of the script. */
         private volatile boolean isThread;
-        /** It has come to its end by an error, which is being put into words. */
+        /** Whether it has ended with an error that is being formatted. */
         private volatile boolean hasRaised;
         private int depth;
 
@@ -427,17 +425,17 @@ public final class PythonEngine {
             }
         }
 
-        /** Raises a KeyboardInterrupt, in a thread a SystemExit, at the next line that is carried out. */
+        /** Raises a KeyboardInterrupt, or in a thread of the script a SystemExit, at the next executed line. */
         void stop() {
             isStopped = true;
             PyFrame frame = state.frame;
             if (frame != null) {
-                frame.tracefunc = new Breaker(isThread ? Py.SystemExit : Py.KeyboardInterrupt); // which Python takes for the end of a thread
+                frame.tracefunc = new Breaker(isThread ? Py.SystemExit : Py.KeyboardInterrupt); // Python takes SystemExit for a thread's normal end
             }
         }
     }
 
-    /** Raises an error, whatever happens next. */
+    /** Raises an error at the next trace event. */
     private static final class Breaker extends TraceFunction {
         private final PyObject error;
 

@@ -4,16 +4,19 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.regex.Pattern;
 
-/** Source code as Python 2 wants it. */
+/** Adapts source code to Python 2. */
 final class PythonSource {
     private static final byte[] UTF_8_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
-    /** The line that names an encoding, as in PEP 263. */
+    /** Encoding declaration as in PEP 263. */
     private static final Pattern ENCODING = Pattern.compile("\\A(?:[^\\n]*\\n)?[ \\t\\f]*#[^\\n]*?coding[:=][ \\t]*[-_.a-zA-Z0-9]+");
 
     private PythonSource() {
     }
 
-    /** Code that names no encoding is UTF-8, and not ASCII alone as Python 2 takes it; the mark that editors of Windows begin with is none of it. */
+    /**
+     * Makes code without an encoding declaration UTF-8, where Python 2 expects ASCII. Ignores the byte order mark that
+     * Windows editors write.
+     */
     static byte[] withEncoding(byte[] code) {
         if (isMarked(code)) {
             return withEncoding(Arrays.copyOfRange(code, UTF_8_MARK.length, code.length));

@@ -7,16 +7,16 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Counts errors of callbacks, so that one that comes with each scan is told once and hides nothing else. Any thread. */
+/** Counts errors of callbacks, so that a repeated error is reported once and does not hide others. Any thread. */
 public final class RepeatedErrors {
-    /** Errors that are known; more are told each time. */
+    /** Number of different errors that are counted; further ones count as new each time. */
     private static final int MOST = 1000;
 
     private static final String PLACE = "  File ";
 
     private final Map<String, Integer> counts = new LinkedHashMap<>();
 
-    /** Whether an error has not come before. */
+    /** Returns whether this error is new. */
     public synchronized boolean isNew(String traceback) {
         if (counts.size() >= MOST && !counts.containsKey(traceback)) {
             return true;
@@ -24,7 +24,7 @@ public final class RepeatedErrors {
         return counts.merge(traceback, 1, Integer::sum) == 1;
     }
 
-    /** The place where it was raised and what was said: the rest has been told. */
+    /** Returns the innermost place and the message of the traceback. */
     private static String shortened(String traceback) {
         String[] lines = traceback.split("\n");
         int place = -1;
@@ -36,7 +36,7 @@ public final class RepeatedErrors {
             .collect(Collectors.joining("\n"));
     }
 
-    /** What came more than once, a sentence each; forgets all errors. */
+    /** Returns a sentence for each repeated error, and forgets all errors. */
     public synchronized List<String> take() {
         List<String> sentences = new ArrayList<>();
         counts.forEach((traceback, count) -> {

@@ -9,11 +9,11 @@ import org.python.core.PyFrame;
 import org.python.core.PyObject;
 import org.python.core.PyTraceback;
 
-/** The names that a script's failed line could use, with what they mean. The thread that has failed. */
+/** The names that a failed line can use, with their values. The thread that has failed. */
 final class Scope {
     private final Map<String, PyObject> names = new TreeMap<>();
 
-    /** That of the innermost line of an error. */
+    /** Takes the names of the error's innermost line. */
     Scope(PyException e) {
         PyTraceback last = e.traceback;
         while (last != null && last.tb_next instanceof PyTraceback) {
@@ -39,12 +39,15 @@ final class Scope {
         return names.keySet();
     }
 
-    /** What a name stands for; null if there is none. */
+    /** Returns the value of a name; null if there is none. */
     PyObject valueOf(String name) {
         return names.get(name);
     }
 
-    /** The Java class that a name stands for, or that its object has; null for what is Python's own, and for no such name. */
+    /**
+     * Returns the Java class that a name denotes, or the class of its object; null for unknown names and Python's own
+     * values.
+     */
     Class<?> typeOf(String name) {
         PyObject value = names.get(name);
         if (value == null) {
@@ -57,7 +60,7 @@ final class Scope {
         return objectTypeOf(name);
     }
 
-    /** The Java class of a name's object; null for classes themselves, what is Python's own, and no such name. */
+    /** Returns the Java class of a name's object; null for classes, unknown names and Python's own values. */
     Class<?> objectTypeOf(String name) {
         PyObject value = names.get(name);
         if (value == null || value.__tojava__(Class.class) instanceof Class) {

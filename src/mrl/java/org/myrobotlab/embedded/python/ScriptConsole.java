@@ -8,17 +8,18 @@ import org.python.core.PyObject;
 import org.python.core.PyUnicode;
 
 /**
- * sys.stdout and sys.stderr of scripts. Jython's own files must not be written to by two threads at the same time; this may, for callbacks print
- * while the script does. Bytes go out as they are, Unicode as UTF-8. Its public members are what Python expects of a file.
+ * sys.stdout and sys.stderr of scripts. Unlike Jython's own files, it takes output of several threads, because
+ * callbacks print while the script does. Bytes pass unchanged, Unicode as UTF-8. Its public members are those that
+ * Python expects of a file.
  */
 public final class ScriptConsole {
-    /** Python's print keeps here whether a blank is due. */
+    /** State of Python's print: whether a space is due. */
     public volatile int softspace;
     public final String encoding = "UTF-8";
 
     private final OutputStream stream;
 
-    /** @param stream may be written to by any thread */
+    /** @param stream must take writes from any thread */
     ScriptConsole(OutputStream stream) {
         this.stream = stream;
     }

@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 import org.python.core.Py;
 import org.python.core.PyException;
 
-/** What to do about an error that Jython words for programmers. The thread that has failed. */
+/** Hints for Jython's errors. The thread that has failed. */
 final class ScriptHints {
     private static final Pattern READ_ONLY = Pattern.compile("read-only attr: (\\w+)");
     private static final Pattern LOCAL = Pattern.compile("^local variable '(\\w+)' referenced before assignment$");
@@ -17,11 +17,7 @@ final class ScriptHints {
     private ScriptHints() {
     }
 
-    /**
-     * What to add to the traceback.
-     *
-     * @return lines, each behind a line's end; empty if there is nothing to say
-     */
+    /** Returns lines to append to the traceback, each with a line break before it; empty without a hint. */
     static String of(PyException e) {
         String message = e.value.__str__().toString();
         String line = SourceLine.of(e);

@@ -11,14 +11,14 @@ import org.python.core.PyFile;
 import org.python.core.PyInteger;
 import org.python.core.PyObject;
 
-/** How a script ended. */
+/** Result of a script. */
 public final class ScriptResult {
-    /** It ran to its end. */
+    /** The script ran to its end. */
     static final ScriptResult GOOD = new ScriptResult(0, null, false);
-    /** It was broken off. */
+    /** The script was cancelled. */
     static final ScriptResult STOPPED = new ScriptResult(1, null, true);
 
-    /** A Java exception's class, as Jython writes it. */
+    /** A Java exception's class, which Jython prints twice. */
     private static final Pattern TWICE = Pattern.compile("^([\\w.$]+): \\1: ");
 
     private static final int ASCII_END = 128;
@@ -34,7 +34,7 @@ public final class ScriptResult {
         this.stopped = stopped;
     }
 
-    /** One that has told its errors itself. */
+    /** Result of a script that reports its errors itself. */
     static ScriptResult exited(int status) {
         return new ScriptResult(status, null, false);
     }
@@ -59,7 +59,7 @@ public final class ScriptResult {
             calledBack)) + ScriptHints.of(e), false);
     }
 
-    /** As Python ends: sys.exit(n) with n, sys.exit() with 0, sys.exit(text) with 1 and the text. */
+    /** Ends as Python does: sys.exit(n) with n, sys.exit() with 0, sys.exit(text) with 1 and the text. */
     private static ScriptResult exit(PyException e) {
         e.normalize();
         PyObject code = e.value.__findattr__("code");
@@ -69,7 +69,7 @@ public final class ScriptResult {
         return code instanceof PyInteger ? new ScriptResult(code.asInt(), null, false) : failed(code.toString());
     }
 
-    /** The traceback as Python prints it, without the Java calls in between. */
+    /** Returns the traceback as Python prints it, without the Java frames. */
     private static String traceback(PyException e) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         PyFile file = new PyFile(bytes);
@@ -93,7 +93,7 @@ public final class ScriptResult {
             .distinct().map(line -> TWICE.matcher(line).replaceFirst("$1: ")).collect(Collectors.joining("\n"));
     }
 
-    /** Jython shows a question mark for each letter that is not ASCII: the last place where it shows a text so gets the text. */
+    /** Restores the last occurrence of a text in which Jython has printed a question mark for each non-ASCII letter. */
     private static String spelt(String shown, String text) {
         StringBuilder marks = new StringBuilder();
         text.chars().forEach(c -> marks.append(c < ASCII_END ? (char) c : '?'));
@@ -102,23 +102,23 @@ public final class ScriptResult {
         return at < 0 ? shown : shown.substring(0, at) + whole + shown.substring(at + text.length());
     }
 
-    /** In Python 2 a plain string is bytes, and Jython makes a character of each. */
+    /** Decodes UTF-8 from a plain Python 2 string, which Jython holds as one character per byte. */
     private static String letters(String text) {
         String spelt = new String(text.getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8);
         return text.chars().anyMatch(c -> c > BYTE_END) || spelt.indexOf('\ufffd') >= 0 ? text : spelt;
     }
 
-    /** 0 if it ran to its end. */
+    /** Returns the exit status; 0 on success. */
     public int getExitCode() {
         return exitCode;
     }
 
-    /** What went wrong; null if nothing did. */
+    /** Returns the traceback; null without an error. */
     public String getTraceback() {
         return traceback;
     }
 
-    /** Whether it was broken off. */
+    /** Returns whether the script was cancelled. */
     public boolean isStopped() {
         return stopped;
     }

@@ -11,11 +11,11 @@ import org.python.core.PyStringMap;
 import org.python.core.PyTraceback;
 
 /**
- * Threads that scripts make with {@code threading}: they count as running, so that they are broken off with the script, and their errors are told as
- * the script's. Its public members are what Python calls. Any thread.
+ * Threads that scripts create with {@code threading}. They count as running: they are cancelled with the script, and
+ * their errors are reported as the script's. Python calls the public members. Any thread.
  */
 public final class ScriptThreads {
-    /** Has each thread run its work here, and be known from the call that starts it; the class that is changed is that of this interpreter. */
+    /** Patches this interpreter's Thread class: each thread is known from its start call on and runs its work here. */
     private static final String HOOK = "import threading\n"
         + "def known(start):\n"
         + "    def begin(thread):\n"
@@ -44,7 +44,7 @@ public final class ScriptThreads {
         this.engine = engine;
     }
 
-    /** Before code is run that may make threads. */
+    /** Patches Thread before code that may create threads. */
     synchronized void hook(String code) {
         if (!hooked && code.contains("threading")) {
             hooked = true;
@@ -54,22 +54,22 @@ public final class ScriptThreads {
         }
     }
 
-    /** A thread will begin its work soon. */
+    /** Announces a thread that is about to run. */
     public void starts() {
         engine.threadStarts(1);
     }
 
-    /** It won't, for it could not be started. */
+    /** Withdraws a thread that could not be started. */
     public void failedToStart() {
         engine.threadStarts(-1);
     }
 
-    /** Does a thread's work, on that thread. */
+    /** Runs a thread's work on that thread. */
     public void run(PyObject work, String name, boolean daemon) {
         engine.runThread(work, name, daemon);
     }
 
-    /** What is said of a thread that has ended by an error of its own. */
+    /** Returns the message for a thread that has ended with an error; null if it has none. */
     static String failed(PyException e, String name) {
         String traceback = ScriptResult.of(e, null).getTraceback();
         if (traceback == null) {
@@ -87,13 +87,13 @@ public final class ScriptThreads {
         return reported.toString().lines().distinct().collect(Collectors.joining("\n"));
     }
 
-    /** What is said of a thread that the end of the script has ended. */
+    /** Returns the message for a thread that outlived the script. */
     static String outlived(PyException e, String name) {
         return "thread " + name + " ran on when the script ended, and was ended with it" + place(e)
             + ": thread.join() as the script's last line waits for a thread that comes to its end";
     }
 
-    /** The script's innermost line of the error; empty if there is none. */
+    /** Returns the script's innermost line of the error; empty if there is none. */
     private static String place(PyException e) {
         String place = "";
         for (PyTraceback at = e.traceback; at != null; at = at.tb_next instanceof PyTraceback ? (PyTraceback) at.tb_next : null) {

@@ -30,18 +30,18 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What Python carries out without a word, though it can't be meant: a division of whole numbers, a decimal comma, a call without brackets,
- * radians for degrees, centimetres for metres. One script.
+ * Mistakes that Python accepts silently: integer division, a decimal comma, a call without brackets, radians for
+ * degrees, centimetres for metres. One script.
  */
 final class SilentMistakes extends Visitor {
     private static final Logger LOG = LoggerFactory.getLogger(SilentMistakes.class);
     private static final Pattern DECIMAL_COMMA = Pattern.compile("[^=]*=\\s*(-?\\d+),(\\d+)\\s*;?\\s*(?:#.*)?");
     /** Calls that take degrees. */
     private static final Set<String> ANGLES = Set.of("spin", "rotate", "setSteering", "setServo");
-    /** A wait of so many seconds is hardly meant. */
+    /** Shortest literal wait that is reported, s. */
     private static final double LONG = 1000;
     private static final double MILLIS = 1000;
-    /** No distance sensor that comes with SEAR sees so far, metres. */
+    /** Beyond the range of SEAR's distance sensors, m. */
     private static final double FAR = 10;
     private static final double CENTIMETRES = 100;
     /** Degrees. */
@@ -54,14 +54,16 @@ final class SilentMistakes extends Visitor {
         this.file = file;
     }
 
-    /** Those of a script, each with its line; none if it is no Python, which whoever runs it is told. */
+    /**
+     * Returns a script's mistakes, each with its line; none for code with syntax errors, which are reported elsewhere.
+     */
     static List<String> in(byte[] code, String file) {
         SilentMistakes mistakes = new SilentMistakes(file);
         try {
             mistakes.visit(ParserFacade.parse(new ByteArrayInputStream(code), CompileMode.exec, file, new CompilerFlags()));
         } catch (PyException e) {
             return List.of();
-        } catch (Exception e) { // what Jython's visitor declares
+        } catch (Exception e) { // declared by Jython's visitor
             LOG.debug("{} was not looked through", file, e);
             return List.of();
         }
@@ -157,7 +159,7 @@ final class SilentMistakes extends Visitor {
             || value instanceof Attribute && ((Attribute) value).getInternalAttr().equals(name);
     }
 
-    /** NaN for what is none. */
+    /** Returns the number; NaN for anything else. */
     private static double number(expr value) {
         Object number = value instanceof Num ? ((Num) value).getInternalN() : null;
         return number instanceof PyInteger || number instanceof PyFloat ? ((PyObject) number).asDouble() : Double.NaN;

@@ -11,20 +11,20 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.python.core.PyException;
 import org.python.core.PyTraceback;
 
-/** The text of the line at which a script has failed. Any thread. */
+/** Text of the line at which a script has failed. Any thread. */
 final class SourceLine {
-    /** The last code that was run without a file, by the name that stands in tracebacks. */
+    /** Source of code that was run, by its name in tracebacks. */
     private static final Map<String, List<String>> RUN = new ConcurrentHashMap<>();
 
     private SourceLine() {
     }
 
-    /** Code is run under a name. */
+    /** Keeps the source of code that is about to run. */
     static void remember(String name, byte[] code) {
         RUN.put(name, List.of(new String(code, StandardCharsets.UTF_8).replaceFirst("^\\uFEFF", "").split("\r\n|\r|\n", -1)));
     }
 
-    /** The innermost line of the error; empty if it is not known. */
+    /** Returns the innermost line of the error; empty if unknown. */
     static String of(PyException e) {
         PyTraceback last = e.traceback;
         while (last != null && last.tb_next instanceof PyTraceback) {
@@ -38,14 +38,14 @@ final class SourceLine {
         return number >= 1 && number <= lines.size() ? lines.get(number - 1).trim() : "";
     }
 
-    /** Those of a file, or of code that was run under that name; none if they are not known. */
+    /** Returns the lines of code that was run under this name, or of the file; empty if unknown. */
     static List<String> lines(String file) {
         List<String> lines = RUN.getOrDefault(file, List.of());
         try {
             Path path = lines.isEmpty() ? Paths.get(file) : null;
             return path != null && Files.isRegularFile(path) ? Files.readAllLines(path, StandardCharsets.UTF_8) : lines;
         } catch (IOException | RuntimeException unreadable) {
-            return List.of(); // a name that is no path, or a file in another encoding: hints do without it
+            return List.of(); // not a path, or a file in another encoding: no hints
         }
     }
 }

@@ -11,7 +11,7 @@ import org.python.core.PyException;
 import org.python.core.PyInteger;
 import org.python.core.PyObject;
 
-/** A script that is no Python, in words: the place as the script has it, what Jython says, and what to do. The thread that has failed. */
+/** Messages for syntax errors: the place in the script, Jython's message, and a hint. The thread that has failed. */
 final class SyntaxErrors {
     private static final Pattern NO_BYTE = Pattern.compile("Cannot create PyString with non-byte value.*?\\\\u(\\p{XDigit}{4})", Pattern.DOTALL);
 
@@ -19,9 +19,9 @@ final class SyntaxErrors {
     }
 
     /**
-     * What to show for an error of the script's own text.
+     * Returns the message for a syntax error of a script.
      *
-     * @return null if it is another error, or none of a script that is known
+     * @return null for another error, or if the script's source is unknown
      */
     static String of(PyException e) {
         if (!e.match(Py.SyntaxError) || e.traceback != null) {
@@ -46,13 +46,19 @@ final class SyntaxErrors {
             + SyntaxHints.of(scan, line, said);
     }
 
-    /** For a script whose error Jython can't even word: the character that is to blame; null if there is none. */
+    /**
+     * Returns the message for the first foreign character of a script whose error Jython can't represent; null if there
+     * is none.
+     */
     static String foreign(String file) {
         SourceScan scan = new SourceScan(SourceLine.lines(file));
         return scan.foreign() == null ? null : foreign(file, scan);
     }
 
-    /** For a module's error that Jython can't word, by what Java says of it; null if it is another. */
+    /**
+     * Returns the message for a module's error that Jython can't represent, from Java's message; null for another
+     * error.
+     */
     static String ofModule(String message) {
         Matcher character = NO_BYTE.matcher(message);
         return character.find() ? "SyntaxError: in what this line reads, " + ForeignCharacters.sentence(
@@ -65,7 +71,7 @@ final class SyntaxErrors {
         return shown(file, place.line, line, place.column, "SyntaxError: " + ForeignCharacters.sentence(place, line));
     }
 
-    /** As Python shows it, and with the column below the right character where those before it are no ASCII. */
+    /** Formats the error as Python does, with the column mark corrected for non-ASCII characters. */
     private static String shown(String file, int number, String line, int column, String error) {
         String text = line.strip();
         int indent = line.length() - line.stripLeading().length();

@@ -8,21 +8,21 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What a script meant by a name that it can't import, or that it has not imported. Any thread. */
+/** Hints for names that a script can't import or has not imported. Any thread. */
 final class WrongNames {
     private static final String SERVICES = "org.myrobotlab.service";
     private static final String OBJECTS = "org.SEAR.POJOs";
     private static final String IMPORT = "from " + OBJECTS + " import ";
     private static final Pattern NO_MODULE = Pattern.compile("No module named (\\w+)");
     private static final Pattern NOTHING_IN_IT = Pattern.compile("cannot import name (\\w+)");
-    /** Packages that people know of a Python with parts in C. */
+    /** Popular packages for CPython. */
     private static final Set<String> NOT_IN_JYTHON = Set.of("numpy", "scipy", "pandas", "matplotlib", "cv2", "serial", "pylab", "tkinter",
         "requests");
     private static final Set<String> MODULES = Set.of("math", "time", "random", "os", "json", "threading", "datetime", "csv", "re");
     private static final Set<String> OF_MATH = Set.of("sqrt", "sin", "cos", "tan", "atan", "atan2", "asin", "acos", "pi", "radians", "degrees",
         "hypot", "floor", "ceil", "exp", "log", "fabs");
     private static final Set<String> NOTHING = Set.of("null", "nil", "undefined", "NULL", "none");
-    /** What people call things of SEAR. */
+    /** Common words for objects of SEAR. */
     private static final Map<String, String> OTHER_WORDS = otherWords();
 
     private WrongNames() {
@@ -52,10 +52,10 @@ final class WrongNames {
     }
 
     /**
-     * For an import that has failed.
+     * Returns a hint for a failed import.
      *
-     * @param line the script's, as far as it is known
-     * @return lines to be added; empty if it failed for another reason
+     * @param line the script's line; may be empty
+     * @return lines to append to the error; empty without a hint
      */
     static String imported(String message, String line) {
         Matcher module = NO_MODULE.matcher(message);
@@ -88,9 +88,9 @@ final class WrongNames {
     }
 
     /**
-     * For a name that a script uses and has not imported.
+     * Returns a hint for a name that the script has not imported.
      *
-     * @return a line to be added; empty if there is nothing like it
+     * @return a line to append to the error; empty without a hint
      */
     static String used(String wanted) {
         String service = exactly(SERVICES, wanted);
@@ -104,7 +104,7 @@ final class WrongNames {
         return meant == null || !Character.isUpperCase(wanted.charAt(0)) ? "" : "\nSEAR has no " + wanted + "; did you mean " + IMPORT + meant + "?";
     }
 
-    /** For a name that Python has in a module, or under another name: a line to be added; empty for any other. */
+    /** Returns a hint line for a name of a Python module, or another language's None; else empty. */
     static String ofPython(String wanted) {
         if (MODULES.contains(wanted)) {
             return "\nit is a module of Python: import " + wanted + ", in a line before";
@@ -114,9 +114,9 @@ final class WrongNames {
     }
 
     /**
-     * For a service's class that was called as an object's, or to make a service.
+     * Returns a hint for a service's class called like a constructor.
      *
-     * @return a line to be added; empty for any other class
+     * @return a line to append to the error; empty for any other class
      */
     static String made(String message) {
         Matcher made = Pattern.compile("^org\\.myrobotlab\\.service\\.(\\w+)\\(\\): ").matcher(message);
@@ -134,7 +134,7 @@ final class WrongNames {
         return name + " = Runtime.start(\"" + name + "\", \"" + service + "\")";
     }
 
-    /** The object that was meant by a name of another spelling, or by another word. */
+    /** Returns the object for a name in other letter case, or a common word for it; null if there is none. */
     private static String meant(String wanted) {
         String known = known(OBJECTS, wanted);
         return known != null ? known : OTHER_WORDS.get(wanted);

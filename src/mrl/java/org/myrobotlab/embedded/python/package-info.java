@@ -1,5 +1,5 @@
 /**
- * Jython for the embedded MyRobotLab: runs scripts and callbacks, takes what they print, says what went wrong. Uses of the embedded MyRobotLab what
- * finds methods and tells of lost memory. Scripts run on the thread of whoever calls.
+ * Jython for the embedded MyRobotLab: runs scripts and callbacks, captures their output, and explains errors. Uses the
+ * method search and the out-of-memory reports of {@code org.myrobotlab.embedded}. Scripts run on the caller's thread.
  */
 package org.myrobotlab.embedded.python;

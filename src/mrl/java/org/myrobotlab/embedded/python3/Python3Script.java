@@ -14,9 +14,12 @@ import java.util.regex.Pattern;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.Runtime;
 
-/** Runs scripts whose first line says that they are Python 3, {@code #!/usr/bin/env python3}, with the package {@code sear}. Any thread. */
+/**
+ * Runs scripts whose first line asks for Python 3, {@code #!/usr/bin/env python3}, with the package {@code sear}. Any
+ * thread.
+ */
 public final class Python3Script {
-    /** Whether all files are Python 3, whatever their first line says. */
+    /** System property: true runs every file as Python 3, whatever its first line. */
     public static final String ALWAYS = "sear.python3";
     private static final Pattern FIRST_LINE = Pattern.compile("\\A(?:\\xEF\\xBB\\xBF)?#!.*python3.*");
     private static final int NOT_FOUND = 127;
@@ -26,15 +29,15 @@ public final class Python3Script {
     private final List<Process> running = new ArrayList<>();
 
     /**
-     * @param out what scripts print
-     * @param err what they print as errors
+     * @param out gets what scripts print
+     * @param err gets their error output
      */
     public Python3Script(OutputStream out, OutputStream err) {
         this.out = out;
         this.err = err;
     }
 
-    /** Whether that is a script of Python 3. */
+    /** Returns whether the code is a Python 3 script. */
     public static boolean is(byte[] code) {
         return Boolean.getBoolean(ALWAYS) || FIRST_LINE.matcher(new String(code, StandardCharsets.ISO_8859_1)).lookingAt();
     }
@@ -92,7 +95,7 @@ public final class Python3Script {
         try {
             from.transferTo(to);
         } catch (IOException e) {
-            // who read it has gone, or it was stopped: the script ends by itself, or has
+            // the reader has closed the stream, or the script was stopped
         }
     }
 
@@ -101,9 +104,9 @@ public final class Python3Script {
     }
 
     /**
-     * Ends all scripts that run.
+     * Ends all running scripts.
      *
-     * @return whether any did
+     * @return whether any was running
      */
     public boolean stop() {
         synchronized (running) {

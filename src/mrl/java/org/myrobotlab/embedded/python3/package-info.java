@@ -1,5 +1,5 @@
 /**
- * Scripts of Python 3 in the embedded MyRobotLab: each runs in a process of its own, which calls back by SEAR's door for Python 3. Uses
- * {@link org.myrobotlab.service}.
+ * Python 3 scripts in the embedded MyRobotLab: each runs in its own process, which calls SEAR over its TCP port for
+ * Python 3. Uses {@link org.myrobotlab.service}.
  */
 package org.myrobotlab.embedded.python3;

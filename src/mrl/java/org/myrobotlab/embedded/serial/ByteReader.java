@@ -6,19 +6,19 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
-/** Takes bytes out of a queue, with a time-out. */
+/** Reads bytes from a queue, with a timeout. */
 public final class ByteReader {
     private final BlockingQueue<Integer> queue;
     private final Consumer<String> complaint;
     private volatile int timeoutMs;
 
-    /** @param complaint told when a time-out ends a read */
+    /** @param complaint gets a message when a read times out */
     public ByteReader(BlockingQueue<Integer> queue, Consumer<String> complaint) {
         this.queue = queue;
         this.complaint = complaint;
     }
 
-    /** Milliseconds that a read waits for each byte; 0 without end. */
+    /** Sets how long a read waits for each byte, ms; 0 waits without limit. */
     public void setTimeout(int millis) {
         timeoutMs = millis;
     }
@@ -28,8 +28,10 @@ public final class ByteReader {
     }
 
     /**
-     * @return 0 to 255.
-     * @throws IOException when the time-out ends
+     * Reads a byte.
+     *
+     * @return 0 to 255
+     * @throws IOException on a timeout
      */
     public int read() throws IOException, InterruptedException {
         Integer value = next();
@@ -41,7 +43,7 @@ public final class ByteReader {
         return value;
     }
 
-    /** That many bytes, or fewer when the time-out ends. */
+    /** Reads {@code length} bytes, or fewer on a timeout. */
     public byte[] read(int length) throws InterruptedException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         while (bytes.size() < length) {
@@ -55,7 +57,7 @@ public final class ByteReader {
         return bytes.toByteArray();
     }
 
-    /** Bytes up to and with the delimiter, or fewer when the time-out ends. */
+    /** Reads up to and including the delimiter, or less on a timeout. */
     public byte[] readTo(char delimiter) throws InterruptedException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         Integer value;

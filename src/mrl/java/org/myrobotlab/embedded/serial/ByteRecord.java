@@ -11,7 +11,7 @@ public final class ByteRecord {
     private final Consumer<String> complaint;
     private OutputStream file;
 
-    /** @param complaint told when the file can't be written */
+    /** @param complaint gets a message when the file can't be written */
     public ByteRecord(Consumer<String> complaint) {
         this.complaint = complaint;
     }

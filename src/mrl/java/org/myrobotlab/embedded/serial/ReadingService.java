@@ -8,11 +8,14 @@ import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.SerialConfig;
 import org.myrobotlab.service.interfaces.QueueSource;
 
-/** How Serial's bytes are read: they wait in a queue, and a read waits for them. Any thread; reads are served one after another. */
+/**
+ * The reading side of Serial: received bytes wait in a queue, and reads wait for bytes. Any thread; reads are served
+ * one after another.
+ */
 public abstract class ReadingService extends Service<SerialConfig> implements QueueSource {
     private static final long serialVersionUID = 1L;
 
-    /** What has come in and was not read yet, each 0 to 255. */
+    /** Received bytes that were not read yet, each 0 to 255. */
     protected final transient BlockingQueue<Integer> blockingRX = new LinkedBlockingQueue<>();
     private final transient ByteReader reader = new ByteReader(blockingRX, this::error);
 
@@ -24,7 +27,7 @@ public abstract class ReadingService extends Service<SerialConfig> implements Qu
         return reader.read();
     }
 
-    /** Waits for as many bytes as the array holds. */
+    /** Waits until the array is full. */
     public synchronized int read(byte[] data) throws IOException, InterruptedException {
         for (int i = 0; i < data.length; i++) {
             data[i] = (byte) reader.read();
@@ -32,12 +35,12 @@ public abstract class ReadingService extends Service<SerialConfig> implements Qu
         return data.length;
     }
 
-    /** Waits for that many bytes; fewer if the time-out ends before. */
+    /** Waits for {@code length} bytes; returns fewer on a timeout. */
     public synchronized byte[] read(int length) throws InterruptedException {
         return reader.read(length);
     }
 
-    /** All that has come in. */
+    /** Returns all received bytes. */
     public synchronized byte[] readBytes() throws IOException, InterruptedException {
         return reader.read(available());
     }
@@ -75,7 +78,7 @@ public abstract class ReadingService extends Service<SerialConfig> implements Qu
         return blockingRX;
     }
 
-    /** Milliseconds that a read waits; 0 without end. */
+    /** Sets how long a read waits for each byte, ms; 0 waits without limit. */
     public void setTimeout(int timeoutMs) {
         reader.setTimeout(timeoutMs);
     }

@@ -1,5 +1,5 @@
 /**
- * How the embedded MyRobotLab's serial service reads bytes, waits for them and records them. May use {@code org.myrobotlab.framework} and the types
- * of services. Any thread.
+ * Reading and recording the bytes of the embedded MyRobotLab's serial service. May use {@code org.myrobotlab.framework}
+ * and the types of services. Any thread.
  */
 package org.myrobotlab.embedded.serial;

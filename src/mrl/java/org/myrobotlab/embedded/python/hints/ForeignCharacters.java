@@ -6,7 +6,10 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What to write for a character that Python knows in texts and comments alone, as pages and word processors put it into code. Any thread. */
+/**
+ * Explains characters that Python allows only in strings and comments, such as the quotation marks of word processors.
+ * Any thread.
+ */
 public final class ForeignCharacters {
     private static final Map<Integer, String> LEGAL = legal();
     private static final Pattern WORD = Pattern.compile("[\\p{L}\\p{M}\\p{N}_]+");
@@ -33,7 +36,7 @@ public final class ForeignCharacters {
         characters.codePoints().forEach(point -> legal.put(point, instead));
     }
 
-    /** A sentence about one of them. */
+    /** Returns a sentence about the character. */
     public static String sentence(SourceScan.Place place, String line) {
         int point = place.character.codePointAt(0);
         String named = String.format("%s (U+%04X)", isSeen(point) ? place.character : "an unseen character", point);

@@ -2,16 +2,16 @@ package org.myrobotlab.embedded.python.hints;
 
 import java.util.TreeSet;
 
-/** What is wrong with the blanks at a line's beginning. Any thread. */
+/** Hints about wrong indentation. Any thread. */
 final class Indents {
     private Indents() {
     }
 
     /**
-     * For an error in a line.
+     * Returns a hint for an error in a line.
      *
-     * @param said by Jython
-     * @return empty if its blanks are right
+     * @param said Jython's message
+     * @return empty if the indentation is right
      */
     static String hint(SourceScan scan, int line, String said) {
         int before = scan.before(line);
@@ -37,7 +37,7 @@ final class Indents {
             ? "line " + line + " begins with " + counted(own) + ", legal here: " + legal.toString().replaceAll("[\\[\\]]", "") : "";
     }
 
-    /** How many blanks lines may begin with behind a line that begins no block. */
+    /** Returns the legal indentations after a line that opens no block, in characters. */
     private static TreeSet<Integer> legal(SourceScan scan, int line) {
         TreeSet<Integer> legal = new TreeSet<>();
         int least = Integer.MAX_VALUE;

@@ -6,8 +6,8 @@ import java.util.Deque;
 import java.util.List;
 
 /**
- * A script's text, taken apart without Python's grammar, so that it may be wrong: where texts and comments are, which brackets and texts are not
- * closed, which characters Python does not know. Lines count from 1, columns from 0.
+ * Scans a script without Python's grammar, so it also takes invalid scripts: finds strings, comments, unclosed brackets
+ * and strings, and characters that Python doesn't know. Lines count from 1, columns from 0.
  */
 public final class SourceScan {
     private static final String OPENING = "([{";
@@ -21,11 +21,11 @@ public final class SourceScan {
     private Place textLeftOpen;
     private String brackets = "";
     private int bracketsLine;
-    /** What ends the text that is being gone through; empty outside of texts. */
+    /** Closing marks of the current string; empty outside strings. */
     private String end = "";
     private Place textBegins;
 
-    /** One character of the script. */
+    /** A character of the script. */
     public static final class Place {
         public final int line;
         public final int column;
@@ -53,7 +53,7 @@ public final class SourceScan {
         }
     }
 
-    /** The line with blanks in the place of comments and of what is inside of texts. */
+    /** Returns the line with comments removed and the contents of strings replaced by spaces. */
     private String codeOf(String line, int number) {
         StringBuilder plain = new StringBuilder();
         int i = 0;
@@ -123,17 +123,17 @@ public final class SourceScan {
         return CLOSING.substring(OPENING.indexOf(opening), OPENING.indexOf(opening) + 1);
     }
 
-    /** As it stands in the script; empty if there is no such line. */
+    /** Returns the line as it is in the script; empty if there is no such line. */
     public String line(int number) {
         return number >= 1 && number <= lines.size() ? lines.get(number - 1) : "";
     }
 
-    /** Its code: texts are empty, comments are gone. */
+    /** Returns the line without comments and string contents; empty if there is no such line. */
     public String code(int number) {
         return number >= 1 && number <= code.size() ? code.get(number - 1) : "";
     }
 
-    /** The last line before one that is more than a comment; 0 if there is none. */
+    /** Returns the number of the last line with code before the given one; 0 if there is none. */
     int before(int number) {
         int line = number - 1;
         while (line > 0 && code(line).isBlank()) {
@@ -142,17 +142,17 @@ public final class SourceScan {
         return line;
     }
 
-    /** The first character outside of texts and comments that Python does not know; null if there is none. */
+    /** Returns the first character outside strings and comments that Python doesn't know; null if there is none. */
     public Place foreign() {
         return foreign;
     }
 
-    /** Where the first text begins that is not closed; null if all are. */
+    /** Returns the start of the first unclosed string; null if all are closed. */
     Place textLeftOpen() {
         return textLeftOpen;
     }
 
-    /** What is wrong with the brackets until a line; empty if nothing is. */
+    /** Returns the first bracket mistake up to a line, as text; empty if there is none. */
     String brackets(int line) {
         return bracketsLine <= line ? brackets : "";
     }

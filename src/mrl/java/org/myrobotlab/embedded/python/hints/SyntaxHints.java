@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What to write instead of what is no Python 2.7: today's Python, another language, or something forgotten. Any thread. */
+/** Hints for lines that are not Python 2.7: Python 3, another language, or a forgotten character. Any thread. */
 public final class SyntaxHints {
     private static final String OLD_PYTHON = "scripts are Python 2.7 (Jython)";
     private static final Pattern F_STRING = Pattern.compile("(?i)\\b(f|fr|rf)[\"']");
@@ -15,7 +15,7 @@ public final class SyntaxHints {
     private static final Pattern CONDITION = Pattern.compile("^\\s*(if|elif|while)\\b.*[^=!<>+*/%-]=(?!=).*");
     private static final Pattern WORD_OF_PYTHON = Pattern.compile("^\\s*(and|as|assert|break|class|continue|def|del|elif|else|except|exec|finally|for"
         + "|from|global|if|import|in|is|lambda|not|or|pass|print|raise|return|try|while|with|yield)\\s*=(?!=).*");
-    /** What the line is, and what is said of it; $1 and the like stand for what the brackets have found. */
+    /** Pairs of a pattern for the line and its hint; $1 and the like stand for the pattern's groups. */
     private static final String[][] LINES = {
         {"^\\s*async\\b.*|.*\\bawait\\s.*", OLD_PYTHON + ", which has no async and no await: write def, and call sear.simSleep(seconds) as it is"},
         {"^\\s*match\\s+.*:\\s*$|^\\s*case\\s+.*:\\s*$", OLD_PYTHON + ", which has no match: write if, elif and else"},
@@ -42,7 +42,7 @@ public final class SyntaxHints {
     private SyntaxHints() {
     }
 
-    /** A kind of line, and what is said of it. */
+    /** A pattern for lines and its hint. */
     private static final class Rule {
         final Pattern line;
         final String hint;
@@ -62,10 +62,10 @@ public final class SyntaxHints {
     }
 
     /**
-     * For an error in a line.
+     * Returns a hint for an error in a line.
      *
-     * @param said by Jython
-     * @return a line to be added; empty if there is nothing to say
+     * @param said Jython's message
+     * @return a line to append to the error; empty without a hint
      */
     public static String of(SourceScan scan, int line, String said) {
         String hint = hint(scan, line, said);

@@ -1,5 +1,5 @@
 /**
- * What is wrong with a script that is no Python, found in its text, without Jython: characters from word processors, brackets and texts that are left
- * open, blanks at the beginning of lines, words of today's Python and of other languages.
+ * Hints for scripts that are not valid Python 2.7, from their text alone: characters of word processors, unclosed
+ * brackets and strings, wrong indentation, Python 3 and other languages. Does not use Jython.
  */
 package org.myrobotlab.embedded.python.hints;

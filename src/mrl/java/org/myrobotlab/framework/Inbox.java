@@ -7,7 +7,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.myrobotlab.framework.interfaces.MessageListener;
 
-/** Messages for one service, first come, first served. Any thread. */
+/** Messages to one service, first in, first out. Any thread. */
 public class Inbox implements Serializable {
     private static final long serialVersionUID = 1L;
 
@@ -23,7 +23,6 @@ public class Inbox implements Serializable {
         owner = name;
     }
 
-    /** Puts a message at the end. */
     public void add(Message msg) {
         messages.add(msg);
         for (MessageListener watcher : watchers) {
@@ -36,7 +35,7 @@ public class Inbox implements Serializable {
         return messages.take();
     }
 
-    /** Shows each message that comes in to a listener, too. */
+    /** Also passes each incoming message to a listener. */
     public void addMessageListener(MessageListener listener) {
         watchers.add(listener);
     }

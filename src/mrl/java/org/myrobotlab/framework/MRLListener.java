@@ -3,15 +3,15 @@ package org.myrobotlab.framework;
 import java.io.Serializable;
 import java.util.Objects;
 
-/** When a method is published, a method of another service is called with what it answered. */
+/** A subscription: calls a method of another service with the result of a published method. */
 public final class MRLListener implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** The method that is listened to, for example publishRX. */
+    /** The published method, for example publishRX. */
     public String topicMethod;
-    /** Name of the service that listens. */
+    /** Name of the listening service. */
     public String callbackName;
-    /** The method that is called there, for example onRX. */
+    /** The method called there, for example onRX. */
     public String callbackMethod;
 
     public MRLListener() {

@@ -5,26 +5,26 @@ import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicLong;
 import org.myrobotlab.codec.CodecUtils;
 
-/** A call of a method of a service, on its way from one service to another. */
+/** A method call on its way from one service to another. */
 public class Message implements Serializable {
     private static final long serialVersionUID = 1L;
     private static final AtomicLong LAST_ID = new AtomicLong();
 
-    /** Unlike that of any other message of this process. */
+    /** Unique in this process. */
     public long msgId;
-    /** Whom it is for; null until the outbox has looked up who listens. */
+    /** Receiver; null until the outbox has found the listeners. */
     public String name;
-    /** Who sent it. */
+    /** Name of the sending service. */
     public String sender;
-    /** The method that the sender published. */
+    /** Method that the sender published. */
     public String sendingMethod;
     /** B while the sender waits for the answer, else null. */
     public String status;
-    /** How {@link #data} is written: json, or null for plain objects. */
+    /** Encoding of {@link #data}: json, or null for plain objects. */
     public String encoding;
-    /** The method to be called. */
+    /** Method to call. */
     public String method;
-    /** The arguments; null for none. */
+    /** Arguments; null for none. */
     public transient Object[] data;
 
     public Message() {
@@ -36,7 +36,7 @@ public class Message implements Serializable {
         set(other);
     }
 
-    /** Takes everything over from another message. */
+    /** Copies all fields of another message. */
     public final void set(Message other) {
         msgId = other.msgId;
         name = other.name;
@@ -48,7 +48,7 @@ public class Message implements Serializable {
         data = other.data;
     }
 
-    /** A message with several arguments. */
+    /** Creates a message with several arguments. */
     public static Message createMessage(String sender, String name, String method, Object[] data) {
         Message msg = new Message();
         msg.sender = sender;
@@ -58,7 +58,7 @@ public class Message implements Serializable {
         return msg;
     }
 
-    /** A message with one argument, or none if it is null. */
+    /** Creates a message with one argument, or none if it is null. */
     public static Message createMessage(String sender, String name, String method, Object data) {
         return createMessage(sender, name, method, data == null ? null : new Object[] {data});
     }
@@ -87,12 +87,12 @@ public class Message implements Serializable {
         return msgId;
     }
 
-    /** The name with the id of the process. */
+    /** Returns the receiver with the process id. */
     public String getFullName() {
         return name == null ? null : CodecUtils.getFullName(name);
     }
 
-    /** The sender without the id of its process. */
+    /** Returns the sender without the process id. */
     public String getSrcName() {
         return sender == null ? null : CodecUtils.getShortName(sender);
     }

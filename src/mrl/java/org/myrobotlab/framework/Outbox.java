@@ -16,7 +16,7 @@ import org.myrobotlab.logging.LoggerFactory;
 import org.myrobotlab.service.Runtime;
 import org.slf4j.Logger;
 
-/** Messages from one service, on their way into the inboxes of those who listen. One thread sends them in order; any thread may add. */
+/** Messages from one service to the inboxes of its listeners. One thread sends them in order; any thread may add. */
 public class Outbox implements Runnable, Serializable {
     public static final Logger log = LoggerFactory.getLogger(Outbox.class);
 
@@ -24,7 +24,7 @@ public class Outbox implements Runnable, Serializable {
     private static final int MOST = 1024;
 
     protected final String name;
-    /** Who listens, by published method; what holds it here can be serialised, whatever the type promises. */
+    /** Listeners by published method. The map used here is serialisable, unlike its declared type. */
     @SuppressWarnings("serial")
     protected final Map<String, List<MRLListener>> notifyList = new ConcurrentHashMap<>();
     private final transient BlockingQueue<Message> messages = new LinkedBlockingQueue<>();
@@ -36,8 +36,8 @@ public class Outbox implements Runnable, Serializable {
     }
 
     /**
-     * Sends a message; one without receiver goes to all that listen to its sending method. Every one waits here, as in the real one, even if nobody
-     * listens. When more than 1024 wait, the log says so, once for each time that it comes to that; none is lost.
+     * Sends a message; one without a receiver goes to all listeners of its sending method. Every message waits here, as
+     * in the real MyRobotLab, even without listeners. Logs a warning each time more than 1024 wait; none is lost.
      */
     public void add(Message msg) {
         int waiting = messages.size();
@@ -74,7 +74,7 @@ public class Outbox implements Runnable, Serializable {
         }
     }
 
-    /** Puts a message into its receiver's inbox at once. */
+    /** Puts a message directly into its receiver's inbox. */
     public final void send(Message msg) {
         ServiceInterface receiver = Runtime.getService(msg.name);
         if (receiver == null) {
@@ -113,12 +113,12 @@ public class Outbox implements Runnable, Serializable {
         return notifyList;
     }
 
-    /** Shows each message that goes out to a listener, too. */
+    /** Also passes each outgoing message to a listener. */
     public void addMessageListener(MessageListener listener) {
         watchers.add(listener);
     }
 
-    /** Names of all that listen to a method, or to any if it is null. */
+    /** Returns the names of the listeners of a method; of all methods if null. */
     public Set<String> getAttached(String publishingPoint) {
         Set<String> names = new TreeSet<>();
         notifyList.forEach((topic, listeners) -> {
@@ -129,14 +129,14 @@ public class Outbox implements Runnable, Serializable {
         return names;
     }
 
-    /** Forgets all listeners of that name. */
+    /** Removes all listeners of that name. */
     public synchronized void detach(String serviceName) {
         for (List<MRLListener> listeners : notifyList.values()) {
             listeners.removeIf(listener -> CodecUtils.checkServiceNameEquality(listener.callbackName, serviceName));
         }
     }
 
-    /** Forgets all listeners. */
+    /** Removes all listeners. */
     public void reset() {
         notifyList.clear();
     }

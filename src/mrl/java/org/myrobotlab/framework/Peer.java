@@ -1,10 +1,10 @@
 package org.myrobotlab.framework;
 
-/** A service that belongs to another one, as a Serial to a Roomba. */
+/** A service that belongs to another one, such as the Serial of a Roomba. */
 public class Peer {
     /** Name in the registry. */
     public String name;
-    /** Type, without package. */
+    /** Type without its package. */
     public String type;
     /** Whether it starts together with its owner. */
     public boolean autoStart = true;

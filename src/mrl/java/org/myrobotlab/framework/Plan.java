@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Set;
 import org.myrobotlab.service.config.ServiceConfig;
 
-/** The services that are about to be made, with their configurations. */
+/** Services to be created, with their configurations. */
 public class Plan {
     protected Map<String, ServiceConfig> config = new LinkedHashMap<>();
     private final String name;

@@ -4,7 +4,7 @@ import java.io.Serializable;
 import java.util.Date;
 import java.util.Locale;
 
-/** The machine that this runs on. */
+/** The computer on which this program runs. */
 public class Platform implements Serializable {
     public static final String OS_LINUX = "linux";
     public static final String OS_MAC = "mac";
@@ -39,7 +39,7 @@ public class Platform implements Serializable {
         return arch;
     }
 
-    /** 32 or 64. */
+    /** Returns 32 or 64. */
     public int getOsBitness() {
         return System.getProperty("os.arch", "").contains("64") ? 64 : 32;
     }
@@ -48,12 +48,12 @@ public class Platform implements Serializable {
         return getOsBitness();
     }
 
-    /** For example x86.64.linux. */
+    /** Returns for example x86.64.linux. */
     public String getPlatformId() {
         return arch + "." + getOsBitness() + "." + os;
     }
 
-    /** Version of what runs here. */
+    /** Returns the version of MyRobotLab. */
     public String getVersion() {
         String version = Platform.class.getPackage().getImplementationVersion();
         return version == null ? "embedded" : version;

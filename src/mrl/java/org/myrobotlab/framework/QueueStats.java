@@ -1,18 +1,18 @@
 package org.myrobotlab.framework;
 
-/** How fast a queue or line moves. */
+/** Throughput of a queue or serial line. */
 public class QueueStats {
     public String name;
     /** Items so far. */
     public int total;
     /** Items between two reports. */
     public int interval = 1000;
-    /** When the last report was made, and the one before; milliseconds since 1970. */
+    /** Time of the last report and the one before; milliseconds since 1970. */
     public long ts;
     public long lastTS;
-    /** Milliseconds between the two. */
+    /** Time between the last two reports, ms. */
     public long delta;
-    /** Bits a millisecond. */
+    /** Line speed, bits per millisecond. */
     public long lineSpeed;
     public int currentQueueCount;
 

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 
-/** The folders that services read from and write to, below the working folder. */
+/** Resource and data folders of services, below the working folder. */
 final class Resources {
     private static final String ROOT = "resource";
     private static final String DATA = "data";
@@ -27,7 +27,7 @@ final class Resources {
         return (file == null ? folder : folder.resolve(file)).toString();
     }
 
-    /** A file's bytes; null if there is no such file. */
+    /** Returns a file's bytes; null if there is no such file. */
     static byte[] read(String typeName, String file) {
         Path path = Paths.get(of(typeName, file));
         if (!Files.isRegularFile(path)) {

@@ -20,8 +20,9 @@ import org.myrobotlab.service.config.ServiceConfig;
 import org.slf4j.Logger;
 
 /**
- * A part of a robot, real or simulated: called by messages, one at a time on its own thread, or directly by anybody; publishes what its methods
- * answer. While it runs it has two threads, for its inbox and its outbox.
+ * A part of a robot, real or simulated. Executes messages one at a time on its own thread; any thread may call its
+ * methods directly. Publishes the results of its methods. While it runs it has two threads, for its inbox and its
+ * outbox.
  */
 public abstract class Service<T extends ServiceConfig> extends ReportingService implements Runnable, Serializable, ConfigurableService<T> {
     public static final Logger log = LoggerFactory.getLogger(Service.class);
@@ -36,7 +37,7 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
     private volatile boolean running;
 
     /**
-     * @param name unlike that of any other service
+     * @param name unique in this process
      * @param id of this process
      */
     @SuppressWarnings("unchecked")
@@ -46,9 +47,10 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
     }
 
     /**
-     * Starts its threads. Asks {@link #isRunning} whether it has them already, as the real one does: a service that answers otherwise fails here.
+     * Starts the threads unless {@link #isRunning} returns true, as the real MyRobotLab does. A service that overrides
+     * it wrongly fails here.
      *
-     * @throws IllegalThreadStateException if it runs, and {@link #isRunning} denies it
+     * @throws IllegalThreadStateException if the service runs but {@link #isRunning} returns false
      */
     @Override
     public synchronized void startService() {
@@ -102,7 +104,7 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         }
     }
 
-    /** A message that is being carried out may need a moment to end. */
+    /** Gives the message in progress a moment to end. */
     private static void await(Thread thread) {
         if (thread == null || thread == Thread.currentThread()) {
             return;
@@ -137,17 +139,17 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         return thisThread;
     }
 
-    /** The stack trace as text. */
+    /** Returns the stack trace as text. */
     public static String stackToString(Throwable e) {
         return Status.stackToString(e);
     }
 
-    /** Waits by the clock of this computer. */
+    /** Waits by the computer's clock. */
     public static void sleep(int millis) {
         sleep((long) millis);
     }
 
-    /** Waits by the clock of this computer. */
+    /** Waits by the computer's clock. */
     public static void sleep(long millis) {
         try {
             TimeUnit.MILLISECONDS.sleep(millis);
@@ -156,7 +158,7 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         }
     }
 
-    /** Whether there is no display. */
+    /** Returns whether there is no display. */
     public static boolean isHeadless() {
         return java.awt.GraphicsEnvironment.isHeadless();
     }
@@ -188,7 +190,7 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
 
     // ---- configuration ------------------------------------------------------------------------------------------------
 
-    /** The configurations of this service and those that belong to it, as they are without any file. */
+    /** Returns the default configurations of this service and its peers. */
     public final Plan getDefault() {
         return ServiceConfig.getDefault(new Plan(getName()), getName(), getTypeKey());
     }
@@ -199,9 +201,9 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
     }
 
     /**
-     * Takes a configuration over, and the listeners that stand in it.
+     * Applies a configuration and adds its listeners.
      *
-     * @throws IllegalArgumentException if it is one of another type of services
+     * @throws IllegalArgumentException if it is for another type of service
      */
     @Override
     public T apply(T newConfig) {
@@ -214,12 +216,12 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         return newConfig;
     }
 
-    /** Takes the present configuration over again, after a field was changed. */
+    /** Applies the current configuration again, after a field has changed. */
     public void apply() {
         apply(config);
     }
 
-    /** A copy of the configuration with those who listen now, as it is written to a file. */
+    /** Returns a copy of the configuration with the current listeners, as saved to a file. */
     @Override
     public ServiceConfig getFilteredConfig() {
         ServiceConfig copy = CodecUtils.fromYaml(CodecUtils.toYaml(getConfig()), config.getClass());
@@ -232,7 +234,7 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         return copy;
     }
 
-    /** Has those listen who stand in a configuration. */
+    /** Adds the listeners of a configuration. */
     @Override
     public ServiceConfig addConfigListeners(ServiceConfig from) {
         if (from != null && from.listeners != null) {
@@ -276,12 +278,12 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
             .map(Map.Entry::getKey).findFirst().orElse(null);
     }
 
-    /** Name in the registry; null if there is none of that key. */
+    /** Returns the peer's name in the registry; null if there is no such key. */
     public String getPeerName(String key) {
         return config == null ? null : config.getPeerName(key);
     }
 
-    /** One of its own services; null if it doesn't run. */
+    /** Returns a peer; null if it is not in the registry. */
     public ServiceInterface getPeer(String key) {
         String peerName = getPeerName(key);
         return peerName == null ? null : Runtime.getService(peerName);
@@ -326,12 +328,12 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
 
     // ---- folders ------------------------------------------------------------------------------------------------------
 
-    /** The folder of panels, examples and icons, relative to the working folder. */
+    /** Returns the folder of panels, examples and icons, relative to the working folder. */
     public static String getResourceRoot() {
         return Resources.root();
     }
 
-    /** The folder of this type's resources. */
+    /** Returns the folder of this type's resources. */
     public String getResourceDir() {
         return Resources.of(getSimpleName(), null);
     }
@@ -348,7 +350,7 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         return Resources.of(getSimpleName(), file);
     }
 
-    /** A file of this type's resources; null if there is no such file. */
+    /** Returns a file of this type's resources; null if there is no such file. */
     public byte[] getResource(String file) {
         return Resources.read(getSimpleName(), file);
     }
@@ -370,7 +372,7 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         return bytes == null ? null : new String(bytes, StandardCharsets.UTF_8);
     }
 
-    /** The folder of this type's data. */
+    /** Returns the folder of this type's data. */
     public String getDataDir() {
         return getDataDir(getSimpleName());
     }

@@ -15,7 +15,7 @@ public class StaticType<T> {
         return type;
     }
 
-    /** The class without its parameters. */
+    /** Returns the class without its parameters. */
     @SuppressWarnings("unchecked")
     public Class<T> asClass() {
         return (Class<T>) (type instanceof ParameterizedType ? ((ParameterizedType) type).getRawType() : type);

@@ -9,15 +9,15 @@ import java.util.Objects;
 public class Status implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** The service it comes from. */
+    /** The service that reports it. */
     public String name;
     /** One of {@link StatusLevel}. */
     public String level;
-    /** A short form. */
+    /** Short text. */
     public String key;
-    /** The whole text. */
+    /** Full text. */
     public String detail;
-    /** What caused it, if that is known. */
+    /** Cause, if known. */
     public transient Object source;
 
     public Status(Exception e) {
@@ -57,7 +57,7 @@ public class Status implements Serializable {
         return of(StatusLevel.INFO, String.format(format, args));
     }
 
-    /** An error, as in the real one; a warning is made by the form with a format. */
+    /** Returns an error, as in the real MyRobotLab; the method with a format returns a warning. */
     public static Status warn(String text) {
         return of(StatusLevel.ERROR, text);
     }

@@ -1,6 +1,6 @@
 package org.myrobotlab.framework;
 
-/** How grave a {@link Status} is. */
+/** Severity of a {@link Status}. */
 public class StatusLevel {
     public static final String DEBUG = "debug";
     public static final String INFO = "info";

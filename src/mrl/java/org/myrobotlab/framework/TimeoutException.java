@@ -1,6 +1,6 @@
 package org.myrobotlab.framework;
 
-/** The answer to a message did not come in time. */
+/** Thrown when the answer to a message is late. */
 public class TimeoutException extends Exception {
     private static final long serialVersionUID = 1L;
 

@@ -3,7 +3,7 @@ package org.myrobotlab.logging;
 import org.slf4j.ILoggerFactory;
 import org.slf4j.Logger;
 
-/** Where loggers come from. */
+/** Creates loggers. */
 public class LoggerFactory {
     public static Logger getLogger(Class<?> clazz) {
         return org.slf4j.LoggerFactory.getLogger(clazz);

@@ -1,2 +1,2 @@
-/** MyRobotLab's own: where loggers come from. Any thread. */
+/** MyRobotLab's logger factory. Any thread. */
 package org.myrobotlab.logging;

@@ -13,15 +13,15 @@ import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
- * Where servers listen: on this computer only, unless the user asked for more with {@code --host}; and by which names browsers reach them there. Any
- * thread.
+ * The address at which servers listen: this computer only, unless {@code --host} asks for more; and the names by which
+ * browsers reach it. Any thread.
  */
 public final class Address {
     private static final String LOOPBACK = "127.0.0.1";
     private static final String PORT = "{port}";
     private static final Set<String> SCHEMES = Set.of("http", "https");
     private static final Pattern NUMERIC = Pattern.compile("[0-9]+(\\.[0-9]+){3}|\\[[0-9a-f:.]+\\]");
-    /** Of no computer, by RFC 5737; nothing is sent there. */
+    /** Documentation address that belongs to no computer (RFC 5737); nothing is sent there. */
     private static final String ELSEWHERE = "192.0.2.1";
     private static final int WEB = 80;
     private static volatile Address current = new Address(InetAddress.getLoopbackAddress(), LOOPBACK, null);
@@ -36,17 +36,19 @@ public final class Address {
         this.url = url;
     }
 
-    /** Where servers that start now listen. */
+    /** Returns the address of servers that start now. */
     public static Address current() {
         return current;
     }
 
     /**
-     * From now on servers that start listen there.
+     * Sets the address of servers that start from now on.
      *
-     * @param host a name or number of this computer; 0.0.0.0 for all of its IPv4 addresses, :: for all; null for this computer alone
-     * @param url how browsers reach the server, if otherwise: http://HOST:PORT or https://HOST, where {port} becomes the server's port; may be null
-     * @throws IllegalArgumentException if one of them makes no sense
+     * @param host a name or number of this computer; 0.0.0.0 for all its IPv4 addresses, :: for all; null for this
+     *     computer only
+     * @param url address for browsers, if different: http://HOST:PORT or https://HOST; {port} becomes the server's
+     *     port; may be null
+     * @throws IllegalArgumentException if host or url is invalid
      */
     public static Address listen(String host, String url) {
         if (url != null) {
@@ -61,22 +63,22 @@ public final class Address {
         return current;
     }
 
-    /** From now on servers that start listen on this computer only. */
+    /** Makes servers that start from now on listen on this computer only. */
     public static void dismiss() {
         current = new Address(InetAddress.getLoopbackAddress(), LOOPBACK, null);
     }
 
-    /** Whether only this computer's own programs get there. */
+    /** Returns whether only programs of this computer can connect. */
     public boolean isLoopback() {
         return listening.isLoopbackAddress();
     }
 
-    /** What a server binds. */
+    /** Returns the socket address to bind. */
     public InetSocketAddress socket(int port) {
         return new InetSocketAddress(isLoopback() && host.equals(LOOPBACK) ? InetAddress.getLoopbackAddress() : listening, port);
     }
 
-    /** What a browser opens, without a slash at its end: {@code http://localhost:8888}. */
+    /** Returns the address for browsers, without a slash at the end: {@code http://localhost:8888}. */
     public String url(int port) {
         if (url != null) {
             return url.replace(PORT, String.valueOf(port)).replaceFirst("/$", "");
@@ -90,7 +92,7 @@ public final class Address {
         return "http://" + (name.contains(":") ? "[" + name + "]" : name) + ":" + port;
     }
 
-    /** This computer's address on the way to others. */
+    /** Returns this computer's own address on routes to other computers. */
     private static String outside() {
         try (DatagramSocket socket = new DatagramSocket()) {
             socket.connect(InetAddress.getByName(ELSEWHERE), WEB);
@@ -109,7 +111,7 @@ public final class Address {
         }
     }
 
-    /** Host and port as browsers write them into the header Host. */
+    /** Returns host and port as browsers write them into the header Host. */
     private static String authority(String url) {
         String legal = "\"" + url + "\" is no address of this server, legal: http://HOST, http://HOST:PORT, https://HOST, https://HOST:PORT";
         try {
@@ -126,7 +128,7 @@ public final class Address {
         }
     }
 
-    /** The names of a server on a port. */
+    /** Returns the names of a server on a port. */
     Names names(int port) {
         Set<String> names = new HashSet<>(Set.of("localhost", LOOPBACK, "[::1]"));
         if (!isLoopback()) {
@@ -138,7 +140,10 @@ public final class Address {
         return new Names(names, port, url == null ? null : url(port));
     }
 
-    /** By which names a server is called, and from which pages: a name that another server has got to itself (DNS rebinding) is none of them. */
+    /**
+     * Accepted host names and origins of a server. They exclude names that another server points at this one (DNS
+     * rebinding).
+     */
     static final class Names {
         private final Set<String> hosts;
         private final int port;
@@ -153,9 +158,9 @@ public final class Address {
         }
 
         /**
-         * Whether a header Host names this server.
+         * Returns whether a Host header names this server.
          *
-         * @param reached the address of this computer that the request came to
+         * @param reached the address of this computer that received the request
          */
         boolean has(String header, InetAddress reached) {
             String text = header.toLowerCase(Locale.ROOT);
@@ -170,7 +175,7 @@ public final class Address {
             return hosts.contains(name) || isNumberOf(name, reached);
         }
 
-        /** A number names nobody else, whatever a name server says. */
+        /** A numeric address is safe from DNS rebinding. */
         private static boolean isNumberOf(String name, InetAddress reached) {
             try {
                 return NUMERIC.matcher(name).matches() && InetAddress.getByName(name).equals(reached);
@@ -179,17 +184,17 @@ public final class Address {
             }
         }
 
-        /** The origin of this server's own pages, for those who call it so. */
+        /** Returns the origin of this server's own pages for a Host header. */
         String origin(String header) {
             return header.toLowerCase(Locale.ROOT).equals(outerHost) && isSecure(header) ? "https://" + header : "http://" + header;
         }
 
-        /** Whether who calls it so comes through an encrypted connection. */
+        /** Returns whether requests with this Host header come over an encrypted connection. */
         boolean isSecure(String header) {
             return header.toLowerCase(Locale.ROOT).equals(outerHost) && outer.toLowerCase(Locale.ROOT).startsWith("https:");
         }
 
-        /** One of the names, to be told. */
+        /** Returns one of the names, for messages. */
         String one() {
             return outerHost == null ? "localhost" : outerHost;
         }

@@ -8,9 +8,10 @@ import io.undertow.util.Methods;
 import io.undertow.util.StatusCodes;
 
 /**
- * Stands before everything that reaches services. A browser says where a request comes from: only this server's own pages get in, and only their
- * scripts; a link, a redirect, a form or an address that a user opens never does. A call is a POST with JSON, which no form can send. Programs that
- * are no browsers say nothing of the kind. Where a {@link Token} is asked for, {@link Login} has let them in before.
+ * Protects everything that reaches services. Browsers say where a request comes from: only scripts of this server's own
+ * pages may call; links, redirects, forms and opened addresses may not. A call is a POST with JSON, which no form can
+ * send. Programs other than browsers don't send these headers. {@link Login} checks the {@link Token} before, if there
+ * is one.
  */
 final class CallGuard implements HttpHandler {
     private static final HttpString FETCH_SITE = new HttpString("Sec-Fetch-Site");
@@ -25,7 +26,7 @@ final class CallGuard implements HttpHandler {
         this.next = next;
     }
 
-    /** For calls over HTTP. */
+    /** Guards calls over HTTP. */
     static HttpHandler calls(HttpHandler next) {
         return new CallGuard(exchange -> {
             if (Guard.is(exchange, Methods.POST) && !isJson(exchange.getRequestHeaders().getFirst(Headers.CONTENT_TYPE))) {
@@ -37,7 +38,7 @@ final class CallGuard implements HttpHandler {
         });
     }
 
-    /** For web sockets, which nobody but a page of this server may open. */
+    /** Guards web sockets, which only pages of this server may open. */
     static HttpHandler sockets(HttpHandler next) {
         return new CallGuard(Guard.reading(exchange -> {
             if (exchange.getRequestHeaders().contains(Headers.ORIGIN)) {

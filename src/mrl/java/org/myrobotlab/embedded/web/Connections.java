@@ -12,26 +12,26 @@ import org.xnio.StreamConnection;
 import org.xnio.XnioExecutor;
 
 /**
- * The connections that are open. One that comes when there are many takes the place of the one that has been without a request for the longest time.
- * Where that one has just come, the place may be that of a request or an answer that has been on its way for longer. So a program that opens
- * connections and asks nothing, that does not send what it says, or does not read what it asked for keeps nobody out. Any thread.
+ * Open connections. At the limit a new connection replaces the one that has been idle longest. If that one has just
+ * arrived, the new connection may replace an older one whose request or answer is stuck. So a program that opens idle
+ * connections, sends incomplete requests or does not read answers locks no one out. Any thread.
  */
 final class Connections implements ChannelListener<StreamConnection> {
-    /** Connections that stay open at the same time, unless more of them have a request. */
+    /** Limit of open connections, exceeded only while more of them have a request. */
     static final int MOST = 256;
-    /** From a request's head to its end. */
+    /** Time from the head of a request to its end, s. */
     static final int TIMEOUT_SECONDS = 30;
 
-    /** One that has just come is about to ask. */
+    /** Time for which a new connection is expected to send a request, ns. */
     private static final long FRESH = TimeUnit.SECONDS.toNanos(1);
 
     private final ChannelListener<? super StreamConnection> next;
-    /** The one whose request is oldest comes first. */
+    /** Connections with a request, the oldest request first. */
     private final Map<SocketAddress, Open> busy = new LinkedHashMap<>();
-    /** The one that has been idle longest comes first. */
+    /** Connections without a request, the longest idle first. */
     private final Map<SocketAddress, Open> idle = new LinkedHashMap<>();
 
-    /** @param next what serves a connection */
+    /** @param next handles the connection */
     Connections(ChannelListener<? super StreamConnection> next) {
         this.next = next;
     }
@@ -39,7 +39,7 @@ final class Connections implements ChannelListener<StreamConnection> {
     /** A connection and its request. */
     private static final class Open {
         private final StreamConnection connection;
-        /** Null for one that is idle. */
+        /** Null for an idle connection. */
         private final HttpServerExchange request;
         private final long since = System.nanoTime();
 
@@ -52,7 +52,7 @@ final class Connections implements ChannelListener<StreamConnection> {
             return System.nanoTime() - since < FRESH;
         }
 
-        /** Neither a web socket nor a call that runs. */
+        /** Returns whether a request or answer is incomplete; never for web sockets and running calls. */
         boolean isStuck() {
             return !request.isUpgrade() && (!request.isRequestComplete() || request.isResponseStarted());
         }
@@ -65,7 +65,7 @@ final class Connections implements ChannelListener<StreamConnection> {
         next.handleEvent(connection);
     }
 
-    /** Answers the connection that must go; null if none has to. */
+    /** Returns the connection to close; null if there is room. */
     private synchronized StreamConnection add(StreamConnection connection) {
         busy.values().removeIf(one -> !one.connection.isOpen());
         idle.values().removeIf(one -> !one.connection.isOpen());
@@ -74,7 +74,10 @@ final class Connections implements ChannelListener<StreamConnection> {
         return closing == null ? null : closing.connection;
     }
 
-    /** Threads add what they have accepted each at its own pace: among those that came within a moment, the newest is not the one that came last. */
+    /**
+     * Accepting threads add connections at their own pace, so among connections of the same moment the last one added
+     * need not be the newest.
+     */
     private Open takeOut() {
         Open longest = idle.isEmpty() ? null : idle.values().iterator().next();
         if (longest == null || longest.isFresh()) {
@@ -88,7 +91,7 @@ final class Connections implements ChannelListener<StreamConnection> {
         return longest;
     }
 
-    /** Knows by the requests which connections are busy: those that become web sockets stay so. */
+    /** Tracks which connections are busy by their requests; web sockets stay busy. */
     HttpHandler watching(HttpHandler handler) {
         return exchange -> {
             SocketAddress address = exchange.getConnection().getPeerAddress();
@@ -114,7 +117,7 @@ final class Connections implements ChannelListener<StreamConnection> {
         }
     }
 
-    /** What was idle has a request now. */
+    /** Marks an idle connection as busy with a request. */
     synchronized void begin(SocketAddress address, HttpServerExchange request) {
         Open open = idle.remove(address);
         if (open != null) {

@@ -11,7 +11,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 
-/** Serves the files of a folder, which may appear, change and vanish at any time; leaves everything else to the next handler. */
+/** Serves the files of a folder, which may change at any time; passes other requests to the next handler. */
 final class DiskHandler implements HttpHandler {
     private final Path root;
     private final HttpHandler next;
@@ -38,7 +38,7 @@ final class DiskHandler implements HttpHandler {
         exchange.getResponseSender().send(ByteBuffer.wrap(Files.readAllBytes(file)));
     }
 
-    /** The file; null if there is none, or if it lies outside of the folder. */
+    /** Returns the file; null if there is none or it is outside the folder. */
     private Path find(String path) throws IOException {
         try {
             Path file = root.resolve(path.replaceFirst("^/+", "")).normalize();

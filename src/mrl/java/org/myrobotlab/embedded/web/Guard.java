@@ -9,8 +9,8 @@ import io.undertow.util.Methods;
 import io.undertow.util.StatusCodes;
 
 /**
- * Stands before everything. Whoever calls this server by another name (DNS rebinding) or from a page of another server is refused, as is each method
- * but GET and POST.
+ * Checks every request. Rejects requests that name this server otherwise (DNS rebinding), requests of other servers'
+ * pages, and all methods except GET and POST.
  */
 final class Guard implements HttpHandler {
     private static final HttpString CONTENT_TYPE_OPTIONS = new HttpString("X-Content-Type-Options");
@@ -40,12 +40,12 @@ final class Guard implements HttpHandler {
         }
     }
 
-    /** Whether a request has a method; {@code post} is not {@code POST}. */
+    /** Returns whether a request has this method; {@code post} is not {@code POST}. */
     static boolean is(HttpServerExchange exchange, HttpString method) {
         return exchange.getRequestMethod().toString().equals(method.toString());
     }
 
-    /** Lets only GET through. */
+    /** Passes only GET. */
     static HttpHandler reading(HttpHandler next) {
         return exchange -> {
             if (is(exchange, Methods.GET)) {
@@ -61,7 +61,7 @@ final class Guard implements HttpHandler {
         refuse(exchange, StatusCodes.METHOD_NOT_ALLOWED, "method " + exchange.getRequestMethod() + " is refused here, legal: " + legal);
     }
 
-    /** Answers with a status and a reason, and ends. */
+    /** Answers with a status and a reason, and ends the request. */
     static void refuse(HttpServerExchange exchange, int status, String why) {
         exchange.setStatusCode(status);
         exchange.getResponseSender().send(why + "\n");

@@ -29,31 +29,34 @@ import org.xnio.XnioExecutor;
 /**
  * Messages between services and open pages, as JSON over a web socket.
  *
- * <p>From a page: {@code {"name":"lidar","method":"connect","data":["COM4",9600]}} calls; {@code {"subscribe":"lidar","topic":"publishScan"}} and
- * {@code {"unsubscribe":...}} begin and end a subscription; {@code "id"} in a call asks for an answer. To a page:
- * {@code {"name":"lidar","method":"onScan","data":[...]}}, {@code {"id":7,"answer":...}} or {@code {"id":7,"error":"..."}}, and
- * {@code {"services":[...]}} when a service comes or goes. Any thread.
+ * <p>From a page: {@code {"name":"lidar","method":"connect","data":["COM4",9600]}} calls a method; {@code
+ * {"subscribe":"lidar","topic":"publishScan"}} and {@code {"unsubscribe":...}} begin and end a subscription;
+ * {@code "id"} in a call asks for an answer. To a page: {@code {"name":"lidar","method":"onScan","data":[...]}}, {@code
+ * {"id":7,"answer":...}} or {@code {"id":7,"error":"..."}}, and {@code {"services":[...]}} when a service starts or
+ * stops. Any thread.
  */
 public final class Hub {
     private static final Logger LOG = LoggerFactory.getLogger(Hub.class);
-    /** Each may keep a message of {@link RequestBody#LONGEST} in memory while it comes in. */
+    /** Limit of open pages; each may hold a message of {@link RequestBody#LONGEST} in memory while it arrives. */
     private static final int MAX_PAGES = 32;
-    /** A page is asked so often whether it is there; where it can't be reached for a quarter of an hour, the system closes its connection. */
+    /**
+     * Interval of pings, s. After a quarter of an hour without a route to the page the system closes the connection.
+     */
     private static final int PING_SECONDS = 10;
-    /** One that has not answered for so long makes way for another: of a computer that has vanished nothing else tells. */
+    /** Silence after which a page may be replaced, ns; nothing else shows that its computer is gone. */
     private static final long SILENT_NANOS = TimeUnit.SECONDS.toNanos(60);
-    /** Why a web socket is closed, as registered for RFC 6455. */
+    /** Close code of web sockets, registered for RFC 6455. */
     private static final int TRY_AGAIN_LATER = 1013;
-    /** What a slow page gets all the same: the next one of these may be long in coming. */
+    /** Topics that slow pages get nevertheless, because the next message may be long in coming. */
     private static final Set<String> NEVER_LEFT_OUT = Set.of("publishState", "publishStatus", "getBundle");
 
     private final String listener;
     private final LongSupplier clock;
     private final Set<PageClient> clients = ConcurrentHashMap.newKeySet();
-    /** Names of the services of which pages were told. */
+    /** Services that pages know. */
     private final Set<String> reported = ConcurrentHashMap.newKeySet();
 
-    /** @param listener name of the service that listens in place of the pages, and gives what it hears to {@link #forward} */
+    /** @param listener name of the service that listens for the pages and passes messages to {@link #forward} */
     public Hub(String listener) {
         this(listener, System::nanoTime);
     }
@@ -65,9 +68,9 @@ public final class Hub {
     }
 
     /**
-     * A page has come.
+     * Connects a page.
      *
-     * @param calls where what it calls runs
+     * @param calls runs the page's calls
      */
     void connect(WebSocketChannel channel, PageCalls calls) {
         PageClient client = new PageClient(channel, clock);
@@ -91,11 +94,11 @@ public final class Hub {
         };
         channel.addCloseTask(closed -> gone.run());
         if (!channel.isOpen()) {
-            gone.run();     // it was closed before the task was there
+            gone.run();     // closed before the close task was set
         }
         client.send(services());
         channel.getReceiveSetter().set(new AbstractReceiveListener() {
-            /** Undertow throws at a length of 2^63 and more, and reads no further: nobody would see that the page has gone. */
+            /** Undertow throws at a length of 2^63 and more, and stops reading: the page's end would go unnoticed. */
             @Override
             public void handleEvent(WebSocketChannel from) {
                 client.hear();
@@ -121,7 +124,7 @@ public final class Hub {
         channel.resumeReceives();
     }
 
-    /** Answers whether a page was silent for so long that it had to go: the one that was for the longest time. */
+    /** Closes the page that has been silent longest, if it is over the limit; returns whether it did. */
     private boolean closeSilent() {
         PageClient silent = clients.stream().max(Comparator.comparingLong(PageClient::silence))
             .filter(one -> one.silence() > SILENT_NANOS).orElse(null);
@@ -134,7 +137,7 @@ public final class Hub {
         return true;
     }
 
-    /** Nobody reads from the channel any more, so nobody would see that its page has gone: it is closed at once when the reason is sent. */
+    /** Closes the channel as soon as the reason is sent: without a reader the page's end would go unnoticed. */
     private static void refuse(WebSocketChannel channel) {
         WebSockets.sendClose(TRY_AGAIN_LATER, MAX_PAGES + " pages are open, the most that may", channel, new WebSocketCallback<Void>() {
             @Override
@@ -174,7 +177,7 @@ public final class Hub {
         return (String) value;
     }
 
-    /** A list; an empty one if there is none. */
+    /** Returns a list, which is empty if the key is missing. */
     private static List<?> list(Map<?, ?> msg, String key) {
         Object value = msg.get(key);
         if (value != null && !(value instanceof List)) {
@@ -190,7 +193,7 @@ public final class Hub {
 
     private synchronized void subscribe(PageClient client, String name, String topic) {
         if (!clients.contains(client)) {
-            return;     // what it has sent before it went is worked off after that, and nobody would end the subscription
+            return;     // a message of a closed page; no one would end this subscription
         }
         client.subscribe(name, topic);
         ServiceInterface service = Runtime.getService(name);
@@ -214,7 +217,10 @@ public final class Hub {
         Runtime.getServices().forEach(service -> client.topicsOf(service.getName()).forEach(topic -> leave(service, topic)));
     }
 
-    /** What no page wants any more is no longer heard. Only the Runtime is: of it the WebGui itself wants to know who comes and goes. */
+    /**
+     * Stops listening to a topic that no page wants any more, except those of the Runtime, which the WebGui itself
+     * needs.
+     */
     private void leave(ServiceInterface service, String topic) {
         if (!(service instanceof Runtime) && clients.stream().noneMatch(client -> client.wants(service.getName(), topic))) {
             service.removeListener(topic, listener, CodecUtils.getCallbackTopicName(topic));
@@ -222,8 +228,9 @@ public final class Hub {
     }
 
     /**
-     * Calls without "id" run on the service's own thread, in the page's order; calls that want an answer run beside each other. A page that was told
-     * of a service may call it before it hears that it has gone, as the ports of a simulation go: then there is nobody to hear it, and no error.
+     * Calls without "id" run on the service's own thread, in the page's order; calls with "id" run in parallel. A page
+     * may call a service that has just been released, such as a port of a simulation. Such a call without "id" is
+     * ignored, not an error.
      */
     private void call(PageClient client, PageCalls calls, Object id, String name, String method, List<?> data) {
         ServiceInterface service = Runtime.getService(name);
@@ -259,7 +266,7 @@ public final class Hub {
         return Json.write(reply);
     }
 
-    /** Gives what a service published to the pages that listen to it. */
+    /** Sends a published message to the pages that listen. */
     public void forward(Message msg) {
         String name = CodecUtils.getShortName(msg.sender);
         String text = null;
@@ -288,7 +295,7 @@ public final class Hub {
             service.addListener(topic, listener, CodecUtils.getCallbackTopicName(topic))));
     }
 
-    /** Tells all pages which services there are. One that has just been registered is listened to before a page can see it. */
+    /** Sends the list of services to all pages. Subscribes to new services first, before a page can see them. */
     public void reportServices() {
         String text = services();
         Runtime.getServices().forEach(this::listen);

@@ -7,18 +7,18 @@ import java.util.List;
 import org.myrobotlab.embedded.Json;
 import org.myrobotlab.embedded.Methods;
 
-/** Finds what a call with arguments from JSON means in Java. */
+/** Converts the arguments of a JSON call to Java. */
 final class JsonCall {
-    /** Characters of the arguments, and as many of the reason, in a message. */
+    /** Limits of the arguments and of the reason in a message, in characters. */
     private static final int LONGEST = 500;
 
     private JsonCall() {
     }
 
     /**
-     * The arguments as a method of that name takes them.
+     * Returns the arguments in the types of a method of that name.
      *
-     * @throws IllegalArgumentException if there is no such method
+     * @throws IllegalArgumentException if no method fits
      */
     static Object[] arguments(Class<?> type, String method, List<?> json) {
         Object[] plain = json.toArray();
@@ -46,7 +46,8 @@ final class JsonCall {
     private static Object[] converted(Type[] types, Object... plain) {
         Object[] converted = Arrays.copyOf(plain, plain.length);
         for (int i = 0; i < types.length; i++) {
-            if (plain[i] == null && types[i] instanceof Class && ((Class<?>) types[i]).isPrimitive()) {    // what JavaScript makes of NaN, not 0
+            // JavaScript sends NaN as null; must not become 0
+            if (plain[i] == null && types[i] instanceof Class && ((Class<?>) types[i]).isPrimitive()) {
                 throw new IllegalArgumentException("argument " + (i + 1) + " is null, legal: a value of type " + types[i].getTypeName());
             }
             converted[i] = Json.convert(plain[i], types[i]);

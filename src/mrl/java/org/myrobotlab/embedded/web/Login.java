@@ -17,9 +17,10 @@ import org.myrobotlab.logging.LoggerFactory;
 import org.slf4j.Logger;
 
 /**
- * Stands before every page, file, call and web socket where a {@link Token} is asked for. The token comes in a link, {@code /?token=...}, which a
- * browser opens once, from the form of the login page, or in the header {@code Authorization: Bearer ...} of a program; nowhere else. A browser gets
- * a cookie for it, which is not the token, is named by the port, and is good for the address that the token came from.
+ * Checks the {@link Token}, if there is one, before every page, file, call and web socket. The token comes in a link,
+ * {@code /?token=...}, from the form of the login page, or in a program's header {@code Authorization: Bearer ...}; not
+ * otherwise. A browser gets a cookie in exchange. The cookie does not reveal the token, is named after the port, and is
+ * valid only for the client address.
  */
 final class Login implements HttpHandler {
     private static final Logger LOG = LoggerFactory.getLogger(Login.class);
@@ -32,7 +33,7 @@ final class Login implements HttpHandler {
     private static final String FORM = "/login";
     private static final String CALLS = "/api";
     private static final String HTML = "text/html";
-    /** Of a form that is sent, bytes. */
+    /** Limit of the submitted form, bytes. */
     private static final int LONGEST = 1000;
     private static final String WRONG = "This is not the token of this server.";
     private static final String TOO_MANY = "Too many wrong tokens have come from your address. Try again in a minute.";
@@ -76,7 +77,7 @@ final class Login implements HttpHandler {
         }
     }
 
-    /** The token of a link to the first page; null if there is none. */
+    /** Returns the token of a link to the first page; null if there is none. */
     private static String inLink(HttpServerExchange exchange) {
         Deque<String> values = exchange.getQueryParameters().get(TOKEN);
         boolean isLink = values != null && Guard.is(exchange, Methods.GET) && exchange.getRequestPath().equals("/");
@@ -102,7 +103,7 @@ final class Login implements HttpHandler {
         }
     }
 
-    /** The right one always comes in, unless it is so short that it could be guessed: then nobody guesses on after too many wrong ones. */
+    /** The right token always passes, except a short one after too many wrong attempts: that limits guessing. */
     private int judge(HttpServerExchange exchange, String given) {
         InetAddress from = exchange.getSourceAddress().getAddress();
         boolean isOver = attempts.isOver(from);
@@ -115,7 +116,7 @@ final class Login implements HttpHandler {
         return isOver ? StatusCodes.TOO_MANY_REQUESTS : StatusCodes.UNAUTHORIZED;
     }
 
-    /** The cookie of another port of this computer has another name: a browser sends them all to all. */
+    /** Returns the name of this port's cookie; browsers send the cookies of one host to all its ports. */
     private static String cookieName(String host) {
         int colon = host.lastIndexOf(':');
         return "sear" + (colon > host.lastIndexOf(']') ? "-" + host.substring(colon + 1) : "");
@@ -130,7 +131,7 @@ final class Login implements HttpHandler {
         return exchange.getRequestHeaders().getFirst(Headers.HOST);
     }
 
-    /** One of several of the same name is enough: pages of other ports may add some. */
+    /** Accepts one right cookie among several of the same name, because pages of other ports may add some. */
     private boolean hasCookie(HttpServerExchange exchange) {
         List<String> headers = exchange.getRequestHeaders().get(Headers.COOKIE);
         if (headers == null) {
@@ -148,7 +149,8 @@ final class Login implements HttpHandler {
     }
 
     /**
-     * What a link or the form is answered. The way on is a page's own: a cookie that is so strict is not sent to where another page's link redirects.
+     * Answers a link or the form. The page itself leads on: a strict cookie is not sent along a redirect from another
+     * page's link.
      */
     private void enter(HttpServerExchange exchange, int status) {
         if (status == StatusCodes.OK) {
@@ -160,7 +162,7 @@ final class Login implements HttpHandler {
         }
     }
 
-    /** Who has neither token nor cookie gets the login page, if it is a person. */
+    /** Answers a request without token and cookie; users get the login page. */
     private static void ask(HttpServerExchange exchange, int status) {
         exchange.getResponseHeaders().put(Headers.WWW_AUTHENTICATE, BEARER.trim());
         String accepted = exchange.getRequestHeaders().getFirst(Headers.ACCEPT);

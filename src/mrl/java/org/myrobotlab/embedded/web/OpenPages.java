@@ -5,7 +5,7 @@ import java.io.InputStream;
 import java.util.concurrent.TimeUnit;
 
 /**
- * How many pages browsers have open, of all web servers of this process; and a script's waiting for the last one to go:
+ * Counts the pages open in browsers, for all web servers of this process. A script can wait for the last one to close:
  * {@code OpenPages.stay(True, 5)}. Any thread.
  */
 public final class OpenPages {
@@ -15,12 +15,12 @@ public final class OpenPages {
     private OpenPages() {
     }
 
-    /** One has connected. */
+    /** Counts a page that has connected. */
     static void come() {
         change(1);
     }
 
-    /** One has gone. */
+    /** Counts a page that has closed. */
     static void go() {
         change(-1);
     }
@@ -32,7 +32,7 @@ public final class OpenPages {
         }
     }
 
-    /** How many are open. */
+    /** Returns the number of open pages. */
     public static int count() {
         synchronized (LOCK) {
             return count;
@@ -40,11 +40,11 @@ public final class OpenPages {
     }
 
     /**
-     * Waits until the last page has gone, at a terminal also until Enter. Returns at once if no page is open and nobody sits at a terminal, who could
-     * open one.
+     * Waits until the last page is closed, at a terminal also until Enter. Returns immediately if no page is open and
+     * no terminal is attached.
      *
-     * @param atTerminal whether somebody sits at one; nobody does any more when its input has ended
-     * @param grace seconds after which a page that has gone was closed, not loaded again
+     * @param atTerminal whether to read from a terminal; the end of its input counts as none
+     * @param grace seconds after which a page counts as closed, not as reloading
      */
     public static void stay(boolean atTerminal, double grace) throws InterruptedException {
         stay(atTerminal ? System.in : InputStream.nullInputStream(), grace);
@@ -76,7 +76,7 @@ public final class OpenPages {
         }
     }
 
-    /** Reads a terminal on a thread of its own, for nothing ends a read there; guarded by {@link #LOCK}. */
+    /** Reads a terminal on its own thread, because such a read can't be interrupted; guarded by {@link #LOCK}. */
     private static final class Enter {
         private boolean isPressed;
         private boolean isOver;

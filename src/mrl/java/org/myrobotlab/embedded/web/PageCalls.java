@@ -9,10 +9,11 @@ import org.myrobotlab.logging.LoggerFactory;
 import org.slf4j.Logger;
 
 /**
- * Runs what pages and programs call. A call may take as long as a script does, so none of them runs on the threads that serve pages. Any thread.
+ * Runs the calls of pages and programs. A call may last as long as a script, so none runs on the threads that serve
+ * pages. Any thread.
  */
 final class PageCalls {
-    /** Calls that may run at the same time. */
+    /** Limit of parallel calls. */
     static final int MOST = 64;
     static final String FULL = "there are " + MOST + " calls running already, the most that may: wait until one has ended";
 
@@ -39,20 +40,20 @@ final class PageCalls {
     }
 
     /**
-     * Takes one of the places for calls.
+     * Reserves one of the places for calls.
      *
-     * @return whether there was one; then {@link #leave} must follow
+     * @return whether one was free; {@link #leave} must follow then
      */
     boolean enter() {
         return free.tryAcquire();
     }
 
-    /** Gives the place back. */
+    /** Frees the place. */
     void leave() {
         free.release();
     }
 
-    /** Has work done on a thread of its own, unless the server has ended. */
+    /** Runs work on its own thread, unless the server has ended. */
     void execute(Runnable work) {
         try {
             threads.execute(work);
@@ -61,7 +62,7 @@ final class PageCalls {
         }
     }
 
-    /** Breaks off all calls but the one that this comes from, if it does. */
+    /** Cancels all calls, except the call that runs this method. */
     void stop() {
         if (isOwn.get() == null) {
             threads.shutdownNow();

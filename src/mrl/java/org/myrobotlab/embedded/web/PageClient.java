@@ -18,19 +18,19 @@ import org.xnio.IoUtils;
 
 /** A page that is open in a browser. Any thread. */
 final class PageClient {
-    /** Values of a topic that may wait for a slow page; those that come then are left out. */
+    /** Limit of waiting values per topic; a slow page misses further ones. */
     private static final int MAX_WAITING = 200;
-    /** Characters that may wait for a page; one that lets more pile up does not read, and is closed. */
+    /** Limit of unsent characters; beyond it the page counts as not reading and is closed. */
     private static final long MAX_UNREAD = 32L << 20;
-    /** Messages of a page that wait until those before them are done; the page's connection waits with more. */
+    /** Limit of a page's messages that wait for their turn; further ones wait in the connection. */
     private static final int MAX_TASKS = 100;
     private static final int MAX_TOPICS = 10_000;
 
     private final WebSocketChannel channel;
     private final Set<String> topics = ConcurrentHashMap.newKeySet();
-    /** What is still to be done; the first is being done. */
+    /** Pending work; the first is in progress. */
     private final Queue<Runnable> tasks = new ArrayDeque<>();
-    /** By topic, what the page has not taken yet: bytes of a serial port, one message each, must not crowd out a scan. */
+    /** Unsent values by topic: the single bytes of a serial port must not crowd out scans. */
     private final Map<String, AtomicInteger> waiting = new ConcurrentHashMap<>();
     private final AtomicLong unread = new AtomicLong();
     private final AtomicInteger pings = new AtomicInteger();
@@ -44,24 +44,24 @@ final class PageClient {
         heard = clock.getAsLong();
     }
 
-    /** Asks the page whether it is there, unless the last such question has not even been sent yet. */
+    /** Sends a ping, unless the last one is still unsent. */
     void ping() {
         if (pings.get() == 0) {
             WebSockets.sendPing(ByteBuffer.allocate(0), channel, new Sent(pings, 0));
         }
     }
 
-    /** Something has come from the page. */
+    /** Notes that the page has sent something. */
     void hear() {
         heard = clock.getAsLong();
     }
 
-    /** Nanoseconds since then. */
+    /** Returns the time since the page sent something, ns. */
     long silence() {
         return clock.getAsLong() - heard;
     }
 
-    /** Ends the connection, without a word to who may not be there any more. */
+    /** Closes the connection without a close message. */
     void close() {
         IoUtils.safeClose(channel);
     }
@@ -79,7 +79,7 @@ final class PageClient {
         }
     }
 
-    /** Sends one of many values of a topic; leaves it out while the page can't keep up with that topic. */
+    /** Sends a value of a topic, or drops it if the page is too slow for the topic. */
     void sendValue(String service, String topic, String text) {
         AtomicInteger count = waiting.computeIfAbsent(service + "/" + topic, unused -> new AtomicInteger());
         if (count.get() < MAX_WAITING) {
@@ -87,7 +87,7 @@ final class PageClient {
         }
     }
 
-    /** Has work done after all that was given before: parts of an upload must not overtake each other. */
+    /** Runs work after all earlier work: parts of an upload must stay in order. */
     void inOrder(Executor worker, Runnable work) {
         synchronized (tasks) {
             tasks.add(work);
@@ -139,7 +139,7 @@ final class PageClient {
         return topics.contains(service + "/" + topic);
     }
 
-    /** The topics of a service that the page listens to. */
+    /** Returns the topics of a service that the page listens to. */
     Set<String> topicsOf(String service) {
         Set<String> found = new TreeSet<>();
         String prefix = service + "/";
@@ -147,7 +147,7 @@ final class PageClient {
         return found;
     }
 
-    /** Counts a message from when it is sent until it is gone, or the page is. */
+    /** Counts a message from its sending until it is delivered or has failed. */
     private final class Sent implements WebSocketCallback<Void> {
         private final AtomicInteger count;
         private final int length;

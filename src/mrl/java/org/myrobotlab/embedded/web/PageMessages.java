@@ -1,11 +1,11 @@
 package org.myrobotlab.embedded.web;
 
-/** What services publish, in the form in which pages get it. */
+/** Converts published data for pages. */
 final class PageMessages {
     private PageMessages() {
     }
 
-    /** Bytes become numbers from -128 to 127, as scripts get them. */
+    /** Converts bytes to numbers from -128 to 127, as scripts get them. */
     static Object[] data(Object... values) {
         Object[] data = new Object[values.length];
         for (int i = 0; i < data.length; i++) {

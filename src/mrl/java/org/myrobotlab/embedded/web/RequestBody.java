@@ -10,13 +10,13 @@ import java.util.function.BiConsumer;
 import org.xnio.IoUtils;
 
 /**
- * Receives the body of one request without a thread that waits for it, and hands it on when it is whole. What all bodies together hold while they
- * come in is limited, as is by {@link Connections} the time that each may take.
+ * Receives the body of a request without a waiting thread and passes it on when complete. Limits the memory of all
+ * incomplete bodies; {@link Connections} limits the time of each.
  */
 final class RequestBody {
-    /** Of one body, bytes. */
+    /** Limit of one body, bytes. */
     static final int LONGEST = 16 << 20;
-    /** Of all bodies that are on their way, bytes. */
+    /** Limit of all incomplete bodies, bytes. */
     private static final int LARGEST_SUM = 64 << 20;
     private static final Semaphore ROOM = new Semaphore(LARGEST_SUM);
 
@@ -29,7 +29,7 @@ final class RequestBody {
     }
 
     /**
-     * On a connection's own thread.
+     * Receives a body on the connection's own thread.
      *
      * @param taker gets the text, on that thread
      */
@@ -76,8 +76,8 @@ final class RequestBody {
     }
 
     /**
-     * The taker gets it when this connection's thread has left the receiver: an answer that another thread gives while the receiver still returns can
-     * leave the connection asleep, and the next request on it is never read.
+     * Calls the taker after this connection's thread has left the receiver. If another thread answered while the
+     * receiver still returns, the connection could stay suspended and never read its next request.
      */
     private void handOn(HttpServerExchange exchange) {
         String text = whole();
@@ -86,7 +86,7 @@ final class RequestBody {
         }
     }
 
-    /** The text, null if it was refused. */
+    /** Returns the text; null if the body was rejected. */
     private synchronized String whole() {
         if (isRefused) {
             return null;

@@ -18,11 +18,12 @@ import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.Runtime;
 
 /**
- * Calls over HTTP: {@code POST /api/service/NAME/METHOD} with a JSON list of arguments as body; the answer is JSON. {@code GET /api/service} lists
- * the services, {@code GET /api/service/NAME} is a service's state, and {@code GET /api/service/NAME/METHOD/ARG/...} answers what a few methods read.
+ * Calls over HTTP: {@code POST /api/service/NAME/METHOD} with a JSON list of arguments as body; the answer is JSON.
+ * {@code GET /api/service} lists the services, {@code GET /api/service/NAME} returns a service's state, and
+ * {@code GET /api/service/NAME/METHOD/ARG/...} calls one of a few methods that only read.
  */
 final class RestHandler implements HttpHandler {
-    /** Methods that change nothing, whatever service has them. */
+    /** Methods that change nothing, in any service. */
     private static final Set<String> READING = Set.of("getName", "getType", "getSimpleName", "getMethodNames", "isRunning", "isConnected",
         "isSimulating", "isPaused", "isLockStep", "getTime", "getSensorNames", "getSensorUnit", "getReading", "getPose", "getDistanceResult",
         "getLidarResult", "getGpsResult", "getCompassResult", "getAccelResult", "getGyroResult", "getPortNames", "getUnit", "getServiceNames");
@@ -50,7 +51,7 @@ final class RestHandler implements HttpHandler {
         }
     }
 
-    /** Something that may fail as a called method does. */
+    /** An answer that may fail as a called method does. */
     private interface Answer {
         String get();
     }
@@ -116,8 +117,8 @@ final class RestHandler implements HttpHandler {
     }
 
     /**
-     * A text in quotes is JSON, as MyRobotLab takes it, any other is what it says: a sensor called {@code 1.50} or {@code null} is no number and not
-     * nothing. Of what is encoded in a path, Undertow leaves slashes alone.
+     * Reads a quoted argument as JSON, as MyRobotLab does, and any other as text: a sensor may be called {@code 1.50}
+     * or {@code null}. Undertow decodes the path except for slashes.
      */
     private static Object value(String inPath) {
         String text = inPath.replaceAll("(?i)%2F", "/");

@@ -10,8 +10,8 @@ import org.xnio.ChannelListener;
 import org.xnio.IoUtils;
 
 /**
- * Reads one text of a web socket and hands it on when it is whole. Counts as the fragments come in: Undertow's own buffer looks at the length of a
- * message only when its end has come. On the connection's own thread.
+ * Reads a text message of a web socket and passes it on when complete. Limits its length while fragments arrive;
+ * Undertow's own buffer checks the length only at the end. The connection's own thread.
  */
 final class TextReader implements ChannelListener<StreamSourceFrameChannel> {
     private static final int PIECE = 1 << 13;
@@ -20,7 +20,7 @@ final class TextReader implements ChannelListener<StreamSourceFrameChannel> {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private final int longest;
     private final Consumer<String> taker;
-    /** Nothing more is read: the text is whole, or the web socket is closed. */
+    /** Whether the text is complete or the web socket is closed. */
     private boolean isDone;
 
     private TextReader(int longest, Consumer<String> taker) {
@@ -29,7 +29,7 @@ final class TextReader implements ChannelListener<StreamSourceFrameChannel> {
     }
 
     /**
-     * Reads what is there and comes in.
+     * Reads a text as it arrives.
      *
      * @param longest bytes; a longer text closes the web socket
      */
@@ -66,7 +66,7 @@ final class TextReader implements ChannelListener<StreamSourceFrameChannel> {
         }
     }
 
-    /** While bytes of a text that nobody reads are left, Undertow calls its reader again and again, also after its web socket is closed. */
+    /** Suspends reads: Undertow calls the reader of unread bytes repeatedly, even after its web socket is closed. */
     private void close(StreamSourceFrameChannel text) {
         isDone = true;
         text.suspendReads();

@@ -22,14 +22,14 @@ import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
 /**
- * What callers must know when the user asked for it with {@code --token}: 192 random bits, new with each start, or what stands in a file of the user.
- * Any thread.
+ * The secret that callers need when the user asks for it with {@code --token}: 192 random bits, new at each start, or
+ * the content of a user's file. Any thread.
  */
 public final class Token {
-    /** Characters of the shortest that may be given. */
+    /** Minimum length of a given token, characters. */
     public static final int SHORTEST = 16;
     private static final int LONGEST = 200;
-    /** Characters of one that nobody guesses, however often. */
+    /** Length from which guessing is hopeless, characters. */
     private static final int LONG = 32;
     private static final int BYTES = 24;
     private static final String MAC = "HmacSHA256";
@@ -38,7 +38,7 @@ public final class Token {
     private static volatile Token current = new Token(null);
 
     private final String text;
-    /** What cookies are made of: of a short token it is no help in guessing that. */
+    /** Key of the cookies; random for a short token, so that cookies don't help to guess it. */
     private final byte[] key;
 
     private Token(String text) {
@@ -52,20 +52,20 @@ public final class Token {
         return bytes;
     }
 
-    /** A new one: letters, digits, - and _. */
+    /** Returns a new token: letters, digits, - and _. */
     public static String make() {
         return Base64.getUrlEncoder().withoutPadding().encodeToString(random());
     }
 
-    /** What servers that start now ask for. */
+    /** Returns the token of servers that start now. */
     public static Token current() {
         return current;
     }
 
     /**
-     * From now on servers that start ask for a token.
+     * Makes servers that start from now on require a new token.
      *
-     * @return that
+     * @return the token
      */
     public static Token require() {
         current = new Token(make());
@@ -73,11 +73,11 @@ public final class Token {
     }
 
     /**
-     * From now on servers that start ask for the token in a file.
+     * Makes servers that start from now on require the token in a file.
      *
-     * @return that
-     * @throws IOException if the file can't be read, or others may read it, too
-     * @throws IllegalArgumentException if what stands in it is no token
+     * @return the token
+     * @throws IOException if the file can't be read, or other users may read it
+     * @throws IllegalArgumentException if the file does not contain a legal token
      */
     public static Token require(Path file) throws IOException {
         PosixFileAttributeView posix = Files.getFileAttributeView(file, PosixFileAttributeView.class);
@@ -93,32 +93,36 @@ public final class Token {
         return current;
     }
 
-    /** From now on servers that start ask for none. */
+    /** Makes servers that start from now on require no token. */
     public static void dismiss() {
         current = new Token(null);
     }
 
-    /** Whether a caller who gave this may call; always if no token is asked for. Takes as long for a wrong one as for the right one. */
+    /** Returns whether a caller with this token may call; always true if none is required. Takes constant time. */
     boolean fits(String given) {
         return text == null || isSame(text, given);
     }
 
-    /** Whether two texts are the same, in a time that says nothing of where they differ. */
+    /** Returns whether two texts are equal, in a time that does not depend on where they differ. */
     static boolean isSame(String right, String given) {
         return MessageDigest.isEqual(right.getBytes(StandardCharsets.UTF_8), given.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** Whether one must be known at all. */
+    /** Returns whether a token is required. */
     public boolean isAskedFor() {
         return text != null;
     }
 
-    /** Whether it is so long that nobody guesses it, however often. */
+    /** Returns whether the token is too long to be guessed. */
     boolean isLong() {
         return text.length() >= LONG;
     }
 
-    /** What is given to who has shown the token, and tells nothing of it: for something that it is good for, as an address. */
+    /**
+     * Returns a cookie for a caller who has shown the token; it does not reveal the token.
+     *
+     * @param goodFor what the cookie is valid for, such as an address
+     */
     String cookie(String goodFor) {
         try {
             Mac mac = Mac.getInstance(MAC);
@@ -129,13 +133,13 @@ public final class Token {
         }
     }
 
-    /** The token; letters, digits, - and _. */
+    /** Returns the token; null if none is required. */
     public String text() {
         return text;
     }
 
     /**
-     * Writes the token into the file {@code .sear/token-PORT} of the user's home folder, which only that user can read.
+     * Writes the token to the file {@code .sear/token-PORT} in the user's home folder, readable by that user only.
      *
      * @return the file
      */

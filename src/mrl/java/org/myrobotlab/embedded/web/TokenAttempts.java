@@ -8,14 +8,14 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 
-/** Wrong tokens, counted for each address that they come from. Any thread. */
+/** Counts wrong tokens by client address. Any thread. */
 final class TokenAttempts {
-    /** Wrong ones in a window after which an address has to wait. */
+    /** Wrong attempts in a window after which an address has to wait. */
     static final int MOST = 10;
     static final int WINDOW_SECONDS = 60;
-    /** Addresses that are remembered; the oldest is forgotten first. */
+    /** Limit of remembered addresses; the oldest is forgotten first. */
     private static final int ADDRESSES = 1000;
-    /** Of an IPv6 address, what a network gives to one house or computer. */
+    /** Bytes of an IPv6 address that usually identify one household or computer. */
     private static final int PREFIX = 8;
 
     private final Map<String, long[]> windows = new LinkedHashMap<>() {
@@ -38,22 +38,24 @@ final class TokenAttempts {
         return Arrays.toString(address instanceof Inet6Address ? Arrays.copyOf(bytes, PREFIX) : bytes);
     }
 
-    /** When the window of an address began and how many wrong ones it has; a new one where there is none that goes on. */
+    /**
+     * Returns the start of an address's window and its number of wrong attempts; a new window if the last one is over.
+     */
     private long[] window(InetAddress address) {
         long[] window = windows.get(key(address));
         boolean goesOn = window != null && nanos.getAsLong() - window[0] < TimeUnit.SECONDS.toNanos(WINDOW_SECONDS);
         return goesOn ? window : new long[] {nanos.getAsLong(), 0};
     }
 
-    /** Whether an address has to wait until its window has passed. */
+    /** Returns whether an address has to wait for the end of its window. */
     synchronized boolean isOver(InetAddress address) {
         return window(address)[1] >= MOST;
     }
 
     /**
-     * One more wrong one.
+     * Counts a wrong attempt.
      *
-     * @return whether this is the one after which the address has to wait
+     * @return whether the address has to wait from now on
      */
     synchronized boolean count(InetAddress address) {
         long[] window = window(address);

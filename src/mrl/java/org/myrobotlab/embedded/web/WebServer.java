@@ -31,22 +31,23 @@ import org.xnio.XnioWorker;
 import org.xnio.channels.AcceptingChannel;
 
 /**
- * Serves pages, panels and calls to browsers on this machine, and to nobody else unless {@link Address} and {@link Token} say so. Any thread.
+ * Serves pages, panels and calls to browsers on this computer; others need what {@link Address} and {@link Token} say.
+ * Any thread.
  */
 public final class WebServer {
     private static final String API = "/api";
-    /** A folder with nothing in it that is not served: no classes. */
+    /** Folder of pages on the class path; contains no classes. */
     private static final String PAGES = "org/myrobotlab/embedded/pages";
     private static final String WEB_JARS = "META-INF/resources/webjars/";
     private static final String WEB_JAR_POM = "META-INF/maven/org.webjars/";
     private static final List<String> LIBRARIES = List.of("angularjs", "bootstrap", "jquery");
-    /** More than one, so that what keeps one of them from its work does not stop the server. */
+    /** Two, so that a blocked one does not stop the server. */
     private static final int IO_THREADS = 2;
     private static final int WORKERS = 8;
-    /** Connections that are open at the same time when all have a request; more wait until one is closed. */
+    /** Limit of open connections when all have a request; further ones wait. */
     private static final int MAX_CONNECTIONS = 2 * Connections.MOST;
     private static final int BUFFER = 1 << 14;
-    /** Connections that wait for their turn. */
+    /** Limit of connections that wait to be accepted. */
     private static final int BACKLOG = 1000;
     private static final int HEADERS_MILLIS = 30_000;
     private static final int IDLE_MILLIS = 60_000;
@@ -59,8 +60,9 @@ public final class WebServer {
     private final int port;
 
     /**
-     * @param folders on the disk that panels come from; the first that has a file wins.
-     * @throws IOException if the port is taken, the address is none of this computer's, or others would reach it without a token
+     * @param folders folders on disk with panels; the first that has a file wins
+     * @throws IOException if the port is taken, the address is not one of this computer, or other computers could
+     *     connect without a token
      */
     public WebServer(int port, List<String> folders, Hub hub) throws IOException {
         this.port = port;
@@ -85,7 +87,7 @@ public final class WebServer {
             .set(Options.WORKER_TASK_CORE_THREADS, WORKERS).set(Options.WORKER_TASK_MAX_THREADS, WORKERS).set(Options.TCP_NODELAY, true)
             .set(Options.WORKER_NAME, "web server " + port).getMap());
         http = new HttpOpenListener(new DefaultByteBufferPool(true, BUFFER), OptionMap.builder()
-            .set(UndertowOptions.BUFFER_PIPELINED_DATA, true).set(UndertowOptions.MAX_ENTITY_SIZE, -1L)    // RequestBody has its own
+            .set(UndertowOptions.BUFFER_PIPELINED_DATA, true).set(UndertowOptions.MAX_ENTITY_SIZE, -1L)    // RequestBody has its own limit
             .set(UndertowOptions.REQUEST_PARSE_TIMEOUT, HEADERS_MILLIS).set(UndertowOptions.NO_REQUEST_TIMEOUT, IDLE_MILLIS).getMap());
         Connections connections = new Connections(http);
         http.setRootHandler(connections.watching(new Guard(new Login(paths, Token.current(), names), names)));
@@ -93,7 +95,7 @@ public final class WebServer {
         server.resumeAccepts();
     }
 
-    /** A library of the pages, whatever its version. */
+    /** Serves a library of the pages in the version on the class path. */
     private static ResourceHandler library(String name) throws IOException {
         Properties about = new Properties();
         try (InputStream in = WebServer.class.getClassLoader().getResourceAsStream(WEB_JAR_POM + name + "/pom.properties")) {
@@ -106,7 +108,7 @@ public final class WebServer {
         return new ResourceHandler(new ClassPathResourceManager(WebServer.class.getClassLoader(), folder));
     }
 
-    /** Panels of plug-ins whose folder of resources is not there. */
+    /** Serves panels of plug-ins from the class path, for lack of their resource folder. */
     private static HttpHandler classPath(String folder, HttpHandler next) {
         HttpHandler files = new ResourceHandler(new ClassPathResourceManager(WebServer.class.getClassLoader(), folder), next);
         return exchange -> (exchange.getRelativePath().endsWith("/") ? next : files).handleRequest(exchange);
@@ -117,13 +119,13 @@ public final class WebServer {
         return new ResourceHandler(pages, WebServer::missing).setWelcomeFiles("index.html");
     }
 
-    /** A panel that a service doesn't have is empty, as in MyRobotLab. */
+    /** Answers a missing panel of a service with an empty page, as MyRobotLab does. */
     private static void missing(HttpServerExchange exchange) {
         exchange.setStatusCode(exchange.getRelativePath().startsWith("/service/") ? StatusCodes.OK : StatusCodes.NOT_FOUND);
         exchange.endExchange();
     }
 
-    /** Panels may change on the disk at any time. */
+    /** Disables caching: panels may change on disk at any time. */
     private static HttpHandler fresh(HttpHandler next) {
         return exchange -> {
             exchange.getResponseHeaders().put(Headers.CACHE_CONTROL, "no-cache");
@@ -148,7 +150,7 @@ public final class WebServer {
         }
     }
 
-    /** Closes all connections and ends all threads; the one that a page's own call of this comes on ends after that call. */
+    /** Closes all connections and ends all threads; the thread of a page's call of this method ends after that call. */
     public void stop() {
         IoUtils.safeClose(server);
         http.closeConnections();

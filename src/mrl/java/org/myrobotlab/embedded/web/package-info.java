@@ -1,6 +1,6 @@
 /**
- * The web server of the embedded MyRobotLab, on the loopback address unless told otherwise: pages, REST calls, messages over a WebSocket, and who may
- * call. May use
- * {@code org.myrobotlab.embedded} and what it uses. The server's own threads.
+ * The web server of the embedded MyRobotLab: pages, REST calls, messages over web sockets, and access control. It
+ * listens on the loopback address by default. May use {@code org.myrobotlab.embedded} and its dependencies. The
+ * server's own threads.
  */
 package org.myrobotlab.embedded.web;

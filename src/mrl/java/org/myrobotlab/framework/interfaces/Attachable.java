@@ -2,7 +2,7 @@ package org.myrobotlab.framework.interfaces;
 
 import java.util.Set;
 
-/** Two of these can be attached to each other. */
+/** A service that can be attached to another. */
 public interface Attachable extends NameProvider {
     /** Attaches another. */
     void attach(Attachable service) throws Exception;
@@ -19,34 +19,34 @@ public interface Attachable extends NameProvider {
     /** Ends all attachments. */
     void detach();
 
-    /** Names of all that listen. */
+    /** Names of all listeners. */
     Set<String> getAttached();
 
-    /** Names of all that listen to a method. */
+    /** Names of the listeners of a method. */
     Set<String> getAttached(String publishingPoint);
 
-    /** Whether the other listens. */
+    /** Whether the other service listens. */
     boolean isAttached(Attachable instance);
 
-    /** Whether the other listens. */
+    /** Whether the other service listens. */
     boolean isAttached(String name);
 
-    /** Calls onX of the other when publishX is published here. */
+    /** Calls onX of the other service when this one publishes publishX. */
     void addListener(String topicMethod, String callbackName);
 
-    /** Calls a method of the other when this one publishes. */
+    /** Calls a method of the other service when this one publishes. */
     void addListener(String topicMethod, String callbackName, String callbackMethod);
 
-    /** Ends addListener. */
+    /** Removes a listener. */
     void removeListener(String topicMethod, String callbackName);
 
-    /** Ends addListener. */
+    /** Removes a listener. */
     void removeListener(String topicMethod, String callbackName, String callbackMethod);
 
-    /** Whether it lives in this process. */
+    /** Whether it belongs to this process. */
     boolean isLocal();
 
-    /** Whether it has the interface of that full name. */
+    /** Whether it has the interface, given by its full or simple name. */
     boolean hasInterface(String name);
 
     /** Whether it has the interface. */

@@ -1,10 +1,10 @@
 package org.myrobotlab.framework.interfaces;
 
-/** Publishes and waits until the local listeners were called. */
+/** Publishes on the caller's thread. */
 public interface Broadcaster {
-    /** As invoke, but the listeners are called before this returns. */
+    /** Same as invoke, but calls the listeners before it returns. */
     Object broadcast(String method);
 
-    /** As invoke, but the listeners are called before this returns. */
+    /** Same as invoke, but calls the listeners before it returns. */
     Object broadcast(String method, Object... params);
 }

@@ -2,11 +2,11 @@ package org.myrobotlab.framework.interfaces;
 
 import org.myrobotlab.service.config.ServiceConfig;
 
-/** Has a configuration. */
+/** A service with a configuration. */
 public interface ConfigurableService<T extends ServiceConfig> {
-    /** The present configuration. */
+    /** The current configuration. */
     T getConfig();
 
-    /** Takes a configuration over. */
+    /** Applies a configuration. */
     T apply(T config);
 }

@@ -1,6 +1,6 @@
 package org.myrobotlab.framework.interfaces;
 
-/** Calls its own methods later. */
+/** Calls its own methods after a delay. */
 public interface FutureInvoker {
     /** Calls a method after a delay. */
     void invokeFuture(String method, long delayMs);

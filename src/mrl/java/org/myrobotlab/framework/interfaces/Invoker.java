@@ -1,10 +1,10 @@
 package org.myrobotlab.framework.interfaces;
 
-/** Calls its own methods by name and publishes what they answer. */
+/** Calls its own methods by name and publishes the results. */
 public interface Invoker {
     /** Calls a method without arguments. */
     Object invoke(String method);
 
-    /** Calls a method; an array as the only argument must be cast to Object. */
+    /** Calls a method; cast an array as the only argument to Object. */
     Object invoke(String method, Object... params);
 }

@@ -2,7 +2,7 @@ package org.myrobotlab.framework.interfaces;
 
 import org.myrobotlab.framework.Status;
 
-/** Takes statuses. */
+/** Reports errors, warnings and notices. */
 public interface LoggingSink extends NameProvider {
     /** Publishes an error. */
     Status error(Exception e);

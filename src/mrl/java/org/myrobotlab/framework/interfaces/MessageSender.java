@@ -5,10 +5,10 @@ import org.myrobotlab.framework.TimeoutException;
 
 /** Sends messages to services by name. */
 public interface MessageSender extends NameProvider, SimpleMessageSender {
-    /** Has the service of that name call its method. */
+    /** Makes a service call its method. */
     void send(String name, String method);
 
-    /** Has the service of that name call its method with these arguments. */
+    /** Makes a service call its method with these arguments. */
     void send(String name, String method, Object... data);
 
     /** Sends and waits for the answer. */
@@ -20,14 +20,14 @@ public interface MessageSender extends NameProvider, SimpleMessageSender {
     /**
      * Sends and waits for the answer.
      *
-     * @param timeout milliseconds; null waits without end
+     * @param timeout milliseconds; null waits without limit
      */
     Object sendBlocking(String name, Integer timeout, String method, Object... data) throws InterruptedException, TimeoutException;
 
     /**
      * Sends and waits for the answer.
      *
-     * @param timeout milliseconds; null waits without end
+     * @param timeout milliseconds; null waits without limit
      */
     Object sendBlocking(Message msg, Integer timeout) throws InterruptedException, TimeoutException;
 }

@@ -1,14 +1,14 @@
 package org.myrobotlab.framework.interfaces;
 
-/** Has itself called back when another service publishes. */
+/** Subscribes to methods of other services. */
 public interface MessageSubscriber {
-    /** Calls onX when the other publishes publishX. */
+    /** Calls onX when the other service publishes publishX. */
     void subscribe(NameProvider topicName, String topicMethod);
 
-    /** Calls onX when the other publishes publishX. */
+    /** Calls onX when the other service publishes publishX. */
     void subscribe(String topicName, String topicMethod);
 
-    /** Calls the given method when the other publishes. */
+    /** Calls the given method when the other service publishes. */
     void subscribe(String topicName, String topicMethod, String callbackMethod);
 
     /** Ends a subscription. */

@@ -1,7 +1,7 @@
 package org.myrobotlab.framework.interfaces;
 
-/** Something that has a name. */
+/** Has a name. */
 public interface NameProvider {
-    /** Its short name, without the id of the process. */
+    /** Short name, without the process id. */
     String getName();
 }

@@ -10,22 +10,22 @@ import org.myrobotlab.framework.Peer;
 import org.myrobotlab.service.config.ServiceConfig;
 import org.myrobotlab.service.meta.abstracts.MetaData;
 
-/** What every service can do. */
+/** Methods of every service. */
 public interface ServiceInterface extends ServiceQueue, LoggingSink, NameTypeProvider, MessageSubscriber, MessageSender, StateSaver, Invoker,
     StatePublisher, StatusPublisher, ServiceStatus, TaskManager, Attachable, MessageInvoker, Comparable<ServiceInterface> {
-    /** Starts its threads. */
+    /** Starts the threads. */
     void startService();
 
-    /** Stops its threads. */
+    /** Stops the threads. */
     void stopService();
 
-    /** Stops it and takes it out of the registry. */
+    /** Stops the service and removes it from the registry. */
     void releaseService();
 
     /** Called before everything is shut down. */
     void preShutdown();
 
-    /** Whether its threads run. */
+    /** Whether the threads run. */
     boolean isRunning();
 
     /** Whether it can be used. */
@@ -34,41 +34,41 @@ public interface ServiceInterface extends ServiceQueue, LoggingSink, NameTypePro
     /** Whether it is the Runtime. */
     boolean isRuntime();
 
-    /** Whether it does without hardware. */
+    /** Whether it works without hardware. */
     boolean isVirtual();
 
-    /** Does without hardware. */
+    /** Sets whether it works without hardware. */
     boolean setVirtual(boolean virtual);
 
-    /** Name with the id of the process: name@id. */
+    /** Name with the process id: name@id. */
     String getFullName();
 
-    /** Id of the process. */
+    /** Process id. */
     String getId();
 
     /** Full class name. */
     String getTypeKey();
 
-    /** Its number in the order of creation. */
+    /** Position in the order of creation. */
     int getCreationOrder();
 
-    /** Sets its number in the order of creation. */
+    /** Sets the position in the order of creation. */
     void setOrder(int order);
 
     /**
-     * What it is for.
+     * Purpose of the service.
      *
      * @throws RuntimeException if its type has no meta data
      */
     String getDescription();
 
-    /** Data of its type. */
+    /** Meta data of its type. */
     MetaData getMetaData();
 
-    /** What comes in. */
+    /** Incoming messages. */
     Inbox getInbox();
 
-    /** What goes out. */
+    /** Outgoing messages. */
     Outbox getOutbox();
 
     /** All listeners by published method. */
@@ -80,48 +80,48 @@ public interface ServiceInterface extends ServiceQueue, LoggingSink, NameTypePro
     /** The methods that have listeners. */
     List<String> getNotifyListKeySet();
 
-    /** The present configuration. */
+    /** Current configuration. */
     ServiceConfig getConfig();
 
-    /** The configuration as it is saved. */
+    /** Configuration as saved to a file. */
     ServiceConfig getFilteredConfig();
 
-    /** Adds the listeners to a configuration. */
+    /** Adds the listeners of a configuration. */
     ServiceConfig addConfigListeners(ServiceConfig config);
 
     /** Sets one field of the configuration. */
     void setConfigValue(String fieldName, Object value) throws IllegalAccessException, NoSuchFieldException;
 
-    /** The services that belong to this one. */
+    /** Peers: the services that belong to this one, by key. */
     Map<String, Peer> getPeers();
 
-    /** Keys of the services that belong to this one. */
+    /** Keys of the peers. */
     Set<String> getPeerKeys();
 
-    /** Key of one of its own services. */
+    /** Key of a peer. */
     String getPeerKey(String name);
 
-    /** Starts one of its own services. */
+    /** Starts a peer. */
     ServiceInterface startPeer(String key);
 
-    /** Starts some of its own services. */
+    /** Starts peers. */
     void startPeers(String[] keys);
 
-    /** Releases one of its own services. */
+    /** Releases a peer. */
     void releasePeer(String key);
 
-    /** Releases some of its own services. */
+    /** Releases peers. */
     void releasePeers(String[] keys);
 
-    /** Publishes as the named method. */
+    /** Publishes data as the named method. */
     void out(String method, Object data);
 
     /** Whether there was an error. */
     boolean hasError();
 
-    /** Forgets the last error and answers its text. */
+    /** Clears the last error and returns its text. */
     String clearLastError();
 
-    /** Names of its public methods. */
+    /** Names of the public methods. */
     String[] getMethodNames();
 }

@@ -2,7 +2,7 @@ package org.myrobotlab.framework.interfaces;
 
 import org.myrobotlab.framework.Message;
 
-/** The way in and out of a service. */
+/** Inbox and outbox of a service. */
 public interface ServiceQueue {
     /** Puts a message into the inbox. */
     void in(Message msg);

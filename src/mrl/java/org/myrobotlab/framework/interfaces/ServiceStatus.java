@@ -3,9 +3,9 @@ package org.myrobotlab.framework.interfaces;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.framework.Status;
 
-/** Knows how it is. */
+/** Reports its state and last error. */
 public interface ServiceStatus {
-    /** Publishes this service as it is now. */
+    /** Publishes this service in its current state. */
     Service<?> broadcastState();
 
     /** The last error; null if there was none. */

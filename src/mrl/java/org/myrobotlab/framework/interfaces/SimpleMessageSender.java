@@ -2,8 +2,8 @@ package org.myrobotlab.framework.interfaces;
 
 import org.myrobotlab.framework.Message;
 
-/** Sends messages that are ready to go. */
+/** Sends messages. */
 public interface SimpleMessageSender {
-    /** Puts a message on its way. */
+    /** Sends a message. */
     void send(Message msg);
 }

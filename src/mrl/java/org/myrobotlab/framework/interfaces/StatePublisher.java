@@ -4,9 +4,9 @@ import org.myrobotlab.framework.Service;
 
 /** Publishes its state. */
 public interface StatePublisher {
-    /** Publishes this service as it is now. */
+    /** Publishes this service in its current state. */
     Service<?> broadcastState();
 
-    /** Where states are published. */
+    /** Called to publish states. */
     Service<?> publishState();
 }

@@ -3,9 +3,9 @@ package org.myrobotlab.framework.interfaces;
 import java.io.IOException;
 import org.myrobotlab.service.config.ServiceConfig;
 
-/** Keeps its configuration in a file. */
+/** Saves its configuration in a file. */
 public interface StateSaver {
-    /** Writes the configuration. */
+    /** Saves the configuration. */
     boolean save();
 
     /** Reads the configuration and applies it. */

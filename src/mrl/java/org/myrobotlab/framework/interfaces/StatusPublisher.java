@@ -4,9 +4,9 @@ import org.myrobotlab.framework.Status;
 
 /** Publishes statuses. */
 public interface StatusPublisher extends NameProvider {
-    /** Logs a status and publishes it. */
+    /** Publishes a status. */
     void broadcastStatus(Status status);
 
-    /** Where statuses are published. */
+    /** Called to publish statuses. */
     Status publishStatus(Status status);
 }

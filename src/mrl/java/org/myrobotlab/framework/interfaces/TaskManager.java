@@ -3,18 +3,18 @@ package org.myrobotlab.framework.interfaces;
 import java.util.Map;
 import java.util.Timer;
 
-/** Calls its own methods again and again. */
+/** Calls its own methods at intervals. */
 public interface TaskManager {
-    /** Calls a method again and again; the task has the name of the method. */
+    /** Calls a method at intervals; the task has the method's name. */
     void addTask(long intervalMs, String method);
 
-    /** Calls a method again and again; the task has the name of the method. */
+    /** Calls a method at intervals; the task has the method's name. */
     void addTask(long intervalMs, String method, Object... params);
 
-    /** Calls a method again and again. */
+    /** Calls a method at intervals. */
     void addTask(String taskName, long intervalMs, long delayMs, String method, Object... params);
 
-    /** Calls a method once or again and again. */
+    /** Calls a method once or at intervals. */
     void addTask(String taskName, boolean oneShot, long intervalMs, long delayMs, String method, Object... params);
 
     /** Calls a method once. */

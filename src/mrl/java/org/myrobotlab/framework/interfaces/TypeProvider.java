@@ -1,7 +1,7 @@
 package org.myrobotlab.framework.interfaces;
 
-/** Something that has a type. */
+/** Has a type. */
 public interface TypeProvider {
-    /** Its type without package. */
+    /** Type without its package. */
     String getSimpleName();
 }

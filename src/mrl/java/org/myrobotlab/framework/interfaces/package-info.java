@@ -1,2 +1,2 @@
-/** MyRobotLab's own: what a service can be taken for; each name and signature is the real one's. */
+/** Interfaces of MyRobotLab's services. Names and signatures are those of the real MyRobotLab. */
 package org.myrobotlab.framework.interfaces;

@@ -10,7 +10,7 @@ import org.myrobotlab.logging.LoggerFactory;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.slf4j.Logger;
 
-/** A serial port. While somebody listens, its reader thread hands over what comes in. */
+/** A serial port. While it has listeners, its reader thread passes them the received bytes. */
 public abstract class Port implements Runnable, SerialControl {
     public static final Logger log = LoggerFactory.getLogger(Port.class);
 
@@ -51,7 +51,7 @@ public abstract class Port implements Runnable, SerialControl {
         opened = true;
     }
 
-    /** Closes the port, ends its reader thread and forgets its listeners. */
+    /** Closes the port, ends its reader thread and removes its listeners. */
     public void close() {
         Thread reader;
         synchronized (this) {
@@ -77,7 +77,7 @@ public abstract class Port implements Runnable, SerialControl {
         }
     }
 
-    /** Has what comes in handed to these, by name. */
+    /** Adds listeners, by name, for received bytes. */
     public void listen(Map<String, SerialDataListener> added) {
         synchronized (this) {
             listeners.putAll(added);
@@ -91,12 +91,12 @@ public abstract class Port implements Runnable, SerialControl {
         }
     }
 
-    /** Has what comes in handed to this one, too. */
+    /** Adds a listener for received bytes. */
     public void listen(SerialDataListener listener) {
         listen(Map.of(listener.getName(), listener));
     }
 
-    /** The reader thread. */
+    /** Runs the reader thread. */
     @Override
     public void run() {
         Thread own = Thread.currentThread();
@@ -117,7 +117,7 @@ public abstract class Port implements Runnable, SerialControl {
         }
     }
 
-    /** Hands bytes to all that listen. */
+    /** Passes bytes to all listeners. */
     void hand(byte[] bytes) {
         for (SerialDataListener listener : getListeners()) {
             try {
@@ -145,7 +145,7 @@ public abstract class Port implements Runnable, SerialControl {
         }
     }
 
-    /** Waits for bytes; null once there will be no more. */
+    /** Waits for bytes; returns null at the end of the stream. */
     public abstract byte[] readBytes() throws Exception;
 
     /** Sends the low 8 bits. */
@@ -153,10 +153,10 @@ public abstract class Port implements Runnable, SerialControl {
 
     public abstract void write(byte[] data) throws Exception;
 
-    /** Whether it is a real one. */
+    /** Returns whether this is a real port. */
     public abstract boolean isHardware();
 
-    /** @return whether the port takes them */
+    /** @return whether the port accepts them */
     public boolean setParams(int newRate, int newDataBits, int newStopBits, int newParity) throws Exception {
         rate = newRate;
         dataBits = newDataBits;

@@ -13,7 +13,7 @@ import jssc.SerialPortList;
 import org.myrobotlab.logging.LoggerFactory;
 import org.slf4j.Logger;
 
-/** A real port, or a pseudo-terminal, through the library jssc. Its bytes come on jssc's own thread. */
+/** A real port or pseudo-terminal, through the library jssc. Bytes arrive on jssc's own thread. */
 public class PortJSSC extends Port implements SerialControl, SerialPortEventListener, Serializable {
     public static final Logger log = LoggerFactory.getLogger(PortJSSC.class);
 
@@ -30,7 +30,7 @@ public class PortJSSC extends Port implements SerialControl, SerialPortEventList
         port = new SerialPort(portName);
     }
 
-    /** @throws IOException that says why the port can't be opened */
+    /** @throws IOException if the port can't be opened */
     @Override
     public void open() throws IOException {
         try {
@@ -58,7 +58,7 @@ public class PortJSSC extends Port implements SerialControl, SerialPortEventList
         }
     }
 
-    /** Ends at once: jssc has a thread of its own that calls {@link #serialEvent}. */
+    /** Returns immediately: jssc calls {@link #serialEvent} on its own thread. */
     @Override
     public void run() {
         try {
@@ -76,7 +76,7 @@ public class PortJSSC extends Port implements SerialControl, SerialPortEventList
         }
     }
 
-    /** What has come in; null if nothing has. */
+    /** Returns the received bytes; null if there are none. */
     @Override
     public byte[] readBytes() {
         try {
@@ -156,7 +156,7 @@ public class PortJSSC extends Port implements SerialControl, SerialPortEventList
         return true;
     }
 
-    /** The real ports of this machine. */
+    /** Returns the names of this computer's real ports. */
     @Override
     public List<String> getPortNames() {
         return new ArrayList<>(Arrays.asList(SerialPortList.getPortNames()));

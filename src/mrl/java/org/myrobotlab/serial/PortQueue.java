@@ -8,7 +8,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import org.myrobotlab.logging.LoggerFactory;
 import org.slf4j.Logger;
 
-/** A virtual port: what another one writes into the queue is read here. */
+/** A virtual port: reads what its peer writes into the queue. */
 public class PortQueue extends Port {
     public static final Logger log = LoggerFactory.getLogger(PortQueue.class);
 

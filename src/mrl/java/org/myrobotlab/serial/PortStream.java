@@ -9,7 +9,7 @@ import java.util.List;
 import org.myrobotlab.logging.LoggerFactory;
 import org.slf4j.Logger;
 
-/** A port on two streams, for example those of a TCP connection. Closing it closes them. */
+/** A port on two streams, for example of a TCP connection. Closing the port closes the streams. */
 public class PortStream extends Port {
     public static final Logger log = LoggerFactory.getLogger(PortStream.class);
 

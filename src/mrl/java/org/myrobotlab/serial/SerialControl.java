@@ -2,8 +2,8 @@ package org.myrobotlab.serial;
 
 import java.util.List;
 
-/** Knows the serial ports of this machine. */
+/** Lists the serial ports of this computer. */
 public interface SerialControl {
-    /** Their names. */
+    /** Names of the ports. */
     List<String> getPortNames();
 }

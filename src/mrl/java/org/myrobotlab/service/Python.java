@@ -38,18 +38,18 @@ import org.python.core.PyObject;
 import org.slf4j.Logger;
 
 /**
- * Runs Python scripts. A script runs on the thread of whoever has it run; functions that it made listeners are called one at a time, in order, on
- * this service's callback thread. Any thread.
+ * Runs Python scripts on the caller's thread. Functions that are listeners run one at a time, in order, on this
+ * service's callback thread. Any thread.
  */
 public class Python extends Service<PythonConfig> implements ServiceLifeCycleListener, MessageListener, Processor {
     public static final Logger log = LoggerFactory.getLogger(Python.class);
 
     private static final long serialVersionUID = 1L;
     private static final int SCRIPT_DEPTH = 3;
-    /** The package org is found before a folder of that name beside a script, of which Jython would warn by modules that need org themselves. */
+    /** Imports org first: a folder of that name beside a script would make Jython warn about modules that need org. */
     private static final String IMPORTS = "import org\ndel org\nimport sys\nfrom time import sleep\n";
 
-    /** Scripts that are open in the editor, by file; what holds them here can be serialised, whatever the type promises. */
+    /** Scripts open in the editor, by file. The map used here is serialisable, unlike its declared type. */
     @SuppressWarnings("serial")
     Map<String, Script> openedScripts = new ConcurrentHashMap<>();
     protected boolean openOnExecute;
@@ -58,7 +58,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     private final transient RepeatedErrors callbackErrors = new RepeatedErrors();
     private final transient BlockingQueue<Message> callbacks = new LinkedBlockingQueue<>();
     private transient volatile Thread callbackThread;
-    /** Whether a script runs now; the editor shows it. */
+    /** Whether a script is running; shown by the editor. */
     private volatile boolean executing;
     private final transient AtomicInteger scripts = new AtomicInteger();
 
@@ -92,7 +92,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         }
     }
 
-    /** Makes a new interpreter, with no variables but the given ones. */
+    /** Creates a new interpreter with only the predefined variables. */
     public synchronized void createPythonInterpreter() {
         if (engine != null) {
             engine.close();
@@ -108,11 +108,11 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         fresh.set("Runtime", Runtime.class);
         fresh.set("Service", Service.class);
         Runtime.getServices().forEach(service -> introduce(service, fresh));
-        engine = fresh; // whole, since others may have it run a script from now on
-        Runtime.getServices().forEach(service -> introduce(service, fresh)); // those that came meanwhile
+        engine = fresh; // complete: other threads may run scripts in it from here on
+        Runtime.getServices().forEach(service -> introduce(service, fresh)); // services added since the first pass
     }
 
-    /** A warning that is none to stop for: {@code warn} publishes an error. */
+    /** Publishes a warning; {@code warn(String)} would publish an error. */
     private void caution(String text) {
         Status status = Status.warn("%s", text);
         status.name = getName();
@@ -120,13 +120,13 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         broadcastStatus(status);
     }
 
-    /** A thread of the script has ended by an error. */
+    /** Reports a thread of the script that has ended with an error. */
     private void failed(String traceback) {
         invoke("publishStdError", traceback + "\n");
         error("%s", traceback);
     }
 
-    /** A class for its type, and a variable of its name. */
+    /** Defines a class for the service's type and a variable of its name. */
     private static void introduce(ServiceInterface service, PythonEngine engine) {
         engine.set(service.getSimpleName(), service.getClass());
         engine.set(CodecUtils.getSafeReferenceName(service.getName()), service);
@@ -162,7 +162,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     /**
      * Runs code and waits for its end.
      *
-     * @return whether it ended well; if not, an error status has the traceback
+     * @return whether it succeeded; otherwise an error status has the traceback
      */
     @Override
     public boolean exec(String code) {
@@ -172,7 +172,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     /**
      * Runs code.
      *
-     * @return whether it ended well, or without blocking, whether it was started
+     * @return whether it succeeded; without blocking, whether it was started
      */
     public boolean exec(String code, boolean blocking) {
         if (!blocking) {
@@ -206,7 +206,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     /**
      * Runs a file and waits for its end.
      *
-     * @return whether it ended well; if not, an error status has the traceback
+     * @return whether it succeeded; otherwise an error status has the traceback
      */
     public boolean execFile(String file) throws IOException {
         return execFile(file, true);
@@ -279,15 +279,15 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         }
     }
 
-    /** How often errors of callbacks came, of which each was told once. */
+    /** Reports how often each repeated error of callbacks occurred; each was shown once. */
     private void tellRepeated() {
         callbackErrors.take().forEach(this::error);
     }
 
     /**
-     * Breaks off the script and all callbacks.
+     * Cancels the script and all callbacks.
      *
-     * @return whether anything ran
+     * @return whether anything was running
      */
     public boolean stop() {
         callbacks.clear();
@@ -297,7 +297,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
 
     // ---- callbacks ----------------------------------------------------------------------------------------------------
 
-    /** Messages for this service are its own business; all others are for functions of the script. */
+    /** Executes this service's own methods; queues all other messages for functions of the script. */
     @Override
     public boolean preProcessHook(Message msg) {
         Object[] data = msg.data == null ? new Object[0] : msg.data;
@@ -308,7 +308,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         return false;
     }
 
-    /** A function of the script that is called at once waits for its turn among the callbacks. */
+    /** Queues a direct call of a script's function with the other callbacks. */
     public void defaultInvokeMethod(String method, Object... params) {
         callbacks.add(Message.createMessage(getName(), getName(), method, params));
     }
@@ -350,7 +350,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         engine.set(variable, value);
     }
 
-    /** A variable as a Java object; null if there is none. */
+    /** Returns a variable as a Java object; null if there is none. */
     public Object get(String variable) {
         return engine.get(variable);
     }
@@ -359,7 +359,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         return engine.getPyObject(variable);
     }
 
-    /** Adds a folder that modules are imported from. */
+    /** Adds a folder to the module path. */
     public void addModulePath(String folder) {
         engine.addModulePath(folder);
     }
@@ -385,7 +385,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         openScript(file);
     }
 
-    /** Takes over what was typed, without writing it. */
+    /** Updates the editor's text without saving it. */
     public void updateScript(String file, String code) {
         openedScripts.put(file, new Script(file, code));
     }
@@ -401,7 +401,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     }
 
     /**
-     * Writes a script, as a whole or not at all.
+     * Saves a script, completely or not at all.
      *
      * @throws IOException if its folder is missing
      */
@@ -422,7 +422,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         return config.scriptRootDir == null ? Paths.get(file) : Paths.get(config.scriptRootDir).resolve(file);
     }
 
-    /** The scripts below the folder of scripts, three folders deep. */
+    /** Returns the scripts below the script folder, down to three levels. */
     public List<String> getScriptList() throws IOException {
         Path root = resolve("");
         try (Stream<Path> files = Files.walk(root, SCRIPT_DEPTH)) {
@@ -439,7 +439,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         openOnExecute = on;
     }
 
-    /** Forgets all that is open. */
+    /** Closes all open scripts. */
     public void clear() {
         openedScripts.clear();
         broadcastState();
@@ -447,17 +447,17 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
 
     // ---- what is published, and what others publish ---------------------------------------------------------------------
 
-    /** Each line that a script prints. */
+    /** Publishes each line that a script prints. */
     public String publishStdOut(String data) {
         return data;
     }
 
-    /** Each line that goes to the script's error output, and each traceback. */
+    /** Publishes each line of a script's error output, and each traceback. */
     public String publishStdError(String data) {
         return data;
     }
 
-    /** A script has ended. */
+    /** Called when a script has ended. */
     public void finishedExecutingScript() {
         log.debug("{}: script ended", getName());
     }
@@ -489,7 +489,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     @Override
     public void onReleased(String name) {
         PythonEngine current = engine;
-        if (current != null && Runtime.getService(name) == null) { // else one of that name has come meanwhile
+        if (current != null && Runtime.getService(name) == null) { // another service may have taken the name
             current.remove(CodecUtils.getSafeReferenceName(CodecUtils.getShortName(name)));
         }
     }

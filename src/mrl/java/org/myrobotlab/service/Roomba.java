@@ -9,7 +9,7 @@ import org.myrobotlab.logging.LoggerFactory;
 import org.myrobotlab.service.config.RoombaConfig;
 import org.slf4j.Logger;
 
-/** Drives an iRobot Roomba or Create by its Open Interface. Any thread. */
+/** Drives an iRobot Roomba or Create over its Open Interface. Any thread. */
 public class Roomba extends Service<RoombaConfig> {
     public static final Logger log = LoggerFactory.getLogger(Roomba.class);
 
@@ -27,11 +27,11 @@ public class Roomba extends Service<RoombaConfig> {
     private static final int SENSORS = 142;
     private static final int SPIN_LEFT = 1;
     private static final int SPIN_RIGHT = -1;
-    /** Radius that means straight on. */
+    /** Radius value for straight driving. */
     private static final int STRAIGHT = -0x8000;
     /** Radius of a turn, mm. */
     private static final int TURN_RADIUS = 129;
-    /** Speed until another is set, mm/s. */
+    /** Default speed, mm/s. */
     private static final int DEFAULT_SPEED = 200;
     private static final int MAX_SPEED = 500;
     private static final int ROOMBA_BAUD = 57600;
@@ -88,7 +88,7 @@ public class Roomba extends Service<RoombaConfig> {
         return port.equals(chosen.getPortName());
     }
 
-    /** Where there is a simulation that is not started, its ports are not there yet. */
+    /** Returns a hint if a SEAR service has not started its simulation, which creates the ports; else empty. */
     private static String notStarted() {
         return Runtime.getServices().stream().filter(one -> one.getSimpleName().equals("SEAR") && Boolean.FALSE.equals(one.invoke("isSimulating")))
             .map(one -> "; no simulation runs: " + one.getName() + ".startSimulation() makes its ports").findFirst().orElse("");
@@ -137,7 +137,10 @@ public class Roomba extends Service<RoombaConfig> {
         return protocol;
     }
 
-    /** SCI for the first Roombas, OI for later ones and the Create: sets the speed of the next connection. */
+    /**
+     * Selects the protocol, which sets the baud rate of the next connection: SCI for early Roombas, OI for later ones
+     * and the Create.
+     */
     public void setProtocol(String newProtocol) {
         protocol = newProtocol;
     }
@@ -213,24 +216,24 @@ public class Roomba extends Service<RoombaConfig> {
         command(CLEAN);
     }
 
-    /** All cleaning motors on or off. */
+    /** Switches all cleaning motors on or off. */
     public void vacuum(boolean on) {
         command(MOTORS, on ? ALL_MOTORS : 0);
     }
 
     /**
-     * Asks for all sensors.
+     * Requests all sensors.
      *
-     * @return false: the answer is left to whoever listens to the port
+     * @return false; the reply goes to the port's listeners
      */
     public boolean updateSensors() {
         return updateSensors(NO_SENSORS);
     }
 
     /**
-     * Asks for a packet.
+     * Requests a sensor packet.
      *
-     * @return false: the answer is left to whoever listens to the port
+     * @return false; the reply goes to the port's listeners
      */
     public boolean updateSensors(int packet) {
         command(SENSORS, packet);
@@ -261,7 +264,7 @@ public class Roomba extends Service<RoombaConfig> {
 
     /**
      * @param velocity mm/s, -500 to 500
-     * @param radius mm, to the left; 1 turns left in place, -1 right, 0x8000 straight on
+     * @param radius mm, positive to the left; 1 turns left in place, -1 right, 0x8000 drives straight
      */
     public void drive(int velocity, int radius) {
         command(DRIVE, velocity >> Byte.SIZE, velocity, radius >> Byte.SIZE, radius);
@@ -275,7 +278,7 @@ public class Roomba extends Service<RoombaConfig> {
         return speed;
     }
 
-    /** @param newSpeed mm/s, to 500; for the commands without speed */
+    /** @param newSpeed mm/s, up to 500; speed of the commands without a speed */
     public void setSpeed(int newSpeed) {
         speed = Math.min(MAX_SPEED, Math.abs(newSpeed));
     }
@@ -300,17 +303,17 @@ public class Roomba extends Service<RoombaConfig> {
         drive(velocity, STRAIGHT);
     }
 
-    /** Drives that far, mm, by the clock of this computer, and stops. */
+    /** Drives a distance in mm by the computer's clock, and stops. */
     public void goForward(int distance) {
         goStraight(distance);
     }
 
-    /** Drives that far, mm, by the clock of this computer, and stops. */
+    /** Drives backward a distance in mm by the computer's clock, and stops. */
     public void goBackward(int distance) {
         goStraight(-distance);
     }
 
-    /** Drives that far, mm, by the clock of this computer, and stops. */
+    /** Drives a distance in mm by the computer's clock, and stops; negative drives backward. */
     public void goStraight(int distance) {
         goStraightAt(distance < 0 ? -speed : speed);
         sleep(Math.round(Math.abs(distance) * MILLIS / speed));
@@ -345,7 +348,7 @@ public class Roomba extends Service<RoombaConfig> {
         drive(velocity, SPIN_RIGHT);
     }
 
-    /** Turns in place, degrees to the right, by the clock of this computer, and stops. */
+    /** Turns in place by an angle in degrees, positive to the right, by the computer's clock, and stops. */
     public void spin(int angle) {
         drive(speed, angle < 0 ? SPIN_LEFT : SPIN_RIGHT);
         sleep(Math.round(Math.toRadians(Math.abs(angle)) * WHEEL_BASE / 2 * MILLIS / speed));

@@ -28,7 +28,7 @@ import org.myrobotlab.service.config.ServiceConfig;
 import org.myrobotlab.service.interfaces.ServiceLifeCyclePublisher;
 import org.slf4j.Logger;
 
-/** Makes, starts and releases services. Any thread. */
+/** Creates, starts and releases services. Any thread. */
 public class Runtime extends Service<RuntimeConfig> implements MessageListener, ServiceLifeCyclePublisher {
     public static final Logger log = LoggerFactory.getLogger(Runtime.class);
     public static final String DATA_DIR = "data";
@@ -50,7 +50,10 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         super(name, id);
     }
 
-    /** Starts MyRobotLab as a program: {@code java -cp "libraries/jar/*:myrobotlab.jar" org.myrobotlab.service.Runtime -s sear SEAR}. */
+    /**
+     * Starts MyRobotLab as a program: {@code java -cp "libraries/jar/*:myrobotlab.jar" org.myrobotlab.service.Runtime
+     * -s sear SEAR}.
+     */
     public static void main(String[] args) throws InterruptedException {
         StartOptions options;
         try {
@@ -65,7 +68,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
 
     // ---- the Runtime itself -------------------------------------------------------------------------------------------
 
-    /** The one of this process; starts it if it doesn't run. */
+    /** Returns the Runtime of this process; starts it first if necessary. */
     public static Runtime getInstance() {
         Runtime found = instance;
         return found == null ? make() : found;
@@ -86,7 +89,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         return getInstance();
     }
 
-    /** Whether it runs. */
+    /** Returns whether the Runtime exists. */
     public static boolean exists() {
         return instance != null;
     }
@@ -108,9 +111,9 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     }
 
     /**
-     * Makes a service; one of that name that exists already is answered instead.
+     * Creates a service, or returns the existing one of that name.
      *
-     * @return null if it can't be made; an error status says why
+     * @return null if it can't be created; an error status gives the reason
      */
     public static ServiceInterface create(String name, String type) {
         synchronized (LOCK) {
@@ -124,9 +127,10 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     }
 
     /**
-     * Makes a service and starts it; one of that name, of whatever type, is answered instead, and started if it says that it does not run.
+     * Creates and starts a service. Returns an existing one of that name, of any type, and starts it if it reports that
+     * it is not running.
      *
-     * @return null if it can't start; an error status says why
+     * @return null if it can't start; an error status gives the reason
      */
     public static ServiceInterface start(String name, String type) {
         synchronized (LOCK) {
@@ -147,7 +151,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         }
     }
 
-    /** A service that says that it does not run is started again, whether it is so or not. */
+    /** Starts a service that reports that it is not running, even if it is. */
     private static boolean startAgain(ServiceInterface existing) {
         try {
             if (!existing.isRunning()) {
@@ -171,7 +175,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         }
     }
 
-    /** As start; the name that scripts have used since the beginning. */
+    /** Same as start, under the name that older scripts use. */
     public static ServiceInterface createAndStart(String name, String type) {
         return start(name, type);
     }
@@ -244,7 +248,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
 
     // ---- the registry -------------------------------------------------------------------------------------------------
 
-    /** Adds a service that was made elsewhere. */
+    /** Registers a service that was created elsewhere. */
     public static Registration register(Registration registration) {
         REGISTRY.put(registration.service);
         getInstance().config.add(registration.service.getName());
@@ -252,7 +256,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         return registration;
     }
 
-    /** Takes a service out of the registry. */
+    /** Removes a service from the registry. */
     public static void unregister(String name) {
         Runtime runtime = instance;
         if (runtime != null && REGISTRY.remove(CodecUtils.getFullName(name))) {
@@ -261,7 +265,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         }
     }
 
-    /** The service of that name; null if there is none. */
+    /** Returns the service of that name; null if there is none. */
     public static ServiceInterface getService(String name) {
         return name == null ? null : REGISTRY.get(CodecUtils.getFullName(name));
     }
@@ -278,7 +282,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         return new ArrayList<>(REGISTRY.copy().values());
     }
 
-    /** Full names of all services. */
+    /** Returns the full names of all services. */
     public static String[] getServiceNames() {
         return REGISTRY.copy().keySet().toArray(new String[0]);
     }
@@ -318,12 +322,12 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
 
     // ---- releasing ----------------------------------------------------------------------------------------------------
 
-    /** Stops a service and takes it out of the registry. */
+    /** Stops a service and removes it from the registry. */
     public static void release(String name) {
         releaseService(name);
     }
 
-    /** @return whether there was one of that name */
+    /** @return whether there was a service of that name */
     public static boolean releaseService(String name) {
         ServiceInterface service = getService(name);
         if (service != null) {
@@ -349,7 +353,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         }
     }
 
-    /** Part of an end: a service that fails keeps no other from ending. */
+    /** Runs a step of the shutdown; a service that fails does not stop the others from ending. */
     private static void attempt(ServiceInterface service, Consumer<ServiceInterface> part) {
         try {
             part.accept(service);
@@ -380,12 +384,12 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
 
     // ---- configuration ------------------------------------------------------------------------------------------------
 
-    /** The configurations of a service and of those that belong to it. */
+    /** Returns the default configurations of a service and its peers. */
     public static Plan load(String name, String type) {
         return ServiceConfig.getDefault(new Plan(name), name, type);
     }
 
-    /** What is written in the service's file; null if there is none. */
+    /** Reads the service's configuration file; null if there is none. */
     public ServiceConfig readServiceConfig(String name) {
         return readServiceConfig(configName, name);
     }
@@ -399,21 +403,21 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     }
 
     /**
-     * Writes the configurations of all services, the Runtime's with their names too.
+     * Saves the configurations of all services; the Runtime's lists their names.
      *
-     * @return whether all could be written
+     * @return whether all were saved
      */
     public static boolean saveConfig(String set) {
         return getInstance().saveService(set, null, null);
     }
 
     /**
-     * Writes the configuration of a service, or of all if no name is given.
+     * Saves the configuration of a service, or of all.
      *
-     * @param set name of the set of configurations, which becomes the present one
+     * @param set name of the set of configurations, which becomes the current one
      * @param serviceName null for all services
-     * @param fileName not used: the file is called after the service
-     * @return whether they could be written
+     * @param fileName not used: the file is named after the service
+     * @return whether they were saved
      */
     public boolean saveService(String set, String serviceName, String fileName) {
         setConfig(set);
@@ -435,8 +439,8 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     }
 
     /**
-     * Makes the services that a saved set of configurations names, and then starts them. One that throws ends it: those behind it don't start, as in
-     * the real one.
+     * Creates the services of a saved set, and then starts them. The first one that throws stops this, as in the real
+     * MyRobotLab.
      */
     public static void startConfig(String set) {
         setConfig(set);
@@ -476,7 +480,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         }
     }
 
-    /** Whether the services of a saved configuration are being started. */
+    /** Returns whether the services of a saved set are being started. */
     public boolean isProcessingConfig() {
         return processingConfig;
     }

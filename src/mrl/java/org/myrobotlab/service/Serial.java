@@ -34,8 +34,8 @@ import org.myrobotlab.service.interfaces.SerialDevice;
 import org.slf4j.Logger;
 
 /**
- * Opens a serial port, real or virtual, by its name. What comes in goes to the byte listeners at once, on the port's reader thread, and is published
- * byte by byte (publishRX, 0 to 255) and piece by piece (publishBytes). Any thread.
+ * Opens a serial port, real or virtual, by its name. Received bytes go immediately to the byte listeners, on the port's
+ * reader thread, and are published one by one (publishRX, 0 to 255) and in chunks (publishBytes). Any thread.
  */
 public class Serial extends ReadingService implements SerialControl, SerialDataListener, RecordControl, SerialDevice, PortPublisher, PortConnector {
     public static final Integer BAUD_2400 = 2400;
@@ -51,9 +51,9 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     private static final int BYTE = 0xFF;
     private static final int DATA_BITS = 8;
     private static final String TCP = "tcp://";
-    /** All ports, real and virtual, that were ever opened or made in this process. Guarded by the class. */
+    /** All ports, real and virtual, opened or created in this process. Guarded by the class. */
     static transient HashMap<String, Port> ports = new HashMap<>();
-    /** Names that {@link #getPortNames} has ever found. */
+    /** All names that {@link #getPortNames} has found. */
     static HashSet<String> portNames = new HashSet<>();
 
     public String lastPortName;
@@ -76,7 +76,9 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         listeners.put(getName(), this);
     }
 
-    /** With the port that was opened last. As in the real one it is written only: a restored service opens no port. */
+    /**
+     * Includes the last opened port, for the record only: as in the real MyRobotLab, a restored service opens no port.
+     */
     @Override
     public SerialConfig getConfig() {
         config.port = lastPortName;
@@ -85,7 +87,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
 
     // ---- opening and closing ------------------------------------------------------------------------------------------
 
-    /** Opens a port with the present parameters. Does nothing but say so while another port is open: disconnect first. */
+    /** Opens a port with the current parameters. If another port is open, only logs that: disconnect first. */
     @Override
     public void connect(String name) throws IOException {
         open(name);
@@ -138,9 +140,9 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     }
 
     /**
-     * Uses a port that exists.
+     * Uses an existing port.
      *
-     * @param listener gets the bytes, too; may be null
+     * @param listener also gets the bytes; may be null
      */
     public Port connectPort(Port newPort, SerialDataListener listener) throws IOException {
         if (listener != null) {
@@ -166,7 +168,10 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         return newPort;
     }
 
-    /** Closes the port. Listeners are told first, on the caller's thread, while it is still open, as in the real one. */
+    /**
+     * Closes the port. Calls the listeners first, on the caller's thread, while the port is still open, as the real
+     * MyRobotLab does.
+     */
     @Override
     public void disconnect() {
         String name = portName;
@@ -204,7 +209,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         super.releaseService();
     }
 
-    /** @return whether the port takes them */
+    /** @return whether the port accepts them */
     public boolean setParams(int baud, int newDataBits, int newStopBits, int newParity) throws IOException {
         Port open = port;
         if (open == null) {
@@ -235,7 +240,10 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         }
     }
 
-    /** A port of this machine, not yet open, whether there is one or not; null if there is no library for it, an error status says so. */
+    /**
+     * Creates an unopened port of this computer, whether it exists or not; null without the library jssc, with an error
+     * status.
+     */
     public Port createHardwarePort(String name, int baud, int newDataBits, int newStopBits, int newParity) {
         try {
             Port made = new PortJSSC(name, baud, newDataBits, newStopBits, newParity);
@@ -250,7 +258,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         }
     }
 
-    /** A connection to {@code tcp://host:port}. */
+    /** Opens a TCP connection to {@code tcp://host:port}. */
     public Port createTCPPort(String url, SerialDataListener listener) throws IOException {
         URI uri = URI.create(url);
         Socket socket = new Socket(uri.getHost(), uri.getPort());
@@ -262,7 +270,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         return true;
     }
 
-    /** A virtual port with nothing at its other end. */
+    /** Creates a virtual port with nothing at its other end. */
     public PortQueue createVirtualPort(String name) {
         PortQueue made = new PortQueue(name);
         synchronized (Serial.class) {
@@ -280,7 +288,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     }
 
     /**
-     * Makes two virtual ports joined by a null-modem cable.
+     * Creates two virtual ports joined by a null-modem cable.
      *
      * @return the service at the end {@code uartPort}
      */
@@ -302,7 +310,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         return names;
     }
 
-    /** Names of all ports that there are or have been. */
+    /** Returns the names of all ports, including former ones. */
     public static List<String> listPorts() {
         List<String> real = new PortJSSC().getPortNames();
         synchronized (Serial.class) {
@@ -351,12 +359,15 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
 
     // ---- listeners ----------------------------------------------------------------------------------------------------
 
-    /** Has a service get all bytes. Counts from the next connect on. */
+    /** Sends all bytes to a service, from the next connect on. */
     public void addByteListener(SerialDataListener listener) {
         addByteListener(listener.getName());
     }
 
-    /** Has a service get all bytes: by onBytes if it can take them, else byte by byte by onByte. Counts from the next connect on. */
+    /**
+     * Sends all bytes to a service, from the next connect on: by onBytes if it is a {@link SerialDataListener}, else
+     * one by one by onByte.
+     */
     public void addByteListener(String name) {
         ServiceInterface service = Runtime.getService(name);
         if (service == null) {
@@ -429,17 +440,17 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         return names;
     }
 
-    /** Each byte that comes in, 0 to 255. */
+    /** Publishes each received byte, 0 to 255. */
     public int publishRX(Integer data) {
         return data;
     }
 
-    /** Each piece that comes in. */
+    /** Publishes each received chunk. */
     public byte[] publishBytes(byte[] bytes) {
         return bytes;
     }
 
-    /** Each byte that goes out. */
+    /** Publishes each sent byte. */
     public Integer publishTX(Integer data) {
         return data;
     }

@@ -13,7 +13,10 @@ import org.myrobotlab.service.config.WebGuiConfig;
 import org.myrobotlab.service.interfaces.ServiceLifeCycleListener;
 import org.slf4j.Logger;
 
-/** Shows services in a browser on this machine: a tab for each. Nobody else can reach it, unless the program was started so. */
+/**
+ * Shows services in a browser, a tab for each. Only this computer can connect, unless the program was started
+ * otherwise.
+ */
 public class WebGui extends Service<WebGuiConfig> implements ServiceLifeCycleListener {
     public static final Logger log = LoggerFactory.getLogger(WebGui.class);
 
@@ -35,7 +38,7 @@ public class WebGui extends Service<WebGuiConfig> implements ServiceLifeCycleLis
         start();
     }
 
-    /** Starts the server, if it doesn't run. */
+    /** Starts the server, unless it is running. */
     public synchronized void start() {
         if (server == null) {
             try {
@@ -61,7 +64,7 @@ public class WebGui extends Service<WebGuiConfig> implements ServiceLifeCycleLis
         start();
     }
 
-    /** Whether the server runs. */
+    /** Returns whether the server is running. */
     public synchronized boolean isStarted() {
         return server != null;
     }
@@ -76,12 +79,12 @@ public class WebGui extends Service<WebGuiConfig> implements ServiceLifeCycleLis
         return config.port;
     }
 
-    /** Counts from the next start. */
+    /** Sets the port from the next start on. */
     public void setPort(Integer newPort) {
         config.port = newPort;
     }
 
-    /** What other services publish goes to the pages that listen. */
+    /** Passes messages of other services to the pages that listen. */
     @Override
     public boolean preProcessHook(Message msg) {
         if (msg.sendingMethod == null || msg.sendingMethod.isEmpty()) {

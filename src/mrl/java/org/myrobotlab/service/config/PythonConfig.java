@@ -5,12 +5,12 @@ import java.util.List;
 
 /** Configuration of Python. */
 public class PythonConfig extends ServiceConfig {
-    /** Where scripts are opened from and saved to; null for the working folder. */
+    /** Folder of scripts; null for the working folder. */
     public String scriptRootDir;
-    /** Run when the service starts. */
+    /** Scripts to run when the service starts. */
     public List<String> startScripts = new ArrayList<>();
-    /** Run when the service is released. */
+    /** Scripts to run when the service is released. */
     public List<String> stopScripts = new ArrayList<>();
-    /** Folders that modules are imported from. */
+    /** Folders of the module path. */
     public List<String> modulePaths = new ArrayList<>();
 }

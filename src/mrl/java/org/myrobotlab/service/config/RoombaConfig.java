@@ -2,7 +2,7 @@ package org.myrobotlab.service.config;
 
 import org.myrobotlab.framework.Plan;
 
-/** Configuration of Roomba: its Serial is its own, {@code NAME.serial}, so that the name "serial" is left to scripts. */
+/** Configuration of Roomba. Its Serial is called {@code NAME.serial}, so that scripts can use the name "serial". */
 public class RoombaConfig extends ServiceConfig {
     @Override
     public Plan getDefault(Plan plan, String name) {

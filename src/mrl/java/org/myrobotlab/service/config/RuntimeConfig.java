@@ -5,13 +5,13 @@ import java.util.List;
 
 /** Configuration of the Runtime. */
 public class RuntimeConfig extends ServiceConfig {
-    /** Id of this process. */
+    /** Process id. */
     public String id;
-    /** Whether services do without hardware. */
+    /** Whether services work without hardware. */
     public Boolean virtual;
     public String locale;
     public String logLevel = "warn";
-    /** The folder of panels and other resources. */
+    /** Folder of panels and other resources. */
     public String resource = "resource";
     /** Names of the services to start. */
     public List<String> registry = new ArrayList<>();

@@ -2,6 +2,6 @@ package org.myrobotlab.service.config;
 
 /** Configuration of Serial. */
 public class SerialConfig extends ServiceConfig {
-    /** The port that was opened last; null for none. */
+    /** Last opened port; null for none. */
     public String port;
 }

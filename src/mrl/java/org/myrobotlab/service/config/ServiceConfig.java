@@ -9,17 +9,17 @@ import org.myrobotlab.framework.Plan;
 import org.myrobotlab.logging.LoggerFactory;
 import org.slf4j.Logger;
 
-/** What a service keeps from one start to the next. */
+/** Saved settings of a service. */
 public class ServiceConfig {
     public static final Logger log = LoggerFactory.getLogger(ServiceConfig.class);
 
     private static final String PACKAGE = "org.myrobotlab.service.config.";
 
-    /** Type of the service, without package. */
+    /** Type of the service, without its package. */
     public String type;
-    /** Services that belong to this one. */
+    /** Services that belong to this one, by key. */
     public Map<String, Peer> peers;
-    /** Who listens. */
+    /** Listeners of the service. */
     public List<Listener> listeners;
 
     public ServiceConfig() {
@@ -27,7 +27,7 @@ public class ServiceConfig {
         type = simple.endsWith("Config") ? simple.substring(0, simple.length() - "Config".length()) : simple;
     }
 
-    /** Adds this configuration, and those of the services that belong to this one, to a plan. */
+    /** Adds this configuration and those of the peers to a plan. */
     public Plan getDefault(Plan plan, String name) {
         plan.put(name, this);
         return plan;
@@ -38,7 +38,7 @@ public class ServiceConfig {
         return getDefaultServiceConfig(serviceType).getDefault(plan, name);
     }
 
-    /** The configuration of a type as it is without any file. */
+    /** Returns the default configuration of a type. */
     public static ServiceConfig getDefaultServiceConfig(String serviceType) {
         String simple = serviceType.substring(serviceType.lastIndexOf('.') + 1);
         try {
@@ -52,7 +52,7 @@ public class ServiceConfig {
         }
     }
 
-    /** Class name of the configuration of a type. */
+    /** Returns the class name of a type's configuration. */
     public static String getConfigType(String serviceType) {
         return PACKAGE + serviceType.substring(serviceType.lastIndexOf('.') + 1) + "Config";
     }
@@ -65,7 +65,7 @@ public class ServiceConfig {
         return peers == null ? null : peers.get(key);
     }
 
-    /** Name in the registry of a service that belongs to this one; null if there is none of that key. */
+    /** Returns a peer's name in the registry; null if there is no such key. */
     public String getPeerName(String key) {
         Peer peer = getPeer(key);
         return peer == null ? null : peer.name;
@@ -82,7 +82,7 @@ public class ServiceConfig {
         return addDefaultPeerConfig(plan, name, key, peerType, true);
     }
 
-    /** Gives this service one of its own, named {@code name.key}. */
+    /** Adds a peer named {@code name.key}. */
     public ServiceConfig addDefaultPeerConfig(Plan plan, String name, String key, String peerType, boolean autoStart) {
         return addDefaultGlobalConfig(plan, key, name + "." + key, peerType, autoStart);
     }
@@ -91,7 +91,7 @@ public class ServiceConfig {
         return addDefaultGlobalConfig(plan, key, globalName, peerType, true);
     }
 
-    /** Gives this service one of its own, of any name. */
+    /** Adds a peer of any name. */
     public ServiceConfig addDefaultGlobalConfig(Plan plan, String key, String globalName, String peerType, boolean autoStart) {
         putPeerType(key, globalName, peerType);
         peers.get(key).autoStart = autoStart;
@@ -99,7 +99,7 @@ public class ServiceConfig {
         return plan.get(globalName);
     }
 
-    /** Someone who listens, as written in a file. */
+    /** A listener as saved in a file. */
     public static class Listener {
         public String method;
         public String listener;

@@ -5,11 +5,11 @@ import java.util.List;
 
 /** Configuration of WebGui. */
 public class WebGuiConfig extends ServiceConfig {
-    /** TCP port on this machine. */
+    /** TCP port on this computer. */
     public Integer port = 8888;
     /** Whether a browser opens at the start. */
     public boolean autoStartBrowser;
     public boolean enableMdns;
-    /** Folders that panels are served from. */
+    /** Folders on disk with panels. */
     public List<String> resources = new ArrayList<>(List.of("resource/WebGui/app", "resource"));
 }

@@ -1,10 +1,10 @@
 package org.myrobotlab.service.data;
 
-/** A picture that services hand on. */
+/** An image passed between services. */
 public class ImageData {
-    /** The service or program that it comes from. */
+    /** The service or program that provides it. */
     public String source;
-    /** An address that a page shows. */
+    /** Address for pages. */
     public String src;
     public String encoding;
     public String name;

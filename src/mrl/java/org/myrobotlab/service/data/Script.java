@@ -2,7 +2,7 @@ package org.myrobotlab.service.data;
 
 import java.io.Serializable;
 
-/** A script in the editor. */
+/** A script open in the editor. */
 public class Script implements Serializable {
     private static final long serialVersionUID = 1L;
 

@@ -1,2 +1,2 @@
-/** MyRobotLab's own: what services keep and show. */
+/** Data classes of MyRobotLab's services. */
 package org.myrobotlab.service.data;

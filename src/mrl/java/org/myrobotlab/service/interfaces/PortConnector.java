@@ -1,6 +1,6 @@
 package org.myrobotlab.service.interfaces;
 
-/** Opens ports. */
+/** Opens and closes ports. */
 public interface PortConnector {
     /** Opens a port. */
     void connect(String port) throws Exception;
@@ -11,7 +11,7 @@ public interface PortConnector {
     /** Opens a port. */
     void connect(String port, int rate, int dataBits, int stopBits, int parity) throws Exception;
 
-    /** Closes it. */
+    /** Closes the port. */
     void disconnect();
 
     /** Whether a port is open. */

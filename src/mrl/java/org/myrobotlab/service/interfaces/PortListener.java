@@ -2,11 +2,11 @@ package org.myrobotlab.service.interfaces;
 
 import org.myrobotlab.framework.interfaces.NameProvider;
 
-/** Is told when a port opens and closes. */
+/** Gets called when a port opens or closes. */
 public interface PortListener extends NameProvider {
-    /** The port is open. */
+    /** Called when the port is open. */
     void onConnect(String portName);
 
-    /** The port is closed. */
+    /** Called when the port closes. */
     void onDisconnect(String portName);
 }

@@ -3,15 +3,15 @@ package org.myrobotlab.service.interfaces;
 import java.util.List;
 import org.myrobotlab.framework.interfaces.NameProvider;
 
-/** Tells when a port opens and closes. */
+/** Publishes when a port opens or closes. */
 public interface PortPublisher extends NameProvider {
-    /** Where openings are published. */
+    /** Publishes an opened port. */
     String publishConnect(String portName);
 
-    /** Where closings are published. */
+    /** Publishes a closed port. */
     String publishDisconnect(String portName);
 
-    /** Name of the open port; null if none is. */
+    /** Name of the open port; null if none is open. */
     String getPortName();
 
     /** Names of all ports. */

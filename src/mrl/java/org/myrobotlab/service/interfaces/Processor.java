@@ -1,7 +1,11 @@
 package org.myrobotlab.service.interfaces;
 
-/** Carries out scripts. */
+/** Runs scripts. */
 public interface Processor {
-    /** Runs code; whether it ended well. */
+    /**
+     * Runs code.
+     *
+     * @return whether it succeeded
+     */
     boolean exec(String code);
 }

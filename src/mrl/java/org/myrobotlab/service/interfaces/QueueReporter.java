@@ -2,11 +2,11 @@ package org.myrobotlab.service.interfaces;
 
 import org.myrobotlab.framework.QueueStats;
 
-/** Reports how its queue does. */
+/** Reports statistics of its queue. */
 public interface QueueReporter {
-    /** Where statistics are published. */
+    /** Publishes statistics. */
     QueueStats publishStats(QueueStats stats);
 
-    /** Takes new statistics. */
+    /** Updates the statistics. */
     void updateStats(QueueStats stats);
 }

@@ -2,7 +2,7 @@ package org.myrobotlab.service.interfaces;
 
 import java.util.concurrent.BlockingQueue;
 
-/** Has a queue that can be read. */
+/** Has a readable queue. */
 public interface QueueSource {
     String getName();
 

@@ -2,14 +2,14 @@ package org.myrobotlab.service.interfaces;
 
 import java.io.FileNotFoundException;
 
-/** Records what it does. */
+/** Records its bytes to files. */
 public interface RecordControl {
-    /** Starts. */
+    /** Starts recording. */
     void record() throws FileNotFoundException;
 
-    /** Ends. */
+    /** Stops recording. */
     void stopRecording();
 
-    /** Whether it does. */
+    /** Whether it is recording. */
     boolean isRecording();
 }

@@ -4,6 +4,6 @@ import org.myrobotlab.framework.interfaces.NameProvider;
 
 /** Gets the bytes of a port. */
 public interface SerialDataListener extends NameProvider, QueueReporter, PortListener {
-    /** Bytes that came in; called by the port's reader thread. */
+    /** Called with received bytes by the port's reader thread. */
     void onBytes(byte[] bytes);
 }

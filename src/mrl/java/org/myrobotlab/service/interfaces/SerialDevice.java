@@ -3,7 +3,7 @@ package org.myrobotlab.service.interfaces;
 import java.io.IOException;
 import org.myrobotlab.framework.interfaces.Attachable;
 
-/** What can be done with a serial port. */
+/** Operations of a serial port. */
 public interface SerialDevice extends PortPublisher, Attachable {
     /** Opens a port. */
     void open(String name) throws IOException;
@@ -23,16 +23,16 @@ public interface SerialDevice extends PortPublisher, Attachable {
     /** Sends text. */
     void write(String data) throws Exception;
 
-    /** Forgets what has come in and was not read. */
+    /** Discards received bytes that were not read. */
     void clear();
 
-    /** How long a read waits. */
+    /** Sets how long a read waits, ms. */
     void setTimeout(int timeoutMs);
 
-    /** Sends what waits. */
+    /** Sends all waiting bytes. */
     void flush();
 
-    /** Bytes that can be read at once. */
+    /** Number of bytes that can be read without waiting. */
     int available();
 
     /** Closes the port. */
@@ -47,6 +47,6 @@ public interface SerialDevice extends PortPublisher, Attachable {
     /** Stop bits. */
     int getStopBits();
 
-    /** 0 none, 1 odd, 2 even. */
+    /** Parity: 0 none, 1 odd, 2 even. */
     int parity();
 }

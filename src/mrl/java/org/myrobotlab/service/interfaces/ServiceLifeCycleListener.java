@@ -3,20 +3,20 @@ package org.myrobotlab.service.interfaces;
 import org.myrobotlab.framework.Registration;
 import org.myrobotlab.framework.interfaces.NameProvider;
 
-/** Is told when services come and go. */
+/** Gets called when services are created, started, stopped or released. */
 public interface ServiceLifeCycleListener extends NameProvider {
-    /** A service was made. */
+    /** Called when a service was created. */
     void onCreated(String name);
 
-    /** A service is in the registry. */
+    /** Called when a service was registered. */
     void onRegistered(Registration registration);
 
-    /** A service runs. */
+    /** Called when a service was started. */
     void onStarted(String name);
 
-    /** A service no longer runs. */
+    /** Called when a service was stopped. */
     void onStopped(String name);
 
-    /** A service is gone. */
+    /** Called when a service was released. */
     void onReleased(String name);
 }

@@ -4,9 +4,9 @@ import java.util.List;
 import org.myrobotlab.framework.Registration;
 import org.myrobotlab.framework.interfaces.NameProvider;
 
-/** Tells when services come and go. */
+/** Publishes when services are created, registered, started, stopped or released. */
 public interface ServiceLifeCyclePublisher extends NameProvider {
-    /** Tells another of all that happens. */
+    /** Subscribes another service to all these events. */
     default void attachServiceLifeCycleListener(String name) {
         for (String topic : List.of("created", "registered", "started", "stopped", "released")) {
             addListener(topic, name);
@@ -24,18 +24,18 @@ public interface ServiceLifeCyclePublisher extends NameProvider {
 
     void removeListener(String topicMethod, String name);
 
-    /** A service was made. */
+    /** Publishes that a service was created. */
     String created(String name);
 
-    /** A service is in the registry. */
+    /** Publishes that a service was registered. */
     Registration registered(Registration registration);
 
-    /** A service runs. */
+    /** Publishes that a service was started. */
     String started(String name);
 
-    /** A service no longer runs. */
+    /** Publishes that a service was stopped. */
     String stopped(String name);
 
-    /** A service is gone. */
+    /** Publishes that a service was released. */
     String released(String name);
 }

@@ -1,2 +1,2 @@
-/** MyRobotLab's own: what services offer each other; each name and signature is the real one's. */
+/** Interfaces between MyRobotLab's services. Names and signatures are those of the real MyRobotLab. */
 package org.myrobotlab.service.interfaces;

@@ -2,7 +2,7 @@ package org.myrobotlab.service.meta;
 
 import org.myrobotlab.service.meta.abstracts.MetaData;
 
-/** What Python is for. */
+/** Meta data of Python. */
 public class PythonMeta extends MetaData {
     private static final long serialVersionUID = 1L;
 

@@ -2,7 +2,7 @@ package org.myrobotlab.service.meta;
 
 import org.myrobotlab.service.meta.abstracts.MetaData;
 
-/** What Roomba is for. */
+/** Meta data of Roomba. */
 public class RoombaMeta extends MetaData {
     private static final long serialVersionUID = 1L;
 

@@ -2,7 +2,7 @@ package org.myrobotlab.service.meta;
 
 import org.myrobotlab.service.meta.abstracts.MetaData;
 
-/** What Runtime is for. */
+/** Meta data of Runtime. */
 public class RuntimeMeta extends MetaData {
     private static final long serialVersionUID = 1L;
 

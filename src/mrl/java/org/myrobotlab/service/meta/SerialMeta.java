@@ -2,7 +2,7 @@ package org.myrobotlab.service.meta;
 
 import org.myrobotlab.service.meta.abstracts.MetaData;
 
-/** What Serial is for. */
+/** Meta data of Serial. */
 public class SerialMeta extends MetaData {
     private static final long serialVersionUID = 1L;
 

@@ -2,7 +2,7 @@ package org.myrobotlab.service.meta;
 
 import org.myrobotlab.service.meta.abstracts.MetaData;
 
-/** What WebGui is for. */
+/** Meta data of WebGui. */
 public class WebGuiMeta extends MetaData {
     private static final long serialVersionUID = 1L;
 

@@ -9,7 +9,7 @@ import org.myrobotlab.logging.LoggerFactory;
 import org.myrobotlab.service.config.ServiceConfig;
 import org.slf4j.Logger;
 
-/** What a type of service is for. Each type X has a class XMeta. */
+/** Description of a service type. Each type X has a class XMeta. */
 public class MetaData implements Serializable {
     public static final Logger log = LoggerFactory.getLogger(MetaData.class);
 
@@ -31,7 +31,7 @@ public class MetaData implements Serializable {
     }
 
     /**
-     * The data of a type, given with or without package.
+     * Returns the data of a type, given with or without package.
      *
      * @throws IllegalArgumentException if there is none
      */
@@ -52,7 +52,7 @@ public class MetaData implements Serializable {
         categories.addAll(Arrays.asList(names));
     }
 
-    /** A library that the service needs; the embedded MyRobotLab has all of its own. */
+    /** Names a library that the service needs. Ignored here: the embedded MyRobotLab has all its libraries. */
     public void addDependency(String orgId, String artifactId) {
         addDependency(orgId, artifactId, null);
     }
@@ -105,17 +105,17 @@ public class MetaData implements Serializable {
         return link;
     }
 
-    /** Type without package. */
+    /** Returns the type without its package. */
     public String getSimpleName() {
         return simpleName;
     }
 
-    /** Type with package. */
+    /** Returns the type with its package. */
     public String getType() {
         return SERVICES + simpleName;
     }
 
-    /** The configurations of a service of this type and of those that belong to it. */
+    /** Returns the default configurations of a service of this type and its peers. */
     public Plan getDefault(String name) {
         return ServiceConfig.getDefault(new Plan(name), name, simpleName);
     }

@@ -1,2 +1,2 @@
-/** MyRobotLab's own: the base of what describes a type of service. */
+/** Base class of MyRobotLab's service descriptions. */
 package org.myrobotlab.service.meta.abstracts;

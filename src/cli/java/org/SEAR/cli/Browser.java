@@ -6,14 +6,17 @@ import java.util.Locale;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The user's browser. */
+/** Opens addresses in the user's browser. */
 final class Browser {
     private static final Logger LOG = LoggerFactory.getLogger(Browser.class);
 
     private Browser() {
     }
 
-    /** Opens an address, where there is a screen and a program that knows the browser; who starts this has read the address in any case. */
+    /**
+     * Opens an address if there is a display. Failures are only logged for debugging, because the terminal shows the
+     * address anyway.
+     */
     static void open(String address) {
         List<String> command = command(address);
         if (!command.isEmpty()) {

@@ -1,18 +1,18 @@
 package org.SEAR.cli;
 
 /**
- * What of the log is seen on the console: warnings, errors and the progress of long work, each as {@code [WARN] service: text}.
- * What is set from outside wins.
+ * Log output on the console: warnings, errors and progress of long work, each as {@code [WARN] service: text}. System
+ * properties set by the user win.
  */
 final class Console {
-    /** The logger of what takes long. */
+    /** Logger of progress messages. */
     private static final String PROGRESS = "org.SEAR.progress";
     private static final String PREFIX = "org.slf4j.simpleLogger.";
 
     private Console() {
     }
 
-    /** Before the first logger is made. */
+    /** Configures the log; must run before the first logger exists. */
     static void quiet() {
         set("defaultLogLevel", "warn");
         set("log." + PROGRESS, "info");

@@ -7,8 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * The library that gives pseudo-terminals modem lines, in a folder of its own that only the user can read and write: compiled when it is needed, gone
- * when it is closed. One thread.
+ * The library that adds modem lines to pseudo-terminals. It is compiled on demand in a private folder and deleted on
+ * close. One thread.
  */
 final class ModemLines implements AutoCloseable {
     private static final String SOURCE = "modem_lines.c";
@@ -22,10 +22,10 @@ final class ModemLines implements AutoCloseable {
     }
 
     /**
-     * Compiles it.
+     * Compiles the library.
      *
      * @param compiler the C compiler, {@code cc}
-     * @throws IOException that says what is missing
+     * @throws IOException if the compiler or a header is missing
      */
     static ModemLines compile(String compiler) throws IOException, InterruptedException {
         ModemLines lines = new ModemLines(Files.createTempDirectory("sear-modem-lines"));
@@ -60,7 +60,7 @@ final class ModemLines implements AutoCloseable {
         }
     }
 
-    /** The library, for LD_PRELOAD. */
+    /** Returns the library for LD_PRELOAD. */
     Path getLibrary() {
         return library;
     }

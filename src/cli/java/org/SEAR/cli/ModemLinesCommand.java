@@ -11,7 +11,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code sear modem-lines -- python3 my.py}: runs a program that sets DTR or RTS, which a pseudo-terminal doesn't have. */
+/** {@code sear modem-lines -- python3 my.py}: runs a program that sets DTR or RTS, which a pseudo-terminal lacks. */
 @Command(name = "modem-lines", mixinStandardHelpOptions = true,
     description = "Runs a program for which pseudo-terminals have modem lines (DTR, RTS, CTS, DSR, CD) that it can set and read: drivers that switch "
         + "something by DTR, as those of the RPLIDAR do, fail without. What they set leads nowhere. Linux; needs a C compiler (cc).",
@@ -39,7 +39,7 @@ final class ModemLinesCommand implements Callable<Integer> {
         }
     }
 
-    /** The program has the terminal; it ends with this one. */
+    /** Runs the program on this terminal; the program ends with this process. */
     private int run(ModemLines lines) throws IOException, InterruptedException {
         ProcessBuilder builder = new ProcessBuilder(program).inheritIO();
         builder.environment().merge(PRELOAD, lines.getLibrary().toString(), (before, own) -> own + ":" + before);

@@ -17,11 +17,11 @@ import picocli.CommandLine.ExitCode;
 
 /** One run of the embedded MyRobotLab, from start to release: of a script, or with a project open in the tabs. */
 final class MrlRun {
-    /** No tabs. */
+    /** Port value for no tabs. */
     static final int NO_PORT = -1;
     static final int HIGHEST_PORT = 65535;
 
-    /** So long may a callback go on after the end of the script. */
+    /** Time for callbacks to finish after the script's end, ms. */
     private static final int CALLBACK_MILLIS = 5000;
     private static final long WATCH_MILLIS = 20;
     private static final String PYTHON = "python";
@@ -36,7 +36,7 @@ final class MrlRun {
     private boolean released;
     private volatile boolean timeIsUp;
 
-    /** @param isKnown whether others know the port already, so that another one is of no use */
+    /** @param isKnown whether the port was announced already, so that another one is useless */
     MrlRun(int port, boolean isKnown, PrintWriter err) {
         this.port = port;
         this.isKnown = isKnown;
@@ -46,7 +46,7 @@ final class MrlRun {
     /**
      * Starts Python and the tabs.
      *
-     * @return Python; null if it can't be
+     * @return the Python service; null on failure
      */
     private Python start() {
         Shutdown.then(shutdown::countDown);
@@ -62,7 +62,7 @@ final class MrlRun {
         return python instanceof Python ? (Python) python : null;
     }
 
-    /** Ends scripts before what they wait for, which would have them complain. */
+    /** Ends scripts before the services they wait for, to avoid error messages. */
     private void release() {
         synchronized (this) {
             released = true;
@@ -74,7 +74,7 @@ final class MrlRun {
         Runtime.releaseAll();
     }
 
-    /** Ends simulations, and with them threads that wait for simulated time; after Ctrl+C there is nothing left to end. */
+    /** Stops simulations and so the threads that wait for simulated time, unless Ctrl+C has released everything. */
     private synchronized void stopSimulations() {
         if (!released) {
             Runtime.getServices().forEach(MrlRun::stop);
@@ -87,7 +87,7 @@ final class MrlRun {
         }
     }
 
-    /** Ends the script, again and again if it goes on, once a simulation has come so far. */
+    /** Stops the script, repeatedly if it goes on, when a simulation has reached the time. */
     private void watch(Python python, double until) {
         try {
             while (!shutdown.await(WATCH_MILLIS, TimeUnit.MILLISECONDS)) {
@@ -105,7 +105,7 @@ final class MrlRun {
         try {
             return sear.isSimulating() && sear.getTime() >= until;
         } catch (IllegalStateException e) {
-            return false;       // it has ended meanwhile
+            return false;       // the simulation has just ended
         }
     }
 
@@ -113,7 +113,7 @@ final class MrlRun {
      * Runs a script.
      *
      * @param keep whether to stay until Ctrl+C or Runtime.shutdown()
-     * @param until simulated seconds after which the script is ended
+     * @param until simulated seconds after which the script is stopped
      * @return the exit status
      */
     int script(Path script, List<String> arguments, boolean keep, double until) throws IOException, InterruptedException {
@@ -133,7 +133,7 @@ final class MrlRun {
         if (keep) {
             shutdown.await();
         } else {
-            engine.finishCallbacks(CALLBACK_MILLIS);    // what is wrong with them is told
+            engine.finishCallbacks(CALLBACK_MILLIS);    // reports the errors of callbacks
             stopSimulations();
             engine.finishThreads(CALLBACK_MILLIS);
         }
@@ -144,8 +144,9 @@ final class MrlRun {
     /**
      * Shows a project in the tabs until Ctrl+C or Runtime.shutdown().
      *
-     * @param path a bundle, a project's folder or the one that it lies in; null for the project of the present folder, which may be empty
-     * @param inBrowser whether to open the browser, if there is one
+     * @param path a bundle, a project's folder or its parent folder; null for the working folder's project, which may
+     *     be empty
+     * @param inBrowser whether to open a browser, if there is one
      * @return the exit status
      */
     int project(Path path, boolean inBrowser) throws InterruptedException {
@@ -167,7 +168,7 @@ final class MrlRun {
                 return ExitCode.USAGE;
             }
         }
-        if (address != null && inBrowser && !Tabs.asksForToken()) {    // other users see what programs are started with
+        if (address != null && inBrowser && !Tabs.asksForToken()) {    // other users can see the arguments of processes
             Browser.open(address + "#/" + SEAR_NAME);
         }
         shutdown.await();

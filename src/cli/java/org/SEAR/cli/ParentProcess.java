@@ -1,13 +1,13 @@
 package org.SEAR.cli;
 
-/** The program that started this one and looks after it, as {@code sear class} does: without it this one ends. */
+/** The program that started and supervises this one, such as {@code sear class}; this program ends with it. */
 final class ParentProcess {
     private static final String PROPERTY = "sear.parent";
 
     private ParentProcess() {
     }
 
-    /** Watches it, where there is one. */
+    /** Watches the parent process, if there is one. */
     static void watch() {
         Long parent = Long.getLong(PROPERTY);
         if (parent != null) {

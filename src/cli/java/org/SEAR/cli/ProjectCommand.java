@@ -18,7 +18,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** A command that looks at a project, in a folder or a bundle: 0, or 2 and every problem. */
+/** A command that reads a project from a folder or a bundle. Exit status 0, or 2 with every problem printed. */
 abstract class ProjectCommand implements Callable<Integer> {
     private static final int PROBLEMS = 2;
     private static final String PROJECT = "SEARproject";
@@ -29,16 +29,16 @@ abstract class ProjectCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    /** What it does to a large bundle, as {@code checking}. */
+    /** Returns the word for progress messages, such as {@code checking}. */
     abstract String doing();
 
-    /** What there is to print of a project. */
+    /** Returns the lines to print for a project. */
     abstract List<String> look(Project project) throws ProjectException;
 
-    /** Prints what was found. */
+    /** Prints the result. */
     abstract void print(List<String> found, Path of, PrintWriter out);
 
-    /** Prints what is wrong. */
+    /** Prints the problems. */
     abstract void print(ProjectException problems, Path of, PrintWriter out, PrintWriter err);
 
     @Override

@@ -88,7 +88,7 @@ public final class SearCommand implements Callable<Integer> {
         System.exit(status);
     }
 
-    /** The whole command line, for main and for tests. */
+    /** Returns the whole command line, for main and for tests. */
     static CommandLine commandLine() {
         CommandLine line = new CommandLine(new SearCommand());
         line.getSubcommands().get("modem-lines").setStopAtPositional(true);

@@ -9,7 +9,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 
-/** Who reaches the tabs, and what they must know. */
+/** Options for access to the tabs: address, URL and token. */
 final class ServerOptions {
     @Option(names = "--host", paramLabel = "ADDRESS", description = "Let other computers reach the tabs: an address of this computer, or 0.0.0.0 for "
         + "all that it has. They need the token. What they send is not encrypted: docs/classroom.md. Default: this computer alone.")
@@ -24,7 +24,7 @@ final class ServerOptions {
         + "more, 32 for one that stays good when the program starts anew. The port is then the one that was asked for, or none.")
     private Path file;
 
-    /** From now on servers that start listen there and ask for that. */
+    /** Sets address and token of servers that start from now on. */
     void apply(CommandSpec spec) {
         try {
             boolean isOpen = !Address.listen(host, url).isLoopback();
@@ -40,7 +40,7 @@ final class ServerOptions {
         }
     }
 
-    /** Whether the link has been handed out already, so that another port than the wanted one is of no use. */
+    /** Returns whether the link was handed out before the start, so that another port is useless. */
     boolean isKnown() {
         return file != null;
     }

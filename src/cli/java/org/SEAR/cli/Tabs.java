@@ -13,23 +13,23 @@ import org.myrobotlab.service.WebGui;
 /** The tabs in the browser. */
 final class Tabs {
     private static final String NAME = "webgui";
-    /** So many ports after the wanted one are tried. */
+    /** Number of ports to try from the wanted one on. */
     private static final int MAX_TRIES = 100;
 
     private Tabs() {
     }
 
-    /** Whether callers must know a token. */
+    /** Returns whether callers need a token. */
     static boolean asksForToken() {
         return Token.current().isAskedFor();
     }
 
     /**
-     * Serves them on a port, on the next one that is free if another program has it, and says where. A token that is new is written into a file of
-     * the user.
+     * Serves the tabs on a port, or on the next free one, and prints the address. Writes a new token to a file of the
+     * user.
      *
-     * @param isKnown whether others know port and token already: then it is that port or none
-     * @return the address; null if there is none, which has been said then
+     * @param isKnown whether port and token were announced already: then no other port is tried
+     * @return the address; null on failure, which has been reported
      */
     static String start(int wanted, boolean isKnown, PrintWriter err) {
         int port = isKnown ? wanted : free(wanted);

@@ -3,7 +3,7 @@ package org.SEAR.cli;
 import org.SEAR.project.Project;
 import picocli.CommandLine.IVersionProvider;
 
-/** The version of SEAR, as its jar says. */
+/** The version of SEAR from its jar. */
 final class Version implements IVersionProvider {
     @Override
     public String[] getVersion() {

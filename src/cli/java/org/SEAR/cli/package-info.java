@@ -1,2 +1,5 @@
-/** The program {@code sear}: runs a script in the embedded MyRobotLab, checks projects, lists sensors. May use everything. The main thread. */
+/**
+ * The program {@code sear}: runs scripts in the embedded MyRobotLab, checks projects and lists sensors. May use
+ * everything. The main thread.
+ */
 package org.SEAR.cli;

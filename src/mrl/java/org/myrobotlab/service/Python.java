@@ -66,7 +66,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         super(name, id);
     }
 
-    // ---- life ---------------------------------------------------------------------------------------------------------
+    // ---- life cycle ---------------------------------------------------------------------------------------------------
 
     @Override
     public synchronized void startService() {
@@ -445,7 +445,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         broadcastState();
     }
 
-    // ---- what is published, and what others publish ---------------------------------------------------------------------
+    // ---- published methods, and callbacks --------------------------------------------------------------------------------
 
     /** Publishes each line that a script prints. */
     public String publishStdOut(String data) {

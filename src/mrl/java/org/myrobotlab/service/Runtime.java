@@ -502,7 +502,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         return configName;
     }
 
-    // ---- what is published --------------------------------------------------------------------------------------------
+    // ---- published methods ------------------------------------------------------------------------------------------
 
     @Override
     public String created(String name) {

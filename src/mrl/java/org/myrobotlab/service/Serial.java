@@ -53,7 +53,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     private static final String TCP = "tcp://";
     /** All ports, real and virtual, opened or created in this process. Guarded by the class. */
     static transient HashMap<String, Port> ports = new HashMap<>();
-    /** All names that {@link #getPortNames} has found. */
+    /** Names of all ports found or opened so far. */
     static HashSet<String> portNames = new HashSet<>();
 
     public String lastPortName;
@@ -424,7 +424,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         invoke("publishBytes", (Object) bytes);
     }
 
-    // ---- what is published --------------------------------------------------------------------------------------------
+    // ---- published methods ------------------------------------------------------------------------------------------
 
     @Override
     public String publishConnect(String name) {

@@ -26,7 +26,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code sear class --pupils NAMES.txt}: a SEAR of one's own for each pupil of a class. */
+/** {@code sear class --pupils NAMES.txt}: runs a SEAR for each pupil of a class. */
 @Command(name = "class", mixinStandardHelpOptions = true,
     description = "Runs a SEAR for each pupil of a class: a process, a folder, a port, a link with a token and a limit of memory of one's own. What "
         + "ends is started again. docs/classroom.md says what one pupil can do to another.",
@@ -34,7 +34,7 @@ import picocli.CommandLine.Spec;
 public final class ClassCommand implements Callable<Integer> {
     private static final int HIGHEST_PORT = 65535;
     private static final int MIN_MEMORY = 64;
-    /** MB that Java holds besides the memory of its programs: classes, compiled code, threads; and a Python 3 with numpy. */
+    /** Memory of a Java process besides its heap, MB: classes, compiled code and threads, and a Python 3 with numpy. */
     private static final int BESIDES = 400;
     private static final String MAIN = "org.SEAR.cli.SearCommand";
     private static final String PRIVATE = "rwx------";
@@ -154,7 +154,7 @@ public final class ClassCommand implements Callable<Integer> {
         return pupils;
     }
 
-    /** This program's own Java with its options, but for what it may hold. */
+    /** Returns this program's Java command with its options, except those that limit memory. */
     private List<String> command(int own, Path token, String name, boolean hasProject) throws IOException {
         List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
         command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
@@ -175,7 +175,7 @@ public final class ClassCommand implements Callable<Integer> {
         return command;
     }
 
-    /** The program runs in another folder. */
+    /** Makes the paths absolute, because the program runs in another folder. */
     private static String absolute(String classPath) {
         List<String> paths = new ArrayList<>();
         for (String one : classPath.split(java.io.File.pathSeparator)) {
@@ -196,7 +196,7 @@ public final class ClassCommand implements Callable<Integer> {
                 classroom.hear(line);
             }
         } catch (IOException e) {
-            return;    // nobody types
+            return;    // no terminal
         }
     }
 }

@@ -7,7 +7,9 @@ import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** Starts the pupils' programs, a few at a time, and starts anew what ends, until it is ended itself. Any thread. */
+/**
+ * Starts the pupils' programs, a few at a time, and restarts programs that end, until it is ended itself. Any thread.
+ */
 final class Classroom {
     private static final int LOOK_MILLIS = 250;
     private static final long WEIGH_NANOS = TimeUnit.SECONDS.toNanos(3);
@@ -24,8 +26,8 @@ final class Classroom {
     private long weighed = System.nanoTime();
 
     /**
-     * @param atOnce how many start at the same time
-     * @param most MB that one program may hold with all that it has started
+     * @param atOnce number of programs that start at the same time
+     * @param most memory limit of one program with its child processes, MB
      */
     Classroom(List<Pupil> pupils, int atOnce, long most, PrintWriter out) {
         this.pupils = pupils;
@@ -34,7 +36,7 @@ final class Classroom {
         this.out = out;
     }
 
-    /** Looks after them; returns when they were ended. */
+    /** Supervises the programs until {@link #end}. */
     synchronized void run() throws InterruptedException {
         while (!isEnding) {
             look();
@@ -95,7 +97,7 @@ final class Classroom {
         out.flush();
     }
 
-    /** What the teacher has typed: a name, or nothing. */
+    /** Handles a line of the teacher: a name, or nothing. */
     synchronized void hear(String line) {
         String wanted = line.trim();
         if (wanted.isEmpty()) {
@@ -110,7 +112,7 @@ final class Classroom {
         out.flush();
     }
 
-    /** Ends all programs, and what they have started. */
+    /** Ends all programs and the processes that they started. */
     synchronized void end() {
         isEnding = true;
         notifyAll();

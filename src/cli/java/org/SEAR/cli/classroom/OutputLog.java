@@ -8,7 +8,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
-/** What a pupil's program prints, in a file that begins anew when it has become long. One thread of its own for each program. */
+/**
+ * Output of a pupil's program in a file, which is truncated when it is too long. A separate thread for each program.
+ */
 final class OutputLog {
     private static final int LONGEST = 1 << 20;
     private static final int PART = 1 << 13;
@@ -21,7 +23,7 @@ final class OutputLog {
         this.file = file;
     }
 
-    /** Keeps what comes until it ends. */
+    /** Copies a stream to a file until the stream ends. */
     static OutputLog keep(InputStream in, Path file) {
         OutputLog log = new OutputLog(file);
         Thread thread = new Thread(() -> log.copy(in), "output " + file.getFileName());
@@ -44,7 +46,7 @@ final class OutputLog {
         }
     }
 
-    /** A disk that is full must not stop the program that prints. */
+    /** Writes, but does not fail: a full disk must not stop the program. */
     private void write(byte[] part, int count) {
         try {
             boolean isLong = Files.exists(file) && Files.size(file) > LONGEST;
@@ -57,7 +59,7 @@ final class OutputLog {
         }
     }
 
-    /** Whether Java has said that its memory has run out. */
+    /** Returns whether Java has reported that its memory has run out. */
     boolean isOutOfMemory() {
         return isOutOfMemory;
     }

@@ -11,7 +11,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The processes of this computer at one moment, as Linux tells of them; elsewhere none. */
+/** Snapshot of this computer's processes, on Linux; elsewhere empty. */
 final class ProcessTable {
     private static final Path PROC = Path.of("/proc");
     private static final int KB_A_MB = 1024;
@@ -19,7 +19,7 @@ final class ProcessTable {
     private final Map<Long, List<Long>> children = new HashMap<>();
     private final Map<Long, Long> kilobytes = new HashMap<>();
 
-    /** Looks at them. */
+    /** Takes a snapshot. */
     static ProcessTable now() {
         ProcessTable table = new ProcessTable();
         if (Files.isDirectory(PROC)) {
@@ -43,7 +43,7 @@ final class ProcessTable {
                 }
             }
         } catch (IOException | NumberFormatException e) {
-            return;    // it has ended meanwhile
+            return;    // the process has just ended
         }
     }
 
@@ -51,7 +51,7 @@ final class ProcessTable {
         return Long.parseLong(line.replaceAll("\\D", ""));
     }
 
-    /** A process and all that it has started, directly or through others. */
+    /** Returns a process and its descendants. */
     List<Long> tree(long id) {
         List<Long> tree = new ArrayList<>();
         Deque<Long> next = new ArrayDeque<>(List.of(id));
@@ -63,7 +63,7 @@ final class ProcessTable {
         return tree;
     }
 
-    /** What a process and all that it has started hold in memory, in MB; 0 where that is not known. */
+    /** Returns the memory of a process and its descendants, MB; 0 if unknown. */
     long megabytes(long id) {
         return tree(id).stream().mapToLong(one -> kilobytes.getOrDefault(one, 0L)).sum() / KB_A_MB;
     }

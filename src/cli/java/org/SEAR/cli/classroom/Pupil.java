@@ -11,14 +11,14 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 
-/** One pupil: a folder, a port, a link, and a program that runs, or should. Guarded by its {@link Classroom}. */
+/** A pupil's folder, port, link and program. Guarded by its {@link Classroom}. */
 final class Pupil {
-    /** How it is with the program. */
+    /** State of the program. */
     enum State { WAITING, STARTING, RUNNING, GIVEN_UP }
 
-    /** So often in a row is it started again by itself. */
+    /** Limit of automatic restarts in a row. */
     static final int MAX_RESTARTS = 5;
-    /** After so long it counts as well. */
+    /** Running time after which the restart count is reset, ns. */
     private static final long WELL_NANOS = TimeUnit.MINUTES.toNanos(10);
     private static final long START_NANOS = TimeUnit.MINUTES.toNanos(3);
     private static final int CONNECT_MILLIS = 200;
@@ -58,12 +58,12 @@ final class Pupil {
         return state;
     }
 
-    /** MB that the program and what it has started held when it was looked at last. */
+    /** Returns the memory of the program and its child processes when last measured, MB. */
     long megabytes() {
         return megabytes;
     }
 
-    /** Whether its program may start now: after each restart it waits twice as long. */
+    /** Returns whether the program may start now; the delay doubles with each restart. */
     boolean isDue() {
         return state == State.WAITING && System.nanoTime() - since >= (restarts == 0 ? 0 : TimeUnit.SECONDS.toNanos(1L << restarts - 1));
     }
@@ -87,14 +87,14 @@ final class Pupil {
         state = State.STARTING;
     }
 
-    /** It could not be started. */
+    /** Counts a failed start. */
     void failed() {
         restarts++;
         since = System.nanoTime();
         state = restarts > MAX_RESTARTS ? State.GIVEN_UP : State.WAITING;
     }
 
-    /** What has happened to the program, in words; empty if nothing has. */
+    /** Returns a message if the program has ended; else empty. */
     Optional<String> look() {
         if (process == null) {
             return Optional.empty();
@@ -148,7 +148,7 @@ final class Pupil {
         return status > BY_SIGNAL ? "ended by signal " + (status - BY_SIGNAL) : "ended with status " + status;
     }
 
-    /** Looks at how much memory the program and what it has started hold, and ends all if it is more than they may. */
+    /** Measures the memory of the program and its child processes, and ends all if they exceed the limit. */
     void weigh(ProcessTable table, long most) {
         if (process == null || !process.isAlive()) {
             return;
@@ -171,13 +171,13 @@ final class Pupil {
         endStarted();
     }
 
-    /** Ends what the program has started and left behind. */
+    /** Ends processes that the program has left behind. */
     private void endStarted() {
         started.forEach(ProcessHandle::destroyForcibly);
         started.clear();
     }
 
-    /** Ends the program, to be started anew; one that was given up starts anew. */
+    /** Ends the program for a restart; also restarts one that was given up. */
     void renew() {
         if (process != null) {
             stop("ended by the teacher");
@@ -194,7 +194,7 @@ final class Pupil {
         }
     }
 
-    /** Waits for its end, and ends it if that takes too long. */
+    /** Waits for the program's end, and kills it after the deadline. */
     void end(long deadline) throws InterruptedException {
         if (process != null && !process.waitFor(Math.max(0, deadline - System.nanoTime()), TimeUnit.NANOSECONDS)) {
             process.destroyForcibly().waitFor();

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
-/** The names of a class: a file with one a line; empty lines and those that begin with # don't count. */
+/** The names of a class: a file with one name a line; empty lines and lines that begin with # are ignored. */
 final class Roster {
     private static final int LONGEST = 60;
     private static final String MARK = "\uFEFF";
@@ -19,10 +19,10 @@ final class Roster {
     }
 
     /**
-     * Reads it.
+     * Reads the file.
      *
-     * @return the pupils' names and the names of their folders, in the order of the file
-     * @throws IllegalArgumentException if a name makes no sense, or two would have the same folder
+     * @return folder names by pupils' names, in the order of the file
+     * @throws IllegalArgumentException if a name is invalid, or two names give the same folder
      */
     static Map<String, String> read(Path file) throws IOException {
         Map<String, String> folders = new LinkedHashMap<>();
@@ -55,7 +55,7 @@ final class Roster {
         return folders;
     }
 
-    /** A name that every disk takes, and no way out of the folder. */
+    /** Returns a name that is legal on every disk and can't leave the parent folder. */
     private static String folder(String name) {
         return name.replaceAll("[^\\p{L}\\p{M}\\p{N}_]+", "-").replaceAll("^-+|-+$", "");
     }

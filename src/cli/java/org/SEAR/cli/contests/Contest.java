@@ -16,9 +16,9 @@ import org.SEAR.simulator.Simulation;
 import picocli.CommandLine.ExitCode;
 
 /**
- * One simulation in which each script drives its own robot, in lock-step: before each step the scripts whose time has come go on one after the
- * other, in the order of the entries, each until it waits. So the same scripts and seed give the same contest. Public because referees in Python
- * call it; the contest's thread.
+ * One simulation in lock-step in which each script drives its own robot. Before each step the scripts that are due run
+ * one after the other, in the order of the entries, each until it waits. So the same scripts and seed give the same
+ * contest. Public for referees in Python; the contest's thread.
  */
 public final class Contest {
     private static final Comparator<Entrant> BETTER = Comparator.comparing(Entrant::isDisqualified)
@@ -30,11 +30,11 @@ public final class Contest {
     private String over;
 
     /**
-     * A contest that has not begun.
+     * Prepares a contest.
      *
      * @param scripts by the entrants' names; each gets the next robot of the world
-     * @param patience how long a script may go on without waiting, seconds of the computer's clock
-     * @throws IOException if there are too many for the robots
+     * @param patience time limit of a script without waiting, by the computer's clock, s
+     * @throws IOException if there are more scripts than robots
      */
     Contest(Project project, Map<String, Path> scripts, long seed, double patience) throws IOException, ProjectException {
         this.timeout = patience;
@@ -47,10 +47,10 @@ public final class Contest {
     }
 
     /**
-     * Runs it to its end.
+     * Runs the contest.
      *
-     * @param record where it is recorded
-     * @throws IOException with the error of the referee
+     * @param record file of the recording
+     * @throws IOException with an error of the referee
      */
     void run(Referee referee, Path record) throws IOException, InterruptedException {
         Files.createDirectories(record.toAbsolutePath().getParent());
@@ -84,7 +84,7 @@ public final class Contest {
         }
     }
 
-    /** The process ends in the middle of the contest: if a script has called for that, nobody shall take it for a contest that came to its end. */
+    /** Reports a script that ends the process during the contest, so that the contest does not look finished. */
     private void reportExits() {
         entries.stream().filter(Entrant::exits).findFirst().ifPresent(entry -> {
             System.err.printf(Locale.ROOT, "sear contest: the script of %s has ended the whole program at %.1f s, so there are no scores;"
@@ -100,12 +100,12 @@ public final class Contest {
         }
     }
 
-    /** All who take part, in the order in which they were entered. */
+    /** Returns all entrants in their order of entry. */
     public List<Entrant> getEntries() {
         return entries;
     }
 
-    /** Simulated seconds since the start. */
+    /** Returns the simulated time since the start, s. */
     public double getTime() {
         return world.getTime();
     }
@@ -115,14 +115,14 @@ public final class Contest {
         over = words;
     }
 
-    /** The best first. */
+    /** Returns the entrants, the best first. */
     List<Entrant> ranking() {
         List<Entrant> all = new ArrayList<>(entries);
         all.sort(BETTER);
         return all;
     }
 
-    /** From 1 on; who is as good as another has the same place. */
+    /** Returns the place from 1 on; equal entrants share a place. */
     int place(Entrant entry) {
         return 1 + (int) entries.stream().filter(one -> BETTER.compare(one, entry) < 0).count();
     }

@@ -24,7 +24,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code sear contest FOLDER SCRIPT.py...}: robots against each other. */
+/** {@code sear contest FOLDER SCRIPT.py...}: runs a contest of robots. */
 @Command(name = "contest", mixinStandardHelpOptions = true,
     description = "Has each script drive a robot of its own in one world, without a window and in lock-step, asks the contest's referee, and prints"
         + " the scoreboard.",

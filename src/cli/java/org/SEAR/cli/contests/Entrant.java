@@ -25,8 +25,9 @@ import org.myrobotlab.embedded.python.ScriptResult;
 import org.myrobotlab.embedded.python3.Python3Script;
 
 /**
- * One who takes part: a script, its robot, and what the referee thinks of it. Its script goes on only while it has the turn, which it gives back
- * when it waits for simulated time. Public because referees in Python call it; what is public belongs to the contest's thread.
+ * An entrant of a contest: a script, its robot, and the referee's judgement. The script runs only during its turn,
+ * which ends when it waits for simulated time. Public for referees in Python; the public methods belong to the
+ * contest's thread.
  */
 public final class Entrant {
     private static final double ROUNDING = 1e-6;
@@ -44,9 +45,9 @@ public final class Entrant {
     private final Semaphore back = new Semaphore(0);
     private Robot robot;
     private double wakes;
-    /** No more of its calls count. Guarded by this. */
+    /** Whether the script's calls are rejected. Guarded by this. */
     private boolean out;
-    /** Null while its script goes on. Written with the turn. */
+    /** Null while the script runs. Written during the script's turn. */
     private ScriptResult ended;
     private String unreadable;
     private boolean judged;
@@ -56,7 +57,7 @@ public final class Entrant {
     private double points;
     private final Trail trail;
 
-    /** What a script prints; more is forgotten. */
+    /** Output of the script; keeps its beginning. */
     private static final class Printed extends OutputStream {
         private final ByteArrayOutputStream kept = new ByteArrayOutputStream();
 
@@ -86,7 +87,7 @@ public final class Entrant {
         thread.setDaemon(true);
     }
 
-    // ---- its script's thread ---------------------------------------------------------------------------------------
+    // ---- the script's thread ---------------------------------------------------------------------------------------
 
     private void runScript() {
         try {
@@ -104,7 +105,7 @@ public final class Entrant {
         }
     }
 
-    /** Has something done in the world for its script. */
+    /** Runs an action in the world for the script. */
     <T> T call(Function<Simulation, T> what) {
         synchronized (this) {
             if (out) {
@@ -117,11 +118,11 @@ public final class Entrant {
         }
     }
 
-    /** Its script waits. */
+    /** Makes the script wait. */
     void sleep(double seconds) {
         call(simulation -> {
             double now = simulation.getTime();
-            // what was asked before counts on from when it was to end, so that many short sleeps don't add up to more
+            // counts from the end of the last sleep, so that rounding to steps does not add up
             double from = wakes <= now && wakes > now - Simulation.STEP ? wakes : now;
             wakes = from + seconds;
             return wakes;
@@ -138,17 +139,17 @@ public final class Entrant {
         }
     }
 
-    /** The names of its robot's sensors. */
+    /** Returns the names of the robot's sensors. */
     List<String> sensors() {
         return robot.getSensors().stream().map(one -> one.getParameters().getName()).sorted().collect(Collectors.toList());
     }
 
-    /** The name of one of them in the world. */
+    /** Returns a sensor's name in the world. */
     String sensor(String given) {
         return own("sensor", sensors(), given);
     }
 
-    /** The name of a motor, servo or light of its robot in the world. */
+    /** Returns the name in the world of the robot's motor, servo or light. */
     String part(Class<?> type, String given) {
         return own(type.getSimpleName().toLowerCase(Locale.ROOT), robot.getObject().getComponents().stream().filter(type::isInstance)
             .map(SearObject::getName).sorted().collect(Collectors.toList()), given);
@@ -179,9 +180,9 @@ public final class Entrant {
     }
 
     /**
-     * Lets its script go on until it waits, if it is its time.
+     * Runs the script until it waits, if it is due.
      *
-     * @param timeout how long it may think about it, seconds of the computer's clock
+     * @param timeout limit of one turn by the computer's clock, s
      */
     void go(double timeout) throws InterruptedException {
         if (!isDriving() || wakes - ROUNDING > world.getTime()) {
@@ -205,13 +206,13 @@ public final class Entrant {
         return "its script failed" + at + (error.line.isEmpty() ? "" : ", line " + error.line) + ": " + error.words;
     }
 
-    /** The words of an error with the names that the script has for things. */
+    /** Replaces class names in an error by the names that the script uses. */
     private static String inContest(String traceback) {
         return traceback.replace("'" + EntrantSear.Services.class.getName() + "' object", "in a contest Runtime")
             .replace("'" + EntrantSear.class.getName() + "' object", "in a contest sear");
     }
 
-    /** Its script has no more to say, and its robot stands. */
+    /** Ends the script's turns and stops the robot. */
     private synchronized void leave(String words) {
         if (!out) {
             out = true;
@@ -220,29 +221,29 @@ public final class Entrant {
         }
     }
 
-    /** Whether its script is ending the whole process. */
+    /** Returns whether the script is ending the whole process. */
     boolean exits() {
         return Stream.of(thread.getStackTrace()).anyMatch(frame -> frame.getClassName().equals("java.lang.Runtime") && frame.getMethodName()
             .equals("exit"));
     }
 
-    /** The time is over. */
+    /** Ends the entrant at the end of the contest. */
     void timeIsOver(String words) {
         leave(words);
     }
 
-    /** Looks at what the step has done to it. */
+    /** Records the robot's state after a step. */
     void look() {
         trail.add(world.getTime(), robot.getPose(), isTouching());
     }
 
-    /** Ends its script and forgets its variables. */
+    /** Ends the script and closes its interpreter. */
     void end() throws InterruptedException {
         breakOff();
         engine.close();
     }
 
-    /** Ends its script, which may not like it; its thread is left alone then. */
+    /** Interrupts the script repeatedly; abandons its thread if it does not end in time. */
     private void breakOff() throws InterruptedException {
         long until = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(GRACE_MILLIS);
         while (thread.isAlive() && System.nanoTime() < until) {
@@ -257,20 +258,20 @@ public final class Entrant {
 
     // ---- for the referee -------------------------------------------------------------------------------------------
 
-    /** What it is called. */
+    /** Returns the entrant's name. */
     public String getName() {
         return name;
     }
 
-    /** The name of its robot. */
+    /** Returns the name of the robot. */
     public String getRobot() {
         return robot.getObject().getName();
     }
 
     /**
-     * Gives it another of the world's robots, before the start.
+     * Assigns another of the world's robots, before the start.
      *
-     * @throws IllegalArgumentException that names the robots there are
+     * @throws IllegalArgumentException if there is no such robot
      */
     public void setRobot(String robotName) {
         beforeStart("setRobot");
@@ -280,7 +281,7 @@ public final class Entrant {
     }
 
     /**
-     * Puts its robot to its start, as high as it is in the world.
+     * Moves the robot to its start; its height stays.
      *
      * @param x metres north
      * @param z metres east
@@ -301,47 +302,47 @@ public final class Entrant {
         }
     }
 
-    /** Metres north. */
+    /** Returns the position north, m. */
     public double getX() {
         return robot.getPose().x;
     }
 
-    /** Metres up. */
+    /** Returns the position up, m. */
     public double getY() {
         return robot.getPose().y;
     }
 
-    /** Metres east. */
+    /** Returns the position east, m. */
     public double getZ() {
         return robot.getPose().z;
     }
 
-    /** Degrees clockwise from north, (-180, 180]. */
+    /** Returns the heading clockwise from north, degrees, (-180, 180]. */
     public double getHeading() {
         return robot.getPose().heading();
     }
 
-    /** Where its robot was after each step. */
+    /** Returns the robot's pose after each step. */
     public Trail getTrail() {
         return trail;
     }
 
-    /** How far it is from a place, metres. */
+    /** Returns the distance to a position, m. */
     public double distance(double x, double z) {
         return Math.hypot(getX() - x, getZ() - z);
     }
 
-    /** Whether anything but its wheels touches something now. */
+    /** Returns whether a part other than the wheels touches something now. */
     public boolean isTouching() {
         return world.getStep() > 0 && robot.getTruth().isTouched(null);
     }
 
-    /** How often it began to touch something. */
+    /** Returns the number of collisions so far. */
     public int getBumps() {
         return trail.getBumps().size();
     }
 
-    /** Whether its script goes on. */
+    /** Returns whether the script may still drive. */
     public synchronized boolean isDriving() {
         return !out;
     }
@@ -357,12 +358,12 @@ public final class Entrant {
         this.points = points;
     }
 
-    /** It has done what is asked; its time is kept, its script ends, and its robot stands. What it was judged before stays. */
+    /** Marks the task as done: records the time, ends the script and stops the robot. An earlier judgement stays. */
     public void finish(String words) {
         judge(words, world.getTime());
     }
 
-    /** It is last, its script ends, and its robot stands. What it was judged before stays. */
+    /** Disqualifies: last place, ends the script and stops the robot. An earlier judgement stays. */
     public void disqualify(String words) {
         if (!judged) {
             disqualified = true;
@@ -379,17 +380,17 @@ public final class Entrant {
         }
     }
 
-    /** When it had finished, seconds; infinity if it has not. */
+    /** Returns when the entrant finished, s; infinity if it did not. */
     public double getTime() {
         return time;
     }
 
-    /** Whether it was disqualified. */
+    /** Returns whether the entrant was disqualified. */
     public boolean isDisqualified() {
         return disqualified;
     }
 
-    /** How it ended, in words. */
+    /** Returns how the entrant ended, in words. */
     public String getWhy() {
         return why;
     }

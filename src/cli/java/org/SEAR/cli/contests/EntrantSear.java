@@ -12,14 +12,14 @@ import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
 
 /**
- * What a script in a contest has as {@code sear}: the calls of a script with one robot, of its own robot only. Units and signs are those of
- * docs/scripting.md. Public because scripts in Python call it; the thread of the script.
+ * The object {@code sear} of a script in a contest: the calls for a single robot, applied to the script's own robot.
+ * Units and signs are those of docs/scripting.md. Public for scripts in Python; the script's thread.
  */
 public final class EntrantSear {
     private final Entrant entrant;
     private boolean started;
 
-    /** What a script in a contest has as {@code Runtime}. */
+    /** The object {@code Runtime} of a script in a contest. */
     public static final class Services {
         private final EntrantSear sear;
 
@@ -28,9 +28,9 @@ public final class EntrantSear {
         }
 
         /**
-         * The one service there is.
+         * Returns the contest's only service.
          *
-         * @throws IllegalArgumentException for another
+         * @throws IllegalArgumentException for another type
          */
         public EntrantSear start(String name, String type) {
             if (!type.equals("SEAR")) {
@@ -46,12 +46,12 @@ public final class EntrantSear {
 
     // ---- time ------------------------------------------------------------------------------------------------------
 
-    /** Nothing: the contest has begun. There for scripts that were written for one robot alone. */
+    /** Does nothing: the contest is running. Exists for scripts that were written for a single robot. */
     public void startSimulation() {
         started = true;
     }
 
-    /** The script leaves its robot standing. */
+    /** Stops the robot. */
     public void stopSimulation() {
         if (started) {
             driveStraight(0);
@@ -141,7 +141,7 @@ public final class EntrantSear {
 
     // ---- reading ---------------------------------------------------------------------------------------------------
 
-    /** Names of its robot's sensors. */
+    /** Returns the names of the robot's sensors. */
     public List<String> getSensorNames() {
         return entrant.call(world -> entrant.sensors());
     }

@@ -16,8 +16,8 @@ import org.myrobotlab.embedded.python.PythonEngine;
 import org.myrobotlab.embedded.python.ScriptResult;
 
 /**
- * The referee.py of a contest, in an interpreter that no entrant's script sees. It works on a thread of its own, for which the contest's thread
- * waits: so it can be left alone when it hangs.
+ * The referee.py of a contest, in an interpreter separate from the entrants' scripts. It runs on its own thread, which
+ * the contest abandons if it hangs.
  */
 final class Referee {
     private static final double MAX_SECONDS = 3600;
@@ -37,10 +37,10 @@ final class Referee {
     });
 
     /**
-     * Runs the file, which has the functions.
+     * Runs the file, which defines the functions.
      *
-     * @param patience how long that, and each of its functions, may take, seconds of the computer's clock
-     * @throws IOException that says what is wrong with it
+     * @param patience time limit of the file and of each function, by the computer's clock, s
+     * @throws IOException if the file has an error or lacks a part
      */
     Referee(Path file, double patience) throws IOException, InterruptedException {
         this.file = file;
@@ -71,7 +71,7 @@ final class Referee {
         }
     }
 
-    /** It may not like it, and is left alone then. */
+    /** Interrupts the referee repeatedly; abandons its thread if it does not end in time. */
     private void breakOff() throws InterruptedException {
         thread.shutdown();
         long until = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(GRACE_MILLIS);
@@ -89,13 +89,13 @@ final class Referee {
         }
     }
 
-    /** Simulated seconds that the contest has at most. */
+    /** Returns the time limit of the contest, simulated seconds. */
     double getSeconds() {
         return seconds;
     }
 
     /**
-     * Calls a function of it, if it has it.
+     * Calls a function of the referee, if it exists.
      *
      * @throws IOException with the error that it raises, or if it hangs
      */
@@ -105,7 +105,7 @@ final class Referee {
         }
     }
 
-    /** What it has printed, once. */
+    /** Returns the output since the last call. */
     String takePrinted() {
         String text = new String(printed.toByteArray(), StandardCharsets.UTF_8);
         printed.reset();

@@ -11,7 +11,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code sear install MRL_FOLDER [--remove] [--dry-run]}: 0 when done, 1 with a message when nothing was changed. */
+/**
+ * {@code sear install MRL_FOLDER [--remove] [--dry-run]}. Exit status 0, or 1 with a message if nothing was changed.
+ */
 @Command(name = "install", mixinStandardHelpOptions = true,
     description = "Puts plug-in, libraries, panels and picker entries into a MyRobotLab, or takes them out again. Again = update.")
 public final class InstallCommand implements Callable<Integer> {
@@ -32,7 +34,7 @@ public final class InstallCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         try {
             Installer installer = new Installer(folder);
-            String home = System.getProperty("sear.home"); // by the start script
+            String home = System.getProperty("sear.home"); // set by the start script
             if (home == null) {
                 throw new InstallException("Start this command as bin/sear of the distribution (./gradlew installDist makes one).");
             }

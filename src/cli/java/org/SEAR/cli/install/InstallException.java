@@ -1,6 +1,6 @@
 package org.SEAR.cli.install;
 
-/** Why nothing was installed or removed, and what to do about it. */
+/** Explains why nothing was installed or removed, and what to do. */
 public final class InstallException extends Exception {
     private static final long serialVersionUID = 1L;
 

@@ -13,36 +13,37 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Files to write and to delete below one folder, done as a whole or not at all. A journal on the disk has what they held before; deleting it is the
- * last step. While it is there, whatever was begun is put back: at once when something fails, by the next call when the program was killed, and once
- * more when that is killed, too. Folders come and go with what is in them. Paths are relative to the folder, with '/'. Any one thread.
+ * Files to write and to delete below one folder, completely or not at all. A journal on disk has their old contents;
+ * deleting it is the last step. While the journal exists, the changes are rolled back: immediately after a failure, or
+ * by the next call after the program was killed, even repeatedly. Folders are created and deleted with their files.
+ * Paths are relative to the folder, with '/'. Any one thread.
  */
 final class InstallPlan {
-    /** Where new bytes wait beside their place. */
+    /** Suffix of files before they replace the old ones. */
     private static final String STAGED = ".sear-new";
     private static final String JOURNAL = ".sear-install-journal.json";
 
-    /** What will be done, or is left alone, a line each. */
+    /** Planned changes and kept files, a line each. */
     final List<String> notes = new ArrayList<>();
-    /** What the user is left with when all is done, a line each. */
+    /** Remarks for the user after the installation, a line each. */
     final List<String> remarks = new ArrayList<>();
-    /** Called before each change of the disk, so that a test can end the call there. */
+    /** Called before each change of the disk; tests end the call there. */
     Runnable beforeStep = () -> { };
 
     private final Path root;
-    /** What each file is to hold; null: it is to go. */
+    /** New contents of files; null deletes a file. */
     private final Map<String, byte[]> files = new TreeMap<>();
 
     InstallPlan(Path root) {
         this.root = root;
     }
 
-    /** What a file holds now, null where there is none. */
+    /** Returns the current content of a file; null if there is none. */
     byte[] now(String path) throws IOException {
         return Files.exists(root.resolve(path)) ? Files.readAllBytes(root.resolve(path)) : null;
     }
 
-    /** Lets a file have these bytes; null: deletes it. */
+    /** Plans new content for a file; null deletes it. */
     void write(String path, byte[] bytes) throws IOException {
         byte[] now = now(path);
         if (!Arrays.equals(now, bytes)) {
@@ -55,7 +56,7 @@ final class InstallPlan {
         return files.isEmpty();
     }
 
-    /** Refuses when something that has to be written can't be: a file, or a folder that gets or loses files, or the journal. */
+    /** Throws if a file to write, a folder that gets or loses files, or the journal is not writable. */
     void refuseIfNotWritable() throws InstallException {
         for (Map.Entry<String, byte[]> file : files.entrySet()) {
             Path path = root.resolve(file.getKey());
@@ -75,9 +76,9 @@ final class InstallPlan {
     }
 
     /**
-     * Does it.
+     * Applies the plan.
      *
-     * @throws IOException after everything was put back as it was; what could not be put back is among its suppressed exceptions
+     * @throws IOException after rolling back; files that could not be restored are among its suppressed exceptions
      */
     void apply() throws IOException {
         Receipt journal = new Receipt();
@@ -98,9 +99,9 @@ final class InstallPlan {
     }
 
     /**
-     * Undoes what a call that was killed has begun.
+     * Rolls back the changes of a killed call.
      *
-     * @return what was done, null if no call was killed
+     * @return a message; null if no call was killed
      */
     String recover() throws IOException, InstallException {
         boolean killed = Files.exists(root.resolve(JOURNAL));
@@ -109,7 +110,7 @@ final class InstallPlan {
         return killed ? "An earlier call was interrupted. What it had begun was undone." : null;
     }
 
-    /** Lets files have these bytes, and deletes the journal last: there is no more to put back. */
+    /** Writes the files, and deletes the journal last: from then on there is nothing to roll back. */
     private void bring(Map<String, byte[]> contents) throws IOException {
         for (Map.Entry<String, byte[]> file : contents.entrySet()) {
             put(file.getKey(), file.getValue());
@@ -117,7 +118,7 @@ final class InstallPlan {
         put(JOURNAL, null);
     }
 
-    /** Lets a file have these bytes, as a whole or not at all; null: deletes it. */
+    /** Replaces a file atomically; null deletes it. */
     private void put(String path, byte[] bytes) throws IOException {
         Path file = root.resolve(path);
         Path staged = root.resolve(path + STAGED);
@@ -135,7 +136,7 @@ final class InstallPlan {
         }
     }
 
-    /** Deletes a file, where there is one, and the folders that are empty without it. */
+    /** Deletes a file, if it exists, and folders that become empty. */
     private void delete(Path file) throws IOException {
         beforeStep.run();
         Files.deleteIfExists(file);
@@ -153,7 +154,7 @@ final class InstallPlan {
         }
     }
 
-    /** What root writes belongs to the owner of the MyRobotLab, who has to be able to change it. */
+    /** Gives files that root writes to the owner of MyRobotLab, who must be able to change them. */
     private void giveToOwner(Path file) throws IOException {
         PosixFileAttributeView view = Files.getFileAttributeView(file, PosixFileAttributeView.class);
         if (view != null && "root".equals(view.getOwner().getName())) {

@@ -23,40 +23,41 @@ import java.util.zip.ZipFile;
 import org.myrobotlab.service.link.PanelFiles;
 
 /**
- * Puts the plug-in into a MyRobotLab and takes it out again. Everything is decided first, as a {@link InstallPlan}; nothing is written before that.
- * No library is put there twice: what MyRobotLab has, in whatever version, stays, unless the user wants its jMonkeyEngine replaced. Any one thread.
+ * Installs the plug-in in a MyRobotLab and removes it. Makes a complete {@link InstallPlan} before it writes anything.
+ * Installs no library twice: MyRobotLab's own libraries stay, whatever their version, unless the user wants its
+ * jMonkeyEngine replaced. Any one thread.
  */
 final class Installer {
-    /** Where the services' panels are, in the plug-in's jar and in MyRobotLab's folder. */
+    /** Folder of panels, in the plug-in's jar and in MyRobotLab. */
     private static final String PANELS = "resource/";
     private static final String PLUGIN = "sear.jar";
-    /** Where MyRobotLab's jars are. */
+    /** MyRobotLab's folder of jars. */
     private static final String JARS = "libraries/jar/";
-    /** Where the jars are kept that were replaced; no class path leads there. */
+    /** Folder of replaced jars; not on the class path. */
     private static final String REPLACED = "libraries/sear-replaced/";
     private static final String SERVICE_DATA = "libraries/serviceData.json";
     private static final String RECEIPT = "libraries/sear-install.json";
-    /** The yml of a service of ours that has lost its type. */
+    /** Configuration file of one of SEAR's services that has lost its type. */
     private static final Pattern BARE = Pattern.compile("(?sm)\\A((?:---\\s*)?!!org\\.myrobotlab\\.service\\.config\\.)Service(Config\\b"
         + ".*?^type:\\s*['\"]?(?:org\\.myrobotlab\\.service\\.)?(" + String.join("|", ServiceData.SERVICES.keySet()) + ")['\"]?\\s*$)");
 
     final MrlFolder mrl;
-    /** What became of an earlier call that was killed; null if there was none. */
+    /** Message about the rollback of a killed call; null if there was none. */
     final String recovered;
-    /** What is installed; without a version where nothing is. */
+    /** The present installation; without a version if there is none. */
     final Receipt old;
     private final InstallPlan plan;
-    /** What will be installed. */
+    /** The new installation. */
     private final Receipt receipt = new Receipt();
-    /** What the files are to hold. */
+    /** Planned contents of files; null deletes a file. */
     private final Map<String, byte[]> files = new TreeMap<>();
-    /** Check sums of what an installation or the services have put here, by path. */
+    /** Check sums of files that an installation or the services have written, by path. */
     private final Map<String, Set<String>> ours = new TreeMap<>();
 
     /**
-     * Looks at a MyRobotLab, which must not run; what a call that was killed has begun there is undone first.
+     * Reads a MyRobotLab, which must not be running, and rolls back the changes of a killed call.
      *
-     * @param folder MyRobotLab's folder, or the one right above it
+     * @param folder MyRobotLab's folder or its parent
      */
     Installer(Path folder) throws InstallException, IOException {
         mrl = new MrlFolder(folder);
@@ -78,10 +79,10 @@ final class Installer {
     }
 
     /**
-     * What installing the distribution would do.
+     * Plans the installation of the distribution.
      *
      * @param plugin the distribution's folder with sear.jar and its libraries
-     * @param replaceEngine whether a jMonkeyEngine that is too old for the window makes room for the distribution's
+     * @param replaceEngine whether to replace a jMonkeyEngine that is too old for the window
      */
     InstallPlan install(Path plugin, boolean replaceEngine) throws InstallException, IOException {
         Path jar = plugin.resolve(PLUGIN);
@@ -106,7 +107,7 @@ final class Installer {
         return plan;
     }
 
-    /** The jar, and what the services serve from MRL's resource root. */
+    /** Adds the jar and the panels in MyRobotLab's resource folder. */
     private void addPlugin(Path plugin) throws IOException {
         files.put(JARS + PLUGIN, Files.readAllBytes(plugin));
         boolean unpacked = Files.isDirectory(mrl.root.resolve(PANELS));
@@ -185,12 +186,14 @@ final class Installer {
                 + "GPS: type the type by hand.");
             return;
         }
-        // what MyRobotLab wrote anew since the last installation has our entries in it: these are not part of what was there before
+        // MyRobotLab may have rewritten the file with SEAR's entries, which must not count as its original content
         byte[] then = ServiceData.with(now);
         change(SERVICE_DATA, now, then == now ? now : ServiceData.without(now), then);
     }
 
-    /** A yml that MRL wrote while the plug-in was missing has lost its type; MRL then answers null for the service until it is mended. */
+    /**
+     * Restores the type in files that MyRobotLab wrote without the plug-in; it can't create these services otherwise.
+     */
     private void repairConfigs() throws IOException {
         for (Path folder : MrlFolder.list(mrl.root.resolve("data/config"), "*")) {
             for (Path yml : MrlFolder.list(folder, "*.yml")) {
@@ -203,9 +206,9 @@ final class Installer {
     }
 
     /**
-     * Changes a file that MRL owns; the receipt keeps what it was before the first installation.
+     * Plans a change of one of MyRobotLab's files. The receipt keeps the content before the first installation.
      *
-     * @param untouched how it is without us
+     * @param untouched the content without SEAR
      */
     private void change(String path, byte[] now, byte[] untouched, byte[] then) {
         byte[] original = isOurs(path, now) ? old.originals.get(path) : untouched;
@@ -215,7 +218,10 @@ final class Installer {
         }
     }
 
-    /** Brings the files, and puts back what else is ours; a panel, and what is to be put back, stays where it was changed by hand. */
+    /**
+     * Plans all files, and restores SEAR's former ones. Keeps panels, and files to be restored, that were changed by
+     * hand.
+     */
     private void bring() throws IOException {
         Set<String> paths = new TreeSet<>(files.keySet());
         paths.addAll(ours.keySet());
@@ -234,12 +240,12 @@ final class Installer {
         }
     }
 
-    /** What taking the plug-in out would do. */
+    /** Plans the removal of the plug-in. */
     InstallPlan remove() throws InstallException, IOException {
         if (old.version == null) {
             throw new InstallException("SEAR is not installed in " + mrl.root + ": there is no " + RECEIPT + ".");
         }
-        files.put(JARS + PLUGIN, null); // nobody else's, even if it is damaged
+        files.put(JARS + PLUGIN, null); // certainly SEAR's, even if damaged
         plan.write(PANELS + PanelFiles.RECORD, null);
         byte[] data = plan.now(SERVICE_DATA);
         if (data != null && !isOurs(SERVICE_DATA, data)) {

@@ -8,24 +8,24 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** What a library's file name says of it. Immutable. */
+/** Name and version of a library, from its file name. Immutable. */
 final class JarName {
     private static final Pattern PARTS = Pattern.compile("(.*?)(?:-(\\d.*?))?(-natives-.*)?\\.jar");
     private static final int NUMBERS = 8;
-    /** What the window needs, by the first word of the name: jMonkeyEngine, and LWJGL below it, which belongs to it. */
+    /** Lowest versions for the window by the first word of the name: jMonkeyEngine and its LWJGL. */
     private static final Map<String, String> WINDOW_NEEDS = Map.of("jme3", "3.6", "lwjgl", "3.3");
-    /** Optional reader of models; there is no newer one. */
+    /** Optional model loader; has no newer version. */
     private static final String BLENDER = "jme3-blender";
-    /** Older than ours, and known to do: MyRobotLab's develop of 2024 has it. */
+    /** Older versions that are known to work, as in MyRobotLab's develop branch of 2024. */
     private static final Map<String, String> WORKS_FROM = Map.of("xstream", "1.4.19");
 
-    /** The file's name. */
+    /** File name. */
     final String name;
-    /** {@code jme3-core} of {@code jme3-core-3.6.1-stable.jar}; a natives classifier belongs to it. */
+    /** {@code jme3-core} of {@code jme3-core-3.6.1-stable.jar}; includes a natives classifier. */
     final String artifact;
-    /** {@code 3.6.1-stable} of {@code jme3-core-3.6.1-stable.jar}; empty where the name has none. */
+    /** {@code 3.6.1-stable} of {@code jme3-core-3.6.1-stable.jar}; empty without a version. */
     final String version;
-    /** The lowest version that the window works with, null for a library that it does not need. */
+    /** Lowest version for the window; null for a library that it does not need. */
     private final String needed;
 
     JarName(Path jar) {
@@ -43,7 +43,7 @@ final class JarName {
         return needed != null && compare(version, needed) < 0;
     }
 
-    /** What to expect of it in the place of ours. */
+    /** Returns how well this library replaces SEAR's own. */
     String verdict(JarName ours) {
         if (isTooOldForTheWindow()) {
             return "the window needs " + needed + "; --replace-jme puts ours into its place";
@@ -55,7 +55,7 @@ final class JarName {
         return compare(version, ours.version) > 0 ? "newer, should work" : "older, and SEAR was not tried with it";
     }
 
-    /** Compares versions number by number; what is not a number counts as 0. */
+    /** Compares versions number by number; parts that are not numbers count as 0. */
     static int compare(String a, String b) {
         return Arrays.compare(numbers(a), numbers(b));
     }

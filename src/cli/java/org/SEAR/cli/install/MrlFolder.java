@@ -19,10 +19,10 @@ import java.util.zip.ZipFile;
 /** A MyRobotLab installation on disk: the folder with {@code myrobotlab.jar}. Any one thread. */
 final class MrlFolder {
     private static final String JAR = "myrobotlab.jar";
-    /** Holds {@code myrobotlab.jar}. */
+    /** The folder with {@code myrobotlab.jar}. */
     final Path root;
 
-    /** The installation in {@code given}, or in the only folder right below it that has one. */
+    /** Finds the installation in {@code given}, or in its only subfolder that has one. */
     MrlFolder(Path given) throws InstallException, IOException {
         if (!Files.isDirectory(given)) {
             throw new InstallException(given + " is not a folder. Name the folder that holds MyRobotLab's " + JAR + ".");
@@ -39,7 +39,7 @@ final class MrlFolder {
         return Files.isRegularFile(folder.resolve(JAR));
     }
 
-    /** What a folder holds, sorted by name; empty where there is no such folder. */
+    /** Returns the content of a folder, sorted by name; empty if there is no such folder. */
     static List<Path> list(Path folder, String glob) throws IOException {
         List<Path> content = new ArrayList<>();
         if (Files.isDirectory(folder)) {
@@ -51,7 +51,7 @@ final class MrlFolder {
         return content;
     }
 
-    /** Names of all entries of {@code myrobotlab.jar}. */
+    /** Returns the names of all entries of {@code myrobotlab.jar}. */
     Set<String> ownEntries() throws InstallException {
         try (ZipFile jar = new ZipFile(root.resolve(JAR).toFile())) {
             return jar.stream().map(ZipEntry::getName).collect(Collectors.toSet());
@@ -60,10 +60,10 @@ final class MrlFolder {
         }
     }
 
-    /** Refuses while a MyRobotLab runs from this folder: it has the jars open and writes the same files. */
+    /** Throws if a MyRobotLab runs from this folder: it has the jars open and writes the same files. */
     void refuseIfRunning() throws InstallException {
         Set<ProcessHandle> callers = Stream.iterate(ProcessHandle.current(), Objects::nonNull, process -> process.parent().orElse(null))
-            .collect(Collectors.toSet()); // a shell whose command line names myrobotlab.jar and calls this program is no MyRobotLab
+            .collect(Collectors.toSet()); // excludes a calling shell whose command line names myrobotlab.jar
         Optional<ProcessHandle> running = ProcessHandle.allProcesses().filter(process -> !callers.contains(process))
             .filter(this::runsFromHere).findFirst();
         if (running.isPresent()) {
@@ -86,7 +86,7 @@ final class MrlFolder {
         try {
             return command.contains(root.toString()) || Files.isSameFile(root, Path.of("/proc", Long.toString(process.pid()), "cwd"));
         } catch (IOException | SecurityException e) {
-            return false; // no such view of processes on this system: the command line was all there is to judge by
+            return false; // no process folders on this system: the command line must do
         }
     }
 }

@@ -12,29 +12,29 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * What an installation put where, kept in {@code libraries/sear-install.json}, so that it can be taken out to the byte. The journal of a call that is
- * under way is one, too, with nothing but originals. Paths use '/'.
+ * List of all changes of an installation, in {@code libraries/sear-install.json}; allows a removal that restores every
+ * byte. The journal of a running call is a receipt with originals only. Paths use '/'.
  */
 final class Receipt {
     private static final ObjectMapper MAPPER = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
 
-    /** Version of the plug-in, null where none is installed. */
+    /** Version of the plug-in; null if none is installed. */
     public String version;
-    /** SHA-256 of each file that was not there before. */
+    /** SHA-256 of each new file. */
     public Map<String, String> added = new TreeMap<>();
-    /** SHA-256 of each file that was there before, as it was written. */
+    /** SHA-256 of each changed file, as written. */
     public Map<String, String> changed = new TreeMap<>();
-    /** The bytes that the changed files had before; in a journal null for a file that was not there. */
+    /** Former contents of the changed files; in a journal null for a new file. */
     public Map<String, byte[]> originals = new TreeMap<>();
-    /** SHA-256 of each jar of MyRobotLab's that made room for one of ours, by its name; it lies in {@code libraries/sear-replaced}. */
+    /** SHA-256 of MyRobotLab's replaced jars, by name; the jars are in {@code libraries/sear-replaced}. */
     public Map<String, String> replaced = new TreeMap<>();
-    /** What earlier versions wrote: folders that were not there before. */
+    /** New folders; written by earlier versions only. */
     public Set<String> folders = Set.of();
 
     /**
-     * What a file says, nothing where there is none.
+     * Reads a receipt; empty if there is no file.
      *
-     * @param advice what to do when it can't be read
+     * @param advice for an unreadable file
      */
     static Receipt read(Path file, String advice) throws IOException, InstallException {
         try {

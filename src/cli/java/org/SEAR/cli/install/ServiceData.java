@@ -15,11 +15,11 @@ import java.util.TreeMap;
 import java.util.function.BiConsumer;
 
 /**
- * MyRobotLab's {@code libraries/serviceData.json}: what its service picker offers. An entry has the shape of Clock's, so whatever fields this MRL's
- * version knows, ours have them too. Pure functions.
+ * Entries in MyRobotLab's {@code libraries/serviceData.json}, the list of its service picker. A new entry copies the
+ * fields of Clock's entry, so it suits every version of MyRobotLab. Pure functions.
  */
 final class ServiceData {
-    /** Services by simple name, with the line that the service picker shows. */
+    /** Descriptions in the service picker, by simple name. */
     static final Map<String, String> SERVICES = new TreeMap<>(Map.of(
         "SEAR", "Robot simulator: worlds and robots from scripts, with the sensors and serial protocols of real hardware",
         "LIDAR", "SICK LMS200 laser scanner, real or simulated",
@@ -30,12 +30,12 @@ final class ServiceData {
     private ServiceData() {
     }
 
-    /** The file with SEAR's services, each in its category: the same bytes where they are there already. */
+    /** Adds SEAR's services to the file, each in its category; returns the same bytes if all are there. */
     static byte[] with(byte[] text) throws InstallException {
         return edited(text, ServiceData::add);
     }
 
-    /** The file without SEAR's services: the same bytes where there are none. */
+    /** Removes SEAR's services from the file; returns the same bytes if there are none. */
     static byte[] without(byte[] text) throws InstallException {
         return edited(text, ServiceData::remove);
     }

@@ -1,5 +1,5 @@
 /**
- * {@code sear install}: puts the plug-in into a MyRobotLab and takes it out again; looks first, then changes, and undoes what it began. Uses
- * {@link org.myrobotlab.service.link}, which knows the panels' files. The main thread.
+ * {@code sear install}: installs the plug-in in a MyRobotLab and removes it. Plans all changes first, and rolls back
+ * after a failure. Uses {@link org.myrobotlab.service.link}, which knows the panels' files. The main thread.
  */
 package org.SEAR.cli.install;

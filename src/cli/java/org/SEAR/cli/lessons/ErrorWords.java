@@ -5,19 +5,19 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** What a script's error says, in one line. Immutable, any thread. */
+/** A script's error in one line. Immutable, any thread. */
 public final class ErrorWords {
     private static final int LONGEST = 400;
 
-    /** The last line of the script that took part; empty if none is known. */
+    /** Line number of the script's innermost frame; empty if unknown. */
     public final String line;
-    /** What went wrong, with hints behind it; empty if nothing was said. */
+    /** The error with its hints; empty without one. */
     public final String words;
 
     /**
-     * Of what was printed.
+     * Reads a traceback.
      *
-     * @param script the name of its file
+     * @param script name of the script's file
      */
     public ErrorWords(String traceback, String script) {
         Matcher places = Pattern.compile("File \"[^\"\\n]*" + Pattern.quote(script) + "\", line (\\d+)").matcher(traceback);

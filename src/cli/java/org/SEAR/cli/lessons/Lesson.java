@@ -14,8 +14,8 @@ import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.problems.ProjectException;
 
 /**
- * A lesson: a folder NAME with the page README.md, pictures, the world world.sear, the script to start from, NAME.py, and check.py. Immutable, any
- * thread.
+ * A lesson: a folder NAME with the page README.md, pictures, the world world.sear, the initial script NAME.py, and
+ * check.py. Immutable, any thread.
  */
 final class Lesson {
     private static final String PAGE = "README.md";
@@ -29,7 +29,7 @@ final class Lesson {
         this.folder = folder;
     }
 
-    /** Those that come with SEAR, by name. */
+    /** Returns SEAR's own lessons, by name. */
     static List<Lesson> all() throws IOException {
         Path home = home();
         if (!Files.isDirectory(home)) {
@@ -45,10 +45,10 @@ final class Lesson {
     }
 
     /**
-     * One that comes with SEAR, or a teacher's own.
+     * Finds one of SEAR's lessons or a teacher's own.
      *
-     * @param nameOrFolder its name, or its folder
-     * @throws IOException that says what there is, or what the folder lacks
+     * @param nameOrFolder its name or its folder
+     * @throws IOException if there is no such lesson, or its folder is incomplete
      */
     static Lesson find(String nameOrFolder) throws IOException {
         Path given = Path.of(nameOrFolder).toAbsolutePath().normalize();
@@ -70,7 +70,7 @@ final class Lesson {
         return lesson;
     }
 
-    /** Whether a lesson of that name comes with SEAR. */
+    /** Returns whether SEAR has a lesson of that name. */
     static boolean isKnown(String name) throws IOException {
         return all().stream().anyMatch(one -> one.getName().equals(name));
     }
@@ -91,12 +91,12 @@ final class Lesson {
         return folder.resolve(WORLD);
     }
 
-    /** The script to start from. */
+    /** Returns the initial script. */
     Path script() {
         return folder.resolve(getName() + ".py");
     }
 
-    /** What it is about: the heading of its page; empty if it has none. */
+    /** Returns the heading of the lesson's page; empty if it has none. */
     String title() throws IOException {
         Path page = folder.resolve(PAGE);
         if (!Files.exists(page)) {
@@ -107,16 +107,16 @@ final class Lesson {
         }
     }
 
-    /** Makes its world the project of a folder. */
+    /** Unpacks the lesson's world as the project of a folder. */
     Project unpack(Path to) throws IOException, ProjectException {
         Files.createDirectories(to);
         return Bundle.load(world(), to.resolve(PROJECT), new PercentProgress("opening", world(), line -> { }));
     }
 
     /**
-     * Puts what a pupil needs into a folder: page, pictures, world and script.
+     * Copies page, pictures, world and script to a folder.
      *
-     * @throws IOException if there is a script of that name, which may be the pupil's
+     * @throws IOException if the folder has a script of that name, which may be the pupil's
      */
     void handOut(Path to) throws IOException, ProjectException {
         Path script = to.resolve(script().getFileName());

@@ -6,7 +6,7 @@ import org.SEAR.lessons.LessonRun;
 import org.myrobotlab.embedded.python.PythonEngine;
 import org.myrobotlab.embedded.python.ScriptResult;
 
-/** The check.py of a lesson, in an interpreter that no pupil's script sees. Any thread, one at a time. */
+/** The check.py of a lesson, in an interpreter separate from the pupils' scripts. Any thread, one at a time. */
 final class LessonCheck {
     private static final double MAX_SECONDS = 3600;
 
@@ -14,7 +14,7 @@ final class LessonCheck {
     private final PythonEngine engine;
     private final double seconds;
 
-    /** @throws IOException that says what is wrong with it */
+    /** @throws IOException if the check has an error or lacks a part */
     LessonCheck(Lesson lesson) throws IOException {
         this.lesson = lesson;
         engine = new PythonEngine("check of " + lesson.check(), new ByteArrayOutputStream(), System.err);
@@ -33,15 +33,15 @@ final class LessonCheck {
         }
     }
 
-    /** Simulated seconds that count. */
+    /** Returns the simulated time that counts, s. */
     double getSeconds() {
         return seconds;
     }
 
     /**
-     * Has it ask for all that it wants.
+     * Runs the check on a run.
      *
-     * @throws IOException with the error that it raises
+     * @throws IOException with the error that the check raises
      */
     synchronized void look(LessonRun run) throws IOException {
         ScriptResult result = engine.call("check", run);

@@ -12,7 +12,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code sear lesson NAME FOLDER}: hands one out. */
+/** {@code sear lesson NAME FOLDER}: copies a lesson for a pupil. */
 @Command(name = "lesson", mixinStandardHelpOptions = true,
     description = "Puts a lesson into a folder: its page README.md, its world SEARproject and its script NAME.py, from which you start.",
     footer = "Exit status: 0, or 2 when it can't be.")

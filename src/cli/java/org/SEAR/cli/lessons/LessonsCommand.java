@@ -8,7 +8,7 @@ import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** {@code sear lessons}: which there are. */
+/** {@code sear lessons}: lists the lessons. */
 @Command(name = "lessons", mixinStandardHelpOptions = true, description = "Lists the lessons that come with SEAR.")
 public final class LessonsCommand implements Callable<Integer> {
     @Spec

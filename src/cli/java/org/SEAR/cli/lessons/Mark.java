@@ -4,9 +4,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What one script is worth, and why. Immutable. */
+/** The mark of one script, with reasons. Immutable. */
 final class Mark {
-    /** How it went. */
+    /** Outcome of a script. */
     enum Kind {
         PASSED("passed"), NOT_YET("not yet"), FAILED("error"), ENDLESS("endless"), TOO_LARGE("too much memory"), NOTHING("nothing to mark"),
         CHECK_FAILED("the check has failed");
@@ -23,7 +23,7 @@ final class Mark {
     final Kind kind;
     final int got;
     final int asked;
-    /** What is missing, in words. */
+    /** Sentences about what is missing. */
     final List<String> missing;
     final Map<String, Double> measures;
 

@@ -11,7 +11,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** Marks as files: a table for programs, one for people, and JUnit's XML. */
+/** Marks as files: CSV, text, and JUnit's XML. */
 final class MarkTables {
     private MarkTables() {
     }
@@ -24,7 +24,7 @@ final class MarkTables {
         Files.write(folder.resolve("marks.xml"), xml(marks).getBytes(StandardCharsets.UTF_8));
     }
 
-    /** A line for each mark, with a column for each number that any check has kept. */
+    /** Returns a row for each mark, with a column for each measure of any check. */
     static String csv(List<Mark> marks) {
         Set<String> measures = new LinkedHashSet<>();
         marks.forEach(mark -> measures.addAll(mark.measures.keySet()));
@@ -48,13 +48,13 @@ final class MarkTables {
         return cells.stream().map(MarkTables::cell).collect(Collectors.joining(",")) + "\n";
     }
 
-    /** A spreadsheet takes what begins like a formula for one. */
+    /** Protects text that a spreadsheet would take for a formula. */
     private static String cell(String text) {
         String safe = text.matches("(?s)[=+@\\t\\r].*|-(?![0-9.]+$).*") ? "'" + text : text;
         return safe.matches("(?s).*[\",\\n\\r].*") ? "\"" + safe.replace("\"", "\"\"") + "\"" : safe;
     }
 
-    /** For people: the table, then what each lacks. */
+    /** Returns a table for readers, followed by what each script lacks. */
     static String text(List<Mark> marks) {
         int width = marks.stream().mapToInt(mark -> mark.pupil.length()).max().orElse(0);
         int lessons = marks.stream().mapToInt(mark -> mark.lesson.length()).max().orElse(0);
@@ -73,7 +73,7 @@ final class MarkTables {
         return all.toString();
     }
 
-    /** As JUnit writes it: a test suite, a test case for each mark. */
+    /** Returns JUnit's format: a test suite with a test case for each mark. */
     static String xml(List<Mark> marks) {
         StringBuilder all = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
         long failed = marks.stream().filter(mark -> mark.kind == Mark.Kind.NOT_YET || mark.kind == Mark.Kind.NOTHING).count();
@@ -93,7 +93,7 @@ final class MarkTables {
         return all.append("</testsuite>\n").toString();
     }
 
-    /** What XML can't have at all is a question mark. */
+    /** Replaces characters that XML can't contain by a question mark. */
     private static String escaped(String text) {
         StringBuilder safe = new StringBuilder();
         text.codePoints().forEach(c -> {

@@ -22,7 +22,7 @@ import org.SEAR.project.Project;
 import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.problems.ProjectException;
 
-/** Marks scripts, several at once. */
+/** Marks scripts, several in parallel. */
 final class Marking {
     private static final String RECORD = "run.searlog";
     private static final double AFTER = 1;
@@ -34,8 +34,8 @@ final class Marking {
     private final Map<String, LessonCheck> checks = new HashMap<>();
 
     /**
-     * @param limit seconds of the computer's clock for each script
-     * @param memory megabytes for each
+     * @param limit time for each script by the computer's clock, s
+     * @param memory limit for each script, MB
      * @param python3 whether all scripts are Python 3
      */
     Marking(double limit, int memory, long seed, boolean python3) {
@@ -46,10 +46,11 @@ final class Marking {
     }
 
     /**
-     * Marks them, so many at once.
+     * Marks scripts.
      *
-     * @param done hears of each that is ready, one at a time
-     * @return their marks in the same order
+     * @param jobs number of scripts marked in parallel
+     * @param done gets each mark when it is ready, one at a time
+     * @return the marks, in the order of the scripts
      */
     List<Mark> all(List<Submission> submissions, int jobs, Consumer<Mark> done) throws IOException, InterruptedException {
         for (Submission one : submissions) {
@@ -160,7 +161,7 @@ final class Marking {
             + (error.words.isEmpty() ? "exit status " + status : error.words);
     }
 
-    /** The script, and the modules of a pupil's own folder. */
+    /** Copies the script, and the modules if it is in the pupil's own folder. */
     private static void copy(Submission of, Path run, String script) throws IOException {
         if (of.script.toAbsolutePath().getParent().getFileName().toString().equals(of.pupil)) {
             try (Stream<Path> files = Files.list(of.script.toAbsolutePath().getParent())) {

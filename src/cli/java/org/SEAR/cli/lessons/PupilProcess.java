@@ -16,14 +16,14 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * A pupil's script in a process of its own, without a window, with limits of time and memory that count all processes which it starts. One use; the
- * thread that waits for it.
+ * A pupil's script in its own process without a window. Limits of time and memory include all processes that it starts.
+ * Single use; the waiting thread.
  */
 final class PupilProcess {
-    /** Bytes of what it prints that are kept. */
+    /** Limit of kept output, bytes. */
     private static final int MAX_PRINTED = 200_000;
     private static final long LOOK_MILLIS = 100;
-    /** What the JVM takes besides its heap is the rest. */
+    /** Share of the memory limit for the heap; the rest is for the JVM itself. */
     private static final double HEAP_SHARE = 0.6;
     private static final int KILOBYTES = 1024;
     private static final String OUT_OF_MEMORY = "java.lang.OutOfMemoryError";
@@ -36,7 +36,7 @@ final class PupilProcess {
     private boolean tooLong;
     private boolean tooLarge;
 
-    /** What it prints; the rest is read and forgotten. */
+    /** Output of the process; keeps its beginning and reads on. */
     private static final class Printed implements Runnable {
         private final InputStream from;
         private final ByteArrayOutputStream kept = new ByteArrayOutputStream();
@@ -58,7 +58,7 @@ final class PupilProcess {
             }
         }
 
-        /** The number of bytes; negative at the end, and when it was killed: what there is counts. */
+        /** Returns the number of bytes; negative at the end, and after the process was killed. */
         private int read(byte[] some) {
             try {
                 return from.read(some);
@@ -67,7 +67,9 @@ final class PupilProcess {
             }
         }
 
-        /** All of it, once the process has ended; one that it has left behind may hold the line open. */
+        /**
+         * Returns the output after the end of the process; a child process that still runs may keep the stream open.
+         */
         String text() throws InterruptedException {
             thread.join(TimeUnit.SECONDS.toMillis(1));
             synchronized (kept) {
@@ -83,11 +85,12 @@ final class PupilProcess {
     }
 
     /**
-     * Runs a script to its end or the end of its limits.
+     * Runs a script to its end or to a limit.
      *
-     * @param folder in which it runs
+     * @param folder working folder
      * @param arguments of {@code sear}
-     * @param limits seconds of the computer's clock, megabytes
+     * @param limit time by the computer's clock, s
+     * @param memory limit, MB
      */
     static PupilProcess run(Path folder, List<String> arguments, double limit, int memory) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
@@ -127,7 +130,7 @@ final class PupilProcess {
         }
     }
 
-    /** Memory that it and those that it has started have now; 0 where the system doesn't say. */
+    /** Returns the memory of the process and the processes that it started, kB; 0 if the system doesn't report it. */
     private long kilobytes() {
         return Stream.concat(Stream.of(process.toHandle()), all.stream()).mapToLong(one -> kilobytes(one.pid())).sum();
     }
@@ -141,7 +144,7 @@ final class PupilProcess {
             return lines.filter(line -> line.startsWith("VmRSS:")).mapToLong(line -> Long.parseLong(line.replaceAll("\\D", "")))
                 .findFirst().orElse(0);
         } catch (IOException | java.io.UncheckedIOException e) {
-            return 0;       // it has ended meanwhile
+            return 0;       // the process has just ended
         }
     }
 
@@ -152,12 +155,12 @@ final class PupilProcess {
         process.waitFor();
     }
 
-    /** Whether it was ended since it went on too long. */
+    /** Returns whether the process was killed for taking too long. */
     boolean isTooLong() {
         return tooLong && !isTooLarge();
     }
 
-    /** Whether it was ended since it took too much memory. */
+    /** Returns whether the process was killed for taking too much memory. */
     boolean isTooLarge() {
         return tooLarge || said(out).contains(OUT_OF_MEMORY) || said(err).contains(OUT_OF_MEMORY);
     }
@@ -172,12 +175,12 @@ final class PupilProcess {
         return process.exitValue();
     }
 
-    /** What it printed. */
+    /** Returns the standard output. */
     String getPrinted() throws InterruptedException {
         return out.text();
     }
 
-    /** What it printed as errors. */
+    /** Returns the error output. */
     String getErrors() throws InterruptedException {
         return err.text().lines().filter(line -> !line.startsWith("Open this in a browser")).collect(Collectors.joining("\n"));
     }

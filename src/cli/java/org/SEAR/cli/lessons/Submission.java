@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** What one pupil has handed in for one lesson. Immutable. */
+/** A pupil's script for a lesson. Immutable. */
 final class Submission {
     private static final String ENDING = ".py";
 
@@ -24,10 +24,10 @@ final class Submission {
     }
 
     /**
-     * All that is to be marked.
+     * Finds all scripts to mark.
      *
-     * @param path a script; or a folder of scripts, each named after its pupil, or of folders, each named after its pupil
-     * @param lesson null: each script is of the lesson that it is named after
+     * @param path a script; or a folder with scripts, or with folders, each named after its pupil
+     * @param lesson null if each script is named after its lesson
      * @throws IOException if there is nothing to mark
      */
     static List<Submission> in(Path path, Lesson lesson) throws IOException {
@@ -60,7 +60,7 @@ final class Submission {
         return isOfPupil && !stem(script).equals(lesson.getName()) ? List.of() : List.of(new Submission(stem(script), lesson, script));
     }
 
-    /** What a folder named after a pupil has. */
+    /** Finds the scripts in a pupil's folder. */
     private static List<Submission> ofPupil(Path folder, Lesson lesson) throws IOException {
         String pupil = folder.getFileName().toString();
         List<Path> scripts = list(folder).stream().filter(Submission::isScript).collect(Collectors.toList());

@@ -1,5 +1,5 @@
 /**
- * Lessons: handing them out, running pupils' scripts in processes of their own, checking and marking what they did. May use everything. The main
- * thread, and one for each script that runs.
+ * Lessons: copies them for pupils, runs pupils' scripts in separate processes, checks and marks them. May use
+ * everything. The main thread, and one for each running script.
  */
 package org.SEAR.cli.lessons;

@@ -9,16 +9,16 @@ import org.myrobotlab.service.Python;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 
-/** Runs scripts by Jython one after the other in a Java machine that stays, each in a MyRobotLab of its own. Python calls it; one thread. */
+/** Runs Jython scripts one after the other in one JVM, each in a new MyRobotLab. Called by Python; one thread. */
 public final class ScriptRuns {
     private static final String PYTHON = "python";
-    /** So long may a callback, or a thread of the script, go on after its end. */
+    /** Time for callbacks and threads to finish after the script's end, ms. */
     private static final int TIMEOUT_MILLIS = 5000;
 
     private ScriptRuns() {
     }
 
-    /** Does what has to be done once in a Java machine before the first script, which takes seconds, so that it is not taken for a part of a run. */
+    /** Initialises Jython before the first script; takes seconds that must not count as part of a run. */
     public static void prepare() {
         Runtime.start(PYTHON, "Python");
         PythonEngine engine = PythonEngine.of(PYTHON);
@@ -31,7 +31,7 @@ public final class ScriptRuns {
     /**
      * Runs a script from start to release.
      *
-     * @return nothing if all went well; else what went wrong, the last line being the shortest account
+     * @return empty on success; else the error, whose last line is a summary
      */
     public static String run(String script) throws IOException, InterruptedException {
         try {
@@ -59,7 +59,7 @@ public final class ScriptRuns {
         }
     }
 
-    /** Ends all simulations and releases all services, so that the next run finds none. */
+    /** Stops all simulations and releases all services, so that the next run finds none. */
     public static void release() {
         stopSimulations();
         Runtime.releaseAll();

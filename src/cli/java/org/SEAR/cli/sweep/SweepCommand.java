@@ -17,7 +17,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code sear sweep SCRIPT.py}: many runs of a script, by {@code python3 -m sear.sweeps}, which also says what is wrong with the options. */
+/**
+ * {@code sear sweep SCRIPT.py}: runs a script many times, by {@code python3 -m sear.sweeps}, which also checks the
+ * options.
+ */
 @Command(name = "sweep", mixinStandardHelpOptions = true,
     description = "Runs a script once for each seed and each combination of parameters, on many processes or computers, and writes a table of the "
         + "results. The processes are those of Dask Distributed: python3 -m pip install numpy JPype1 distributed pyarrow.",
@@ -84,7 +87,7 @@ public final class SweepCommand implements Callable<Integer> {
         }
     }
 
-    /** After Ctrl+C, which comes to both processes, or the end of this one alone: the other still writes what is done. */
+    /** Ends the Python process, which first writes its finished runs. Ctrl+C reaches both processes. */
     private static void end(Process process) {
         process.destroy();
         try {

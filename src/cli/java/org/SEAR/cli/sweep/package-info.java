@@ -1,5 +1,6 @@
 /**
- * {@code sear sweep}: hands over to the package for Python 3, which deals the runs out by Dask; and one run of a Jython script after the other, for
- * its processes. Uses {@link org.myrobotlab.service} and {@link org.myrobotlab.embedded.python}, and what these use. The main thread.
+ * {@code sear sweep}: starts the Python 3 package that distributes the runs with Dask, and runs Jython scripts in its
+ * processes. Uses {@link org.myrobotlab.service}, {@link org.myrobotlab.embedded.python} and their dependencies. The
+ * main thread.
  */
 package org.SEAR.cli.sweep;

@@ -10,8 +10,8 @@ import picocli.CommandLine.Command;
 
 /** {@code sear check FOLDER_OR_FILE.sear}: 0, or 2 and every problem. */
 @Command(name = "check", mixinStandardHelpOptions = true,
-    description = "Reads a project or bundle and prints everything that is wrong with it: file, line, field, value, what is legal.",
-    footer = "Exit status: 0 when all is well, 2 when there are problems.")
+    description = "Reads a project or bundle and prints every problem: file, line, field, value and what is legal.",
+    footer = "Exit status: 0 without problems, 2 with problems.")
 final class CheckCommand extends ProjectCommand {
     @Override
     String doing() {

@@ -13,9 +13,9 @@ import picocli.CommandLine.Spec;
 
 /** {@code sear modem-lines -- python3 my.py}: runs a program that sets DTR or RTS, which a pseudo-terminal lacks. */
 @Command(name = "modem-lines", mixinStandardHelpOptions = true,
-    description = "Runs a program for which pseudo-terminals have modem lines (DTR, RTS, CTS, DSR, CD) that it can set and read: drivers that switch "
-        + "something by DTR, as those of the RPLIDAR do, fail without. What they set leads nowhere. Linux; needs a C compiler (cc).",
-    footer = "Exit status: that of the program.")
+    description = "Runs a program with modem lines (DTR, RTS, CTS, DSR, CD) on pseudo-terminals. Drivers that switch something by DTR, such as "
+        + "the RPLIDAR's, fail without them. Setting a line has no effect. Linux only; needs a C compiler (cc).",
+    footer = "Exit status: the program's.")
 final class ModemLinesCommand implements Callable<Integer> {
     private static final String PRELOAD = "LD_PRELOAD";
 
@@ -28,7 +28,7 @@ final class ModemLinesCommand implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         PrintWriter err = spec.commandLine().getErr();
         if (!System.getProperty("os.name").toLowerCase(Locale.ROOT).contains("linux")) {
-            err.println("sear: modem-lines is for Linux; elsewhere use sear.exportRfc2217, which takes DTR and RTS");
+            err.println("sear: modem-lines needs Linux; elsewhere use sear.exportRfc2217, which supports DTR and RTS");
             return ExitCode.USAGE;
         }
         try (ModemLines lines = ModemLines.compile("cc")) {

@@ -10,8 +10,8 @@ import picocli.CommandLine.Command;
 
 /** {@code sear script FOLDER_OR_FILE.sear}: the Python script that makes a project. */
 @Command(name = "script", mixinStandardHelpOptions = true,
-    description = "Prints the Python script that makes a project's objects; run in a project with the same assets, it gives the same files.",
-    footer = "Exit status: 0, or 2 when the project has problems, which are printed.")
+    description = "Prints a Python script that creates a project's objects; with the same assets it creates the same files.",
+    footer = "Exit status: 0, or 2 after printing the project's problems.")
 final class ScriptCommand extends ProjectCommand {
     @Override
     String doing() {

@@ -36,44 +36,44 @@ import picocli.CommandLine;
     subcommands = {CheckCommand.class, ScriptCommand.class, SensorsCommand.class, ModemLinesCommand.class, InstallCommand.class,
         LessonsCommand.class, LessonCommand.class, GradeCommand.class, SweepCommand.class, ClassCommand.class,
         ContestCommand.class, AutoComplete.GenerateCompletion.class, HelpCommand.class},
-    description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one."
-        + " The project of a script is the folder SEARproject in the present folder.",
-    footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
+    description = "Runs a Python script in a small MyRobotLab with SEAR, or opens a project in the tabs and in a browser."
+        + " A script's project is the folder SEARproject in the working folder.",
+    footer = "Exit status: 0 when the script ends, 1 when it raises an error, 2 for an invalid command.")
 public final class SearCommand implements Callable<Integer> {
-    @Parameters(index = "0", paramLabel = "SCRIPT.py|PROJECT", arity = "0..1", description = "A script, Python 2.7 as MyRobotLab has it (Jython); or"
-        + " a bundle (.sear) or a folder, whose project is opened in the tabs; examples are found anywhere. Without it the tabs open on the project"
-        + " of the present folder.")
+    @Parameters(index = "0", paramLabel = "SCRIPT.py|PROJECT", arity = "0..1", description = "A script in Python 2.7"
+        + " (Jython, as in MyRobotLab); or a bundle (.sear) or folder to open in the tabs. Examples are found from any folder. Without it the tabs"
+        + " show the working folder's project.")
     private Path script;
-    @Parameters(index = "1..*", paramLabel = "ARGUMENT", arity = "0..*", description = "What the script finds in sys.argv; put -- before the first"
-        + " one if one looks like an option or a command.")
+    @Parameters(index = "1..*", paramLabel = "ARGUMENT", arity = "0..*", description = "Arguments of the script, in sys.argv. Put -- before the"
+        + " first one if any looks like an option or a command.")
     private List<String> arguments = List.of();
     @Option(names = "--headless", description = "Open no window.")
     private boolean headless;
-    @Option(names = "--speed", paramLabel = "FACTOR|max", description = "Simulated seconds a second; max: as fast as possible, in lock-step with "
-        + "the script, the same every time. Default: 1.")
+    @Option(names = "--speed", paramLabel = "FACTOR|max", description = "Simulated seconds per second; max: as fast as possible, in lock-step with "
+        + "the script and repeatable. Default: 1.")
     private String speed;
-    @Option(names = "--seed", paramLabel = "N", description = "Where the random numbers of the sensors begin, a whole number.")
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of the sensors' random numbers, a whole number.")
     private Long seed;
-    @Option(names = "--set", paramLabel = "NAME=VALUE", description = "A parameter of the script, which sear.getParameter(\"NAME\", default) answers."
+    @Option(names = "--set", paramLabel = "NAME=VALUE", description = "A parameter of the script, read by sear.getParameter(\"NAME\", default)."
         + " May be given several times.")
     private List<String> parameters = List.of();
-    @Option(names = "--threads", paramLabel = "N", description = "How many threads sensors and cameras measure on, 1 to 256; what they measure does "
-        + "not depend on it. Default: as many as there are processors.")
+    @Option(names = "--threads", paramLabel = "N", description = "Threads for sensors and cameras, 1 to 256; does not change the readings. "
+        + "Default: the number of processors.")
     private String threads;
     @Option(names = "--port", paramLabel = "N|none", defaultValue = "8888", description = "Port of the tabs in the browser: http://localhost:N. "
         + "Default: ${DEFAULT-VALUE}.")
     private String port;
     @Mixin
     private ServerOptions server = new ServerOptions();
-    @Option(names = "--record", paramLabel = "FILE", description = "Record each simulation that the script starts, the last one stays; besides what "
-        + "the script records itself.")
+    @Option(names = "--record", paramLabel = "FILE", description = "Record the script's simulations to this file, in addition to the script's own "
+        + "recordings. The file keeps the last simulation.")
     private String record;
-    @Option(names = "--until", paramLabel = "SECONDS", description = "End the script when so much simulated time has passed.")
+    @Option(names = "--until", paramLabel = "SECONDS", description = "End the script after this simulated time.")
     private Double until;
-    @Option(names = "--python3", description = "The script is Python 3, and runs by python3 with the package sear. So does each whose first line is "
-        + "#!/usr/bin/env python3.")
+    @Option(names = "--python3", description = "Run the script with python3 and the package sear. Scripts whose first line is #!/usr/bin/env python3 "
+        + "need no option.")
     private boolean python3;
-    @Option(names = "--keep", description = "Stay when the script has ended, until Ctrl+C or Runtime.shutdown().")
+    @Option(names = "--keep", description = "Keep running after the script's end, until Ctrl+C or Runtime.shutdown().")
     private boolean keep;
     @Spec
     private CommandSpec spec;
@@ -131,8 +131,8 @@ public final class SearCommand implements Callable<Integer> {
         }
         int status = run.script(script, arguments, keep, checkedUntil());
         if (status == CommandLine.ExitCode.OK) {
-            RunParameters.unasked().forEach(name -> err.println("sear: the script has not asked for parameter " + name
-                + ": is it called so there, in sear.getParameter?"));
+            RunParameters.unasked().forEach(name -> err.println("sear: the script did not read parameter " + name
+                + ": check its name in sear.getParameter"));
         }
         return status;
     }

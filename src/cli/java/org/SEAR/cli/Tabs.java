@@ -47,7 +47,7 @@ final class Tabs {
             keep(token, port, err);
         }
         if (!Address.current().isLoopback()) {
-            err.println("Other computers reach this address. What they send is not encrypted: docs/classroom.md says what to do about it.");
+            err.println("Other computers can reach this address. The connection is not encrypted: see docs/classroom.md.");
         }
         err.flush();
         return address;
@@ -68,10 +68,10 @@ final class Tabs {
     private static void keep(Token token, int port, PrintWriter err) {
         try {
             Path file = token.write(port);
-            err.println("token: " + file + " has it for programs, which send it as Authorization: Bearer TOKEN");
+            err.println("token: " + file + " contains it for programs, which send it as Authorization: Bearer TOKEN");
             java.lang.Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(file), "token"));
         } catch (IOException e) {
-            err.println("token: it could not be written into a file: " + e.getMessage());
+            err.println("token: the file could not be written: " + e.getMessage());
         }
     }
 

@@ -28,7 +28,7 @@ public final class Json {
         try {
             return MAPPER.writeValueAsString(object);
         } catch (JsonProcessingException e) {
-            throw new IllegalArgumentException("no JSON for " + object.getClass().getName() + ": " + e.getOriginalMessage(), e);
+            throw new IllegalArgumentException("can't write " + object.getClass().getName() + " as JSON: " + e.getOriginalMessage(), e);
         }
     }
 
@@ -72,7 +72,7 @@ public final class Json {
                 throw new IllegalArgumentException("JSON with a number of more than " + LONGEST_NUMBER + " digits");
             }
             if (depth > DEEPEST) {
-                throw new IllegalArgumentException("JSON with more than " + DEEPEST + " lists or objects in each other");
+                throw new IllegalArgumentException("JSON nested more than " + DEEPEST + " levels deep");
             }
         }
     }

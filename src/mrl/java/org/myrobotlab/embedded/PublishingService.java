@@ -39,7 +39,7 @@ public abstract class PublishingService extends NamedService {
     public void addListener(String topicMethod, String callbackName, String callbackMethod) {
         if (!ScriptPlace.here().isEmpty() && Arrays.stream(getClass().getMethods()).noneMatch(method -> method.getName().equals(topicMethod))) {
             String meant = NearestName.member(topicMethod, getClass());
-            error("%s", "publishes no " + topicMethod + (meant.isEmpty() ? "" : ", " + meant));
+            error("%s", "does not publish " + topicMethod + (meant.isEmpty() ? "" : "; " + meant));
         }
         addListener(new MRLListener(topicMethod, callbackName, callbackMethod));
     }
@@ -138,7 +138,7 @@ public abstract class PublishingService extends NamedService {
 
     @Override
     public void attach(Attachable other) throws Exception {
-        error("%s has nothing to attach %s with", getName(), other == null ? null : other.getName());
+        error("%s can't attach %s: services of its type take no attachments", getName(), other == null ? null : other.getName());
     }
 
     @Override

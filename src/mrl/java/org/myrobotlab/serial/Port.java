@@ -109,7 +109,7 @@ public abstract class Port implements Runnable, SerialControl {
                 hand(bytes);
             }
         } catch (InterruptedException e) {
-            log.debug("reader of port {} was told to stop", portName);
+            log.debug("reader of port {} was interrupted", portName);
         } catch (Exception e) {
             if (listening && readingThread == own) {
                 log.error("port {} can't be read any more: {}", portName, e.getMessage(), e);

@@ -37,7 +37,7 @@ public class PortJSSC extends Port implements SerialControl, SerialPortEventList
             port.openPort();
             super.open();
             if (!port.setParams(rate, dataBits, stopBits, parity)) {
-                log.warn("port {} does not take {} baud, {} data bits, {} stop bits, parity {}", portName, rate, dataBits, stopBits, parity);
+                log.warn("port {} does not accept {} baud, {} data bits, {} stop bits, parity {}", portName, rate, dataBits, stopBits, parity);
             }
         } catch (SerialPortException e) {
             throw new IOException("port " + portName + " can't be opened: " + e.getExceptionType(), e);

@@ -81,7 +81,7 @@ public class Roomba extends Service<RoombaConfig> {
         } catch (IOException | IllegalStateException | IllegalArgumentException e) {
             TreeSet<String> known = new TreeSet<>(chosen.getPortNames());
             known.remove(port);
-            error("can't connect: %s; there are the ports %s%s", e.getMessage(), known, notStarted());
+            error("can't connect: %s; the ports are %s%s", e.getMessage(), known, notStarted());
         }
         serial = chosen;
         portName = port;
@@ -91,7 +91,7 @@ public class Roomba extends Service<RoombaConfig> {
     /** Returns a hint if a SEAR service has not started its simulation, which creates the ports; else empty. */
     private static String notStarted() {
         return Runtime.getServices().stream().filter(one -> one.getSimpleName().equals("SEAR") && Boolean.FALSE.equals(one.invoke("isSimulating")))
-            .map(one -> "; no simulation runs: " + one.getName() + ".startSimulation() makes its ports").findFirst().orElse("");
+            .map(one -> "; no simulation is running: " + one.getName() + ".startSimulation() creates its ports").findFirst().orElse("");
     }
 
     private Serial serial() {

@@ -191,8 +191,8 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
             ServiceConfig config = runtime.readServiceConfig(shortName);
             String given = type != null ? type : config == null ? null : config.type;
             if (given == null) {
-                throw new IllegalArgumentException("its type is not given, and there is no configuration file of that name:"
-                    + " Runtime.start(\"name\", \"" + shortName + "\") has a name and a type");
+                throw new IllegalArgumentException("its type is missing, and there is no configuration file of that name:"
+                    + " write Runtime.start(\"name\", \"" + shortName + "\") with a name and a type");
             }
             Service<?> service = instantiate(shortName, given, runtime.getId());
             service.setOrder(++runtime.creationCount);

@@ -117,7 +117,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     @Override
     public void open(String name, int baud, int newDataBits, int newStopBits, int newParity) throws IOException {
         if (name == null) {
-            error("no port given; there are " + new TreeSet<>(listPorts()));
+            error("no port given; the ports are " + new TreeSet<>(listPorts()));
             return;
         }
         if (portName != null && !portName.equals(name)) {

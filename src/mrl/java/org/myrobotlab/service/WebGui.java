@@ -100,7 +100,7 @@ public class WebGui extends Service<WebGuiConfig> implements ServiceLifeCycleLis
 
     @Override
     public void onCreated(String name) {
-        log.debug("{} was made", name);
+        log.debug("{} was created", name);
     }
 
     @Override

@@ -28,9 +28,9 @@ import picocli.CommandLine.Spec;
 
 /** {@code sear class --pupils NAMES.txt}: runs a SEAR for each pupil of a class. */
 @Command(name = "class", mixinStandardHelpOptions = true,
-    description = "Runs a SEAR for each pupil of a class: a process, a folder, a port, a link with a token and a limit of memory of one's own. What "
-        + "ends is started again. docs/classroom.md says what one pupil can do to another.",
-    footer = "Exit status: 0 after Ctrl+C, 2 when the command makes no sense.")
+    description = "Runs a SEAR for each pupil of a class, with its own process, folder, port, link with a token, and memory limit. A SEAR that "
+        + "ends is restarted. docs/classroom.md says what pupils can do to each other.",
+    footer = "Exit status: 0 after Ctrl+C, 2 for an invalid command.")
 public final class ClassCommand implements Callable<Integer> {
     private static final int HIGHEST_PORT = 65535;
     private static final int MIN_MEMORY = 64;
@@ -39,33 +39,32 @@ public final class ClassCommand implements Callable<Integer> {
     private static final String MAIN = "org.SEAR.cli.SearCommand";
     private static final String PRIVATE = "rwx------";
 
-    @Option(names = "--pupils", paramLabel = "NAMES.txt", required = true, description = "The pupils' names, one a line.")
+    @Option(names = "--pupils", paramLabel = "NAMES.txt", required = true, description = "A file with the pupils' names, one per line.")
     private Path names;
-    @Option(names = "--port", paramLabel = "N", defaultValue = "8901", description = "Port of the first pupil; the others have the following ones. "
+    @Option(names = "--port", paramLabel = "N", defaultValue = "8901", description = "Port of the first pupil; the others get the next ones. "
         + "Default: ${DEFAULT-VALUE}.")
     private int port;
-    @Option(names = "--host", paramLabel = "ADDRESS", description = "Let other computers in: an address of this computer, or 0.0.0.0 for all that "
-        + "it has. Default: this computer alone.")
+    @Option(names = "--host", paramLabel = "ADDRESS", description = "Let other computers connect: an address of this computer, or 0.0.0.0 for all "
+        + "of them. Default: this computer only.")
     private String host;
-    @Option(names = "--url", paramLabel = "URL", description = "How browsers reach a pupil's SEAR, if otherwise: {port} and {name} become the "
+    @Option(names = "--url", paramLabel = "URL", description = "Address of a pupil's SEAR for browsers, if different: {port} and {name} become the "
         + "pupil's port and folder, as in https://{name}.school.example or http://school.example:{port}.")
     private String url;
-    @Option(names = "--memory", paramLabel = "MB", defaultValue = "256", description = "What the robots and scripts of one pupil may hold in memory. "
+    @Option(names = "--memory", paramLabel = "MB", defaultValue = "256", description = "Memory limit of one pupil's robots and scripts. "
         + "Default: ${DEFAULT-VALUE}.")
     private int memory;
-    @Option(names = "--total-memory", paramLabel = "MB", description = "What one pupil's process may hold with all that it has started (Linux). "
+    @Option(names = "--total-memory", paramLabel = "MB", description = "Memory limit of one pupil's process with all that it starts (Linux). "
         + "Default: " + BESIDES + " more than --memory.")
     private Integer total;
-    @Option(names = "--folder", paramLabel = "FOLDER", defaultValue = "class", description = "Holds a folder for each pupil, the links and what the "
-        + "programs print. Default: ${DEFAULT-VALUE}.")
+    @Option(names = "--folder", paramLabel = "FOLDER", defaultValue = "class", description = "Folder for the pupils' folders, the links and the "
+        + "programs' output. Default: ${DEFAULT-VALUE}.")
     private Path folder;
-    @Option(names = "--script", paramLabel = "FILE.py", description = "A script to begin with, copied to each pupil who has no file of that name "
-        + "yet.")
+    @Option(names = "--script", paramLabel = "FILE.py", description = "An initial script, copied to each pupil without a file of that name.")
     private Path script;
-    @Option(names = "--project", paramLabel = "FILE.sear", description = "A project to begin with, for each pupil who has none yet; examples "
-        + "are found anywhere.")
+    @Option(names = "--project", paramLabel = "FILE.sear", description = "An initial project for each pupil without one; examples are found from any "
+        + "folder.")
     private Path project;
-    @Option(names = "--at-once", paramLabel = "N", description = "How many start at the same time. Default: as many as there are processors.")
+    @Option(names = "--at-once", paramLabel = "N", description = "Programs that start at the same time. Default: the number of processors.")
     private Integer atOnce;
     @Spec
     private CommandSpec spec;
@@ -79,9 +78,9 @@ public final class ClassCommand implements Callable<Integer> {
             Path links = Token.writePrivate(folder.resolve("links.csv"), csv(pupils));
             int width = pupils.stream().mapToInt(pupil -> pupil.name.length()).max().orElse(1);
             pupils.forEach(pupil -> out.println(String.format("%-" + width + "s  %s", pupil.name, pupil.link)));
-            out.println("These links are in " + links + ", too, which only you can read.");
+            out.println("The links are also in " + links + ", which only you can read.");
             if (!Address.current().isLoopback()) {
-                out.println("Other computers reach them. What they send is not encrypted: docs/classroom.md says what to do about it.");
+                out.println("Other computers can reach them. The connection is not encrypted: see docs/classroom.md.");
             }
             out.flush();
             classroom = new Classroom(pupils, atOnce == null ? Runtime.getRuntime().availableProcessors() : atOnce,
@@ -102,14 +101,14 @@ public final class ClassCommand implements Callable<Integer> {
     private void check(int count) throws IOException {
         int last = port + count - 1;
         if (port < 1 || last > HIGHEST_PORT) {
-            throw new IllegalArgumentException("--port is " + port + ", the last of " + count + " pupils would have " + last + ", legal: 1 to "
+            throw new IllegalArgumentException("--port is " + port + ", so the last of " + count + " pupils would get " + last + ", legal: 1 to "
                 + HIGHEST_PORT);
         }
         if (memory < MIN_MEMORY) {
             throw new IllegalArgumentException("--memory is " + memory + ", legal: " + MIN_MEMORY + " or more");
         }
         if (total != null && total < memory) {
-            throw new IllegalArgumentException("--total-memory is " + total + ", legal: " + memory + ", as --memory, or more");
+            throw new IllegalArgumentException("--total-memory is " + total + ", legal: " + memory + " (--memory) or more");
         }
         if (atOnce != null && atOnce < 1) {
             throw new IllegalArgumentException("--at-once is " + atOnce + ", legal: 1 or more");

@@ -84,9 +84,9 @@ final class Classroom {
         }
         isComplete = running == pupils.size();
         if (isComplete) {
-            out.println("All " + running + " run. Enter shows how they are, a name and Enter starts that one anew, Ctrl+C ends all.");
+            out.println("All " + running + " are running. Enter shows their state, a name and Enter restarts one, Ctrl+C ends all.");
         } else if (running % REPORTED_EACH == 0) {
-            out.println(running + " of " + pupils.size() + " run");
+            out.println(running + " of " + pupils.size() + " are running");
         }
         reportedRunning = running;
         out.flush();
@@ -103,7 +103,7 @@ final class Classroom {
         if (wanted.isEmpty()) {
             pupils.forEach(pupil -> out.println(String.format("%-30s %5d %-9s %5d MB", pupil.name, pupil.port,
                 pupil.state().name().toLowerCase(java.util.Locale.ROOT).replace('_', ' '), pupil.megabytes())));
-            out.println("together " + pupils.stream().mapToLong(Pupil::megabytes).sum() + " MB");
+            out.println("total " + pupils.stream().mapToLong(Pupil::megabytes).sum() + " MB");
         } else if (pupils.stream().noneMatch(pupil -> pupil.name.equals(wanted))) {
             out.println("There is no pupil \"" + wanted + "\".");
         } else {

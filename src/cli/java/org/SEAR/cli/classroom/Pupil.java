@@ -78,7 +78,7 @@ final class Pupil {
         try (ServerSocket probe = new ServerSocket()) {
             probe.bind(address);
         } catch (IOException e) {
-            throw new IOException("port " + port + " can't be had: " + e.getMessage(), e);
+            throw new IOException("port " + port + " is not free: " + e.getMessage(), e);
         }
         end = null;
         process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
@@ -131,8 +131,8 @@ final class Pupil {
         restarts++;
         since = System.nanoTime();
         state = restarts > MAX_RESTARTS ? State.GIVEN_UP : State.WAITING;
-        return why + (state == State.GIVEN_UP ? "; not started again after " + MAX_RESTARTS + " times: type the name and Enter to start it"
-            : "; starts again (" + restarts + " of " + MAX_RESTARTS + ")");
+        return why + (state == State.GIVEN_UP ? "; not restarted after " + MAX_RESTARTS + " times: type the name and Enter to restart it"
+            : "; restarting (" + restarts + " of " + MAX_RESTARTS + ")");
     }
 
     private String why(int status) {
@@ -161,7 +161,7 @@ final class Pupil {
             }
         }
         if (megabytes > most) {
-            stop("held " + megabytes + " MB with what it has started, more than " + most);
+            stop("used " + megabytes + " MB with all that it has started, more than " + most);
         }
     }
 

@@ -38,16 +38,16 @@ final class Roster {
             String folder = folder(name);
             String other = taken.putIfAbsent(folder.toLowerCase(Locale.ROOT), name);
             if (folder.isEmpty() || name.length() > LONGEST) {
-                wrong.add(file + ":" + number + ": \"" + name + "\" is no name, legal: 1 to " + LONGEST
-                    + " characters, a letter or digit among them");
+                wrong.add(file + ":" + number + ": \"" + name + "\" is not a name, legal: 1 to " + LONGEST
+                    + " characters with a letter or digit");
             } else if (other != null) {
-                wrong.add(file + ":" + number + ": \"" + name + "\" has the folder of \"" + other + "\", " + folder
-                    + ": write one of them otherwise");
+                wrong.add(file + ":" + number + ": \"" + name + "\" has the same folder as \"" + other + "\", " + folder
+                    + ": change one of them");
             }
             folders.put(name, folder);
         }
         if (folders.isEmpty()) {
-            wrong.add(file + " has no names: write one a line");
+            wrong.add(file + " has no names: write one per line");
         }
         if (!wrong.isEmpty()) {
             throw new IllegalArgumentException(String.join("\n", wrong));

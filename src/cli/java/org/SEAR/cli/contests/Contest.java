@@ -87,8 +87,8 @@ public final class Contest {
     /** Reports a script that ends the process during the contest, so that the contest does not look finished. */
     private void reportExits() {
         entries.stream().filter(Entrant::exits).findFirst().ifPresent(entry -> {
-            System.err.printf(Locale.ROOT, "sear contest: the script of %s has ended the whole program at %.1f s, so there are no scores;"
-                + " hold the contest without it, or have it end with sys.exit() in place of os._exit()%n", entry.getName(), world.getTime());
+            System.err.printf(Locale.ROOT, "sear contest: the script of %s ended the whole program at %.1f s, so there are no scores."
+                + " Run the contest without it, or let it end with sys.exit() instead of os._exit()%n", entry.getName(), world.getTime());
             System.err.flush();
             Runtime.getRuntime().halt(ExitCode.SOFTWARE);
         });

@@ -26,26 +26,24 @@ import picocli.CommandLine.Spec;
 
 /** {@code sear contest FOLDER SCRIPT.py...}: runs a contest of robots. */
 @Command(name = "contest", mixinStandardHelpOptions = true,
-    description = "Has each script drive a robot of its own in one world, without a window and in lock-step, asks the contest's referee, and prints"
-        + " the scoreboard.",
-    footer = "Exit status: 0 when the contest came to its end, 1 when a script has ended the program, 2 when the command, world or referee makes no"
-        + " sense.")
+    description = "Runs a contest: each script drives its own robot in one world, without a window and in lock-step. Prints the referee's scoreboard.",
+    footer = "Exit status: 0 when the contest is complete, 1 when a script ended the program, 2 for an invalid command, world or referee.")
 public final class ContestCommand implements Callable<Integer> {
     private static final String WORLD = "world.sear";
     private static final String REFEREE = "referee.py";
 
-    @Parameters(index = "0", paramLabel = "FOLDER", description = "The contest: world.sear and referee.py.")
+    @Parameters(index = "0", paramLabel = "FOLDER", description = "Folder of the contest, with world.sear and referee.py.")
     private Path folder;
-    @Parameters(index = "1..*", arity = "1..*", paramLabel = "[NAME=]SCRIPT.py", description = "The entries; each is called as its file, or NAME.")
+    @Parameters(index = "1..*", arity = "1..*", paramLabel = "[NAME=]SCRIPT.py", description = "The entries, named after their files, or NAME.")
     private List<String> scripts;
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Where the random numbers of the sensors begin. Default: "
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Seed of the sensors' random numbers. Default: "
         + "${DEFAULT-VALUE}.")
     private long seed;
-    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "10", description = "How long a script may go on without a simSleep, and a "
+    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "10", description = "Time limit of a script without a simSleep, and of each "
         + "function of the referee, by the computer's clock. Default: ${DEFAULT-VALUE}.")
     private double limit;
-    @Option(names = "--out", paramLabel = "FOLDER", defaultValue = "result", description = "Where scores.csv, the record contest.searlog and what "
-        + "each script has printed go. Default: ${DEFAULT-VALUE}.")
+    @Option(names = "--out", paramLabel = "FOLDER", defaultValue = "result", description = "Folder for scores.csv, the recording contest.searlog "
+        + "and each script's output. Default: ${DEFAULT-VALUE}.")
     private Path out;
     @Spec
     private CommandSpec spec;
@@ -59,7 +57,7 @@ public final class ContestCommand implements Callable<Integer> {
         try {
             for (String part : List.of(WORLD, REFEREE)) {
                 if (!Files.isRegularFile(folder.resolve(part))) {
-                    throw new IOException(folder + " is no contest, it lacks " + part);
+                    throw new IOException(folder + " is not a contest: it lacks " + part);
                 }
             }
             run(entered());
@@ -81,7 +79,7 @@ public final class ContestCommand implements Callable<Integer> {
                 throw new IOException(script + " can't be read: there is no such file");
             }
             if (!name.matches("[\\w][\\w .-]*")) {
-                throw new IOException("the name of entry \"" + name + "\" is not legal: letters of English, digits, _, blanks, - and .; NAME="
+                throw new IOException("the name of entry \"" + name + "\" is invalid, legal: letters A to Z, digits, _, spaces, - and .; NAME="
                     + script + " gives it another");
             }
             if (entered.put(name, script) != null) {
@@ -124,7 +122,7 @@ public final class ContestCommand implements Callable<Integer> {
         }
         Files.write(out.resolve("scores.csv"), csv.toString().getBytes(StandardCharsets.UTF_8));
         screen.println();
-        screen.println("Written: " + out.resolve("scores.csv") + ", contest.searlog to watch it, and what each script has printed");
+        screen.println("Written: " + out.resolve("scores.csv") + ", contest.searlog to watch it, and each script's output");
         screen.flush();
     }
 

@@ -93,13 +93,13 @@ public final class Entrant {
         try {
             turn.acquire();
             if (Python3Script.is(Files.readAllBytes(script))) {
-                throw new IOException("it is Python 3; a contest has Python 2.7");
+                throw new IOException("it is Python 3, but contests use Python 2.7");
             }
             ended = engine.runFile(script.toString());
         } catch (IOException e) {
             unreadable = "its script can't be run: " + e.getMessage();
         } catch (InterruptedException e) {
-            unreadable = "it did not begin";
+            unreadable = "it did not start";
         } finally {
             back.release();
         }
@@ -190,7 +190,7 @@ public final class Entrant {
         }
         turn.release();
         if (!back.tryAcquire((long) (timeout * TimeUnit.SECONDS.toNanos(1)), TimeUnit.NANOSECONDS)) {
-            leave(String.format(Locale.ROOT, "its script hung at %.1f s: it went on for %.3g s without a simSleep", world.getTime(), timeout));
+            leave(String.format(Locale.ROOT, "its script hung at %.1f s: it ran for %.3g s without a simSleep", world.getTime(), timeout));
             breakOff();
         } else if (ended != null || unreadable != null) {
             leave(ended());
@@ -276,7 +276,7 @@ public final class Entrant {
     public void setRobot(String robotName) {
         beforeStart("setRobot");
         robot = world.getRobots().stream().filter(one -> one.getObject().getName().equals(robotName)).findFirst()
-            .orElseThrow(() -> new IllegalArgumentException("there is no robot \"" + robotName + "\", there are " + world.getRobots().stream()
+            .orElseThrow(() -> new IllegalArgumentException("there is no robot \"" + robotName + "\"; the robots are " + world.getRobots().stream()
                 .map(one -> one.getObject().getName()).collect(Collectors.joining(", "))));
     }
 
@@ -298,7 +298,7 @@ public final class Entrant {
 
     private void beforeStart(String what) {
         if (world.getStep() > 0 || thread.isAlive()) {
-            throw new IllegalStateException(what + ": the contest has begun, legal: in positions(contest)");
+            throw new IllegalStateException(what + ": the contest has started, legal: in positions(contest)");
         }
     }
 

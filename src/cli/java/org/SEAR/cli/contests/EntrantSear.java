@@ -157,7 +157,7 @@ public final class EntrantSear {
     private <T> T read(String name, Class<T> type) {
         Object value = getReading(name);
         if (!type.isInstance(value)) {
-            throw new IllegalArgumentException("sensor " + name + " is of another kind; getReading(\"" + name + "\") answers for each");
+            throw new IllegalArgumentException("sensor " + name + " is of another kind; getReading(\"" + name + "\") reads any sensor");
         }
         return type.cast(value);
     }

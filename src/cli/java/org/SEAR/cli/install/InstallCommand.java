@@ -15,16 +15,16 @@ import picocli.CommandLine.Spec;
  * {@code sear install MRL_FOLDER [--remove] [--dry-run]}. Exit status 0, or 1 with a message if nothing was changed.
  */
 @Command(name = "install", mixinStandardHelpOptions = true,
-    description = "Puts plug-in, libraries, panels and picker entries into a MyRobotLab, or takes them out again. Again = update.")
+    description = "Installs or updates SEAR in a MyRobotLab: plug-in, libraries, panels and service picker entries; or removes them.")
 public final class InstallCommand implements Callable<Integer> {
-    @Parameters(paramLabel = "MRL_FOLDER", description = "The folder that holds myrobotlab.jar.")
+    @Parameters(paramLabel = "MRL_FOLDER", description = "The folder with myrobotlab.jar.")
     private Path folder;
-    @Option(names = "--remove", description = "Take out exactly what was put in.")
+    @Option(names = "--remove", description = "Remove exactly what was installed.")
     private boolean remove;
-    @Option(names = "--replace-jme", description = "Replace a jMonkeyEngine of MyRobotLab that is too old for the window (3.6 is needed); --remove "
-        + "brings it back.")
+    @Option(names = "--replace-jme", description = "Replace MyRobotLab's jMonkeyEngine if it is too old for the window, which needs 3.6; --remove "
+        + "restores it.")
     private boolean replaceEngine;
-    @Option(names = "--dry-run", description = "Only say what would be done.")
+    @Option(names = "--dry-run", description = "Only print what would be done.")
     private boolean dryRun;
     @Spec
     private CommandSpec spec;
@@ -36,7 +36,7 @@ public final class InstallCommand implements Callable<Integer> {
             Installer installer = new Installer(folder);
             String home = System.getProperty("sear.home"); // set by the start script
             if (home == null) {
-                throw new InstallException("Start this command as bin/sear of the distribution (./gradlew installDist makes one).");
+                throw new InstallException("Start this command as bin/sear of the distribution (./gradlew installDist creates one).");
             }
             InstallPlan plan = remove ? installer.remove() : installer.install(Path.of(home, "plugin"), replaceEngine);
             String version = "SEAR " + installer.old.version;
@@ -61,7 +61,7 @@ public final class InstallCommand implements Callable<Integer> {
             spec.commandLine().getErr().println("sear install: " + e.getMessage());
         } catch (IOException e) {
             spec.commandLine().getErr().println("sear install: " + e + (e.getSuppressed().length == 0 ? ". Everything is as it was before."
-                : ". Putting everything back failed as well: " + Arrays.toString(e.getSuppressed())));
+                : ". Restoring the old files failed as well: " + Arrays.toString(e.getSuppressed())));
         }
         return 1;
     }

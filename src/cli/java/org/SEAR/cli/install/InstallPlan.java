@@ -70,7 +70,7 @@ final class InstallPlan {
                 }
             }
             if (!Files.isDirectory(folder)) {
-                throw new InstallException(folder + " is a file, and has to be a folder. Rename it and call again.");
+                throw new InstallException(folder + " is a file but must be a folder. Rename it and try again.");
             }
         }
     }
@@ -105,9 +105,9 @@ final class InstallPlan {
      */
     String recover() throws IOException, InstallException {
         boolean killed = Files.exists(root.resolve(JOURNAL));
-        bring(Receipt.read(root.resolve(JOURNAL), "It should say what a call that was killed had begun. Call the sear install that was killed once "
-            + "more, or delete this file and look for files that end in " + STAGED + ".").originals);
-        return killed ? "An earlier call was interrupted. What it had begun was undone." : null;
+        bring(Receipt.read(root.resolve(JOURNAL), "It is the journal of a killed call. Repeat the killed sear install, "
+            + "or delete this file and look for files that end in " + STAGED + ".").originals);
+        return killed ? "An earlier call was interrupted. Its changes were undone." : null;
     }
 
     /** Writes the files, and deletes the journal last: from then on there is nothing to roll back. */

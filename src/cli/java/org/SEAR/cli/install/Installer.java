@@ -150,17 +150,17 @@ final class Installer {
             }
             if (found != null) {
                 plan.notes.add("keep    " + found.name + (found.version.equals(wanted.version) ? ": MyRobotLab has this library"
-                    : ", " + wanted.version + " would be ours: " + found.verdict(wanted)));
+                    : " instead of " + wanted.version + ": " + found.verdict(wanted)));
                 olderEngine = found.isTooOldForTheWindow() && (olderEngine == null || found.artifact.equals("jme3-core")) ? found.name : olderEngine;
             } else if (isInside(library, inside)) {
-                plan.notes.add("keep    " + wanted.name + ": myrobotlab.jar holds this library");
+                plan.notes.add("keep    " + wanted.name + ": myrobotlab.jar contains this library");
             } else {
                 files.put(JARS + wanted.name, Files.readAllBytes(library));
             }
         }
         if (olderEngine != null) {
-            plan.remarks.add("The window needs jMonkeyEngine 3.6; " + olderEngine + " is there, so SEAR runs without a window. To have one, call "
-                + "\"sear install --replace-jme " + mrl.root + "\"; --remove brings the old one back.");
+            plan.remarks.add("The window needs jMonkeyEngine 3.6, but MyRobotLab has " + olderEngine + ", so SEAR runs without a window. To get one, run "
+                + "\"sear install --replace-jme " + mrl.root + "\"; --remove restores the old one.");
         }
     }
 
@@ -181,9 +181,9 @@ final class Installer {
     private void addPickerEntries() throws IOException, InstallException {
         byte[] now = plan.now(SERVICE_DATA);
         if (now == null) {
-            plan.notes.add("later   service picker: libraries/serviceData.json is not there yet; start MyRobotLab once, then install again");
-            plan.remarks.add("Until MyRobotLab has been started once and this was called again, its service picker does not offer SEAR, LIDAR and "
-                + "GPS: type the type by hand.");
+            plan.notes.add("later   service picker: libraries/serviceData.json does not exist yet; start MyRobotLab once, then install again");
+            plan.remarks.add("The service picker does not list SEAR, LIDAR and GPS yet. Start MyRobotLab once and install again, or type the "
+                + "service type by hand.");
             return;
         }
         // MyRobotLab may have rewritten the file with SEAR's entries, which must not count as its original content
@@ -263,7 +263,7 @@ final class Installer {
     private void putBack(String jar) throws IOException {
         byte[] kept = plan.now(REPLACED + jar);
         if (kept == null) {
-            plan.notes.add("lost    " + JARS + jar + ": it is no longer in " + REPLACED + "; MyRobotLab can install it again");
+            plan.notes.add("lost    " + JARS + jar + ": it is missing in " + REPLACED + "; MyRobotLab can install it again");
         } else if (plan.now(JARS + jar) == null) {
             plan.write(JARS + jar, kept);
         }

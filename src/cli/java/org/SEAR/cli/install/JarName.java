@@ -46,13 +46,13 @@ final class JarName {
     /** Returns how well this library replaces SEAR's own. */
     String verdict(JarName ours) {
         if (isTooOldForTheWindow()) {
-            return "the window needs " + needed + "; --replace-jme puts ours into its place";
+            return "the window needs " + needed + "; --replace-jme replaces it";
         }
         String enough = WORKS_FROM.getOrDefault(artifact, needed);
         if (enough != null && compare(version, enough) >= 0) {
             return "works";
         }
-        return compare(version, ours.version) > 0 ? "newer, should work" : "older, and SEAR was not tried with it";
+        return compare(version, ours.version) > 0 ? "newer, should work" : "older, not tested with SEAR";
     }
 
     /** Compares versions number by number; parts that are not numbers count as 0. */

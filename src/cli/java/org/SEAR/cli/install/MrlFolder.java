@@ -25,12 +25,12 @@ final class MrlFolder {
     /** Finds the installation in {@code given}, or in its only subfolder that has one. */
     MrlFolder(Path given) throws InstallException, IOException {
         if (!Files.isDirectory(given)) {
-            throw new InstallException(given + " is not a folder. Name the folder that holds MyRobotLab's " + JAR + ".");
+            throw new InstallException(given + " is not a folder. Give the folder with MyRobotLab's " + JAR + ".");
         }
         List<Path> found = isMrl(given) ? List.of(given) : list(given, "*").stream().filter(MrlFolder::isMrl).collect(Collectors.toList());
         if (found.size() != 1) {
-            throw new InstallException(given + (found.isEmpty() ? " holds no " + JAR + ". Name the folder that does."
-                : " holds several MyRobotLabs: " + found + ". Name one of them."));
+            throw new InstallException(given + (found.isEmpty() ? " contains no " + JAR + ". Give the folder that does."
+                : " contains several MyRobotLabs: " + found + ". Give one of them."));
         }
         root = found.get(0).toAbsolutePath().normalize();
     }
@@ -67,13 +67,13 @@ final class MrlFolder {
         Optional<ProcessHandle> running = ProcessHandle.allProcesses().filter(process -> !callers.contains(process))
             .filter(this::runsFromHere).findFirst();
         if (running.isPresent()) {
-            throw new InstallException("MyRobotLab is running from " + root + " (process " + running.get().pid() + "). Shut it down and call again.");
+            throw new InstallException("MyRobotLab is running from " + root + " (process " + running.get().pid() + "). Shut it down and try again.");
         }
         try (FileChannel jar = FileChannel.open(root.resolve(JAR), StandardOpenOption.READ, StandardOpenOption.WRITE)) {
             jar.size();
         } catch (IOException e) {
             if (Files.isWritable(root.resolve(JAR))) {
-                throw new InstallException(root.resolve(JAR) + " is in use (" + e.getMessage() + "). Shut MyRobotLab down and call again.");
+                throw new InstallException(root.resolve(JAR) + " is in use (" + e.getMessage() + "). Shut MyRobotLab down and try again.");
             }
         }
     }

@@ -44,14 +44,14 @@ final class ServiceData {
         try {
             JsonNode read = MAPPER.readTree(new String(text, StandardCharsets.UTF_8));
             if (!(read.path("serviceTypes") instanceof ObjectNode)) {
-                throw new InstallException("libraries/serviceData.json has no serviceTypes. Delete it; MyRobotLab makes it anew at its next start.");
+                throw new InstallException("libraries/serviceData.json has no serviceTypes. Delete it; MyRobotLab recreates it at its next start.");
             }
             ObjectNode root = read.deepCopy();
             SERVICES.keySet().forEach(service -> edit.accept(root, service));
             return root.equals(read) ? text : (MAPPER.writeValueAsString(root) + "\n").getBytes(StandardCharsets.UTF_8);
         } catch (JsonProcessingException e) {
             throw new InstallException("libraries/serviceData.json is not JSON (" + e.getOriginalMessage()
-                + "). Delete it; MyRobotLab makes it anew at its next start.");
+                + "). Delete it; MyRobotLab recreates it at its next start.");
         }
     }
 

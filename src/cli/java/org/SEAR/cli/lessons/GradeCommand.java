@@ -18,32 +18,31 @@ import picocli.CommandLine.Spec;
 
 /** {@code sear grade SCRIPT.py} for a pupil, {@code sear grade FOLDER} for a teacher. */
 @Command(name = "grade", mixinStandardHelpOptions = true,
-    description = "Says what a script lacks to pass its lesson, or marks all scripts of a folder: those in it, or those in folders that are named "
-        + "after their pupils. Each runs in a process of its own, without a window and in lock-step.",
-    footer = "Exit status: 0 when all have passed, 1 when not, 2 when the command makes no sense.")
+    description = "Marks a script and says what it lacks to pass its lesson; or marks all scripts in a folder, or in its subfolders named after "
+        + "pupils. Each script runs in its own process, without a window and in lock-step.",
+    footer = "Exit status: 0 when all have passed, 1 when not, 2 for an invalid command.")
 public final class GradeCommand implements Callable<Integer> {
     private static final int MIN_MEMORY = 128;
 
-    @Parameters(paramLabel = "SCRIPT.py|FOLDER", description = "What is to be marked.")
+    @Parameters(paramLabel = "SCRIPT.py|FOLDER", description = "The script or folder to mark.")
     private Path path;
-    @Option(names = "--lesson", paramLabel = "NAME|FOLDER", description = "Which lesson all of it is for. Default: what the script is named after, "
-        + "as square.py.")
+    @Option(names = "--lesson", paramLabel = "NAME|FOLDER", description = "Lesson of all scripts. Default: each script's name, as square.py.")
     private String lesson;
-    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "60", description = "How long a script may take by the computer's clock. "
+    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "60", description = "Time limit of a script by the computer's clock. "
         + "Default: ${DEFAULT-VALUE}.")
     private double limit;
-    @Option(names = "--memory", paramLabel = "MB", defaultValue = "512", description = "How much memory a script may take, with all processes that "
-        + "it starts. Default: ${DEFAULT-VALUE}.")
+    @Option(names = "--memory", paramLabel = "MB", defaultValue = "512", description = "Memory limit of a script with all processes that it starts. "
+        + " Default: ${DEFAULT-VALUE}.")
     private int memory;
-    @Option(names = "--jobs", paramLabel = "N", description = "How many run at once. Default: as many as there are processors.")
+    @Option(names = "--jobs", paramLabel = "N", description = "Scripts to run in parallel. Default: the number of processors.")
     private Integer jobs;
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Where the random numbers of the sensors begin, for all the "
-        + "same. Default: ${DEFAULT-VALUE}.")
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Seed of the sensors' random numbers, the same for all "
+        + "scripts. Default: ${DEFAULT-VALUE}.")
     private long seed;
-    @Option(names = "--python3", description = "All scripts are Python 3; without it those are whose first line is #!/usr/bin/env python3.")
+    @Option(names = "--python3", description = "Run all scripts with Python 3; otherwise only those whose first line is #!/usr/bin/env python3.")
     private boolean python3;
-    @Option(names = "--out", paramLabel = "FOLDER", description = "Where marks.csv, marks.txt and marks.xml (JUnit) go. Default: marks, for a "
-        + "folder; nowhere, for a script.")
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Folder for marks.csv, marks.txt and marks.xml (JUnit). Default: marks for a "
+        + "folder, none for a script.")
     private Path out;
     @Spec
     private CommandSpec spec;
@@ -87,8 +86,8 @@ public final class GradeCommand implements Callable<Integer> {
         PrintWriter screen = spec.commandLine().getOut();
         if (isOne) {
             Mark mark = marks.get(0);
-            screen.println(mark.isPassed() ? "Passed: all " + mark.asked + " of " + mark.asked + " that lesson " + mark.lesson + " asks for."
-                : "Not yet: " + mark.got + " of " + mark.asked + " that lesson " + mark.lesson + " asks for.");
+            screen.println(mark.isPassed() ? "Passed: all " + mark.asked + " of " + mark.asked + " requirements of lesson " + mark.lesson + "."
+                : "Not yet: " + mark.got + " of " + mark.asked + " requirements of lesson " + mark.lesson + ".");
             mark.missing.forEach(what -> screen.println("- " + what));
         } else {
             screen.print(MarkTables.text(marks));

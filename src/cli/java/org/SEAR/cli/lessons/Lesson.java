@@ -65,7 +65,7 @@ final class Lesson {
             }
         }
         if (!missing.isEmpty()) {
-            throw new IOException(lesson.folder + " is no lesson, it lacks " + String.join(", ", missing));
+            throw new IOException(lesson.folder + " is not a lesson: it lacks " + String.join(", ", missing));
         }
         return lesson;
     }
@@ -121,7 +121,7 @@ final class Lesson {
     void handOut(Path to) throws IOException, ProjectException {
         Path script = to.resolve(script().getFileName());
         if (Files.exists(script)) {
-            throw new IOException(script + " is there already and stays as it is: choose another folder, or move it away");
+            throw new IOException(script + " exists already and was not changed: choose another folder, or move the file");
         }
         unpack(to);
         try (Stream<Path> files = Files.list(folder)) {

@@ -24,7 +24,7 @@ final class LessonCheck {
         }
         Object limit = engine.get("SECONDS");
         if (!engine.has("check") || !(limit instanceof Number)) {
-            throw new IOException(lesson.check() + " lacks " + (engine.has("check") ? "SECONDS, how much simulated time counts"
+            throw new IOException(lesson.check() + " lacks " + (engine.has("check") ? "SECONDS, the simulated time that counts"
                 : "the function check(run)"));
         }
         seconds = ((Number) limit).doubleValue();

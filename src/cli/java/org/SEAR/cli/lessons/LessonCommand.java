@@ -14,12 +14,12 @@ import picocli.CommandLine.Spec;
 
 /** {@code sear lesson NAME FOLDER}: copies a lesson for a pupil. */
 @Command(name = "lesson", mixinStandardHelpOptions = true,
-    description = "Puts a lesson into a folder: its page README.md, its world SEARproject and its script NAME.py, from which you start.",
-    footer = "Exit status: 0, or 2 when it can't be.")
+    description = "Copies a lesson to a folder: its page README.md, its world SEARproject and its initial script NAME.py.",
+    footer = "Exit status: 0, or 2 if it can't be copied.")
 public final class LessonCommand implements Callable<Integer> {
-    @Parameters(index = "0", paramLabel = "NAME", description = "One of those that sear lessons lists, or the folder of a teacher's own.")
+    @Parameters(index = "0", paramLabel = "NAME", description = "A lesson that sear lessons lists, or the folder of a teacher's own lesson.")
     private String name;
-    @Parameters(index = "1", paramLabel = "FOLDER", arity = "0..1", description = "Made if it is not there. Default: NAME.")
+    @Parameters(index = "1", paramLabel = "FOLDER", arity = "0..1", description = "Created if missing. Default: NAME.")
     private Path folder;
     @Spec
     private CommandSpec spec;

@@ -21,7 +21,7 @@ public final class LessonsCommand implements Callable<Integer> {
             out.printf("%-10s %s%n", lesson.getName(), lesson.title());
         }
         out.println();
-        out.println("sear lesson NAME FOLDER puts one into a folder.");
+        out.println("sear lesson NAME FOLDER copies one to a folder.");
         out.flush();
         return ExitCode.OK;
     }

@@ -9,7 +9,7 @@ final class Mark {
     /** Outcome of a script. */
     enum Kind {
         PASSED("passed"), NOT_YET("not yet"), FAILED("error"), ENDLESS("endless"), TOO_LARGE("too much memory"), NOTHING("nothing to mark"),
-        CHECK_FAILED("the check has failed");
+        CHECK_FAILED("the check failed");
 
         final String words;
 

@@ -113,7 +113,7 @@ final class Marking {
         List<String> missing = new ArrayList<>();
         Mark.Kind kind = howItEnded(process, script, missing);
         if (!Files.exists(record)) {
-            missing.add("Your script has started no simulation: sear.startSimulation()");
+            missing.add("Your script did not start a simulation: sear.startSimulation()");
             return new Mark(of, kind == null ? Mark.Kind.NOTHING : kind, 0, 0, missing, Map.of());
         }
         kind = check(done, check, record, world, missing, kind);
@@ -126,7 +126,7 @@ final class Marking {
         try {
             done.follow(record, world, check.getSeconds());
         } catch (IOException e) {
-            missing.add("What your script did can't be marked: the world must be the lesson's, as it is. (" + FileReasons.of(e) + ")");
+            missing.add("Your script's run can't be marked: it must use the lesson's world unchanged. (" + FileReasons.of(e) + ")");
             return ended == null ? Mark.Kind.NOT_YET : ended;
         }
         try {
@@ -135,17 +135,17 @@ final class Marking {
             missing.add(e.getMessage());
             return Mark.Kind.CHECK_FAILED;
         }
-        done.getByHand().stream().limit(1).forEach(what -> missing.add("Drive, do not move things by hand: " + what + "."));
+        done.getByHand().stream().limit(1).forEach(what -> missing.add("Drive, do not move objects by hand: " + what + "."));
         missing.addAll(done.getMissing());
         return ended != null ? ended : missing.isEmpty() ? Mark.Kind.PASSED : Mark.Kind.NOT_YET;
     }
 
     private Mark.Kind howItEnded(PupilProcess process, String script, List<String> missing) throws InterruptedException {
         if (process.isTooLarge()) {
-            missing.add("Your script took more memory than " + memory + " MB and was ended.");
+            missing.add("Your script took more than " + memory + " MB of memory and was stopped.");
             return Mark.Kind.TOO_LARGE;
         } else if (process.isTooLong()) {
-            missing.add(String.format(Locale.ROOT, "Your script had not ended after %.0f s of the computer's clock and was ended: is there a loop "
+            missing.add(String.format(Locale.ROOT, "Your script was stopped after %.0f s by the computer's clock: is there a loop "
                 + "without sear.simSleep?", limit));
             return Mark.Kind.ENDLESS;
         } else if (process.getStatus() != 0) {
@@ -157,7 +157,7 @@ final class Marking {
 
     private static String error(String errors, String script, int status) {
         ErrorWords error = new ErrorWords(errors, script);
-        return "Your script has ended by an error" + (error.line.isEmpty() ? "" : " at line " + error.line) + ": "
+        return "Your script ended with an error" + (error.line.isEmpty() ? "" : " at line " + error.line) + ": "
             + (error.words.isEmpty() ? "exit status " + status : error.words);
     }
 

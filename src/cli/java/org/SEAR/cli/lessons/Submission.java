@@ -48,7 +48,7 @@ final class Submission {
         }
         if (all.isEmpty()) {
             throw new IOException(path + " has nothing to mark: it needs scripts, or folders with scripts"
-                + (lesson == null ? ", which are named after their lesson, as square.py; or say --lesson NAME" : ""));
+                + (lesson == null ? ", named after their lesson, as square.py; or give --lesson NAME" : ""));
         }
         return all;
     }

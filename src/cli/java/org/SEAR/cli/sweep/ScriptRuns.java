@@ -53,7 +53,7 @@ public final class ScriptRuns {
             if (engine.getLastResult().getExitCode() != 0) {
                 return "exit status " + engine.getLastResult().getExitCode();
             }
-            return !engine.hasCallFailed() ? "" : errors.isEmpty() ? "a function that was called back has failed" : errors.get(0);
+            return !engine.hasCallFailed() ? "" : errors.isEmpty() ? "a callback has failed" : errors.get(0);
         } finally {
             release();
         }

@@ -22,39 +22,39 @@ import picocli.CommandLine.Spec;
  * options.
  */
 @Command(name = "sweep", mixinStandardHelpOptions = true,
-    description = "Runs a script once for each seed and each combination of parameters, on many processes or computers, and writes a table of the "
-        + "results. The processes are those of Dask Distributed: python3 -m pip install numpy JPype1 distributed pyarrow.",
-    footer = "Exit status: 0 when all runs were made, whatever came of them, 1 when not, or when a row is not the same again, 2 when the command "
-        + "makes no sense, 130 after Ctrl+C.")
+    description = "Runs a script for each seed and combination of parameters, in many processes or on many computers, and writes a table of the "
+        + "results. Needs Dask Distributed: python3 -m pip install numpy JPype1 distributed pyarrow.",
+    footer = "Exit status: 0 when all runs are complete, whatever their results, 1 when not, or when a repeated row differs, 2 for an invalid "
+        + "command, 130 after Ctrl+C.")
 public final class SweepCommand implements Callable<Integer> {
     private static final int TIMEOUT_SECONDS = 30;
 
-    @Parameters(paramLabel = "SCRIPT.py", description = "A script, as sear SCRIPT.py runs it; it asks sear.getParameter(\"NAME\", default) and "
-        + "says sear.setResult(\"NAME\", value).")
+    @Parameters(paramLabel = "SCRIPT.py", description = "A script as for sear SCRIPT.py. It reads sear.getParameter(\"NAME\", default) and "
+        + "reports sear.setResult(\"NAME\", value).")
     private Path script;
-    @Option(names = "--seeds", paramLabel = "N|A:B", description = "How many seeds, from 1 on, or from A to B. Default: 1.")
+    @Option(names = "--seeds", paramLabel = "N|A:B", description = "Number of seeds, from 1 on; or seeds A to B. Default: 1.")
     private String seeds;
-    @Option(names = "--set", paramLabel = "NAME=A:B:N|NAME=A,B,C", description = "Values of a parameter: N from A to B, or those that are listed. "
-        + "May be given for several parameters; each combination is run.")
+    @Option(names = "--set", paramLabel = "NAME=A:B:N|NAME=A,B,C", description = "Values of a parameter: N values from A to B, or a list. "
+        + "May be given for several parameters; all combinations run.")
     private List<String> set;
-    @Option(names = "--workers", paramLabel = "N", description = "Processes on this computer. Default: as many as it has processors.")
+    @Option(names = "--workers", paramLabel = "N", description = "Processes on this computer. Default: the number of processors.")
     private String workers;
-    @Option(names = "--scheduler", paramLabel = "ADDRESS", description = "Of a Dask scheduler that runs, such as tcp://host:8786.")
+    @Option(names = "--scheduler", paramLabel = "ADDRESS", description = "Address of a running Dask scheduler, such as tcp://host:8786.")
     private String scheduler;
-    @Option(names = "--scheduler-file", paramLabel = "FILE", description = "Where a Dask scheduler has written its address.")
+    @Option(names = "--scheduler-file", paramLabel = "FILE", description = "File with a Dask scheduler's address.")
     private String schedulerFile;
-    @Option(names = "--limit", paramLabel = "SECONDS", description = "A run that takes longer is ended. Default: 600.")
+    @Option(names = "--limit", paramLabel = "SECONDS", description = "Time limit of a run. Default: 600.")
     private String limit;
-    @Option(names = "--memory", paramLabel = "MB", description = "A run whose process takes more memory is ended. Default: no limit.")
+    @Option(names = "--memory", paramLabel = "MB", description = "Memory limit of a run's process. Default: none.")
     private String memory;
-    @Option(names = "--out", paramLabel = "FOLDER", description = "Where the results are written; a sweep that was broken off there goes on. Default:"
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Folder for the results; continues an interrupted sweep there. Default:"
         + " the script's name with -sweep.")
     private String out;
-    @Option(names = "--fresh", description = "Forget the results that are there, and begin anew.")
+    @Option(names = "--fresh", description = "Discard existing results and start over.")
     private boolean fresh;
-    @Option(names = "--again", paramLabel = "ROW", description = "Run that row of a sweep again and say whether it is the same; no other is run.")
+    @Option(names = "--again", paramLabel = "ROW", description = "Repeat only this row of a sweep and say whether its result is the same.")
     private String again;
-    @Option(names = "--python3", description = "The script is Python 3, whatever its first line says.")
+    @Option(names = "--python3", description = "Run the script with Python 3, whatever its first line.")
     private boolean python3;
     @Spec
     private CommandSpec spec;

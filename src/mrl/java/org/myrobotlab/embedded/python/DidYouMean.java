@@ -23,12 +23,12 @@ public final class DidYouMean {
     private DidYouMean() {
     }
 
-    /** Returns ", did you mean LIDAR?" for a service type in other letter case; else empty. */
+    /** Returns "; did you mean LIDAR?" for a service type in other letter case; else empty. */
     public static String service(String type) {
         try {
             for (String known : PackageClasses.of(SERVICES, DidYouMean.class.getClassLoader())) {
                 if (known.equalsIgnoreCase(type)) {
-                    return ", did you mean " + known + "?";
+                    return "; did you mean " + known + "?";
                 }
             }
             return "";
@@ -45,7 +45,7 @@ public final class DidYouMean {
         }
         String wanted = name.group(1);
         if (wanted.equals("exit") || wanted.equals("quit")) {
-            return "\na script ends behind its last line; sys.exit() ends it earlier";
+            return "\na script ends after its last line; sys.exit() ends it earlier";
         }
         String module = WrongNames.ofPython(wanted);
         if (!module.isEmpty()) {
@@ -84,7 +84,7 @@ public final class DidYouMean {
             found = isType && (found.isEmpty() || isVariable) ? one : found;
         }
         return found.isEmpty() || wanted.equals(wanted.toUpperCase(Locale.ROOT)) ? ""
-            : "\ndid you mean " + found + "? That is what this script calls its service of type " + scope.objectTypeOf(found).getSimpleName();
+            : "\ndid you mean " + found + ", this script's name for its service " + scope.objectTypeOf(found).getSimpleName() + "?";
     }
 
     /**
@@ -101,15 +101,15 @@ public final class DidYouMean {
             || Arrays.stream(service.getSuperclass().getMethods()).anyMatch(method -> method.getName().equals(call))) {
             return "";
         }
-        return owner.isEmpty() ? "\n" + call + " is a call of the service SEAR, and what stands before the dot is a " + simple + " here"
-            : "\n" + call + " is a call of the service, which takes the name: did you mean " + owner + "." + call + "(...)?";
+        return owner.isEmpty() ? "\n" + call + " is a method of the service SEAR, but the object before the dot is a " + simple
+            : "\n" + call + " is a method of the service and takes the name: did you mean " + owner + "." + call + "(...)?";
     }
 
     private static String line(String question) {
         return question.isEmpty() ? "" : "\n" + question;
     }
 
-    /** Returns ", did you mean onScan?" for a missing function of the script; empty without a similar one. */
+    /** Returns "; did you mean onScan?" for a missing function of the script; empty without a similar one. */
     static String function(String wanted, PyObject variables) {
         Set<String> functions = new TreeSet<>();
         for (PyObject name : variables.invoke("keys").asIterable()) {
@@ -118,7 +118,7 @@ public final class DidYouMean {
             }
         }
         String question = NearestName.of(wanted, functions);
-        return question.isEmpty() ? "" : ", " + question;
+        return question.isEmpty() ? "" : "; " + question;
     }
 
     /** Suggests the object of a method that was called without one: sear.simSleep(1) for simSleep(1). */

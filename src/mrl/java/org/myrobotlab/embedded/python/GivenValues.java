@@ -65,13 +65,13 @@ final class GivenValues {
         }
         Object object = value.__tojava__(Object.class);
         if (types.contains("String") && object != null && object.getClass().getName().startsWith(OBJECTS)) {
-            return written + " is the object itself, legal: its name, \"" + value.invoke("getName") + "\"";
+            return written + " is the object itself; give its name, \"" + value.invoke("getName") + "\"";
         }
         if (value instanceof PyTuple) {
-            return ((PyTuple) value).__len__() == 2 ? written + " is " + value + ", two numbers: a decimal number is written with a point, "
+            return ((PyTuple) value).__len__() == 2 ? written + " is " + value + ", two numbers: write decimals with a point, "
                 + value.toString().replaceAll("[( )]", "").replace(',', '.') : written + " is " + value + ", several numbers";
         }
-        return kind(written) == Kind.TEXT ? written + " is a text, " + value.__repr__() : "";
+        return kind(written) == Kind.TEXT ? written + " is a string, " + value.__repr__() : "";
     }
 
     /** Returns whether the line has a decimal number with a comma. */

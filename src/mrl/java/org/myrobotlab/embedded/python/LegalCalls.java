@@ -32,7 +32,7 @@ final class LegalCalls {
         words.put("float", words.get("double"));
         words.put("int", "a whole number from " + Integer.MIN_VALUE + " to " + Integer.MAX_VALUE + ", without quotation marks");
         words.put("long", "a whole number, without quotation marks");
-        words.put("String", "a text in quotation marks");
+        words.put("String", "a string in quotation marks");
         words.put("boolean", "True or False");
         return words;
     }
@@ -62,17 +62,17 @@ final class LegalCalls {
         Set<String> meant = new TreeSet<>();
         calls.forEach((call, written) -> Stream.ofNullable(values.inOrderOf(call, written)).forEach(meant::add));
         if (!meant.isEmpty()) {
-            return "\nthe values come in another order: did you mean " + String.join(" or ", meant) + "?";
+            return "\nthe arguments are in the wrong order: did you mean " + String.join(" or ", meant) + "?";
         }
         if (values.hasDecimalComma(line)) {
-            return "\na decimal number is written with a point, 0.5, and a comma begins the next value";
+            return "\nwrite decimals with a point, as 0.5: a comma starts the next argument";
         }
         if (refused.group(3) != null) {
             String wrong = values.wrong(Integer.parseInt(refused.group(3)), refused.group(4));
-            return wrong.isEmpty() ? "\nargument " + refused.group(3) + " has to be " + word(refused.group(4)) : "\n" + wrong;
+            return wrong.isEmpty() ? "\nargument " + refused.group(3) + " must be " + word(refused.group(4)) : "\n" + wrong;
         }
         return line.matches(".*\\b" + Pattern.quote(name) + "\\(.*\\b\\w+\\s*=[^=].*")
-            ? "\nvalues come in this order, without their names before them" : "";
+            ? "\narguments have no names: write only their values, in this order" : "";
     }
 
     private static String word(String types) {

@@ -41,7 +41,7 @@ public final class RepeatedErrors {
         List<String> sentences = new ArrayList<>();
         counts.forEach((traceback, count) -> {
             if (count > 1) {
-                sentences.add("this error came " + count + " times:\n" + shortened(traceback));
+                sentences.add("this error occurred " + count + " times:\n" + shortened(traceback));
             }
         });
         counts.clear();

@@ -32,8 +32,7 @@ final class ScriptHints {
             return unpacked(line);
         }
         if (e.match(Py.UnboundLocalError)) {
-            return LOCAL.matcher(message).replaceFirst("\n$1 is given a value in this function, so that it is a name of its own there: begin the"
-                + " function with global $1");
+            return LOCAL.matcher(message).replaceFirst("\n$1 is assigned in this function, which makes it local: start the function with global $1");
         }
         if (e.match(Py.NameError)) {
             return DidYouMean.name(message, new Scope(e));
@@ -43,9 +42,9 @@ final class ScriptHints {
 
     private static String plain(String message) {
         if (message.startsWith("cannot concatenate 'str'")) {
-            return "\nprint \"a\", b prints both; \"a %.2f m\" % b puts a number into a text, and str(b) makes one of it";
+            return "\nprint \"a\", b prints both; str(b) converts a number to a string, and \"%.2f m\" % b formats it";
         }
-        return message.contains("SensorReading") ? "\na reading is more than its number, which is its value: reading.value" : "";
+        return message.contains("SensorReading") ? "\na reading is an object; its number is reading.value" : "";
     }
 
     private static String attribute(String message, String line, Scope scope) {
@@ -54,21 +53,21 @@ final class ScriptHints {
             return PLACE.contains(fixed.group(1)) ? "\nlegal: move(x, y, z)" : TURN.contains(fixed.group(1)) ? "\nlegal: rotate(rx, ry, rz)" : "";
         }
         if (NONE.matcher(message).find()) {
-            return "\nwhat stands before the dot is None, which is what a call answers that has failed, or that answers nothing";
+            return "\nthe object before the dot is None: the call that returned it has failed, or returns nothing";
         }
         if (message.startsWith("'array.array'")) {
-            return "\nit is a list of numbers: take one out by its place, as list[0]" + answers(line);
+            return "\nit is a list of numbers: get one by its index, as list[0]" + answers(line);
         }
         return DidYouMean.member(message, scope);
     }
 
     private static String unpacked(String line) {
         String answers = answers(line);
-        return answers.isEmpty() ? "" : "\nthere have to be as many names before the = as there are values" + answers;
+        return answers.isEmpty() ? "" : "\nthe = needs one name on its left for each value" + answers;
     }
 
     private static String answers(String line) {
-        return line.contains(".getPose(") ? "; getPose answers six: x, y, z, rx, ry, rz"
-            : line.contains(".getGpsResult(") ? "; getGpsResult answers three: latitude, longitude, altitude" : "";
+        return line.contains(".getPose(") ? "; getPose returns six: x, y, z, rx, ry, rz"
+            : line.contains(".getGpsResult(") ? "; getGpsResult returns three: latitude, longitude, altitude" : "";
     }
 }

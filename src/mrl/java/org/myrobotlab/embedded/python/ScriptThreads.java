@@ -76,7 +76,7 @@ public final class ScriptThreads {
             return null;
         }
         String[] lines = traceback.split("\n");
-        StringBuilder reported = new StringBuilder("thread " + name + " has ended by an error:");
+        StringBuilder reported = new StringBuilder("thread " + name + " ended with an error:");
         for (int i = 0; i < lines.length; i++) {
             if (OWN.matcher(lines[i]).matches()) {
                 i += i + 1 < lines.length && lines[i + 1].startsWith("    ") ? 1 : 0;
@@ -89,8 +89,8 @@ public final class ScriptThreads {
 
     /** Returns the message for a thread that outlived the script. */
     static String outlived(PyException e, String name) {
-        return "thread " + name + " ran on when the script ended, and was ended with it" + place(e)
-            + ": thread.join() as the script's last line waits for a thread that comes to its end";
+        return "thread " + name + " was still running when the script ended, and was stopped" + place(e)
+            + ": to wait for it, end the script with thread.join()";
     }
 
     /** Returns the script's innermost line of the error; empty if there is none. */
@@ -98,7 +98,7 @@ public final class ScriptThreads {
         String place = "";
         for (PyTraceback at = e.traceback; at != null; at = at.tb_next instanceof PyTraceback ? (PyTraceback) at.tb_next : null) {
             String file = at.tb_frame.f_code == null ? "" : at.tb_frame.f_code.co_filename;
-            place = OWN.matcher("  File \"" + file).matches() || file.isEmpty() ? place : ", at line " + at.tb_lineno + " of " + file;
+            place = OWN.matcher("  File \"" + file).matches() || file.isEmpty() ? place : " at line " + at.tb_lineno + " of " + file;
         }
         return place;
     }

@@ -95,8 +95,7 @@ final class SilentMistakes extends Visitor {
 
     private void reportDivision(int line, int left, int right) {
         if (right != 0 && left % right != 0) {
-            report(line, left + " / " + right + " is " + left / right + " in Python 2.7, which divides whole numbers without a rest: write " + left
-                + ".0 / " + right);
+            report(line, left + " / " + right + " is " + left / right + " in Python 2.7 (integer division): write " + left + ".0 / " + right);
         }
     }
 
@@ -107,7 +106,7 @@ final class SilentMistakes extends Visitor {
         Matcher comma = DECIMAL_COMMA.matcher(line);
         if (toOne && node.getInternalValue() instanceof Tuple && comma.matches()) {
             report(node.getLineno(), comma.group(1) + "," + comma.group(2) + " is two numbers, " + comma.group(1) + " and " + comma.group(2)
-                + ": a decimal number is written with a point, " + comma.group(1) + "." + comma.group(2));
+                + ": write decimals with a point, " + comma.group(1) + "." + comma.group(2));
         }
         return super.visitAssign(node);
     }
@@ -117,7 +116,7 @@ final class SilentMistakes extends Visitor {
         String call = node.getInternalFunc() instanceof Attribute ? ((Attribute) node.getInternalFunc()).getInternalAttr() : "";
         List<expr> values = node.getInternalArgs();
         if (ANGLES.contains(call) && values.stream().anyMatch(SilentMistakes::isOfRadians)) {
-            report(node.getLineno(), call + " takes degrees, and this is a number of radians: 90 is a quarter of a turn");
+            report(node.getLineno(), call + " takes degrees, but this value is in radians: 90 is a quarter turn");
         }
         if (call.equals("simSleep") && values.size() == 1 && number(values.get(0)) >= LONG) {
             String seconds = whole(number(values.get(0)));
@@ -126,8 +125,8 @@ final class SilentMistakes extends Visitor {
         }
         if (node.getInternalFunc() instanceof Name && ((Name) node.getInternalFunc()).getInternalId().equals("LIDAR") && values.size() > 2
             && number(values.get(1)) >= HALF_ROUND && number(values.get(2)) < HALF_ROUND) {
-            report(node.getLineno(), "this LIDAR sees " + whole(number(values.get(1))) + " m far and " + whole(number(values.get(2)))
-                + " degrees wide: the range comes before the spread, LIDAR(name, range, spread, resolution)");
+            report(node.getLineno(), "this LIDAR has a range of " + whole(number(values.get(1))) + " m and a spread of "
+                + whole(number(values.get(2))) + " degrees: the range comes before the spread, LIDAR(name, range, spread, resolution)");
         }
         return super.visitCall(node);
     }
@@ -138,7 +137,7 @@ final class SilentMistakes extends Visitor {
         boolean isDistance = node.getInternalLeft() instanceof Call && ((Call) node.getInternalLeft()).getInternalFunc() instanceof Attribute
             && ((Attribute) ((Call) node.getInternalLeft()).getInternalFunc()).getInternalAttr().equals("getDistanceResult");
         if (isDistance && limit >= FAR) {
-            report(node.getLineno(), "getDistanceResult answers metres, and " + whole(limit) + " m is farther than such sensors see; if these are"
+            report(node.getLineno(), "getDistanceResult returns metres, and " + whole(limit) + " m is beyond the range of such sensors; if these are"
                 + " centimetres, write " + whole(limit / CENTIMETRES));
         }
         return super.visitCompare(node);
@@ -180,7 +179,7 @@ final class SilentMistakes extends Visitor {
             Attribute named = (Attribute) node.getInternalValue();
             String name = named.getInternalValue() instanceof Name ? ((Name) named.getInternalValue()).getInternalId() + "." + named.getInternalAttr()
                 : named.getInternalAttr();
-            report(node.getLineno(), name + " is only named and not called: write " + name + "(...)");
+            report(node.getLineno(), name + " is named but not called: write " + name + "(...)");
         }
         return super.visitExpr(node);
     }

@@ -61,7 +61,7 @@ final class SyntaxErrors {
      */
     static String ofModule(String message) {
         Matcher character = NO_BYTE.matcher(message);
-        return character.find() ? "SyntaxError: in what this line reads, " + ForeignCharacters.sentence(
+        return character.find() ? "SyntaxError: in the code that this line loads, " + ForeignCharacters.sentence(
             new SourceScan.Place(1, 0, String.valueOf((char) Integer.parseInt(character.group(1), 16))), "") : null;
     }
 

@@ -68,8 +68,8 @@ final class WrongNames {
         }
         String wanted = module.group(1);
         if (NOT_IN_JYTHON.contains(wanted)) {
-            return "\nscripts are Python 2.7 (Jython), which takes no packages with parts in C: there is no " + wanted
-                + "; sear.savePlot(...) draws pictures, and a program in Python 3 can call SEAR (docs/python3.md)";
+            return "\nscripts are Python 2.7 (Jython), which can't use packages with C code: there is no " + wanted
+                + ". sear.savePlot(...) draws plots, and Python 3 programs can call SEAR (docs/python3.md)";
         }
         if (line.contains("org.")) {
             return "\ndid you mean " + IMPORT + "*?";
@@ -77,9 +77,9 @@ final class WrongNames {
         String service = known(SERVICES, wanted);
         String object = known(OBJECTS, wanted);
         if (service != null && !line.matches(".*from .*import [A-Z].*")) {
-            return "\n" + service + " is a service of MyRobotLab and no module: write " + start(service) + " instead of the import";
+            return "\n" + service + " is a service of MyRobotLab, not a module: write " + start(service) + " instead of the import";
         }
-        return service != null || object != null ? "\nobjects are imported so: " + IMPORT + "*" : objectsOf(wanted);
+        return service != null || object != null ? "\nimport objects like this: " + IMPORT + "*" : objectsOf(wanted);
     }
 
     private static String objectsOf(String wanted) {
@@ -95,10 +95,10 @@ final class WrongNames {
     static String used(String wanted) {
         String service = exactly(SERVICES, wanted);
         if (exactly(OBJECTS, wanted) != null) {
-            return "\nit has to be imported first: " + IMPORT + wanted + (service == null ? "" : "; or, for the service, " + start(wanted));
+            return "\nimport it first: " + IMPORT + wanted + (service == null ? "" : "; or, for the service, " + start(wanted));
         }
         if (service != null) {
-            return "\nservices are started so: " + start(wanted);
+            return "\nstart a service like this: " + start(wanted);
         }
         String meant = OTHER_WORDS.get(wanted);
         return meant == null || !Character.isUpperCase(wanted.charAt(0)) ? "" : "\nSEAR has no " + wanted + "; did you mean " + IMPORT + meant + "?";
@@ -107,9 +107,9 @@ final class WrongNames {
     /** Returns a hint line for a name of a Python module, or another language's None; else empty. */
     static String ofPython(String wanted) {
         if (MODULES.contains(wanted)) {
-            return "\nit is a module of Python: import " + wanted + ", in a line before";
+            return "\nit is a Python module: write import " + wanted + " in an earlier line";
         }
-        return OF_MATH.contains(wanted) ? "\nit is in a module of Python: from math import " + wanted
+        return OF_MATH.contains(wanted) ? "\nit is in a Python module: from math import " + wanted
             : NOTHING.contains(wanted) ? "\ndid you mean None?" : "";
     }
 
@@ -124,9 +124,9 @@ final class WrongNames {
             return "";
         }
         String name = made.group(1);
-        return exactly(OBJECTS, name) == null ? "\nservices are started so: " + start(name)
-            : "\n" + name + " is the service's class here, since a service of that type was started: " + IMPORT + name
-                + " behind that line means the object again";
+        return exactly(OBJECTS, name) == null ? "\nstart a service like this: " + start(name)
+            : "\n" + name + " is the service's class here, because a service of that type was started. After that line write "
+                + IMPORT + name + " to use the object";
     }
 
     private static String start(String service) {

@@ -51,7 +51,7 @@ public final class Python3Script {
         ServiceInterface sear = Runtime.start("sear", "SEAR");
         Object port = sear == null ? null : sear.invoke("startPython3", 0);
         if (port == null) {
-            throw new IOException("SEAR's door for Python 3 does not open");
+            throw new IOException("SEAR can't open its port for Python 3");
         }
         String python = System.getenv().getOrDefault("SEAR_PYTHON", isWindows() ? "python" : "python3");
         List<String> command = new ArrayList<>(List.of(python, "-u", "-m", "sear", script.toString()));

@@ -29,7 +29,7 @@ public final class ByteRecord {
             try {
                 file.write(bytes);
             } catch (IOException e) {
-                complaint.accept("recording ends: " + e.getMessage());
+                complaint.accept("recording stopped: " + e.getMessage());
                 close();
             }
         }
@@ -40,7 +40,7 @@ public final class ByteRecord {
             try {
                 file.close();
             } catch (IOException e) {
-                complaint.accept("the recording may be cut off: " + e.getMessage());
+                complaint.accept("the recording may be incomplete: " + e.getMessage());
             }
             file = null;
         }

@@ -58,7 +58,7 @@ public final class Address {
             String name = host == null ? LOOPBACK : host;
             current = new Address(InetAddress.getByName(name), name, url);
         } catch (UnknownHostException e) {
-            throw new IllegalArgumentException("\"" + host + "\" is no address of this computer", e);
+            throw new IllegalArgumentException("\"" + host + "\" is not an address of this computer", e);
         }
         return current;
     }
@@ -113,7 +113,7 @@ public final class Address {
 
     /** Returns host and port as browsers write them into the header Host. */
     private static String authority(String url) {
-        String legal = "\"" + url + "\" is no address of this server, legal: http://HOST, http://HOST:PORT, https://HOST, https://HOST:PORT";
+        String legal = "\"" + url + "\" is not an address of this server, legal: http://HOST, http://HOST:PORT, https://HOST, https://HOST:PORT";
         try {
             URI uri = new URI(url);
             String scheme = String.valueOf(uri.getScheme()).toLowerCase(Locale.ROOT);

@@ -31,7 +31,7 @@ final class CallGuard implements HttpHandler {
         return new CallGuard(exchange -> {
             if (Guard.is(exchange, Methods.POST) && !isJson(exchange.getRequestHeaders().getFirst(Headers.CONTENT_TYPE))) {
                 Guard.refuse(exchange, StatusCodes.UNSUPPORTED_MEDIA_TYPE,
-                    "a call is a list of arguments as JSON, with the header Content-Type: " + JSON);
+                    "a call needs a JSON list of arguments and the header Content-Type: " + JSON);
             } else {
                 next.handleRequest(exchange);
             }
@@ -58,9 +58,9 @@ final class CallGuard implements HttpHandler {
         String site = exchange.getRequestHeaders().getFirst(FETCH_SITE);
         String mode = exchange.getRequestHeaders().getFirst(FETCH_MODE);
         if (site != null && !site.equals(OWN_SITE)) {
-            Guard.refuse(exchange, StatusCodes.FORBIDDEN, "only pages of this server and programs of this computer may call, this came from " + site);
+            Guard.refuse(exchange, StatusCodes.FORBIDDEN, "only pages of this server and programs of this computer may call; this call came from " + site);
         } else if (NAVIGATION.equals(mode)) {
-            Guard.refuse(exchange, StatusCodes.FORBIDDEN, "services are called by scripts and programs, not by opening an address");
+            Guard.refuse(exchange, StatusCodes.FORBIDDEN, "call services from scripts and programs, not by opening an address");
         } else {
             next.handleRequest(exchange);
         }

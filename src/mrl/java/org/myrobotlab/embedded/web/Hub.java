@@ -82,7 +82,7 @@ public final class Hub {
         try {
             pings = channel.getIoThread().executeAtInterval(client::ping, PING_SECONDS, TimeUnit.SECONDS);
         } catch (RejectedExecutionException e) {
-            LOG.debug("a page came while the server stops: closed", e);
+            LOG.debug("closed a page that connected while the server stops", e);
             client.close();
             return;
         }
@@ -105,7 +105,7 @@ public final class Hub {
                 try {
                     super.handleEvent(from);
                 } catch (RuntimeException e) {
-                    LOG.debug("a page sent what is no frame: closed", e);
+                    LOG.debug("closed a page that sent an invalid frame", e);
                     IoUtils.safeClose(from);
                 }
             }
@@ -117,7 +117,7 @@ public final class Hub {
 
             @Override
             protected void onBinary(WebSocketChannel from, StreamSourceFrameChannel message) {
-                LOG.debug("a page sent bytes, which nothing here takes: closed");
+                LOG.debug("closed a page that sent binary data");
                 IoUtils.safeClose(from);
             }
         });
@@ -131,7 +131,7 @@ public final class Hub {
         if (silent == null) {
             return false;
         }
-        LOG.debug("a page has not answered for {} s: closed", TimeUnit.NANOSECONDS.toSeconds(silent.silence()));
+        LOG.debug("closed a page that has not answered for {} s", TimeUnit.NANOSECONDS.toSeconds(silent.silence()));
         silent.close();
         forget(silent);
         return true;
@@ -139,7 +139,7 @@ public final class Hub {
 
     /** Closes the channel as soon as the reason is sent: without a reader the page's end would go unnoticed. */
     private static void refuse(WebSocketChannel channel) {
-        WebSockets.sendClose(TRY_AGAIN_LATER, MAX_PAGES + " pages are open, the most that may", channel, new WebSocketCallback<Void>() {
+        WebSockets.sendClose(TRY_AGAIN_LATER, MAX_PAGES + " pages are open, which is the limit", channel, new WebSocketCallback<Void>() {
             @Override
             public void complete(WebSocketChannel sent, Void nothing) {
                 IoUtils.safeClose(sent);
@@ -172,7 +172,7 @@ public final class Hub {
     private static String text(Map<?, ?> msg, String key) {
         Object value = msg.get(key);
         if (!(value instanceof String)) {
-            throw new IllegalArgumentException(key + " of a message is " + value + ", legal: a text");
+            throw new IllegalArgumentException(key + " of a message is " + value + ", legal: a string");
         }
         return (String) value;
     }
@@ -181,7 +181,7 @@ public final class Hub {
     private static List<?> list(Map<?, ?> msg, String key) {
         Object value = msg.get(key);
         if (value != null && !(value instanceof List)) {
-            throw new IllegalArgumentException(key + " of a message is no list, legal: a list of arguments");
+            throw new IllegalArgumentException(key + " of a message is not a list, legal: a list of arguments");
         }
         return value == null ? List.of() : (List<?>) value;
     }
@@ -235,7 +235,7 @@ public final class Hub {
     private void call(PageClient client, PageCalls calls, Object id, String name, String method, List<?> data) {
         ServiceInterface service = Runtime.getService(name);
         if (service == null && id == null && reported.contains(name)) {
-            LOG.debug("{} has gone: nobody hears {}", name, method);
+            LOG.debug("{} is gone: {} is ignored", name, method);
             return;
         }
         if (service == null) {

@@ -89,7 +89,7 @@ final class Login implements HttpHandler {
             ask(exchange, hasCookie(exchange) ? StatusCodes.NOT_FOUND : StatusCodes.UNAUTHORIZED);
         } else if (exchange.getRequestContentLength() < 0 || exchange.getRequestContentLength() > LONGEST) {
             exchange.setPersistent(false);
-            Guard.refuse(exchange, StatusCodes.REQUEST_ENTITY_TOO_LARGE, "this is no token");
+            Guard.refuse(exchange, StatusCodes.REQUEST_ENTITY_TOO_LARGE, "this is not a token");
         } else {
             RequestBody.receive(exchange, (whole, body) -> enter(whole, judge(whole, field(body))));
         }
@@ -175,7 +175,7 @@ final class Login implements HttpHandler {
         } else if (status == StatusCodes.NOT_FOUND) {
             Guard.refuse(exchange, status, "there is nothing to read here");
         } else {
-            Guard.refuse(exchange, status, "this server asks for a token, which was printed when it started: "
+            Guard.refuse(exchange, status, "this server requires the token that it printed at its start: "
                 + "send it in the header Authorization: Bearer TOKEN");
         }
     }

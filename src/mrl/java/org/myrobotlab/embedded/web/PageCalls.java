@@ -15,7 +15,7 @@ import org.slf4j.Logger;
 final class PageCalls {
     /** Limit of parallel calls. */
     static final int MOST = 64;
-    static final String FULL = "there are " + MOST + " calls running already, the most that may: wait until one has ended";
+    static final String FULL = MOST + " calls are running, which is the limit: wait until one has ended";
 
     private static final Logger LOG = LoggerFactory.getLogger(PageCalls.class);
 
@@ -58,7 +58,7 @@ final class PageCalls {
         try {
             threads.execute(work);
         } catch (RejectedExecutionException e) {
-            LOG.debug("{} has ended, a call is left out", name, e);
+            LOG.debug("{} has ended: a call is dropped", name, e);
         }
     }
 

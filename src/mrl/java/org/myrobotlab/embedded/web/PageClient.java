@@ -126,7 +126,7 @@ final class PageClient {
     /** @throws IllegalArgumentException if the page listens to too many topics */
     void subscribe(String service, String topic) {
         if (topics.size() >= MAX_TOPICS) {
-            throw new IllegalArgumentException("a page may listen to " + MAX_TOPICS + " topics");
+            throw new IllegalArgumentException("a page may listen to at most " + MAX_TOPICS + " topics");
         }
         topics.add(service + "/" + topic);
     }

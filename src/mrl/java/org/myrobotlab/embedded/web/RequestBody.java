@@ -58,7 +58,7 @@ final class RequestBody {
         if (bytes.size() + part.length > LONGEST) {
             refuseLong(exchange);
         } else if (!ROOM.tryAcquire(part.length)) {
-            refuse(exchange, StatusCodes.SERVICE_UNAVAILABLE, "there are too many long calls on their way: try again");
+            refuse(exchange, StatusCodes.SERVICE_UNAVAILABLE, "too many large calls are in progress: try again");
         } else {
             bytes.write(part, 0, part.length);
         }

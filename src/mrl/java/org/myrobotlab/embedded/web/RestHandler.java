@@ -45,7 +45,7 @@ final class RestHandler implements HttpHandler {
             RequestBody.receive(exchange, (whole, body) -> dispatch(whole, () -> post(path, body)));
         } else if (path.size() > METHOD && !READING.contains(path.get(METHOD))) {
             exchange.getResponseHeaders().put(Headers.ALLOW, "POST");
-            Guard.refuse(exchange, StatusCodes.METHOD_NOT_ALLOWED, path.get(METHOD) + " is called by POST, with a list of arguments as JSON");
+            Guard.refuse(exchange, StatusCodes.METHOD_NOT_ALLOWED, "call " + path.get(METHOD) + " by POST, with a JSON list of arguments");
         } else {
             dispatch(exchange, () -> get(path));
         }

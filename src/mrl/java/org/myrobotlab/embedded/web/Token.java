@@ -82,12 +82,12 @@ public final class Token {
     public static Token require(Path file) throws IOException {
         PosixFileAttributeView posix = Files.getFileAttributeView(file, PosixFileAttributeView.class);
         if (posix != null && posix.readAttributes().permissions().stream().anyMatch(one -> !one.name().startsWith("OWNER"))) {
-            throw new IOException(file + " is not kept from other users: chmod 600 " + file);
+            throw new IOException("other users can read " + file + ": run chmod 600 " + file);
         }
         String text = Files.readString(file).trim();
         if (!text.matches("[\\w.~-]{" + SHORTEST + "," + LONGEST + "}")) {
-            throw new IllegalArgumentException(file + " has no token, legal: " + SHORTEST + " to " + LONGEST
-                + " letters of English, digits, . _ ~ -");
+            throw new IllegalArgumentException(file + " contains no token, legal: " + SHORTEST + " to " + LONGEST
+                + " characters of A to Z, a to z, 0 to 9, . _ ~ -");
         }
         current = new Token(text);
         return current;
@@ -169,7 +169,7 @@ public final class Token {
         }
         AclFileAttributeView acl = Files.getFileAttributeView(file, AclFileAttributeView.class);
         if (acl == null) {
-            throw new IOException(file + " can't be kept from other users on this disk: the token is not written");
+            throw new IOException(file + " can't be protected from other users on this disk, so the token was not written");
         }
         acl.setAcl(List.of(AclEntry.newBuilder().setType(AclEntryType.ALLOW).setPrincipal(Files.getOwner(file))
             .setPermissions(EnumSet.allOf(AclEntryPermission.class)).build()));

@@ -75,7 +75,7 @@ public final class WebServer {
         calls = new PageCalls("web server " + port);
         Address address = Address.current();
         if (!address.isLoopback() && !Token.current().isAskedFor()) {
-            throw new IOException("other computers would reach this server without a token: nothing is served");
+            throw new IOException("other computers could reach this server without a token: the server does not start");
         }
         Address.Names names = address.names(port);
         PathHandler paths = Handlers.path(Guard.reading(fresh(files))).addPrefixPath(API + "/service", CallGuard.calls(new RestHandler(calls)))
@@ -143,7 +143,7 @@ public final class WebServer {
             worker.shutdownNow();
             boolean isTaken = String.valueOf(e.getMessage()).contains("in use");
             throw new IOException(isTaken ? "port " + port + " is in use by another program: choose another one"
-                : address + " can't be listened at: " + e.getMessage(), e);
+                : "can't listen at " + address + ": " + e.getMessage(), e);
         } catch (IOException e) {
             worker.shutdownNow();
             throw e;

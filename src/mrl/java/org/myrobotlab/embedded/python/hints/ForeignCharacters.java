@@ -39,17 +39,17 @@ public final class ForeignCharacters {
     /** Returns a sentence about the character. */
     public static String sentence(SourceScan.Place place, String line) {
         int point = place.character.codePointAt(0);
-        String named = String.format("%s (U+%04X)", isSeen(point) ? place.character : "an unseen character", point);
+        String named = String.format("%s (U+%04X)", isSeen(point) ? place.character : "an invisible character", point);
         String instead = instead(point);
         if (!instead.isEmpty()) {
-            return named + " is no character of Python outside of texts and comments, legal: " + instead;
+            return named + " is not allowed outside strings and comments: write " + instead;
         }
         if (isBlank(point)) {
-            return named + " is no blank of Python: write an ordinary blank in its place";
+            return named + " is not a space to Python: write an ordinary space";
         }
         String word = wordAt(line, place.column);
-        return Character.isLetter(point) && !word.isEmpty() ? "the name " + word + " has the letter " + place.character
-            + ", legal: the letters a to z and A to Z, 0 to 9 and _" : named + " is no character of Python outside of texts and comments";
+        return Character.isLetter(point) && !word.isEmpty() ? "the name " + word + " contains " + place.character
+            + ", legal: a to z, A to Z, 0 to 9 and _" : named + " is not allowed outside strings and comments";
     }
 
     private static String instead(int point) {

@@ -16,25 +16,25 @@ final class Indents {
     static String hint(SourceScan scan, int line, String said) {
         int before = scan.before(line);
         if (before == 0) {
-            return blanks(scan, line).isEmpty() ? "" : "the first line of a script begins without blanks";
+            return blanks(scan, line).isEmpty() ? "" : "the first line of a script starts without spaces";
         }
         String own = blanks(scan, line);
         String former = blanks(scan, before);
         boolean opens = scan.code(before).strip().endsWith(":");
         if (mixes(own, former)) {
-            return "line " + line + " begins with " + counted(own) + ", line " + before + " with " + counted(former)
-                + ": begin lines with blanks only, four for each block";
+            return "line " + line + " starts with " + counted(own) + ", line " + before + " with " + counted(former)
+                + ": indent with spaces only, four for each block";
         }
         if (opens && own.length() <= former.length()) {
-            return "the lines of a block begin with blanks: four more than the line with the colon";
+            return "the lines of a block are indented: four spaces more than the line with the colon";
         }
         if (!opens && own.length() > former.length()) {
-            return "line " + line + " begins with " + counted(own) + ", line " + before + " with " + counted(former)
-                + ": lines of one block begin with the same number, and only a line that ends with a colon begins a new one";
+            return "line " + line + " starts with " + counted(own) + ", line " + before + " with " + counted(former)
+                + ": lines of one block have the same indentation, and only a line that ends with a colon starts a new block";
         }
         TreeSet<Integer> legal = legal(scan, before);
         return own.length() < former.length() && !legal.contains(own.length()) && said.contains("DENT") || !legal.contains(own.length()) && !opens
-            ? "line " + line + " begins with " + counted(own) + ", legal here: " + legal.toString().replaceAll("[\\[\\]]", "") : "";
+            ? "line " + line + " starts with " + counted(own) + ", legal here: " + legal.toString().replaceAll("[\\[\\]]", "") : "";
     }
 
     /** Returns the legal indentations after a line that opens no block, in characters. */
@@ -63,7 +63,7 @@ final class Indents {
     private static String counted(String blanks) {
         long tabs = blanks.chars().filter(c -> c == '\t').count();
         long plain = blanks.length() - tabs;
-        String written = plain == 0 && tabs > 0 ? "" : plain == 1 ? "1 blank" : plain + " blanks";
+        String written = plain == 0 && tabs > 0 ? "" : plain == 1 ? "1 space" : plain + " spaces";
         return written + (plain > 0 && tabs > 0 ? " and " : "") + (tabs == 0 ? "" : tabs == 1 ? "a tab" : tabs + " tabs");
     }
 }

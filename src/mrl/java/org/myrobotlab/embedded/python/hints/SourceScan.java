@@ -49,7 +49,7 @@ public final class SourceScan {
         if (brackets.isEmpty() && !open.isEmpty()) {
             Place last = open.getLast();
             bracketsLine = last.line;
-            brackets = "the bracket " + last.character + " of line " + last.line + " is not closed by a " + partner(last.character);
+            brackets = "the bracket " + last.character + " in line " + last.line + " has no closing " + partner(last.character);
         }
     }
 
@@ -114,8 +114,8 @@ public final class SourceScan {
         Place opened = open.pollLast();
         if (brackets.isEmpty() && (opened == null || !partner(opened.character).equals(place.character))) {
             bracketsLine = place.line;
-            brackets = opened == null ? "the bracket " + place.character + " of line " + place.line + " closes none that is open"
-                : "the bracket " + opened.character + " of line " + opened.line + " is closed by a " + place.character + " in line " + place.line;
+            brackets = opened == null ? "the bracket " + place.character + " in line " + place.line + " has no opening bracket"
+                : "the bracket " + opened.character + " in line " + opened.line + " is closed by " + place.character + " in line " + place.line;
         }
     }
 

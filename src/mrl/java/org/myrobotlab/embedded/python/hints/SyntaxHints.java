@@ -17,25 +17,25 @@ public final class SyntaxHints {
         + "|from|global|if|import|in|is|lambda|not|or|pass|print|raise|return|try|while|with|yield)\\s*=(?!=).*");
     /** Pairs of a pattern for the line and its hint; $1 and the like stand for the pattern's groups. */
     private static final String[][] LINES = {
-        {"^\\s*async\\b.*|.*\\bawait\\s.*", OLD_PYTHON + ", which has no async and no await: write def, and call sear.simSleep(seconds) as it is"},
+        {"^\\s*async\\b.*|.*\\bawait\\s.*", OLD_PYTHON + ", which has no async and await: write def, and call sear.simSleep(seconds) directly"},
         {"^\\s*match\\s+.*:\\s*$|^\\s*case\\s+.*:\\s*$", OLD_PYTHON + ", which has no match: write if, elif and else"},
-        {".*:=.*", OLD_PYTHON + ", which has no := : give the name its value in a line of its own, before the loop and at the loop's end"},
-        {".*\\b(\\d+)_(\\d[\\d_]*).*", OLD_PYTHON + ", whose numbers have no _ in them: write $1$2"},
+        {".*:=.*", OLD_PYTHON + ", which has no := : assign the name in a separate line, before the loop and at its end"},
+        {".*\\b(\\d+)_(\\d[\\d_]*).*", OLD_PYTHON + ", where numbers have no _: write $1$2"},
         {"^\\s*nonlocal\\b.*", OLD_PYTHON + ", which has no nonlocal: keep the value in a list, count = [0], and set count[0]"},
         {"^\\s*raise\\s.*\\sfrom\\s.*", OLD_PYTHON + ", where raise has no from"},
-        {"^\\s*(\\w+)\\s*:\\s*[\\w.\\[\\]]+\\s*=\\s*(.*\\S)\\s*", OLD_PYTHON + ", whose names have no types: write $1 = $2"},
-        {"^\\s*except\\s+([\\w.]+)\\s+(\\w+)\\s*:.*", "the error gets its name by as: except $1 as $2:"},
+        {"^\\s*(\\w+)\\s*:\\s*[\\w.\\[\\]]+\\s*=\\s*(.*\\S)\\s*", OLD_PYTHON + ", where variables have no types: write $1 = $2"},
+        {"^\\s*except\\s+([\\w.]+)\\s+(\\w+)\\s*:.*", "name the error with as: except $1 as $2:"},
         {"^\\s*(?:else\\s+if|elseif|elsif)\\b.*", "else if is one word in Python: elif"},
         {".*(\\b\\w+)\\s*\\+\\+.*|.*\\+\\+\\s*(\\w+).*", "Python has no ++: write $1 += 1"},
         {".*(\\b\\w+)\\s*--\\s*;?\\s*$", "Python has no --: write $1 -= 1"},
-        {".*(&&|\\|\\|).*", "conditions are joined by the words and and or"},
-        {".*[(\\s]!(?!=).*", "the opposite of a condition is written with the word not"},
+        {".*(&&|\\|\\|).*", "write and for &&, or for ||"},
+        {".*[(\\s]!(?!=).*", "write not for !"},
         {"^\\s*(?:int|float|double|var|let|const|auto|bool|boolean|String|string|byte|long)\\s+(\\w+)\\s*=\\s*(.*?)\\s*;?\\s*",
-            "a name has no type before it in Python: write $1 = $2"},
-        {"^\\s*(?:function|func|void|fn)\\s+(\\w+).*", "a function begins with def: def $1():"},
+            "variables have no types in Python: write $1 = $2"},
+        {"^\\s*(?:function|func|void|fn)\\s+(\\w+).*", "a function starts with def: def $1():"},
         {".*(?<![\\w.])(\\d+(?:\\.\\d+)?)\\s*(?:mm|cm|dm|m|km|deg|rad|kg|g|s|ms)\\b.*",
-            "a number has no unit behind it: write $1; lengths are metres, times seconds"},
-        {".*\\?.*:.*", "a choice is written with words: a if condition else b"},
+            "numbers have no units: write $1; lengths are in metres, times in seconds"},
+        {".*\\?.*:.*", "Python has no ? : operator: write a if condition else b"},
     };
     private static final List<Rule> RULES = rules();
 
@@ -92,10 +92,10 @@ public final class SyntaxHints {
         if (def.matches() && (def.group(2).contains(":") || code.contains("->"))) {
             Matcher whole = DEF.matcher(line);
             String parameters = (whole.matches() ? whole : def).group(2).replaceAll("\\s*:\\s*[\\w.]+(\\[[^\\]]*\\])*", "");
-            return OLD_PYTHON + ", whose functions have no types: write def " + def.group(1) + "(" + parameters + "):";
+            return OLD_PYTHON + ", where functions have no types: write def " + def.group(1) + "(" + parameters + "):";
         }
         Matcher word = WORD_OF_PYTHON.matcher(code);
-        return word.matches() ? word.group(1) + " is a word of Python itself: take another name" : "";
+        return word.matches() ? word.group(1) + " is a keyword of Python: choose another name" : "";
     }
 
     private static String known(String line, String code) {
@@ -121,7 +121,7 @@ public final class SyntaxHints {
     private static String braces(SourceScan scan, int line) {
         for (int i = scan.before(line + 1); i > 0 && i >= line - 1; i--) {
             if (scan.code(i).matches("^\\s*(\\}\\s*)?(if|elif|else|while|for|def|class|try)\\b.*\\{\\s*")) {
-                return "a block has no { } in Python: its first line ends with a colon, and its others begin with four blanks more";
+                return "blocks have no { } in Python: end the first line with a colon, and indent the others by four spaces";
             }
         }
         return "";
@@ -130,25 +130,25 @@ public final class SyntaxHints {
     private static String text(SourceScan scan, int line, String code) {
         SourceScan.Place open = scan.textLeftOpen();
         if (open != null && open.line <= line) {
-            return "the text that begins with " + open.character + " in line " + open.line + " is not closed by another " + open.character;
+            return "the string that starts with " + open.character + " in line " + open.line + " has no closing " + open.character;
         }
         return code.matches(".*(\"\\s*\"\\w|'\\s*'\\w|\\w\"\\s*\"|\\w'\\s*').*") && !code.matches("(?i).*\\b(u|r|ur|b|br)[\"'].*")
-            ? "a quotation mark inside of a text is written \\\", or the text is put between the other marks, '" : "";
+            ? "write \\\" for a quotation mark inside a string, or enclose the string in '" : "";
     }
 
     private static String print(String code) {
         return PRINT.matcher(code).find()
-            ? OLD_PYTHON + ": write print \"a\", b, or begin the script with from __future__ import print_function" : "";
+            ? OLD_PYTHON + ": write print \"a\", b, or start the script with from __future__ import print_function" : "";
     }
 
     private static String condition(String code) {
         String outside = code.replaceAll("\\w\\([^()]*\\)", "x").replaceAll("\\w\\([^()]*\\)", "x");
-        return CONDITION.matcher(outside).matches() ? "= gives a name its value; whether two are the same is asked by ==" : "";
+        return CONDITION.matcher(outside).matches() ? "= assigns a value; == compares two values" : "";
     }
 
     private static String colon(String code, String said) {
         boolean isOpen = said.contains("COLON") || said.contains("NEWLINE") || said.contains("\\n");
         return isOpen && BLOCK.matcher(code).matches() && !code.strip().endsWith(":")
-            ? "a line that begins a block (if, else, while, for, def, class) ends with a colon" : "";
+            ? "a line that starts a block (if, else, while, for, def, class) ends with a colon" : "";
     }
 }

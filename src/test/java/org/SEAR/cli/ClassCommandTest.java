@@ -164,12 +164,12 @@ public class ClassCommandTest {
 
         ProcessHandle ben = pupil(port + 1);
         assertTrue(pupil(port).destroyForcibly());
-        String killed = "Ada Lovelace: killed, by a user or because the computer is short of memory; starts again (1 of 5)";
+        String killed = "Ada Lovelace: killed, by a user or because the computer is short of memory; restarting (1 of 5)";
         until("Ada's starts again", () -> out().contains(killed)
             && runsScripts(port, token(ADA)));
         client().sendAsync(request(port, token(ADA), "python/exec", "[\"x = []\\nwhile True: x.append('a' * 1000000)\"]"),
             HttpResponse.BodyHandlers.ofString());
-        until("Ada's is out of memory", () -> out().contains("Ada Lovelace: out of memory; starts again (2 of 5)")
+        until("Ada's is out of memory", () -> out().contains("Ada Lovelace: out of memory; restarting (2 of 5)")
             && runsScripts(port, token(ADA)));
         assertTrue("Ben's goes on", ben.isAlive() && ben.pid() == pupil(port + 1).pid());
 
@@ -240,7 +240,7 @@ public class ClassCommandTest {
         port = FreePort.find();
         sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "64", "--total-memory", "64");
         until("Ada's is too large", () -> out()
-            .matches("(?s).* Ada: held \\d+ MB with what it has started, more than 64; starts again \\(1 of 5\\).*"));
+            .matches("(?s).* Ada: used \\d+ MB with all that it has started, more than 64; restarting \\(1 of 5\\).*"));
     }
 
     @Test
@@ -268,17 +268,17 @@ public class ClassCommandTest {
         sear("class", "--pupils", "names.txt");
         assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
         assertEquals(2, process.exitValue());
-        assertTrue(out(), out().contains("names.txt:4: \"ada\" has the folder of \"Ada\"")
+        assertTrue(out(), out().contains("names.txt:4: \"ada\" has the same folder as \"Ada\"")
             && out().contains("names.txt:5: \"../..\" is no name, legal: ")
             && out().contains("names.txt:6: ") && !out().contains("names.txt:1:"));
         assertFalse(Files.exists(path("class")));
         Files.writeString(path("names.txt"), "Ada\nBen\n");
         sear("class", "--pupils", "names.txt", "--port", "65535");
         assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
-        assertTrue(out(), out().contains("the last of 2 pupils would have 65536, legal: 1 to 65535"));
+        assertTrue(out(), out().contains("so the last of 2 pupils would get 65536, legal: 1 to 65535"));
         sear("class", "--pupils", "names.txt", "--total-memory", "255");
         assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
-        assertTrue(out(), out().contains("--total-memory is 255, legal: 256, as --memory, or more"));
+        assertTrue(out(), out().contains("--total-memory is 255, legal: 256 (--memory) or more"));
         sear("class", "--pupils", "names.txt", "--at-once", "0");
         assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
         assertTrue(out(), out().contains("--at-once is 0, legal: 1 or more"));

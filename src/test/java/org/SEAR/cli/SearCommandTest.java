@@ -122,7 +122,7 @@ public class SearCommandTest {
     public void anUnusedParameterIsReported() throws Exception {
         assertEquals(err, 0, sear(script("sear = Runtime.start('sear', 'SEAR')\nprint sear.getParameter('speed', 0.3)"), "--set", "sped=2", "--port",
             "none"));
-        assertTrue(out + err, out.contains("0.3") && err.contains("sear: the script has not asked for parameter sped: "));
+        assertTrue(out + err, out.contains("0.3") && err.contains("sear: the script did not read parameter sped: "));
     }
 
     @Test
@@ -191,7 +191,7 @@ public class SearCommandTest {
             + "while len(done) < 5: sleep(0.01)";
         assertEquals(1, sear(script(code), "--port", "none"));
         assertEquals(err, 3, err.split("ValueError: again", -1).length);
-        assertTrue(err, err.contains("this error came 5 times:"));
+        assertTrue(err, err.contains("this error occurred 5 times:"));
     }
 
     @Test

@@ -207,7 +207,7 @@ public class PythonTest {
     public void theEditorOpensAndSavesScripts() throws Exception {
         python.getConfig().scriptRootDir = folder.getRoot().toString();
         IOException missing = assertThrows(IOException.class, () -> python.saveScript("sub/a.py", "x = 1\n"));
-        assertEquals("sub/a.py can't be saved, there is no folder " + folder.getRoot().toPath().resolve("sub") + ": make it first",
+        assertEquals("sub/a.py can't be saved: there is no folder " + folder.getRoot().toPath().resolve("sub") + "; create it first",
             missing.getMessage());
         folder.newFolder("sub");
         python.saveScript("sub/a.py", "x = 1\n");

@@ -143,14 +143,14 @@ public class RuntimeTest {
     @Test
     public void aFailedStartReturnsNullAndReportsTheCause() {
         refused(Runtime.start("a", "Nix"), "can't start a as Nix: there is no service type Nix");
-        refused(Runtime.start("a", "Lidar"), "can't start a as Lidar: there is no service type Lidar, did you mean LIDAR?");
+        refused(Runtime.start("a", "Lidar"), "can't start a as Lidar: there is no service type Lidar; did you mean LIDAR?");
         refused(Runtime.start("a", "java.lang.String"), "can't start a as String: java.lang.String is not a service type");
         refused(Runtime.start("a", Broken.class.getName()), "can't start a as Broken: the battery is empty");
         refused(Runtime.start("a", Bare.class.getName()),
             "can't start a as RuntimeTest$Bare: class com.jme3.math.Vector3f is missing: a library is not on the class path");
         refused(Runtime.start("a/b", "Serial"), "can't start a/b as Serial: a service's name is a word without \"/\"");
-        refused(Runtime.start("a"), "can't start a: its type is not given, and there is no configuration file of that name:"
-            + " Runtime.start(\"name\", \"a\") has a name and a type");
+        refused(Runtime.start("a"), "can't start a: its type is missing, and there is no configuration file of that name:"
+            + " write Runtime.start(\"name\", \"a\") with a name and a type");
         assertEquals(1, Runtime.getServices().size());
     }
 
@@ -225,7 +225,7 @@ public class RuntimeTest {
         assertTrue(roomba.isPeerStarted("serial"));
         assertSame(Runtime.getService(roomba.getName() + ".serial"), roomba.getPeer("serial"));
         assertNull(roomba.startPeer("motor"));
-        assertEquals("roomba has no service \"motor\" of its own; it has [serial]", roomba.getLastError().key);
+        assertEquals("roomba has no peer \"motor\"; its peers are [serial]", roomba.getLastError().key);
     }
 
     @Test

@@ -130,7 +130,7 @@ public class WebGuiTest {
         assertEquals("1.5\n", post("/api/service/talker/half", "[3]").body());
         assertEquals("true\n", get("/api/service/talker/isRunning").body());
         assertEquals(405, get("/api/service/talker/half/3").statusCode());
-        assertEquals("half is called by POST, with a list of arguments as JSON\n", get("/api/service/talker/half/3").body());
+        assertEquals("call half by POST, with a JSON list of arguments\n", get("/api/service/talker/half/3").body());
         assertEquals("[4,5]\n", post("/api/service/talker/publishArray", "[[4, 5]]").body());
         assertTrue(get("/api/service").body().contains("\"talker@embedded\""));
         assertTrue(get("/api/service/talker").body().contains("\"simpleName\":\"Talker\""));

@@ -157,10 +157,10 @@ public class ContestTest {
         assertEquals(alone, scores.get("good"));
         assertTrue(alone, alone.startsWith("1.1") && alone.endsWith(",,0,\"the time was over\""));
         assertTrue(told, scores.get("failing").contains(",\"its script failed at 1.0 s, line 5: ZeroDivisionError: integer division"));
-        assertTrue(told, scores.get("hanging").contains(",\"its script hung at 1.0 s: it went on for 8.00 s without a simSleep\""));
+        assertTrue(told, scores.get("hanging").contains(",\"its script hung at 1.0 s: it ran for 8.00 s without a simSleep\""));
         assertTrue(told, scores.get("short").contains(",\"its script ended at 1.0 s\""));
         assertTrue(told, scores.get("stubborn").endsWith(",,0,\"the time was over\""));
-        assertTrue(told, scores.get("modern").contains("it is Python 3; a contest has Python 2.7"));
+        assertTrue(told, scores.get("modern").contains("it is Python 3, but contests use Python 2.7"));
         assertTrue(told, scores.get("spy").contains("line 4: "));
         assertTrue(told, scores.get("spy").contains("no sensor of your robot is called \"\"ping0\"\", legal: ping6"));
         for (String name : List.of("failing", "hanging", "short")) {
@@ -206,9 +206,9 @@ public class ContestTest {
         assertEquals(List.of("2,one,1,,0,\"enough\"", "3,three,9,,0,\"disqualified: snoring\""), lines.subList(2, 4));
         Files.writeString(contest.resolve("referee.py"), "SECONDS = 4\ndef stepped(contest):\n    contest.entrys\n");
         String wrong = run(entered(contest, "one", drive));
-        assertTrue(wrong, wrong.startsWith("2\nsear contest: ") && wrong.contains("has an error, which is no entrant's") && wrong.contains("line 3"));
+        assertTrue(wrong, wrong.startsWith("2\nsear contest: ") && wrong.contains("has an error, which is not an entrant's") && wrong.contains("line 3"));
         for (String[] odd : new String[][] {{"contest.entries[0].points = float('nan')", "points of one are NaN, legal: a number"},
-            {"sys.exit(3)", "has ended itself, with status 3, legal: contest.end(words)"}}) {
+            {"sys.exit(3)", "ended itself with status 3, legal: contest.end(words)"}}) {
             Files.writeString(contest.resolve("referee.py"), "import sys\nSECONDS = 4\ndef stepped(contest):\n    " + odd[0] + "\n");
             wrong = run(entered(contest, "one", drive));
             assertTrue(wrong, wrong.startsWith("2\nsear contest: ") && wrong.contains(odd[1]));
@@ -220,8 +220,8 @@ public class ContestTest {
         wrong = run(entered(contest, "one", drive));
         assertTrue(wrong, wrong.contains("place of one is x NaN, z 0.0, heading 0.0, legal: numbers"));
         Files.writeString(contest.resolve("referee.py"), "def stepped(contest): pass\n");
-        assertTrue(run(entered(contest, "one", drive)).contains("lacks SECONDS, how much simulated time there is"));
-        assertTrue(run(List.of(folder.getRoot().toString(), "x.py")).contains("is no contest, it lacks world.sear"));
+        assertTrue(run(entered(contest, "one", drive)).contains("lacks SECONDS, the simulated time of the contest"));
+        assertTrue(run(List.of(folder.getRoot().toString(), "x.py")).contains("is not a contest: it lacks world.sear"));
         assertTrue(run(List.of(contest.toString(), "x.py")).startsWith("2\nsear contest: x.py can't be read: there is no such file"));
     }
 

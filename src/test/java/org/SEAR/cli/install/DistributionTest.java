@@ -292,7 +292,7 @@ public class DistributionTest {
     public void foldersWithoutMyRobotLabAreRejectedByCommand() throws Exception {
         Distribution.Result result = sear("install", folder.newFolder("empty").toString());
         assertEquals(result.toString(), 1, result.status);
-        assertTrue(result.err, result.err.startsWith("sear install: ") && result.err.contains("holds no myrobotlab.jar"));
+        assertTrue(result.err, result.err.startsWith("sear install: ") && result.err.contains("contains no myrobotlab.jar"));
         assertEquals(2, sear("install").status);
     }
 

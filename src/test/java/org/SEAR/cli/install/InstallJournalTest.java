@@ -10,7 +10,7 @@ import org.junit.Test;
 
 /** The next call undoes a call that was killed before any of its changes of the disk. */
 public class InstallJournalTest extends LaidOutMrl {
-    private static final String UNDONE = "An earlier call was interrupted. What it had begun was undone.";
+    private static final String UNDONE = "An earlier call was interrupted. Its changes were undone.";
 
     /** At least the journal and two files, with two changes of the disk each, and the end. */
     private static final int LEAST_STEPS = 7;

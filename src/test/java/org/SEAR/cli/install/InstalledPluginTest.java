@@ -147,7 +147,7 @@ public class InstalledPluginTest {
             new Installer(mrl).install(mrl.resolve("libraries/jar"), false);
             throw new AssertionError("was not refused");
         } catch (InstallException e) {
-            assertEquals("MyRobotLab is running from " + mrl + " (process " + process.pid() + "). Shut it down and call again.", e.getMessage());
+            assertEquals("MyRobotLab is running from " + mrl + " (process " + process.pid() + "). Shut it down and try again.", e.getMessage());
         }
     }
 

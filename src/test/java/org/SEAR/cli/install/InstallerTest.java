@@ -137,13 +137,13 @@ public class InstallerTest extends LaidOutMrl {
         assertEquals(mrl, new Installer(mrl.getParent()).mrl.root);
         Files.createDirectories(mrl.getParent().resolve("other"));
         Files.copy(mrl.resolve("myrobotlab.jar"), mrl.getParent().resolve("other/myrobotlab.jar"));
-        assertRefused("holds several MyRobotLabs", mrl.getParent());
+        assertRefused("contains several MyRobotLabs", mrl.getParent());
     }
 
     @Test
     public void foldersWithoutMrlAreRejected() throws Exception {
         assertRefused("is not a folder", mrl.resolve("nowhere"));
-        assertRefused("holds no myrobotlab.jar", plugin);
+        assertRefused("contains no myrobotlab.jar", plugin);
         Files.writeString(mrl.resolve("myrobotlab.jar"), "not a zip");
         assertRefused("is not a readable jar", mrl);
     }
@@ -209,7 +209,7 @@ public class InstallerTest extends LaidOutMrl {
     public void aFolderThatCannotBeWrittenIsRefused() throws Exception {
         delete(mrl.resolve("libraries"));
         Files.writeString(mrl.resolve("libraries"), "a file in the way");
-        assertRefused("libraries is a file, and has to be a folder", mrl);
+        assertRefused("libraries is a file but must be a folder", mrl);
     }
 
     /**

@@ -65,10 +65,10 @@ public class LibraryChoiceTest extends LaidOutMrl {
     public void itNamesTheVersionThatItFoundAndKeeps() throws Exception {
         jar(mrl.resolve("libraries/jar/jbullet-20090101.jar"), null, "com/bulletphysics/BulletGlobals.class");
         String text = command();
-        assertSays(text, "  keep    xstream-1.4.19.jar, 1.4.21 would be ours: works");
+        assertSays(text, "  keep    xstream-1.4.19.jar instead of 1.4.21: works");
         assertSays(text, "  keep    jme3-core-3.6.1-stable.jar: MyRobotLab has this library");
-        assertSays(text, "  keep    gson-2.9.1.jar: myrobotlab.jar holds this library");
-        assertSays(text, "  keep    jbullet-20090101.jar, 20101010-1 would be ours: older, and SEAR was not tried with it");
+        assertSays(text, "  keep    gson-2.9.1.jar: myrobotlab.jar contains this library");
+        assertSays(text, "  keep    jbullet-20090101.jar instead of 20101010-1: older, not tested with SEAR");
         assertEquals("Done. Start MyRobotLab; SEAR, LIDAR and GPS are among its services.", lastLine(text));
     }
 
@@ -80,22 +80,22 @@ public class LibraryChoiceTest extends LaidOutMrl {
         jar(mrl.resolve("libraries/jar/xstream-1.4.3.jar"), null, "com/thoughtworks/xstream/XStream.class");
         jar(mrl.resolve("libraries/jar/jbullet-20301010.jar"), null, "com/bulletphysics/BulletGlobals.class");
         String text = command("--replace-jme");
-        assertSays(text, "  keep    jme3-core-3.7.0-stable.jar, 3.6.1-stable would be ours: works");
-        assertSays(text, "  keep    jbullet-20301010.jar, 20101010-1 would be ours: newer, should work");
-        assertSays(text, "  keep    xstream-1.4.3.jar, 1.4.21 would be ours: older, and SEAR was not tried with it");
+        assertSays(text, "  keep    jme3-core-3.7.0-stable.jar instead of 3.6.1-stable: works");
+        assertSays(text, "  keep    jbullet-20301010.jar instead of 20101010-1: newer, should work");
+        assertSays(text, "  keep    xstream-1.4.3.jar instead of 1.4.21: older, not tested with SEAR");
     }
 
     @Test
     public void anOlderEngineIsKeptAndTheRemedyForTheWindowIsPrinted() throws Exception {
         olderEngine();
         String text = command();
-        assertSays(text, "  keep    jme3-core-3.3.2-stable.jar, 3.6.1-stable would be ours: the window needs 3.6; --replace-jme puts ours into its "
+        assertSays(text, "  keep    jme3-core-3.3.2-stable.jar instead of 3.6.1-stable: the window needs 3.6; --replace-jme puts ours into its "
             + "place");
-        assertSays(text, "  keep    lwjgl-3.2.3-natives-linux.jar, 3.3.2 would be ours: the window needs 3.3; --replace-jme puts ours into its "
+        assertSays(text, "  keep    lwjgl-3.2.3-natives-linux.jar instead of 3.3.2: the window needs 3.3; --replace-jme puts ours into its "
             + "place");
         assertSays(text, "  keep    jme3-blender-3.3.2-stable.jar: MyRobotLab has this library");
-        assertEquals("The window needs jMonkeyEngine 3.6; jme3-core-3.3.2-stable.jar is there, so SEAR runs without a window. To have one, call "
-            + "\"sear install --replace-jme " + mrl + "\"; --remove brings the old one back.", lastLine(text));
+        assertEquals("The window needs jMonkeyEngine 3.6, but MyRobotLab has jme3-core-3.3.2-stable.jar, so SEAR runs without a window. To get one, run "
+            + "\"sear install --replace-jme " + mrl + "\"; --remove restores the old one.", lastLine(text));
         assertFalse(Files.exists(mrl.resolve("libraries/jar/jme3-core-3.6.1-stable.jar")));
         assertTrue(lastLine(command()).startsWith("The window needs jMonkeyEngine 3.6"));
     }
@@ -139,7 +139,7 @@ public class LibraryChoiceTest extends LaidOutMrl {
         String again = Files.readString(mrl.resolve(OLD_CORE), StandardCharsets.ISO_8859_1);
         Files.delete(mrl.resolve("libraries/sear-replaced/lwjgl-3.2.3-natives-linux.jar"));
         String text = command("--remove");
-        assertSays(text, "  lost    libraries/jar/lwjgl-3.2.3-natives-linux.jar: it is no longer in libraries/sear-replaced/; "
+        assertSays(text, "  lost    libraries/jar/lwjgl-3.2.3-natives-linux.jar: it is missing in libraries/sear-replaced/; "
             + "MyRobotLab can install it again");
         assertEquals(again, Files.readString(mrl.resolve(OLD_CORE), StandardCharsets.ISO_8859_1));
         assertFalse(Files.exists(mrl.resolve("libraries/sear-replaced")));
@@ -152,8 +152,8 @@ public class LibraryChoiceTest extends LaidOutMrl {
             "Nothing to do now: SEAR 1.0.0 is installed."}) {
             String text = command();
             assertSays(text, done);
-            assertEquals("Until MyRobotLab has been started once and this was called again, its service picker does not offer SEAR, LIDAR and GPS: "
-                + "type the type by hand.", lastLine(text));
+            assertEquals("The service picker does not list SEAR, LIDAR and GPS yet. Start MyRobotLab once and install again, or type the "
+                + "service type by hand.", lastLine(text));
         }
     }
 }

@@ -91,7 +91,7 @@ public class AddressTest {
         Address.listen("0.0.0.0", null);
         int port = FreePort.find();
         IOException refused = assertThrows(IOException.class, () -> new WebServer(port, List.of(), new Hub("hub")));
-        assertEquals("other computers would reach this server without a token: nothing is served", refused.getMessage());
+        assertEquals("other computers could reach this server without a token: the server does not start", refused.getMessage());
         new ServerSocket(port).close();
         Token.require();
         new WebServer(port, List.of(), new Hub("hub")).stop();

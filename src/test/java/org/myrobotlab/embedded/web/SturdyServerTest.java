@@ -250,7 +250,7 @@ public class SturdyServerTest {
         String[][] cases = {{"null", "not JSON for Map: null"}, {"7", "not JSON for Map"}, {nested, "more than 500 lists"},
             {"{\"a\":" + nested + "}", "more than 500 lists"},
             {"{\"id\":" + DIGITS + "}", "number of more than 1000 digits"}, {"{}", "name of a message is null"},
-            {"{\"name\":7,\"method\":\"tick\"}", "name of a message is 7, legal: a text"}, {"{\"subscribe\":\"talker\"}", "topic of a"},
+            {"{\"name\":7,\"method\":\"tick\"}", "name of a message is 7, legal: a string"}, {"{\"subscribe\":\"talker\"}", "topic of a"},
             {"{\"name\":\"talker\",\"method\":\"tick\",\"data\":5}", "data of a message is no list"}};
         for (String[] one : cases) {
             page.getOutputStream().write(Server.frame(TEXT, one[0].getBytes(StandardCharsets.UTF_8)));

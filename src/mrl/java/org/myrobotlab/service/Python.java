@@ -410,7 +410,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         Path part = path.resolveSibling(path.getFileName() + ".part");
         openedScripts.remove(file);
         if (!Files.isDirectory(path.toAbsolutePath().normalize().getParent())) {
-            throw new IOException(file + " can't be saved: there is no folder " + path.toAbsolutePath().normalize().getParent() + "; create it first");
+            throw new IOException(file + " can't be saved: there is no folder " + path.toAbsolutePath().normalize().getParent()
+                + "; create it first");
         }
         Files.writeString(part, code, StandardCharsets.UTF_8);
         Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);

@@ -26,7 +26,8 @@ import picocli.CommandLine.Spec;
 
 /** {@code sear contest FOLDER SCRIPT.py...}: runs a contest of robots. */
 @Command(name = "contest", mixinStandardHelpOptions = true,
-    description = "Runs a contest: each script drives its own robot in one world, without a window and in lock-step. Prints the referee's scoreboard.",
+    description = "Runs a contest: each script drives its own robot in one world, without a window and in lock-step."
+        + " Prints the referee's scoreboard.",
     footer = "Exit status: 0 when the contest is complete, 1 when a script ended the program, 2 for an invalid command, world or referee.")
 public final class ContestCommand implements Callable<Integer> {
     private static final String WORLD = "world.sear";

@@ -159,8 +159,8 @@ final class Installer {
             }
         }
         if (olderEngine != null) {
-            plan.remarks.add("The window needs jMonkeyEngine 3.6, but MyRobotLab has " + olderEngine + ", so SEAR runs without a window. To get one, run "
-                + "\"sear install --replace-jme " + mrl.root + "\"; --remove restores the old one.");
+            plan.remarks.add("The window needs jMonkeyEngine 3.6, but MyRobotLab has " + olderEngine + ", so SEAR runs without a window."
+                + " To get one, run \"sear install --replace-jme " + mrl.root + "\"; --remove restores the old one.");
         }
     }
 

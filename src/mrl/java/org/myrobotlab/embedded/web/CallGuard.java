@@ -58,7 +58,8 @@ final class CallGuard implements HttpHandler {
         String site = exchange.getRequestHeaders().getFirst(FETCH_SITE);
         String mode = exchange.getRequestHeaders().getFirst(FETCH_MODE);
         if (site != null && !site.equals(OWN_SITE)) {
-            Guard.refuse(exchange, StatusCodes.FORBIDDEN, "only pages of this server and programs of this computer may call; this call came from " + site);
+            Guard.refuse(exchange, StatusCodes.FORBIDDEN,
+                "only pages of this server and programs of this computer may call; this call came from " + site);
         } else if (NAVIGATION.equals(mode)) {
             Guard.refuse(exchange, StatusCodes.FORBIDDEN, "call services from scripts and programs, not by opening an address");
         } else {

@@ -206,7 +206,8 @@ public class ContestTest {
         assertEquals(List.of("2,one,1,,0,\"enough\"", "3,three,9,,0,\"disqualified: snoring\""), lines.subList(2, 4));
         Files.writeString(contest.resolve("referee.py"), "SECONDS = 4\ndef stepped(contest):\n    contest.entrys\n");
         String wrong = run(entered(contest, "one", drive));
-        assertTrue(wrong, wrong.startsWith("2\nsear contest: ") && wrong.contains("has an error, which is not an entrant's") && wrong.contains("line 3"));
+        assertTrue(wrong, wrong.startsWith("2\nsear contest: ") && wrong.contains("has an error, which is not an entrant's")
+            && wrong.contains("line 3"));
         for (String[] odd : new String[][] {{"contest.entries[0].points = float('nan')", "points of one are NaN, legal: a number"},
             {"sys.exit(3)", "ended itself with status 3, legal: contest.end(words)"}}) {
             Files.writeString(contest.resolve("referee.py"), "import sys\nSECONDS = 4\ndef stepped(contest):\n    " + odd[0] + "\n");

@@ -89,12 +89,11 @@ public class LibraryChoiceTest extends LaidOutMrl {
     public void anOlderEngineIsKeptAndTheRemedyForTheWindowIsPrinted() throws Exception {
         olderEngine();
         String text = command();
-        assertSays(text, "  keep    jme3-core-3.3.2-stable.jar instead of 3.6.1-stable: the window needs 3.6; --replace-jme puts ours into its "
-            + "place");
-        assertSays(text, "  keep    lwjgl-3.2.3-natives-linux.jar instead of 3.3.2: the window needs 3.3; --replace-jme puts ours into its "
-            + "place");
+        assertSays(text, "  keep    jme3-core-3.3.2-stable.jar instead of 3.6.1-stable: the window needs 3.6; --replace-jme replaces it");
+        assertSays(text, "  keep    lwjgl-3.2.3-natives-linux.jar instead of 3.3.2: the window needs 3.3; --replace-jme replaces it");
         assertSays(text, "  keep    jme3-blender-3.3.2-stable.jar: MyRobotLab has this library");
-        assertEquals("The window needs jMonkeyEngine 3.6, but MyRobotLab has jme3-core-3.3.2-stable.jar, so SEAR runs without a window. To get one, run "
+        assertEquals("The window needs jMonkeyEngine 3.6, but MyRobotLab has jme3-core-3.3.2-stable.jar, so SEAR runs without a "
+            + "window. To get one, run "
             + "\"sear install --replace-jme " + mrl + "\"; --remove restores the old one.", lastLine(text));
         assertFalse(Files.exists(mrl.resolve("libraries/jar/jme3-core-3.6.1-stable.jar")));
         assertTrue(lastLine(command()).startsWith("The window needs jMonkeyEngine 3.6"));

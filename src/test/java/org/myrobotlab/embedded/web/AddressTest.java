@@ -97,7 +97,7 @@ public class AddressTest {
         new WebServer(port, List.of(), new Hub("hub")).stop();
         Address.listen("192.0.2.1", null);
         IOException foreign = assertThrows(IOException.class, () -> new WebServer(port, List.of(), new Hub("hub")));
-        assertTrue(foreign.getMessage(), foreign.getMessage().contains("can't be listened at"));
+        assertTrue(foreign.getMessage(), foreign.getMessage().contains("can't listen at "));
     }
 
     @Test

@@ -114,7 +114,7 @@ public class SearCommandTest {
         assertEquals(err, 0, sear(script("print open('" + file + "').read()"), "--headless", "--token", "--port", String.valueOf(port)));
         assertTrue(out, out.trim().matches("[\\w-]{32}"));
         assertTrue(err, err.startsWith("Open this in a browser:\nhttp://localhost:" + port + "/?token=" + out.trim() + "\ntoken: " + file
-            + " has it"));
+            + " contains it"));
         assertFalse("it goes when the program ends", Files.exists(file));
     }
 

@@ -80,7 +80,7 @@ public class ClassCommandTest {
         List<String> arguments = arguments(command(line -> line.contains("--script")));
         arguments.addAll(List.of("--port", String.valueOf(port), "--memory", "96"));
         sear(arguments.toArray(new String[0]));
-        until("all run", () -> out().contains("All 2 run."));
+        until("all run", () -> out().contains("All 2 are running."));
     }
 
     private String out() throws IOException {
@@ -199,7 +199,7 @@ public class ClassCommandTest {
         List<String> arguments = arguments(command(line -> line.contains("--url")));
         arguments.addAll(List.of("--port", String.valueOf(port)));
         sear(arguments.toArray(new String[0]));
-        until("it runs", () -> out().contains("All 1 run."));
+        until("it runs", () -> out().contains("All 1 are running."));
         assertTrue(out(), out().contains("https://Ada.class.example/?token=" + token("Ada")));
         ProcessHandle ada = pupil(port);
         process.destroyForcibly().waitFor();
@@ -218,7 +218,7 @@ public class ClassCommandTest {
             if (process.children().count() > 1 && !answers(port)) {
                 together.set(true);
             }
-            return out().contains("All 2 run.");
+            return out().contains("All 2 are running.");
         });
         assertFalse("Ben's began before Ada's was there", together.get());
         for (String pupil : new String[] {"Ada", "Ben"}) {
@@ -269,7 +269,7 @@ public class ClassCommandTest {
         assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
         assertEquals(2, process.exitValue());
         assertTrue(out(), out().contains("names.txt:4: \"ada\" has the same folder as \"Ada\"")
-            && out().contains("names.txt:5: \"../..\" is no name, legal: ")
+            && out().contains("names.txt:5: \"../..\" is not a name, legal: ")
             && out().contains("names.txt:6: ") && !out().contains("names.txt:1:"));
         assertFalse(Files.exists(path("class")));
         Files.writeString(path("names.txt"), "Ada\nBen\n");

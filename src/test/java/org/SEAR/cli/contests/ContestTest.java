@@ -127,7 +127,7 @@ public class ContestTest {
         Process process = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(said.toFile()).start();
         int status = process.waitFor();
         String text = Files.readString(said);
-        assertTrue(text, text.contains("sear contest: the script of leaves has ended the whole program at 1.0 s"));
+        assertTrue(text, text.contains("sear contest: the script of leaves ended the whole program at 1.0 s"));
         assertEquals(text, 1, status);
     }
 
@@ -236,7 +236,7 @@ public class ContestTest {
             Files.writeString(contest.resolve("referee.py"), "SECONDS = 4\n" + one[0]);
             String told = run(arguments);
             assertEquals("2\nsear contest: " + contest.resolve("referee.py") + " hung: " + one[1]
-                + " went on for 2.00 s, legal: at most --limit, by the computer's clock\n", told);
+                + " ran for 2.00 s, legal: at most --limit, by the computer's clock\n", told);
         }
     }
 

@@ -247,11 +247,11 @@ public class SturdyServerTest {
         Socket page = server.webSocket();
         open.add(page);
         String nested = "[".repeat(60_000) + "]".repeat(60_000);
-        String[][] cases = {{"null", "not JSON for Map: null"}, {"7", "not JSON for Map"}, {nested, "more than 500 lists"},
-            {"{\"a\":" + nested + "}", "more than 500 lists"},
+        String[][] cases = {{"null", "not JSON for Map: null"}, {"7", "not JSON for Map"}, {nested, "nested more than 500 levels"},
+            {"{\"a\":" + nested + "}", "nested more than 500 levels"},
             {"{\"id\":" + DIGITS + "}", "number of more than 1000 digits"}, {"{}", "name of a message is null"},
             {"{\"name\":7,\"method\":\"tick\"}", "name of a message is 7, legal: a string"}, {"{\"subscribe\":\"talker\"}", "topic of a"},
-            {"{\"name\":\"talker\",\"method\":\"tick\",\"data\":5}", "data of a message is no list"}};
+            {"{\"name\":\"talker\",\"method\":\"tick\",\"data\":5}", "data of a message is not a list"}};
         for (String[] one : cases) {
             page.getOutputStream().write(Server.frame(TEXT, one[0].getBytes(StandardCharsets.UTF_8)));
             String answer = Server.answer(page);

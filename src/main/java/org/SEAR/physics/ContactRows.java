@@ -6,17 +6,11 @@ import org.SEAR.physics.solid.HingeLevers;
 /**
  * Contact constraints of an island during a step. All numbers are in one array, manifold after manifold, because the
  * rows of a large stack exceed the processor's cache. Each manifold has up to four normal constraints, and friction at
- * their centre. Solved by sequential impulses with warm starting. A bounded bias speed corrects penetrations; the
- * relaxing pass removes it from the velocities (soft step: Catto, Solver2D 2024; small steps: Macklin 2019). Simulation
- * thread.
+ * their centre. Solved by sequential impulses with warm starting in small substeps (Macklin 2019, "Small steps in
+ * physics simulation"). Velocities contain no position correction; {@link PositionCorrection} resolves penetrations
+ * after the bodies have moved. Simulation thread.
  */
 final class ContactRows {
-    /** Rate of the position correction, 1/s. */
-    private static final double RECOVERY = 8;
-    /** Largest speed of the position correction, m/s. */
-    private static final double MAX_RECOVERY = 1;
-    /** Largest share of a penetration that one substep corrects. */
-    private static final double MAX_SHARE = 0.2;
     /** Linear slop: gap between surfaces at rest, metres. */
     static final double LINEAR_SLOP = 1e-4;
     /** Penetration above which a contact is deep and is resolved slowly, metres. */
@@ -26,9 +20,6 @@ final class ContactRows {
      * and be thrown out when one contact opens.
      */
     private static final double DEEP_SHARE = 0.5;
-    /** Largest penetration into a fixed body, as a share of the body's smallest half extent. */
-    private static final double DEEPEST_SHARE = 0.5;
-
     /**
      * Approach speed, beyond what warm starting stops, m/s, above which a contact is an impact; an isolated body then
      * drops its warm-start impulse.
@@ -68,6 +59,9 @@ final class ContactRows {
     /** Rows per manifold with hinge levers: those of the points, then those of friction. */
     private static final int HINGED = Manifold.MAX_POINTS + FrictionRows.HINGED;
 
+    /** Impulses per manifold that the conjugate directions cover: points, two of friction, one against turning. */
+    static final int IMPULSES = Manifold.MAX_POINTS + 3;
+
     private double[] data = {};
     private double[][] speedsA = {};
     private double[][] speedsB = {};
@@ -86,6 +80,10 @@ final class ContactRows {
     private boolean bounces;
     /** Elapsed time of the step, seconds: solids that move in their bodies take their new poses at its end. */
     private double gone;
+    /** Largest velocity change at a contact in the last pass, m/s. */
+    private double residual;
+    /** Whether a bias speed corrects penetrations where hinges yield. */
+    private boolean biased;
     private final NormalBlock block = new NormalBlock();
 
     /** Begins the step of an island. */
@@ -247,8 +245,8 @@ final class ContactRows {
         gone += seconds;
     }
 
-    /** Updates the gaps. */
-    private void measure(int slot) {
+    /** Updates the gaps of a slot. */
+    void measure(int slot) {
         double[] p = movedA[slot];
         double[] q = movedB[slot];
         for (int i = 0; i < points[slot]; i++) {
@@ -259,39 +257,41 @@ final class ContactRows {
     }
 
     /**
-     * Solves one pass with position correction.
-     * @param last whether it is the last one before the bodies move
+     * Solves one pass over all contacts.
+     *
+     * @param first whether it is the first pass of the substep, which meets approach speeds as they are
+     * @param moved whether the bodies have moved: then hinges get no bias speed against penetrations
      */
-    void solveBiased(boolean last) {
+    void solve(boolean first, boolean moved) {
+        residual = 0;
+        biased = !moved;
         for (int slot = 0; slot < size; slot++) {
             if (points[slot] > 0) {
-                solve(slot, true);
-                if (last) {
-                    mark(slot);
-                }
+                solve(slot, first);
             }
         }
     }
 
-    /**
-     * Solves one pass without position correction.
-     * @param first whether the bodies have moved since the last pass
-     */
-    void relax(boolean first) {
+    /** Ends the passes of a substep, before the bodies move. */
+    void finish() {
         for (int slot = 0; slot < size; slot++) {
             if (points[slot] > 0) {
-                if (first) {
-                    measure(slot);
-                    if (out[slot] != 0) {
-                        stayOut(slot);
-                    }
-                }
-                solve(slot, false);
+                mark(slot);
             }
         }
     }
 
-    private void solve(int slot, boolean recovers) {
+    /** Returns the largest velocity change at a contact in the last pass, m/s. */
+    double getResidual() {
+        return residual;
+    }
+
+    /** Counts a velocity change at a contact, m/s. */
+    void note(double change) {
+        residual = Math.max(residual, Math.abs(change));
+    }
+
+    private void solve(int slot, boolean first) {
         int at = slot * SIZE;
         int count = points[slot];
         double pressing = 0;
@@ -317,22 +317,22 @@ final class ContactRows {
             int point = at + POINTS + i * POINT;
             double gap = data[point + GAP];
             double seconds = data[at + SECONDS];
-            block.wanted[i] = (gap > LINEAR_SLOP ? -(gap - LINEAR_SLOP) / seconds : 0) + (recovers
-                ? recovery(Math.min(gap, LINEAR_SLOP), seconds) : 0)
-                + data[point + DRIVEN];
+            double bias = biased && by != null ? PositionCorrection.speed(Math.min(gap, LINEAR_SLOP), seconds) : 0;
+            block.wanted[i] = (gap > LINEAR_SLOP ? -(gap - LINEAR_SLOP) / seconds : 0) + bias + data[point + DRIVEN];
             parting = parting && PairRow.along(data, point, p, q) >= block.wanted[i] + (by == null ? 0 : by.speed(i));
         }
-        if (parting || all && solveAll(at, count, p, q, recovers)) {
+        if (parting || all && solveAll(at, count, p, q, first)) {
             return;
         }
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
             if (data[point + PENDING_RESTITUTION] == 0) {
                 double missing = PairRow.missing(data, point, p, q, block.wanted[i] + (by == null ? 0 : by.speed(i)));
-                if (recovers) {
+                if (first) {
                     notice(at, missing / data[point + PairRow.MASS]);
                 }
                 double sum = Math.max(0, data[point + PairRow.IMPULSE] + missing);
+                note((sum - data[point + PairRow.IMPULSE]) / data[point + PairRow.MASS]);
                 applyImpulse(slot, i, point, sum - data[point + PairRow.IMPULSE]);
                 data[point + PairRow.IMPULSE] = sum;
             }
@@ -345,7 +345,7 @@ final class ContactRows {
         }
     }
 
-    private boolean solveAll(int at, int count, double[] p, double[] q, boolean recovers) {
+    private boolean solveAll(int at, int count, double[] p, double[] q, boolean first) {
         if (data[at + READY] == 0) {
             data[at + READY] = 1;
             block.prepare(data, at + BLOCK, at + POINTS, count, data[at + MASS_A], data[at + MASS_B]);
@@ -353,32 +353,63 @@ final class ContactRows {
         if (!block.solve(data, at + BLOCK, at + POINTS, count, p, q, data[at + MASS_A], data[at + MASS_B])) {
             return false;
         }
-        if (recovers) {
+        note(block.change);
+        if (first) {
             notice(at, block.fastest);
         }
         return true;
     }
 
-    private static double recovery(double gap, double seconds) {
-        return Math.min(MAX_RECOVERY, -gap * Math.min(RECOVERY, MAX_SHARE / seconds));
+    /** Returns the manifold of a slot. */
+    Manifold manifold(int slot) {
+        return manifolds[slot];
+    }
+
+    /** Returns 1 or -1 if the movable body leaves a fixed one along the normal or against it, otherwise 0. */
+    int out(int slot) {
+        return out[slot];
     }
 
     /**
-     * Limits the penetration into a fixed body to half of the smallest half extent; beyond its centre the body would
-     * come out on the far side.
+     * Moves both bodies apart at a point by pseudo-velocities, without a change of their velocities.
+     *
+     * @param distance increase of the gap together with what they have moved apart so far, metres
+     * @param impulse so far, kg m
+     * @return impulse after the change, kg m, at least 0
      */
-    private void stayOut(int slot) {
-        Manifold of = manifolds[slot];
-        Body body = out[slot] > 0 ? of.bodyA : of.bodyB;
-        double deepest = gap(slot) + DEEPEST_SHARE * body.getLeast();
-        if (deepest < 0 && body.isSolved()) {
-            body.getSolver().lift(out[slot] * of.nx, out[slot] * of.ny, out[slot] * of.nz, -deepest);
-            measure(slot);
+    double separate(int slot, int i, double distance, double impulse) {
+        int at = slot * SIZE;
+        int point = at + POINTS + i * POINT;
+        double[] p = manifolds[slot].a.correction;
+        double[] q = manifolds[slot].b.correction;
+        double sum = Math.max(0, impulse + PairRow.missing(data, point, p, q, distance));
+        PairRow.applyImpulse(data, point, p, q, data[at + MASS_A], data[at + MASS_B], sum - impulse);
+        return sum;
+    }
+
+    /** Returns where in the array an impulse of a slot is: those of the points, then two of friction, then the turning one. */
+    private int impulseAt(int slot, int i) {
+        int at = slot * SIZE;
+        return i < Manifold.MAX_POINTS ? at + POINTS + i * POINT + PairRow.IMPULSE : FrictionRows.impulseAt(at + PATCH, i - Manifold.MAX_POINTS);
+    }
+
+    /** Returns an impulse of a slot, N s or N m s: of its points, then two of friction, then that against turning. */
+    double impulse(int slot, int i) {
+        return data[impulseAt(slot, i)];
+    }
+
+    /** Adds to an impulse of a slot and applies the change to both bodies. */
+    void addImpulse(int slot, int i, double more) {
+        data[impulseAt(slot, i)] += more;
+        if (i == IMPULSES - 1) {
+            FrictionRows.twist(data, slot * SIZE + PATCH, this, slot, more);
+        } else {
+            applyImpulse(slot, i, impulseAt(slot, i) - PairRow.IMPULSE, more);
         }
     }
 
     /** Returns the smallest gap of its points, metres. */
-    private double gap(int slot) {
+    double gap(int slot) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < points[slot]; i++) {
             least = Math.min(least, data[slot * SIZE + POINTS + i * POINT + GAP]);
@@ -507,89 +538,5 @@ final class ContactRows {
     double falling(int slot, double gravity) {
         int at = slot * SIZE;
         return data[at + 1] * ((data[at + MASS_B] > 0 ? gravity : 0) - (data[at + MASS_A] > 0 ? gravity : 0));
-    }
-
-    /**
-     * Block solver for all normal constraints of a manifold, used while all points push, as they do at rest: sequential
-     * solving would rock the bodies. Loose solids with a point that did not push in the last pass skip it, since that
-     * point would nearly always have to pull. The matrix of four coplanar points has rank three; a small softness
-     * distributes the rest evenly. The array also holds the factor.
-     */
-    private static final class NormalBlock {
-        private static final int MOST = Manifold.MAX_POINTS;
-        static final int SIZE = MOST * MOST;
-        /** Softness: relative increase of the diagonal. */
-        private static final double SOFT = 1e-3;
-
-        /** Required separating speed of each point, m/s. */
-        final double[] wanted = new double[MOST];
-        /** Largest missing separating speed of a point in the last solve, m/s. */
-        double fastest;
-        private final double[] work = new double[SIZE];
-        private final double[] sum = new double[MOST];
-
-        /**
-         * Factors the matrix of a manifold's points.
-         * @param at start of the factor in the array
-         * @param points start of the points' rows, one per {@link ContactRows#POINT}
-         */
-        void prepare(double[] r, int at, int points, int n, double massA, double massB) {
-            for (int i = 0; i < n; i++) {
-                for (int k = 0; k <= i; k++) {
-                    double yields = PairRow.yields(r, points + i * POINT, points + k * POINT, massA, massB);
-                    work[i * MOST + k] = i == k ? yields * (1 + SOFT) : yields;
-                }
-            }
-            factor(r, at, n);
-        }
-
-        /** Computes the Cholesky factor with reciprocals of the diagonal, because divisions dominate the cost. */
-        private void factor(double[] r, int at, int n) {
-            for (int i = 0; i < n; i++) {
-                for (int k = 0; k <= i; k++) {
-                    double rest = work[i * MOST + k];
-                    for (int j = 0; j < k; j++) {
-                        rest -= r[at + i * MOST + j] * r[at + k * MOST + j];
-                    }
-                    r[at + i * MOST + k] = i == k ? 1 / Math.sqrt(rest) : rest * r[at + k * MOST + k];
-                }
-            }
-        }
-
-        /**
-         * Solves for the speeds in {@link #wanted}.
-         * @return false, and changes nothing, if a point would have to pull
-         */
-        boolean solve(double[] r, int at, int points, int n, double[] p, double[] q, double massA, double massB) {
-            fastest = 0;
-            for (int i = 0; i < n; i++) {
-                sum[i] = wanted[i] - PairRow.along(r, points + i * POINT, p, q);
-                fastest = Math.max(fastest, sum[i]);
-            }
-            for (int i = 0; i < n; i++) {
-                double rest = sum[i];
-                for (int k = 0; k < i; k++) {
-                    rest -= r[at + i * MOST + k] * sum[k];
-                }
-                sum[i] = rest * r[at + i * MOST + i];
-            }
-            for (int i = n - 1; i >= 0; i--) {
-                double rest = sum[i];
-                for (int k = i + 1; k < n; k++) {
-                    rest -= r[at + k * MOST + i] * sum[k];
-                }
-                sum[i] = rest * r[at + i * MOST + i];
-                work[i] = r[points + i * POINT + PairRow.IMPULSE] + sum[i];
-                if (work[i] < 0) {
-                    return false;
-                }
-            }
-            for (int i = 0; i < n; i++) {
-                int point = points + i * POINT;
-                PairRow.applyImpulse(r, point, p, q, massA, massB, work[i] - r[point + PairRow.IMPULSE]);
-                r[point + PairRow.IMPULSE] = work[i];
-            }
-            return true;
-        }
     }
 }

@@ -177,6 +177,11 @@ final class FrictionRows {
         return r[at + PairRow.IMPULSE] != 0 || r[at + SECOND + PairRow.IMPULSE] != 0 || r[at + TURNED] != 0 || rolls(r, at);
     }
 
+    /** Returns where an impulse is: 0 and 1 against sliding, 2 against turning about the normal. */
+    static int impulseAt(int at, int i) {
+        return i == 0 ? at + PairRow.IMPULSE : i == 1 ? at + SECOND + PairRow.IMPULSE : at + TURNED;
+    }
+
     private static boolean rolls(double[] r, int at) {
         return r[at + ROLL] != 0 || r[at + ROLL + 1] != 0 || r[at + ROLL + 2] != 0;
     }
@@ -199,7 +204,8 @@ final class FrictionRows {
         }
     }
 
-    private static void twist(double[] r, int at, ContactRows rows, int slot, double change) {
+    /** Changes the impulse against turning about the normal, N m s, of both bodies. */
+    static void twist(double[] r, int at, ContactRows rows, int slot, double change) {
         double[] p = rows.speedsA(slot);
         double[] q = rows.speedsB(slot);
         p[3] += r[at + TURN_A] * change;
@@ -234,6 +240,8 @@ final class FrictionRows {
         double other = PairRow.wanted(r, at + SECOND, p, q, r[at + DRIVEN + 1] + (levers == null ? 0 : levers.speed(FIRST_ROW + 1)));
         double length = Math.sqrt(one * one + other * other);
         double scale = length > most ? most / length : 1;
+        rows.note((one * scale - r[at + PairRow.IMPULSE]) / r[at + PairRow.MASS]);
+        rows.note((other * scale - r[at + SECOND + PairRow.IMPULSE]) / r[at + SECOND + PairRow.MASS]);
         rows.applyImpulse(slot, FIRST_ROW, at, one * scale - r[at + PairRow.IMPULSE]);
         rows.applyImpulse(slot, FIRST_ROW + 1, at + SECOND, other * scale - r[at + SECOND + PairRow.IMPULSE]);
         r[at + PairRow.IMPULSE] = one * scale;

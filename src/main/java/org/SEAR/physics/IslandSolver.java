@@ -5,11 +5,11 @@ import java.util.List;
 import org.SEAR.physics.solid.Hinge;
 
 /**
- * Moves the bodies of an island through a step, in small substeps. A substep applies gravity and the warm-start
- * impulses, and solves one pass or more over all contacts with position correction. It then moves the bodies and
- * relaxes: a pass without correction removes the correction speed from the velocities (Macklin 2019, "Small steps in
- * physics simulation"; Catto 2024, "Solver2D"). Warm starting spreads impulses through tall stacks and large mass
- * ratios from substep to substep. Simulation thread.
+ * Moves the bodies of an island through a step, in small substeps (Macklin 2019, "Small steps in physics simulation").
+ * A substep applies gravity and the warm-start impulses, solves passes over all contacts, moves the bodies, and corrects
+ * penetrations. Warm starting spreads impulses through tall stacks and large mass ratios from substep to substep. An
+ * island whose bodies are slow against each other gets passes until its contacts have converged: at rest that takes one
+ * to three passes, and some hundred in the first substeps of a wall. Simulation thread.
  */
 final class IslandSolver {
     /** Substeps of a step with contacts. */
@@ -52,6 +52,17 @@ final class IslandSolver {
     /** Cost of a robot's wheels in a pass, in points. */
     private static final int WHEELS = 6;
     private static final int MIN_SUBSTEPS = 4;
+    /**
+     * Largest velocity change in a pass with which the contacts of a stack count as converged, as a share of what
+     * gravity adds in a substep, divided by the number of levels: errors add up from level to level.
+     */
+    private static final double RESIDUAL = 0.01;
+    /** Approach speed up to which an island is calm, m/s: passes go on until its contacts have converged. */
+    private static final double CALM = 0.05;
+    /** Limit of passes per substep of a calm island; reached for some substeps after the start of a high wall. */
+    private static final int MAX_PASSES = 500;
+    /** Limit of points, and of the cost of wheels, times substeps times passes of a calm island. */
+    private static final int MAX_CALM_WORK = 10_000_000;
     /** A remainder of the step below this fraction of a substep is dropped. */
     private static final double REST = 1e-6;
 
@@ -62,6 +73,8 @@ final class IslandSolver {
     /** Hinges of the bodies' solids that turn in this step. */
     private final List<Hinge> hinges = new ArrayList<>();
     private final ContactRows rows = new ContactRows();
+    private final PositionCorrection correction = new PositionCorrection();
+    private final ConjugateDirection directions = new ConjugateDirection();
     private final StackOrder stackOrder = new StackOrder();
     private final Impacts impacts = new Impacts();
     private final double gravity;
@@ -71,7 +84,12 @@ final class IslandSolver {
     private double lightest;
     private double heaviest;
     private long passes;
-    private int rounds;
+    /** Whether all touching bodies are slow against each other: passes go on until their contacts have converged. */
+    private boolean calm;
+    /** Levels of the highest stack. */
+    private int height;
+    private int leastPasses;
+    private int mostPasses;
 
     /** Wheels of a robot. */
     static final class WheelDrive {
@@ -185,11 +203,13 @@ final class IslandSolver {
         heaviest = Double.POSITIVE_INFINITY;
         int points = 0;
         int searches = 0;
+        double fast = 0;
         for (int i = 0; i < pairs.size(); i++) {
             PairContacts pair = pairs.get(i);
             points += pair.points();
             searches += pair.isSoonStale(seconds / SUBSTEPS) ? 1 : 0;
             if (pair.points() > 0) {
+                fast = Math.max(fast, pair.getFast());
                 weigh(pair.getA(), pair.getB());
             }
         }
@@ -204,11 +224,15 @@ final class IslandSolver {
         double wanted = Math.max((alone ? substepsAlone(seconds) : SUBSTEPS) * Math.sqrt(Math.max(1, ratio / RATIO)), turning);
         double paid = Math.max(MIN_SUBSTEPS, MAX_WORK / Math.max(1, points + SEARCH * searches));
         int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MAX_SUBSTEPS), paid));
-        int height = stackOrder.measure(bodies, pairs);
+        height = stackOrder.measure(bodies, pairs);
         int least = height > 1 ? MIN_PASSES_ON_OTHERS : 1;
         double needed = Math.max(least, Math.max(PASSES_EACH * height, PASSES_RATIO * ratio));
         int work = (points + WHEELS * drives.size()) * substeps;
-        rounds = (int) Math.max(1, Math.min(needed, (double) MAX_PASSES_WORK / Math.max(1, work)));
+        int rounds = (int) Math.max(1, Math.min(needed, (double) MAX_PASSES_WORK / Math.max(1, work)));
+        int usual = Math.max(rounds, 2 * rounds - 2);    // islands in motion
+        leastPasses = drives.isEmpty() && hinges.isEmpty() ? 1 : usual;
+        calm = fast <= CALM;
+        mostPasses = calm ? (int) Math.max(usual, Math.min(MAX_PASSES, MAX_CALM_WORK / Math.max(1.0, work))) : usual;
         return substeps;
     }
 
@@ -259,9 +283,7 @@ final class IslandSolver {
         for (int i = 0; i < drives.size(); i++) {
             prepare(drives.get(i));
         }
-        for (int i = 0; i < rounds; i++) {
-            press(i == rounds - 1);
-        }
+        solve(taken);
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().advance(gravity);
         }
@@ -269,9 +291,10 @@ final class IslandSolver {
             hinges.get(i).advance();
         }
         stopBeforeMeshes(taken);
-        int relaxing = Math.max(1, rounds - 1);     // one pass less suffices for stacks to come to rest
-        for (int i = 0; i < relaxing; i++) {
-            relax(i == 0);
+        correction.run(rows, bodies, taken);
+        if (!hinges.isEmpty()) {
+            solveDrives();
+            rows.solve(false, true);
         }
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().slow();
@@ -295,18 +318,26 @@ final class IslandSolver {
         }
     }
 
-    /** Solves one pass with position correction. */
-    private void press(boolean last) {
-        passes++;
-        solveDrives();
-        rows.solveBiased(last);
-    }
-
-    /** Solves one pass without position correction. */
-    private void relax(boolean first) {
-        passes++;
-        solveDrives();
-        rows.relax(first);
+    /** Solves passes until the contacts have converged or the limit of passes is reached. */
+    private void solve(double seconds) {
+        double converged = RESIDUAL / Math.max(1, height) * gravity * seconds;
+        directions.begin();
+        boolean last = false;
+        for (int pass = 1; !last; pass++) {
+            last = pass >= mostPasses;
+            boolean accelerated = calm && pass > 1 && !last;
+            if (accelerated) {
+                directions.store(rows);
+            }
+            passes++;
+            solveDrives();
+            rows.solve(pass == 1, false);
+            last |= pass >= leastPasses && rows.getResidual() <= converged;
+            if (accelerated && !last) {
+                directions.advance(rows);
+            }
+        }
+        rows.finish();
     }
 
     /** Solves wheels and the motors of hinges. */

@@ -1,5 +1,6 @@
 package org.SEAR.physics;
 
+import java.util.Arrays;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
 
@@ -20,6 +21,8 @@ public final class SolverBody {
      * Velocities of the centre of mass, world frame: {vx, vy, vz, wx, wy, wz}, m/s and rad/s. Constraints change them.
      */
     public final double[] v = new double[6];
+    /** Pseudo-velocities of the position correction, as {@link #v} times seconds: metres and radians, world frame. */
+    final double[] correction = new double[6];
     /** Displacement since the step began, world frame: metres along and radians about x, y and z. */
     final double[] moved = new double[6];
     /** Pose in the world. */
@@ -203,6 +206,21 @@ public final class SolverBody {
         if (v[3] != 0 || v[4] != 0 || v[5] != 0) {
             turn();
         }
+        refresh();
+    }
+
+    /** Moves it by the pseudo-velocities of the position correction, and clears them. */
+    void correct() {
+        double[] c = correction;
+        if (c[0] == 0 && c[1] == 0 && c[2] == 0 && c[3] == 0 && c[4] == 0 && c[5] == 0) {
+            return;
+        }
+        shift(c[0], c[1], c[2]);
+        for (int i = 3; i < moved.length; i++) {
+            moved[i] += c[i];
+        }
+        spin.turnHeld(c, 1);
+        Arrays.fill(c, 0);
         refresh();
     }
 

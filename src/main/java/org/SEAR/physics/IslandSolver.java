@@ -122,6 +122,7 @@ final class IslandSolver {
             return;
         }
         alone = bodies.size() == 1 && drives.isEmpty() && !bodies.get(0).canRoll();
+        collectHinges();
         double substep = seconds / substeps(seconds);
         prepareHinges(substep);
         stackOrder.sort(pairs);
@@ -187,14 +188,16 @@ final class IslandSolver {
         wheels.drive.prepare(wheels.body.getSolver());
     }
 
-    private void prepareHinges(double substep) {
+    private void collectHinges() {
         hinges.clear();
         for (int i = 0; i < bodies.size(); i++) {
-            List<Hinge> more = bodies.get(i).inner().hinges();
-            for (int k = 0; k < more.size(); k++) {
-                more.get(k).prepare(substep);
-                hinges.add(more.get(k));
-            }
+            hinges.addAll(bodies.get(i).inner().hinges());
+        }
+    }
+
+    private void prepareHinges(double substep) {
+        for (int i = 0; i < hinges.size(); i++) {
+            hinges.get(i).prepare(substep);
         }
     }
 
@@ -229,11 +232,21 @@ final class IslandSolver {
         double needed = Math.max(least, Math.max(PASSES_EACH * height, PASSES_RATIO * ratio));
         int work = (points + WHEELS * drives.size()) * substeps;
         int rounds = (int) Math.max(1, Math.min(needed, (double) MAX_PASSES_WORK / Math.max(1, work)));
-        int usual = Math.max(rounds, 2 * rounds - 2);    // islands in motion
-        leastPasses = drives.isEmpty() && hinges.isEmpty() ? 1 : usual;
-        calm = fast <= CALM;
+        boolean driven = !drives.isEmpty() || !hinges.isEmpty();
+        int usual = Math.max(2, driven ? 2 * rounds - 1 : 2 * rounds - 2);
+        leastPasses = driven ? usual : 1;
+        calm = fast <= CALM && !isDeep();
         mostPasses = calm ? (int) Math.max(usual, Math.min(MAX_PASSES, MAX_CALM_WORK / Math.max(1.0, work))) : usual;
         return substeps;
+    }
+
+    private boolean isDeep() {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (bodies.get(i).isDeep()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private void weigh(Body a, Body b) {

@@ -224,7 +224,7 @@ public class PictureBeamsTest {
     @Test
     public void aPictureIsARectangle() {
         String message = assertThrows(IllegalArgumentException.class, () -> new PictureBeams(3, new double[4], new double[4])).getMessage();
-        assertEquals("a picture of 4 and 4 beams in rows of 3, legal: as many places to the left as up, one row or more of 1 or more", message);
+        assertEquals("picture of 4 left and 4 up coordinates in rows of 3, legal: equal numbers, one or more full rows of 1 or more", message);
         assertThrows(IllegalArgumentException.class, () -> new PictureBeams(1, new double[4], new double[3]));
         assertThrows(IllegalArgumentException.class, () -> new PictureBeams(0, new double[0], new double[0]));
     }

@@ -12,19 +12,22 @@ import org.SEAR.raycast.solid.RaySolid;
 import org.SEAR.raycast.solid.TileTree;
 
 /**
- * The exact geometry that beams meet: boxes, other convex solids, triangle meshes and heights, each with a pose in the world.
+ * Exact geometry for ray casting: boxes, other convex solids, triangle meshes and elevation, each with a pose in the
+ * world.
  *
- * <p>Building and moving ({@code add...}, {@link #setPose}, {@link #setVisible}, {@link #commit}) belong to the simulation thread; between two
- * commits any number of threads may cast at the same time and get the same bytes. Casting allocates nothing but tiles of large grounds.
+ * <p>The simulation thread builds and moves shapes ({@code add...}, {@link #setPose}, {@link #setVisible},
+ * {@link #commit}). Between two commits any number of threads may cast at the same time with identical results. Casting
+ * allocates nothing except tiles of large grounds.
  *
- * <p>A shape has an owner: -1 for the world, else the number of the robot whose beams do not see it. Surfaces belong to their shapes: a beam that
- * starts on one answers 0. Where two surfaces are equally near, the shape that was added first is the one that was hit.
+ * <p>A shape has an owner: -1 for the world, otherwise the number of the robot whose rays do not see it. Surfaces
+ * belong to their shapes: a ray that starts on a surface has distance 0. Of two equally near surfaces, the shape added
+ * first is hit.
  */
 public final class BeamScene {
-    /** The owner of shapes that belong to no robot; as {@code ignoredOwner}: nothing is ignored. */
+    /** Owner of shapes that belong to no robot; as {@code ignoredOwner}, ignores nothing. */
     public static final int WORLD = Shapes.WORLD;
 
-    /** Numbers of a pose: x, y, z, metres, and the quaternion x, y, z, w. */
+    /** Numbers per pose: x, y, z, metres, and the quaternion x, y, z, w. */
     public static final int POSE = 7;
     private static final ThreadLocal<Casters> CASTERS = ThreadLocal.withInitial(Casters::new);
 
@@ -38,7 +41,7 @@ public final class BeamScene {
     private int changeCount;
     private long moves;
 
-    /** What one thread needs to cast. */
+    /** Per-thread casters. */
     static final class Casters {
         final RayCaster rays = new RayCaster();
         final FanCaster fans = new FanCaster(rays);
@@ -47,14 +50,13 @@ public final class BeamScene {
         final ShadowCaster shadows = new ShadowCaster(rays);
     }
 
-    /** The casters of the calling thread; their counters tell the work done. */
+    /** Returns the casters of the calling thread. Their counters measure the work done. */
     static Casters casters() {
         return CASTERS.get();
     }
 
     /**
-     * Adds a box with its centre in the origin.
-     *
+     * Adds a box centred at the origin.
      * @return the shape's number, counted from 0
      * @param halfX metres
      */
@@ -62,21 +64,21 @@ public final class BeamScene {
         return add(Shapes.BOX, owner, halfX, halfY, halfZ);
     }
 
-    /** Adds a convex solid with a kernel of its own. */
+    /** Adds a convex solid with its own intersection. */
     public int addSolid(RaySolid solid, int owner) {
         int shape = add(Shapes.CONVEX, owner, solid.reach(1, 0, 0), solid.reach(0, 1, 0), solid.reach(0, 0, 1));
         shapes.solid[shape] = solid;
         return shape;
     }
 
-    /** Adds triangles, seen from both sides, scaled by (sx, sy, sz). The hierarchy of the same triangles is built only once. */
+    /** Adds triangles, visible from both sides, scaled by (sx, sy, sz). The same triangles share one hierarchy. */
     public int addMesh(Triangles triangles, double sx, double sy, double sz, int owner) {
         int shape = add(Shapes.MESH, owner, sx, sy, sz);
         shapes.mesh[shape] = Mesh.of(triangles);
         return shape;
     }
 
-    /** Adds the triangles of heights, seen from both sides. */
+    /** Adds the triangles of an elevation grid, visible from both sides. */
     public int addHeights(HeightGrid grid, int owner) {
         if (grid instanceof HeightTiles) {
             int tiled = add(Shapes.TILES, owner, 1, 1, 1);
@@ -95,7 +97,7 @@ public final class BeamScene {
         return shape;
     }
 
-    /** Makes room for what is known of a new shape. */
+    /** Extends the arrays for a new shape. */
     private void grow(int shape) {
         if (shape == changed.length) {
             int size = 2 * shape;
@@ -116,7 +118,7 @@ public final class BeamScene {
         }
     }
 
-    /** Moves a shape; counts from the next {@link #commit}. The quaternion has to have unit length. */
+    /** Moves a shape, with effect from the next {@link #commit}. The quaternion must have unit length. */
     public void setPose(int shape, double x, double y, double z, double qx, double qy, double qz, double qw) {
         int at = check(shape) * POSE;
         boolean same = poses[at] == x && poses[at + 1] == y && poses[at + 2] == z && poses[at + 3] == qx && poses[at + 4] == qy
@@ -134,7 +136,7 @@ public final class BeamScene {
         change(shape);
     }
 
-    /** Whether beams see the shape at all (true after adding); counts from the next {@link #commit}. */
+    /** Shows or hides a shape for all rays, with effect from the next {@link #commit}. New shapes are visible. */
     public void setVisible(int shape, boolean visible) {
         if (seen[check(shape)] != visible) {
             seen[shape] = visible;
@@ -149,7 +151,7 @@ public final class BeamScene {
         return shape;
     }
 
-    /** Makes all changes since the last commit count, new shapes included. Costs nothing for shapes that did not change. */
+    /** Applies all changes since the last commit, including new shapes. Unchanged shapes cost nothing. */
     public void commit() {
         for (int i = 0; i < changeCount; i++) {
             int shape = changes[i];
@@ -163,9 +165,8 @@ public final class BeamScene {
     }
 
     /**
-     * Brings a point of the world into the frame of a shape, as it was placed last. Simulation thread.
-     *
-     * @param point {x, y, z}, metres, which is changed
+     * Transforms a point from the world into the frame of a shape's latest pose. Simulation thread.
+     * @param point {x, y, z}, metres, replaced
      */
     public void toFrame(int shape, double[] point) {
         int at = check(shape) * POSE;
@@ -178,45 +179,46 @@ public final class BeamScene {
         point[2] = rotation.inZ(x, y, z);
     }
 
-    /** How many shapes {@link #commit} has taken over since the scene was made: the work it has done. Simulation thread. */
+    /**
+     * Returns the number of shape changes that {@link #commit} has applied since construction, as a measure of work.
+     * Simulation thread.
+     */
     public long getMoves() {
         return moves;
     }
 
-    /** Number of shapes. */
     public int size() {
         return shapes.count;
     }
 
     /**
-     * The distance along a unit direction to the nearest surface, {@code Double.POSITIVE_INFINITY} where nothing is within maxRange. From inside a
-     * solid it is the way out to its surface.
-     *
-     * @param hit takes the number of the shape and the surface normal when something was hit; null if nobody asks
+     * Returns the distance along a unit direction to the nearest surface, {@code Double.POSITIVE_INFINITY} if none is
+     * within maxRange. From inside a solid, returns the exit distance.
+     * @param hit receives the shape's number and the surface normal of a hit; may be null
      */
     public double cast(double ox, double oy, double oz, double dx, double dy, double dz, double maxRange, int ignoredOwner, Hit hit) {
         return casters().rays.cast(shapes, tree.tree(), ox, oy, oz, dx, dy, dz, maxRange, ignoredOwner, hit);
     }
 
     /**
-     * All beams of a plane fan at once: beam i leaves the pose's origin in the direction (sin a, 0, cos a) of the pose's frame, a = startAngle + i *
-     * stepAngle radians; positive angles are to the left (+x), counter-clockwise from above. Answers what {@link #cast} would, but for rounding in
-     * the last digits. Much faster than single beams while 0 &lt; stepAngle &lt;= 0.2 and the fan makes no more than a turn.
-     *
-     * @param ranges takes a distance or {@code Double.POSITIVE_INFINITY} for each beam
-     * @param shapes takes the number of the shape that was hit, or -1; null if nobody asks
+     * Casts all rays of a plane fan. Ray i starts at the pose's origin in the direction (sin a, 0, cos a) of the pose's
+     * frame, where a = startAngle + i * stepAngle radians. Positive angles are to the left (+x), counter-clockwise from
+     * above. Results equal those of {@link #cast} except for rounding in the last digits. Much faster than single rays
+     * if 0 &lt; stepAngle &lt;= 0.2 and the fan spans at most one turn.
+     * @param ranges receives the distance of each ray, {@code Double.POSITIVE_INFINITY} without a hit
+     * @param shapes receives the number of each hit shape, or -1; may be null
      */
     public void castFan(Pose pose, double startAngle, double stepAngle, int count, double maxRange, int ignoredOwner, double[] ranges, int[] shapes) {
         casters().fans.cast(this.shapes, tree.tree(), pose, startAngle, stepAngle, count, maxRange, ignoredOwner, ranges, shapes);
     }
 
     /**
-     * The shortest of several beams from one point, as {@link #cast} would answer them one by one. Fast when they make a narrow bundle.
-     *
-     * @param directions unit vectors, x, y and z of each beam
-     * @param ranges of the beams, metres
-     * @param shortest takes its length, {@code Double.POSITIVE_INFINITY} if none meets anything within its range
-     * @return the number of the shortest beam, the first one if several are, or -1
+     * Finds the shortest of several rays from one point; each ray's length is that of {@link #cast}. Fast for narrow
+     * bundles.
+     * @param directions unit vectors, x, y and z of each ray
+     * @param ranges maximum distance of each ray, metres
+     * @param shortest receives the shortest length, {@code Double.POSITIVE_INFINITY} without a hit
+     * @return the number of the shortest ray, the first of equals, or -1
      */
     public int castBundle(double ox, double oy, double oz, double[] directions, double[] ranges, int ignoredOwner, double[] shortest) {
         BundleCaster bundles = casters().bundles;
@@ -225,18 +227,17 @@ public final class BeamScene {
     }
 
     /**
-     * Some tiles of a picture's beams. Each answers how far ahead, along the pose's z axis, it meets something: {@link #cast} times the cosine
-     * between beam and axis, but for rounding in the last digits.
-     *
-     * @param pose the eye in its origin; x to the left, y up, z ahead
-     * @param start metres ahead of the eye where beams begin, 0 or more
-     * @param range metres ahead where they end
-     * @param firstTile the first one, counted row by row from the top left
-     * @param endTile the one behind the last one
-     * @param depths takes metres ahead for each pixel of these tiles, row by row from the first tile's first row on, each row as
-     *     long as the picture's; {@code Double.POSITIVE_INFINITY} for none
-     * @param shapesHit takes the number of the shape, or -1
-     * @param partsHit takes the number of a model's triangle, as its {@link Triangles} have it; -1 for what is not made of such
+     * Casts the rays of some tiles of a picture. Depths are measured along the pose's z axis: {@link #cast} times the
+     * cosine between ray and axis, except for rounding in the last digits.
+     * @param pose camera pose; x to the left, y up, z ahead
+     * @param start depth at which rays begin, metres, 0 or more
+     * @param range depth at which rays end, metres
+     * @param firstTile first tile, counted row by row from the top left
+     * @param endTile tile after the last one
+     * @param depths receives the depth of each pixel of these tiles, metres, in full picture rows from the first tile's
+     *     first row on; {@code Double.POSITIVE_INFINITY} without a hit
+     * @param shapesHit receives the shape's number, or -1
+     * @param partsHit receives the number of a mesh's triangle in its {@link Triangles}; -1 for other shapes
      */
     public void castPicture(PictureBeams beams, Pose pose, double start, double range, int ignoredOwner, int firstTile, int endTile, double[] depths,
             int[] shapesHit, int[] partsHit) {
@@ -248,14 +249,13 @@ public final class BeamScene {
     }
 
     /**
-     * Which points lie in the shadow of a light that is infinitely far away. Fast when they lie close together.
-     *
-     * @param light the unit direction in which it stands: {x, y, z} of the world
-     * @param casting of each shape whether it casts a shadow
+     * Determines which points are in the shadow of an infinitely distant light. Fast for points close together.
+     * @param light unit direction to the light: {x, y, z} in the world
+     * @param casting whether each shape casts a shadow
      * @param points x, y, z of each point, metres
-     * @param own the shape on whose surface each point lies; where that is convex it doesn't shade itself
-     * @param lit 1 for the points that are asked for, whose surfaces look to the light; those in the shadow become 0
-     * @param count how many points there are
+     * @param own the shape on whose surface each point lies; a convex shape does not shade its own points
+     * @param lit 1 for each point to test, whose surface faces the light; set to 0 for points in shadow
+     * @param count number of points
      */
     public void castShadows(double[] light, boolean[] casting, double[] points, int[] own, byte[] lit, int count) {
         ShadowCaster shadows = casters().shadows;
@@ -264,20 +264,19 @@ public final class BeamScene {
     }
 
     /**
-     * The frame of a shape as it was committed last: a point p of it is R p + position in the world.
-     *
-     * @param frame takes R, row by row, then the position, metres: 12 numbers
+     * Copies the committed frame of a shape: a point p of the shape is at R p + position in the world.
+     * @param frame receives R, row by row, then the position, metres: 12 numbers
      */
     public void frame(int shape, double[] frame) {
         System.arraycopy(shapes.data, check(shape) * Shapes.STRIDE, frame, 0, Shapes.SIZE);
     }
 
-    /** The poses of all shapes, {@link #POSE} numbers each, as they were set last. Simulation thread. */
+    /** Copies the latest poses of all shapes, {@link #POSE} numbers each. Simulation thread. */
     public void poses(double[] taken) {
         System.arraycopy(poses, 0, taken, 0, shapes.count * POSE);
     }
 
-    /** Sets the poses of all shapes, as {@link #poses} has taken them, and commits. Belongs to whoever owns the scene. */
+    /** Sets the poses of all shapes from a copy by {@link #poses} and commits. Thread that owns the scene. */
     public void setPoses(double[] taken) {
         for (int shape = 0; shape < shapes.count; shape++) {
             int at = shape * POSE;
@@ -286,7 +285,9 @@ public final class BeamScene {
         commit();
     }
 
-    /** A scene of its own of the same shapes where they are now; models and heights are shared. Simulation thread. */
+    /**
+     * Returns an independent scene with the same shapes and poses. Models and elevation are shared. Simulation thread.
+     */
     public BeamScene copy() {
         BeamScene copy = new BeamScene();
         for (int shape = 0; shape < shapes.count; shape++) {

@@ -1,20 +1,21 @@
 package org.SEAR.raycast;
 
 /**
- * The convex polygon in which a fan's plane cuts a box. The fan is given in the box's frame by twelve numbers: its origin, and the directions of its
- * left (x), up and forward (z) axes. Each edge of the polygon lies on a face of the box, whose plane gives the edge's line exactly.
+ * Convex polygon in which a fan's plane cuts a box. The fan is given in the box's frame by twelve numbers: its origin
+ * and the directions of its left (x), up and forward (z) axes. Each edge lies on a face of the box, whose plane gives
+ * the edge's line exactly.
  */
 final class BoxCut {
     private static final int MOST = 12;
 
-    /** Number of edges; 0 when the plane misses the box. */
+    /** Number of edges; 0 if the plane misses the box. */
     int size;
-    /** The right and the left end of the last edge as seen from the fan's origin, in the fan's frame. */
+    /** Right and left end of the last edge as seen from the fan's origin, in the fan's frame. */
     double rightX;
     double rightZ;
     double leftX;
     double leftZ;
-    /** The last edge's line: inverse distance = a * x + b * z. */
+    /** Line of the last edge: inverse distance = a * x + b * z. */
     double a;
     double b;
 
@@ -29,7 +30,10 @@ final class BoxCut {
     private double[] over2 = new double[MOST];
     private int[] face2 = new int[MOST];
 
-    /** Whether the fan's origin lies on the box's surface, within a distance. Also takes the box's size for what follows. */
+    /**
+     * Returns whether the fan's origin lies within a distance of the box's surface. Stores the box's size for
+     * {@link #cut}.
+     */
     boolean touches(double[] fan, double hx, double hy, double hz, double distance) {
         half[0] = hx;
         half[1] = hy;
@@ -39,7 +43,7 @@ final class BoxCut {
         return Math.abs(most) <= distance;
     }
 
-    /** Cuts; {@link #touches} has to be asked before. */
+    /** Computes the polygon. Call {@link #touches} first. */
     void cut(double[] fan, double hx, double hy, double hz) {
         double nx = fan[6];
         double ny = fan[7];
@@ -66,7 +70,7 @@ final class BoxCut {
         clip(-1, half[k], 2 * k);
     }
 
-    /** Keeps what has sign * over <= limit; the new edge lies on the given face. */
+    /** Clips to sign * over &lt;= limit; the new edge lies on the given face. */
     private void clip(double sign, double limit, int newFace) {
         boolean all = true;
         for (int m = 0; m < size; m++) {
@@ -117,9 +121,8 @@ final class BoxCut {
     }
 
     /**
-     * Brings the ends of an edge into order.
-     *
-     * @return false when it is seen end-on
+     * Sets the right and left end of an edge.
+     * @return false if the edge is seen end-on
      */
     boolean turn(int edge) {
         int next = edge + 1 == size ? 0 : edge + 1;
@@ -135,8 +138,7 @@ final class BoxCut {
 
     /**
      * Computes the line of an edge.
-     *
-     * @return false where the edge is on the far side, unless all are seen from inside
+     * @return false if the edge is on the far side and the origin is outside the box
      */
     boolean line(double[] fan, int edge) {
         int axis = face[edge] >> 1;

@@ -3,12 +3,12 @@ package org.SEAR.raycast;
 import org.SEAR.raycast.tree.Bvh;
 
 /**
- * Casts beams that leave one point in a narrow bundle, as of a sonar, and asks only which of them is the shortest. The hierarchy of bounding volumes
- * is walked once for all, nearest boxes first (branch and bound): a box that is farther than the shortest beam so far, or beside the bundle's cone,
- * is left out. One thread.
+ * Finds the shortest ray of a narrow bundle from one point, such as a sonar's. Walks the hierarchy once for all rays,
+ * nearest boxes first (branch and bound). Skips boxes beyond the shortest ray so far or outside the bundle's cone. One
+ * thread.
  */
 final class BundleCaster {
-    /** More than the rounding of the bounds of nodes and of the tests with them, relative. */
+    /** Relative tolerance, above the rounding errors of node bounds and their tests. */
     private static final double SLACK = 1e-9;
 
     private final RayCaster rays;
@@ -27,10 +27,9 @@ final class BundleCaster {
     }
 
     /**
-     * The length of the shortest beam, infinite if none meets anything within its range.
-     *
-     * @param directions unit vectors, x, y and z of each beam
-     * @param ranges of the beams, metres
+     * Returns the length of the shortest ray, infinite if none hits anything within its range.
+     * @param directions unit vectors, x, y and z of each ray
+     * @param ranges maximum distance of each ray, metres
      */
     double cast(Shapes shapes, Bvh tree, double ox, double oy, double oz, double[] directions, double[] ranges, int ignored) {
         best = Double.POSITIVE_INFINITY;
@@ -72,7 +71,7 @@ final class BundleCaster {
         return best;
     }
 
-    /** The shortest beam of the last cast, the first of them if several are, -1 if none met anything. */
+    /** Returns the number of the shortest ray of the last cast, the first of equals, or -1 without a hit. */
     int getLine() {
         return line;
     }
@@ -86,7 +85,7 @@ final class BundleCaster {
         return depth + 1;
     }
 
-    /** The cone around all beams. */
+    /** Computes the cone around all rays. */
     private void enclose(double[] directions, int count) {
         axisX = 0;
         axisY = 0;
@@ -109,7 +108,10 @@ final class BundleCaster {
         axisZ /= Math.max(length, Double.MIN_NORMAL);
     }
 
-    /** Whether the sphere around a node's bounds lies beside the cone; only asked of cones of less than half a space. */
+    /**
+     * Returns whether the sphere around a node's bounds is outside the cone. Always false for cones of a half-space or
+     * more.
+     */
     private boolean isBeside(float[] box, int at, double ox, double oy, double oz) {
         if (cosine <= 0) {
             return false;
@@ -130,7 +132,7 @@ final class BundleCaster {
         return Math.sqrt(x * x + y * y + z * z) / 2 * (1 + SLACK) + SLACK;
     }
 
-    /** Square of the distance of a node's bounds. */
+    /** Returns the squared distance to a node's bounds, m^2. */
     private static double distance(float[] box, int at, double ox, double oy, double oz) {
         double x = Math.max(0, Math.max(box[at] - ox, ox - box[at + 3]));
         double y = Math.max(0, Math.max(box[at + 1] - oy, oy - box[at + 4]));
@@ -138,7 +140,7 @@ final class BundleCaster {
         return x * x + y * y + z * z;
     }
 
-    /** All beams against one shape; those that miss the sphere around its bounds are not asked. */
+    /** Tests all rays against one shape, except rays that miss the sphere around its bounds. */
     private void test(Shapes shapes, int shape, float[] box, int at, double ox, double oy, double oz, double[] directions, double[] ranges) {
         double x = ((double) box[at] + box[at + 3]) / 2 - ox;
         double y = ((double) box[at + 1] + box[at + 4]) / 2 - oy;

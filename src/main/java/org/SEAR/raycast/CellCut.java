@@ -3,36 +3,37 @@ package org.SEAR.raycast;
 import org.SEAR.geometry.HeightField;
 
 /**
- * The lines in which a fan's plane cuts the triangles of four by four cells of a {@link HeightField}. Which of the posts lie under the plane says
- * which edges it crosses; two crossed edges of a triangle make a line, and the beams that meet it are those that pass between its ends. One thread.
+ * Lines in which a fan's plane cuts the triangles of four by four cells of a {@link HeightField}. The posts below the
+ * plane determine which edges it crosses. Two crossed edges of a triangle form a line, which the rays between its ends
+ * hit. One thread.
  */
 final class CellCut {
-    /** Cells on a side. */
+    /** Cells per side. */
     static final int CELLS = 4;
     private static final int WIDTH = CELLS + 1;
-    /** A post is numbered by its row times this, and its column. */
+    /** Posts are numbered by row times this value plus column. */
     private static final int ROW = 8;
     private static final int POSTS = ROW * WIDTH;
-    /** The posts that are the south-western ones of cells, a bit each. */
+    /** South-western posts of cells, one bit each. */
     private static final long CORNERS = 0x0f0f0f0fL;
-    /** Those from which an edge goes east, and north. */
+    /** Posts where an eastward edge starts, and a northward one. */
     private static final long EASTWARD = 0x0f0f0f0f0fL;
     private static final long NORTHWARD = 0x1f1f1f1fL;
-    /** Edges are numbered by the post from which they go; northward ones from here on, diagonal ones from there on. */
+    /** Edges are numbered by their start post: eastward, then northward and diagonal from these numbers on. */
     private static final int NORTH = POSTS;
     private static final int DIAGONAL = 2 * POSTS;
 
     private final DepthBuffer depth;
     private final TriangleCut triangles;
     private final PlaneCut plane;
-    /** Where rows and columns of posts are, and how far in the field columns are from the first one. */
+    /** Positions of rows and columns of posts, and column offsets in the field. */
     private final double[] souths = new double[WIDTH];
     private final double[] wests = new double[WIDTH];
     private final int[] offsets = new int[WIDTH];
-    /** Of the posts: height, and height above the plane. */
+    /** Height of each post, and its height above the plane. */
     private final double[] ups = new double[POSTS];
     private final double[] above = new double[POSTS];
-    /** Of the crossed edges: where, and the first of the beams that passes there or to the left. */
+    /** Crossing point of each crossed edge in the fan's frame, and the first ray at or to the left of it. */
     private final double[] xs = new double[3 * POSTS];
     private final double[] zs = new double[3 * POSTS];
     private final int[] beams = new int[3 * POSTS];
@@ -45,10 +46,10 @@ final class CellCut {
     }
 
     /**
-     * Looks at the cells from a south-western post on.
-     *
-     * @param first the first beam that may see them, likewise last: they see the cells ahead of them, less than half a turn apart
-     * @return how many triangles there were to look at
+     * Intersects the cells from a south-western post on with a range of rays.
+     * @param first first ray that may hit the cells, likewise last; the rays are less than half a turn apart and the
+     *     cells lie ahead of them
+     * @return number of triangles that the plane cuts
      */
     int intersect(HeightField heights, int row, int column, int first, int last) {
         long under = posts(heights, row, column);
@@ -74,7 +75,10 @@ final class CellCut {
         return Long.bitCount(southEastern) + Long.bitCount(northWestern);
     }
 
-    /** As {@link #intersect} for all beams, wherever they and the fan's origin are. */
+    /**
+     * As {@link #intersect}, but for all rays and any position of the fan's origin. Returns the number of triangles
+     * tested.
+     */
     int intersectAll(HeightField heights, int row, int column) {
         int endRow = Math.min(row + CELLS, heights.rows - 1);
         int endColumn = Math.min(column + CELLS, heights.columns - 1);
@@ -89,7 +93,10 @@ final class CellCut {
         return 2 * (endRow - row) * (endColumn - column);
     }
 
-    /** Sets out the posts; cells beside the field have no area. Answers which posts lie under the plane. */
+    /**
+     * Computes the posts' heights and returns a bit for each post below the plane. Cells outside the field collapse to
+     * zero area.
+     */
     private long posts(HeightField heights, int row, int column) {
         int end = heights.columns - 1 - column;
         for (int c = 0; c < WIDTH; c++) {
@@ -117,7 +124,7 @@ final class CellCut {
         return under;
     }
 
-    /** Finds where the plane crosses edges, the same for both triangles that share one, and the beams there. */
+    /** Computes the crossing points of edges, identical for both triangles of an edge, and the first ray of each. */
     private void cross(long under, long edges, int number, int step, int first, int last) {
         for (long from = edges; from != 0; from &= from - 1) {
             int post = Long.numberOfTrailingZeros(from);
@@ -138,7 +145,7 @@ final class CellCut {
         }
     }
 
-    /** The line between the two of a triangle's edges that are crossed: an outer one, the other outer one, the diagonal. */
+    /** Draws the line between a triangle's two crossed edges, given its outer edges and its diagonal. */
     private void line(int outer, int other, int diagonal, long outerCrossed, long diagonalCrossed) {
         int one = outerCrossed == 1 ? outer : diagonal;
         int two = (outerCrossed & diagonalCrossed) == 1 ? diagonal : other;

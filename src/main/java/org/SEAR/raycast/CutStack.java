@@ -3,21 +3,27 @@ package org.SEAR.raycast;
 import org.SEAR.raycast.tree.Bvh;
 
 /**
- * Boxes that a fan still has to visit, the one that was pushed last on top: nodes of hierarchies or blocks of a height field. Each knows the beams
- * that may see into it, which are among those that may see into what it is a part of. One thread.
+ * Stack of boxes that a fan has still to visit: nodes of hierarchies or blocks of a height field. Each box has the
+ * range of rays that may hit it, a subset of its parent's range. One thread.
  */
 final class CutStack {
-    /** Metres from a box within which the origin counts as close to it: far more than what counts as touching a triangle. */
+    /**
+     * Distance from a box, metres, below which the fan's origin counts as close. Far above the touching distance of
+     * triangles.
+     */
     private static final double CLOSE = 1e-3;
-    /** A box that reaches farther to its sides than this many times its distance is seen as around the origin. */
+    /** A box that extends sideways by more than this multiple of its distance counts as around the origin. */
     private static final double BROAD = 4;
-    /** Deeper than any hierarchy, and four blocks of each level of a height field. */
+    /** Exceeds the depth of any hierarchy and four blocks per level of a height field. */
     private static final int DEPTH = 128;
 
-    /** Of the box that was popped last: the beams that may see into it ... */
+    /** Range of rays that may hit the last popped box. */
     int first;
     int last;
-    /** ... and whether it lies around the origin or the ends of the fan, so that they say little. Else they are less than half a turn apart. */
+    /**
+     * True if the last popped box lies around the origin or the ends of the fan, so that the range says little.
+     * Otherwise the range spans less than half a turn.
+     */
     boolean around;
 
     private final DepthBuffer depth;
@@ -42,7 +48,7 @@ final class CutStack {
         last = depth.beams.count - 1;
     }
 
-    /** Adds a part of the box that was popped last: the one that the cut was asked for last. */
+    /** Pushes a child of the last popped box, with the rectangle that the cut computed last. */
     void push(long box) {
         put(size++, box);
     }
@@ -57,14 +63,14 @@ final class CutStack {
         lasts[at] = last;
     }
 
-    /** Adds the root of a hierarchy, if the plane meets it. */
+    /** Pushes the root of a hierarchy if the plane intersects it. */
     void pushRoot(Bvh tree) {
         if (tree.size() > 0 && cut.intersects(tree.data, 0)) {
             push(0);
         }
     }
 
-    /** Adds those children of a node that the plane meets, the nearer one on top. */
+    /** Pushes the children of a node that the plane intersects, the nearer one on top. */
     void pushChildren(Bvh tree, int node) {
         int child = tree.link(node);
         boolean both = cut.intersects(tree.data, child * Bvh.STRIDE);
@@ -93,7 +99,7 @@ final class CutStack {
         put(top, box);
     }
 
-    /** The next box that some beam can still see into, -1 when there is none. */
+    /** Pops the next box that some ray can still hit; returns -1 if none is left. */
     long pop() {
         while (size > 0) {
             size--;
@@ -104,7 +110,7 @@ final class CutStack {
         return -1;
     }
 
-    /** Finds the first and the last beam that see into the box on top. */
+    /** Finds the range of rays that may hit the top box. Returns false if there is none. */
     private boolean see(double left, double ahead, double wide, double nearest) {
         first = firsts[size];
         last = lasts[size];
@@ -122,7 +128,7 @@ final class CutStack {
         return first <= last;
     }
 
-    /** Leaves out beams that pass beside the box, whose sides are seen as an angle with this tangent. Answers whether any is left. */
+    /** Excludes rays that pass beside the box. Returns false if no ray is left. */
     private boolean narrow(double left, double ahead, double toSideLeft, double toSideAhead, double enough) {
         FanDirections beams = depth.beams;
         double from = beams.angle(left - toSideAhead, ahead + toSideLeft);

@@ -3,9 +3,9 @@ package org.SEAR.raycast;
 import java.util.Arrays;
 
 /**
- * What each beam of a fan has met so far: a depth buffer (Catmull 1974) with one place a beam. Kept as inverse distances, because along a straight
- * line in the fan's plane the inverse distance is linear in the beam's direction: 1 / t = a * x + b * z. The lower shape number wins a tie, so the
- * order in which shapes come does not matter.
+ * Nearest hit of each ray of a fan: a one-dimensional depth buffer (Catmull 1974). Stores inverse distances because
+ * along a straight line in the fan's plane the inverse distance is linear in the ray's direction: 1 / t = a * x + b *
+ * z. The lower shape number wins a tie, so the order of shapes does not matter.
  */
 final class DepthBuffer {
     private static final int TABLES = 4;
@@ -38,7 +38,7 @@ final class DepthBuffer {
         return made;
     }
 
-    /** A beam meets a shape at a distance, which may be infinite. */
+    /** Records a hit of a ray at a distance, which may be infinite. */
     void intersect(int beam, double distance, int shapeNumber) {
         double value = distance <= 0 ? Double.POSITIVE_INFINITY : 1 / distance;
         if (value > inverse[beam] || value == inverse[beam] && shapeNumber < shape[beam]) {
@@ -48,8 +48,7 @@ final class DepthBuffer {
     }
 
     /**
-     * The line from p to the point q to the left of it, seen by the beams from p up to before q.
-     *
+     * Draws the line from p to q, which is to the left of p, into the rays from p up to before q.
      * @param a inverse distance = a * x + b * z
      */
     void line(double px, double pz, double qx, double qz, double a, double b, int shapeNumber) {
@@ -76,7 +75,7 @@ final class DepthBuffer {
         }
     }
 
-    /** The line of inverse distances a * x + b * z, seen by the beams from one up to before another. */
+    /** Draws the line of inverse distances a * x + b * z into the rays from first up to before end. */
     void fill(int first, int end, double a, double b, int shapeNumber) {
         for (int i = first; i < end; i++) {
             double value = a * beams.x[i] + b * beams.z[i];
@@ -87,7 +86,7 @@ final class DepthBuffer {
         }
     }
 
-    /** Whether one of some beams has met nothing nearer than an inverse distance. */
+    /** Returns whether any ray from one to another has no hit nearer than an inverse distance. */
     boolean open(int from, int to, double enough) {
         for (int i = from; i <= to; i++) {
             if (inverse[i] <= enough) {

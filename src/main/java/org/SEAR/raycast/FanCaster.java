@@ -9,13 +9,13 @@ import org.SEAR.raycast.solid.RaySolid;
 import org.SEAR.raycast.tree.Bvh;
 
 /**
- * Casts plane fans, as of a LIDAR. How it works: all beams of a fan lie in one plane, so three dimensions become two. The hierarchy of bounding
- * volumes is walked once for the whole fan; each shape whose box the plane cuts gives the lines or curve in which the plane cuts its surface ({@link
- * BoxCut}, {@link PatchCut}, {@link FanHeights}), and each line goes into a {@link DepthBuffer} that has one place for each beam, by only those
- * beams that lie between its ends. What lies behind what all of its beams have met is left out. This is the scan conversion of computer graphics in
- * one dimension less; exact, because each beam meets the line itself and not a pixel.
+ * Casts plane fans, such as a LIDAR's. All rays of a fan lie in one plane, which reduces the problem to two dimensions.
+ * The hierarchy is walked once per fan. The plane cuts the surface of each shape in lines or a curve ({@link BoxCut},
+ * {@link PatchCut}, {@link FanHeights}). Each line is drawn into a {@link DepthBuffer} with one entry per ray, for the
+ * rays between its ends only. Boxes behind the hits of all their rays are skipped. This is scan conversion with one
+ * dimension less. It is exact because each ray intersects the line itself, not a pixel.
  *
- * <p>Holds what one thread needs for it; allocates only when a fan of another pattern comes.
+ * <p>One thread. Allocates only for a new fan pattern.
  */
 final class FanCaster {
     private final RayCaster rays;
@@ -164,7 +164,7 @@ final class FanCaster {
         }
     }
 
-    /** Only the beams that meet the box around a convex solid are tested, each against the exact solid. */
+    /** Tests the exact solid only against rays that hit the box around it. */
     private void convex(int number, double hx, double hy, double hz) {
         double x = hx * (1 + TriangleCut.TOUCHING);
         double y = hy * (1 + TriangleCut.TOUCHING);
@@ -219,7 +219,7 @@ final class FanCaster {
                 rays.fanNodes += heights.nodes;
                 rays.triangles += heights.triangles;
             }
-            ready(tree);    // the tile has had it made ready for itself
+            ready(tree);    // casting the tile has changed the tolerances
         }
     }
 

@@ -1,26 +1,27 @@
 package org.SEAR.raycast;
 
 /**
- * The directions of a fan's beams in its own plane: beam i points to (x[i], z[i]) = (sin a, cos a), a = start + i * step; angles grow to the left.
+ * Directions of a fan's rays in its own plane: ray i points to (x[i], z[i]) = (sin a, cos a), a = start + i * step.
+ * Angles grow to the left.
  */
 final class FanDirections {
-    /** Radians between two beams up to which the search by angle is safe. */
+    /** Maximum step between two rays for the search by angle, radians. */
     private static final double GREATEST_STEP = 0.2;
     private static final double TURN = 2 * Math.PI;
-    /** Radians; more than the error of {@link #angle}. */
+    /** Upper bound of the error of {@link #angle}, radians. */
     private static final double ERROR = 1e-5;
-    /** Radians; many times that error. */
+    /** Safety margin around the start direction, radians; many times {@link #ERROR}. */
     private static final double MARGIN = 1e-3;
-    /** By octant: 1 where |x| &lt; |z|, plus 2 where x &lt; 0, plus 4 where z &lt; 0: the angle is this many quarter turns ... */
+    /** Quarter turns to add to the angle by octant: 1 if |x| &lt; |z|, plus 2 if x &lt; 0, plus 4 if z &lt; 0. */
     private static final double[] OCTANT_QUARTERS = {1, 0, 3, 4, 1, 2, 3, 2};
-    /** ... and this times the angle to the nearer axis. */
+    /** Sign, by octant, of the angle to the nearer axis. */
     private static final double[] OCTANT_SIGN = {-1, 1, 1, -1, 1, -1, -1, 1};
     private static final double[] WRAP = {0, TURN};
 
     final int count;
     final double[] x;
     final double[] z;
-    /** Whether {@link #first} can be used: angles grow in small steps through one turn at most. */
+    /** Whether {@link #first} is usable: angles grow in small steps through at most one turn. */
     final boolean regular;
     private final double start;
     private final double step;
@@ -49,12 +50,15 @@ final class FanDirections {
         return start == otherStart && step == otherStep && count == otherCount;
     }
 
-    /** Twice the area that a point spans with a beam: positive when the point is to the left of it. */
+    /** Returns the cross product of a ray and a point: positive if the point is to the left of the ray. */
     double side(int beam, double px, double pz) {
         return z[beam] * px - x[beam] * pz;
     }
 
-    /** The angle of a point, from the first beam to the left, radians in [0, 2 pi], to about 1e-5. Without branches, which would be guessed wrong. */
+    /**
+     * Returns the angle of a point from the first ray to the left, radians in [0, 2 pi], accurate to about 1e-5. Has no
+     * branches, which would be mispredicted.
+     */
     double angle(double px, double pz) {
         double a = Math.abs(px);
         double b = Math.abs(pz);
@@ -66,12 +70,12 @@ final class FanDirections {
         return angle + WRAP[negative(angle)];
     }
 
-    /** 1 for what has a minus, -0 included. */
+    /** Returns 1 for a set sign bit, including -0. */
     static int negative(double value) {
         return (int) (Double.doubleToRawLongBits(value) >>> 63);
     }
 
-    /** The first beam at or to the left of a point, the number of beams where the point is outside of the fan. */
+    /** Returns the first ray at or to the left of a point, or the number of rays if the point is outside the fan. */
     int first(double px, double pz) {
         double angle = angle(px, pz);
         if (angle > TURN - MARGIN && side(0, px, pz) >= 0) {
@@ -93,7 +97,10 @@ final class FanDirections {
         return i;
     }
 
-    /** The first of some beams at or to the left of a point, the one after the last where none is. They and the point lie within half a turn. */
+    /**
+     * Returns the first ray of a range at or to the left of a point, or the one after the range. Range and point span
+     * less than half a turn.
+     */
     int first(double px, double pz, int from, int to) {
         double right = side(from, px, pz);
         double guess = right / (right - side(to, px, pz)) * (to - from);
@@ -107,18 +114,18 @@ final class FanDirections {
         return i;
     }
 
-    /** The first beam that may lie to the left of an angle in spite of its error. */
+    /** Returns the first ray that may lie to the left of an angle, allowing for its error. */
     int from(double angle) {
         double least = (angle - ERROR) * perStep;
         return least < 0 ? 0 : (int) least + 1;
     }
 
-    /** The last beam that may lie to the right of an angle in spite of its error. */
+    /** Returns the last ray that may lie to the right of an angle, allowing for its error. */
     int to(double angle) {
         return Math.min(count - 1, (int) ((angle + ERROR) * perStep));
     }
 
-    /** Whether nothing between the two angles touches the direction in which angles start. */
+    /** Returns whether the interval of two angles excludes the direction where angles start. */
     static boolean inOneGo(double right, double left) {
         return right <= left && right > ERROR && left < TURN - ERROR;
     }

@@ -4,18 +4,18 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightPyramid;
 
 /**
- * Cuts a {@link HeightField} with a fan's plane: walks down the pyramid of least and greatest heights (maximum mipmaps: Tevs, Ihrke and Seidel,
- * "Maximum mipmaps for fast, accurate, and scalable dynamic height field rendering", 2008) through the blocks that the plane meets, nearer ones
- * first. One thread.
+ * Cuts a {@link HeightField} with a fan's plane. Descends the min/max pyramid (maximum mipmaps: Tevs, Ihrke and Seidel,
+ * "Maximum mipmaps for fast, accurate, and scalable dynamic height field rendering", 2008) through the blocks that the
+ * plane intersects, nearer ones first. One thread.
  */
 final class FanHeights {
-    /** The level whose blocks are cut cell by cell. */
+    /** Level whose blocks are cut cell by cell. */
     private static final int LEAF = 1;
-    /** Bits of a block's number that its row and its column take; its level is above. */
+    /** Bits of row and of column in a block's number; the level is above them. */
     private static final int ROW = 28;
     private static final int MASK = (1 << ROW) - 1;
 
-    /** Blocks and triangles that the last {@link #cast} looked at. */
+    /** Number of blocks and triangles that the last {@link #cast} visited. */
     int nodes;
     int triangles;
 
@@ -24,10 +24,10 @@ final class FanHeights {
     private final CutStack stack;
     private HeightField field;
     private HeightPyramid pyramid;
-    /** How far a post may be from where the row or column should be: rounding to floats. */
+    /** Maximum deviation of a post from its row or column through rounding to float, metres. */
     private double roundX;
     private double roundZ;
-    /** Where the fan starts: by it the nearest parts of blocks are found. */
+    /** The fan's origin, by which the nearest children of blocks are found. */
     private double originX;
     private double originZ;
 
@@ -38,9 +38,8 @@ final class FanHeights {
     }
 
     /**
-     * Meets the field, when the cut has been started.
-     *
-     * @param originOfX of the fan in the field's frame, likewise originOfZ
+     * Intersects the field, after {@link TriangleCut#start}.
+     * @param originOfX origin of the fan in the field's frame, likewise originOfZ
      */
     void cast(HeightField heights, double originOfX, double originOfZ, double maxRange) {
         field = heights;
@@ -71,7 +70,7 @@ final class FanHeights {
         }
     }
 
-    /** Adds those of the four parts of a block that the plane meets within the range, the nearest last. */
+    /** Pushes the children of a block that the plane intersects within the range, the nearest last. */
     private void open(int level, int row, int column) {
         int near = (originX >= middle(field.lowX, field.spacingX, level, row) ? 2 : 0)
             + (originZ >= middle(field.lowZ, field.spacingZ, level, column) ? 1 : 0);

@@ -3,26 +3,29 @@ package org.SEAR.raycast;
 import org.SEAR.raycast.solid.Patches;
 
 /**
- * The lines in which a fan's plane cuts the triangles of {@link Patches}. What is cut and what is seen is counted rather than asked, as nobody could
- * guess the answers: a branch guessed wrong takes as long as half a line does. One thread.
+ * Lines in which a fan's plane cuts the triangles of {@link Patches}. Counts cut triangles and visible lines instead of
+ * branching: a mispredicted branch costs as much as half a line. One thread.
  */
 final class PatchCut {
-    /** By sides: where the link of a triangle has the upper and the lower corner of the edge that goes down, and of the one that goes up. */
+    /**
+     * By the sides of the corners: bit offsets in a triangle's link of the upper and the lower corner of its crossed
+     * edges, the descending edge first.
+     */
     private static final int[] WAYS = {0x00000000, 0x00080010, 0x08100800, 0x08100010, 0x10001008, 0x00081008, 0x10000800, 0x00000000};
-    /** The sides of a triangle that is cut, a bit each. */
+    /** Sides for which a triangle is cut, one bit each. */
     private static final int CUT = 0x7e;
 
     private final DepthBuffer depth;
     private final TriangleCut triangles;
     private final PlaneCut plane;
-    /** Of the corners: height above the plane, and where in the fan's frame. */
+    /** Height of each corner above the plane, and its position in the fan's frame. */
     private final double[] above = new double[Patches.CORNERS];
     private final double[] lefts = new double[Patches.CORNERS];
     private final double[] aheads = new double[Patches.CORNERS];
-    /** Of the triangles that the plane cuts: their links, and what their sides say. A place more, for the one that is not counted. */
+    /** Links and {@link #WAYS} of the cut triangles. One extra entry takes a triangle that is not counted. */
     private final int[] cuts = new int[Patches.MOST + 1];
     private final int[] ways = new int[Patches.MOST + 1];
-    /** Of the lines that some beam meets: both ends, and the first of the beams that passes there or to the left. */
+    /** Both ends of each line that some ray hits, and the first ray at or to the left of each end. */
     private final double[] px = new double[Patches.MOST + 1];
     private final double[] pz = new double[Patches.MOST + 1];
     private final int[] ps = new int[Patches.MOST + 1];
@@ -37,10 +40,10 @@ final class PatchCut {
     }
 
     /**
-     * Looks at the triangles of a patch.
-     *
-     * @param first the first beam that may see them, likewise last: they see the patch ahead of them, less than half a turn apart
-     * @return how many of them the plane cuts
+     * Intersects the triangles of a patch.
+     * @param first first ray that may hit the patch, likewise last; the rays are less than half a turn apart and the
+     *     patch lies ahead of them
+     * @return number of triangles that the plane cuts
      */
     int intersect(Patches patches, int patch, int count, int first, int last) {
         int[] links = patches.links;
@@ -65,7 +68,7 @@ final class PatchCut {
         return cut;
     }
 
-    /** Sets out the corners. Answers which of them lie under the plane. */
+    /** Computes the corners and returns a bit for each corner below the plane. */
     private long corners(float[] v, int from, int count) {
         long under = 0;
         for (int i = 0; i < count; i++) {
@@ -81,7 +84,7 @@ final class PatchCut {
         return under;
     }
 
-    /** Finds where the plane crosses two edges of a triangle, and the beams there. */
+    /** Computes where the plane crosses two edges of a triangle, and the first ray of each crossing. */
     private void ends(int link, int way, int line, int first, int last) {
         int up = link >> way & 63;
         int down = link >> (way >> 8) & 63;

@@ -3,20 +3,21 @@ package org.SEAR.raycast;
 import java.util.Arrays;
 
 /**
- * The beams of a picture: one for each pixel, all from one point, row by row from the top left. Neighbours go together in tiles, which are cast one
- * by one: what lies beside all beams of a tile is left out for all of them. Immutable, any thread.
+ * The rays of a picture: one per pixel, all from one point, row by row from the top left. Neighbouring pixels form
+ * tiles, which are cast one by one: whatever is outside a tile's frustum is skipped for all its rays. Immutable, any
+ * thread.
  */
 public final class PictureBeams {
-    /** Pixels that a tile is wide and high; those at the right and lower edge are smaller. */
+    /** Width and height of a tile, pixels. Tiles at the right and lower edge may be smaller. */
     public static final int TILE = 8;
 
-    /** Of a tile's bounds: least and greatest place to the left, least and greatest place up. */
+    /** Numbers per tile bound: minimum and maximum to the left, minimum and maximum up. */
     static final int SIDES = 4;
 
-    /** Pixels of a row, and rows. */
+    /** Width and height of the picture, pixels. */
     public final int width;
     public final int height;
-    /** Tiles of a row, and rows of tiles. */
+    /** Number of tiles per row, and of rows of tiles. */
     public final int tilesAcross;
     public final int tilesDown;
 
@@ -25,17 +26,16 @@ public final class PictureBeams {
     final double[] bounds;
 
     /**
-     * Beams through the points of the plane one metre ahead.
-     *
-     * @param width pixels of a row, 1 or more
-     * @param left metres to the left of the axis of each pixel's point, row by row from the top left
-     * @param up metres above the axis, likewise
-     * @throws IllegalArgumentException if they make no rectangle
+     * Creates rays through points in the plane one metre ahead.
+     * @param width pixels per row, 1 or more
+     * @param left distance of each pixel's point to the left of the axis, metres, row by row from the top left
+     * @param up distance above the axis, metres, likewise
+     * @throws IllegalArgumentException if the points form no rectangle
      */
     public PictureBeams(int width, double[] left, double[] up) {
         if (width < 1 || left.length == 0 || left.length % width != 0 || up.length != left.length) {
-            throw new IllegalArgumentException("a picture of " + left.length + " and " + up.length + " beams in rows of " + width
-                + ", legal: as many places to the left as up, one row or more of 1 or more");
+            throw new IllegalArgumentException("picture of " + left.length + " left and " + up.length + " up coordinates in rows of " + width
+                + ", legal: equal numbers, one or more full rows of 1 or more");
         }
         this.width = width;
         this.height = left.length / width;
@@ -64,32 +64,32 @@ public final class PictureBeams {
         bounds[at + 2] = -bounds[at + 2];
     }
 
-    /** The first column of a tile. */
+    /** Returns the first column of a tile. */
     public int first(int tile) {
         return tile % tilesAcross * TILE;
     }
 
-    /** The column behind the last one of a tile. */
+    /** Returns the column after the last one of a tile. */
     public int end(int tile) {
         return Math.min(width, first(tile) + TILE);
     }
 
-    /** The first row of a tile. */
+    /** Returns the first row of a tile. */
     public int top(int tile) {
         return tile / tilesAcross * TILE;
     }
 
-    /** The row below the last one of a tile. */
+    /** Returns the row after the last one of a tile. */
     public int bottom(int tile) {
         return Math.min(height, top(tile) + TILE);
     }
 
-    /** Metres to the left of the axis, one metre ahead, of a pixel's beam. */
+    /** Returns how far to the left of the axis a pixel's ray is at one metre ahead, metres. */
     public double left(int pixel) {
         return left[pixel];
     }
 
-    /** Metres above the axis, one metre ahead, of a pixel's beam. */
+    /** Returns how far above the axis a pixel's ray is at one metre ahead, metres. */
     public double up(int pixel) {
         return up[pixel];
     }

@@ -7,18 +7,18 @@ import org.SEAR.raycast.solid.HeightsTile;
 import org.SEAR.raycast.tree.Bvh;
 
 /**
- * Casts the beams of a picture, tile by tile: the hierarchy is walked once for the pyramid that all beams of a tile fill, nearer nodes first, and
- * each shape that reaches into it is asked by its beams. A node that lies beside the pyramid, or behind what all of its beams have met, is left out.
- * What a beam answers depends on the shapes only. Holds what one thread needs for it; allocates nothing.
+ * Casts the rays of a picture tile by tile. Walks the hierarchy once for the frustum of a tile, nearer nodes first, and
+ * tests each shape inside against the tile's rays. Skips nodes outside the frustum or behind the hits of all rays.
+ * Results do not depend on the tiles or the hierarchy. One thread; allocates nothing.
  */
 final class PictureCaster {
-    /** More than the rounding of the tests of nodes, relative and in metres. */
+    /** Tolerance above the rounding errors of node tests, relative and in metres. */
     private static final double SLACK = 1e-9;
-    /** Four sides of a tile's pyramid and the way ahead, of each a normal and where it begins. */
+    /** Four sides of a tile's frustum and the forward direction; a normal and an offset each. */
     private static final int PLANES = 5;
     private static final int PLANE = 4;
     private static final int AHEAD = 4 * PLANE;
-    /** Stands for 1 / 0, so that 0 * LARGEST is 0. */
+    /** Replaces 1 / 0, so that 0 * LARGEST is 0. */
     private static final double LARGEST = 1e30;
 
     private final RayCaster rays;
@@ -26,24 +26,24 @@ final class PictureCaster {
     private final double[] stackNear = new double[Bvh.MAX_DEPTH];
     private final double[] axes = new double[9];
     private final double[] planes = new double[PLANES * PLANE];
-    /** A beam's direction in the frame of a box: the nine numbers that its three are made of. */
+    /** Maps (left, up, 1) of a ray to its direction in the frame of a box: 3 x 3 matrix, row by row. */
     private final double[] own = new double[9];
-    /** The eye in the frame of a box. */
+    /** Camera position in the frame of a box, metres. */
     private final double[] place = new double[3];
-    /** Of the three pairs of sides of a box: where the last beam comes in between them. */
+    /** For each pair of faces of a box: depth at which the last ray has entered the slab. */
     private final double[] mostIns = new double[3];
     private double leastIn;
     private double mostOut;
-    /** Where all beams have come in between all sides, and where the first one leaves. */
+    /** Depth at which all rays have entered all slabs, and at which the first ray leaves one. */
     private double allIn;
     private double allOut;
     private final HeightsTile ground;
     private final int[] tileStack = new int[Bvh.MAX_DEPTH];
     private final double[] tileNear = new double[Bvh.MAX_DEPTH];
     private final double[] groundPlanes = new double[HeightsTile.PLANES * PLANE];
-    /** Width of the tile, one metre ahead. */
+    /** Width of the tile at one metre ahead, metres. */
     private double wide;
-    /** The middle of the tile's bounds one metre ahead, and half of what they are apart. */
+    /** Centre and half size of the tile's bounds at one metre ahead, metres. */
     private double midLeft;
     private double midUp;
     private double halfLeft;
@@ -62,11 +62,11 @@ final class PictureCaster {
     private int end;
     private int top;
     private int bottom;
-    /** The pixel at which the arrays of answers begin. */
+    /** First pixel of the result arrays. */
     private int base;
-    /** The farthest of a tile's beams; the range while one of them has met nothing. */
+    /** Greatest depth of the tile's rays; the range while any ray has no hit. */
     private double worst;
-    /** Whether a beam has met the shape that was asked last. */
+    /** Whether a ray has hit the last tested shape. */
     private boolean changed;
 
     PictureCaster(RayCaster rays) {
@@ -74,7 +74,7 @@ final class PictureCaster {
         ground = new HeightsTile(rays.heights);
     }
 
-    /** Where the beams come from and how far they go, see {@link BeamScene#castPicture}. */
+    /** Sets origin and range of the rays, see {@link BeamScene#castPicture}. */
     void begin(Shapes scene, PictureBeams picture, Pose pose, double from, double to, int firstTile) {
         base = picture.top(firstTile) * picture.width;
         shapes = scene;
@@ -87,7 +87,7 @@ final class PictureCaster {
         range = to;
     }
 
-    /** One tile of them. */
+    /** Casts the rays of one tile. */
     void cast(Bvh tree, int tile, int ignored, double[] depths, int[] shapesHit, int[] partsHit) {
         depth = depths;
         found = shapesHit;
@@ -161,7 +161,7 @@ final class PictureCaster {
         wide = Math.max(beams.bounds[at + 1] - beams.bounds[at], beams.bounds[at + 3] - beams.bounds[at + 2]);
     }
 
-    /** A plane through the origin, by its normal in the picture's frame, which looks into the pyramid. */
+    /** Sets a plane through the origin by its inward normal in the picture's frame. */
     private void plane(int at, double x, double y, double z) {
         double nx = axes[0] * x + axes[1] * y + axes[2] * z;
         double ny = axes[3] * x + axes[4] * y + axes[5] * z;
@@ -172,7 +172,7 @@ final class PictureCaster {
         planes[at + 3] = -(nx * ox + ny * oy + nz * oz);
     }
 
-    /** How far ahead the nearest point of a node may be; infinite beside the pyramid. */
+    /** Returns a lower bound of a node's depth; infinite outside the frustum. */
     private double reach(double[] p, float[] box, int at) {
         double hx = ((double) box[at + 3] - box[at]) / 2;
         double hy = ((double) box[at + 4] - box[at + 1]) / 2;
@@ -210,7 +210,7 @@ final class PictureCaster {
         narrow();
     }
 
-    /** Finds the farthest of the tile's beams anew. */
+    /** Updates the greatest depth of the tile's rays. */
     private void narrow() {
         if (!changed) {
             return;
@@ -248,7 +248,10 @@ final class PictureCaster {
         }
     }
 
-    /** The ground in tiles: those that reach into the pyramid, nearer ones first, until they are behind what all beams have met. */
+    /**
+     * Casts at tiled elevation: tiles inside the frustum, nearer ones first, until they are behind the hits of all
+     * rays.
+     */
     private void tiles(int shape) {
         groundFrame(shape);
         Bvh tree = shapes.tileTrees[shape].tree;
@@ -278,7 +281,7 @@ final class PictureCaster {
         }
     }
 
-    /** Brings the pyramid into the frame of the ground. */
+    /** Transforms the frustum into the frame of the ground. */
     private void groundFrame(int shape) {
         double[] m = shapes.data;
         int at = shape * Shapes.STRIDE;
@@ -290,7 +293,7 @@ final class PictureCaster {
         }
     }
 
-    /** Ground whose blocks are walked for all beams together. */
+    /** Casts at elevation whose blocks are walked for all rays together. */
     private void heights(int shape, HeightField field) {
         double[] m = shapes.data;
         int at = shape * Shapes.STRIDE;
@@ -334,7 +337,10 @@ final class PictureCaster {
         }
     }
 
-    /** Boxes are what rooms are made of: one origin for all beams, and a direction that is made of two. */
+    /**
+     * Casts at a box. Boxes are the most frequent shapes of rooms: all rays share an origin and their directions are
+     * linear in left and up.
+     */
     private void box(int shape) {
         double[] m = shapes.data;
         int at = shape * Shapes.STRIDE;
@@ -375,9 +381,8 @@ final class PictureCaster {
     }
 
     /**
-     * Where the beams of the tile come in between two opposite sides of a box, and where they leave them: bounds for all of them.
-     *
-     * @param k the axis, of which the direction's numbers and the origin are known
+     * Bounds the depths at which the tile's rays enter and leave the slab between two opposite faces of a box.
+     * @param k axis, for which the matrix row and the origin are set
      */
     private void slab(int k, double half) {
         double middle = own[3 * k] * midLeft + own[3 * k + 1] * midUp + own[3 * k + 2];
@@ -388,7 +393,7 @@ final class PictureCaster {
         double mostIn;
         double leastOut;
         if (least > 0) {
-            // away from the origin's side of the slab, in units of the direction
+            // from the slab's face on the origin's side, in units of the direction
             double near = -half - Math.copySign(1, middle) * from;
             double far = half - Math.copySign(1, middle) * from;
             leastIn = near > 0 ? near / most : near / least;
@@ -407,7 +412,7 @@ final class PictureCaster {
         allOut = Math.min(allOut, leastOut);
     }
 
-    /** All beams come in through one side. */
+    /** Casts at a box that all rays enter through one face. */
     private void side(int shape, int k, double half) {
         double x1 = own[3 * k];
         double y1 = own[3 * k + 1];

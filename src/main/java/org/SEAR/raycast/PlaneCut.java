@@ -1,12 +1,12 @@
 package org.SEAR.raycast;
 
 /**
- * The plane of a fan as seen from some frame: of each point its height above the plane and its two coordinates in the fan's frame, x to the left and
- * z ahead. All three are linear in the point. Of a box it tells the rectangle around its part of the plane that looks at the fan's origin, with some
- * slack for the rounding, so that no box is left out whose corner lies on the plane.
+ * A fan's plane seen from another frame. Maps a point to its height above the plane and its coordinates in the fan's
+ * frame, x to the left and z ahead; all three are linear. For a box, computes a rectangle around its intersection with
+ * the plane, facing the fan's origin. Tolerances ensure that no box with a corner on the plane is missed.
  */
 final class PlaneCut {
-    /** Relative error of the three functions, many times over. */
+    /** Tolerance, many times the relative error of the three functions. */
     private static final double ROUNDING = 1e-14;
 
     /** Coefficients of height, x and z: three factors and a constant each. */
@@ -23,11 +23,11 @@ final class PlaneCut {
     double zc;
     double zd;
 
-    /** The middle of the last {@link #intersects} box, as the fan sees it ... */
+    /** Centre of the last {@link #intersects} box in the fan's frame, and its distance, metres. */
     double left;
     double ahead;
     double distance;
-    /** ... how far its part of the plane reaches to either side of the way there, and where along that way it begins. */
+    /** Half width of that box across the line of sight to its centre, and the distance where it begins, metres. */
     double wide;
     double nearest;
 
@@ -35,10 +35,9 @@ final class PlaneCut {
     private double range;
 
     /**
-     * To be called once the coefficients are set.
-     *
-     * @param farX the greatest absolute x of anything that will be asked for, likewise farY and farZ
-     * @param maxRange how far the fan reaches
+     * Computes the tolerances. Call after setting the coefficients.
+     * @param farX maximum absolute x of any later point, metres, likewise farY and farZ
+     * @param maxRange range of the fan, metres
      */
     void ready(double farX, double farY, double farZ, double maxRange) {
         slack = ROUNDING * ((Math.abs(ha) + Math.abs(xa) + Math.abs(za)) * farX + (Math.abs(hb) + Math.abs(xb) + Math.abs(zb)) * farY
@@ -46,7 +45,7 @@ final class PlaneCut {
         range = maxRange;
     }
 
-    /** Whether the plane meets a node of a hierarchy within the range; if so, computes the rectangle. */
+    /** Returns whether the plane intersects a node of a hierarchy within the range. Computes the rectangle if so. */
     boolean intersects(float[] box, int at) {
         double x = box[at];
         double y = box[at + 1];
@@ -57,7 +56,7 @@ final class PlaneCut {
         return intersects(x + halfX, y + halfY, z + halfZ, halfX, halfY, halfZ);
     }
 
-    /** The same for a box with this middle and these half sizes. */
+    /** The same for a box with this centre and these half sizes. */
     boolean intersects(double x, double y, double z, double halfX, double halfY, double halfZ) {
         if (!(Math.abs(height(x, y, z)) <= Math.abs(ha) * halfX + Math.abs(hb) * halfY + Math.abs(hc) * halfZ + slack)) {
             return false;

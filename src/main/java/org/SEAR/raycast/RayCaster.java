@@ -9,32 +9,32 @@ import org.SEAR.raycast.solid.RayTriangle;
 import org.SEAR.raycast.tree.Bvh;
 import org.SEAR.raycast.tree.RayTraversal;
 
-/** Casts single beams; holds what one thread needs for it, so that casting allocates nothing. */
+/** Casts single rays. One per thread, so that casting allocates nothing. */
 final class RayCaster {
-    /** Work done since the thread's first cast: nodes of hierarchies that fans looked at, shapes and triangles that anything looked at. */
+    /** Work since construction: hierarchy nodes visited by fans; shapes and triangles tested by any ray. */
     long fanNodes;
     long tested;
     long triangles;
-    /** Boxes that reach into a tile of a picture, and those of them whose three pairs of sides each of its beams was asked for. */
+    /** Boxes inside a tile's frustum, and those whose three pairs of faces were tested for each ray. */
     long boxes;
     long asked;
 
-    /** Ways through the hierarchies of the scene and of a mesh in it. */
+    /** Traversals of the scene's hierarchy and of a mesh inside it. */
     private final RayTraversal scene = new RayTraversal();
     private final RayTraversal inside = new RayTraversal();
     final RayHeights heights = new RayHeights();
     private final double[] point = new double[3];
-    /** The tile that the last successful {@link #tiles} met. */
+    /** Tile of the last successful {@link #tiles}. */
     private HeightField tile;
-    /** The triangle that the last successful {@link #mesh} met. */
+    /** Triangle of the last successful {@link #mesh}. */
     private int triangle;
 
-    /** Nodes of hierarchies that beams and fans looked at. */
+    /** Returns the number of hierarchy nodes visited by rays and fans. */
     long nodes() {
         return fanNodes + scene.nodes + inside.nodes + heights.nodes;
     }
 
-    /** Nearest distance of a beam over all shapes that the owner sees; the lower shape number wins a tie. */
+    /** Returns the nearest distance of a ray over all shapes that the owner sees. The lower shape number wins a tie. */
     double cast(Shapes shapes, Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange, int ignored, Hit hit) {
         double best = Double.POSITIVE_INFINITY;
         int found = -1;
@@ -61,7 +61,7 @@ final class RayCaster {
         return best;
     }
 
-    /** Distance to one shape alone. */
+    /** Returns the distance to one shape. */
     double test(Shapes shapes, int shape, double ox, double oy, double oz, double dx, double dy, double dz, double limit) {
         tested++;
         double[] m = shapes.data;
@@ -92,7 +92,7 @@ final class RayCaster {
         }
     }
 
-    /** The number of the triangle that the last beam which met this mesh has met, as the mesh's triangles had it before they were sorted. */
+    /** Returns the triangle that was last hit in this mesh, as numbered in its {@link Triangles}. */
     int triangle(Mesh mesh) {
         return mesh.order[triangle];
     }

@@ -3,18 +3,21 @@ package org.SEAR.raycast;
 import org.SEAR.raycast.tree.Bvh;
 
 /**
- * Whether points lie in the shadow of a light that is infinitely far away: parallel beams from points that lie close together. The hierarchy is
- * walked once for the box in which all of them go. Holds what one thread needs for it; allocates nothing.
+ * Determines whether points are in the shadow of an infinitely distant light, by parallel rays from points close
+ * together. Walks the hierarchy once for the box that contains all rays. One thread; allocates nothing.
  */
 final class ShadowCaster {
-    /** A beam begins so far off its surface, as a share of the point's distance from the world's origin and in metres. */
+    /**
+     * Offset of a ray's start from its own surface, relative to the point's distance from the world's origin and in
+     * metres.
+     */
     private static final double OFF = 1e-7;
     private static final double SLACK = 1e-9;
     private static final double LARGEST = 1e30;
 
     private final RayCaster rays;
     private final int[] stack = new int[Bvh.MAX_DEPTH];
-    /** The directions along which the points are enclosed: two across the light, and the light. */
+    /** Axes of the bounding box: two across the light, then the direction to the light. */
     private final double[] axes = new double[9];
     private final double[] low = new double[3];
     private final double[] high = new double[3];
@@ -27,7 +30,7 @@ final class ShadowCaster {
         this.rays = rays;
     }
 
-    /** The light stands in a unit direction. */
+    /** Sets the unit direction to the light. */
     void begin(double lx, double ly, double lz) {
         boolean steep = Math.abs(ly) > 0.5;
         double ux = steep ? 0 : lz;
@@ -132,7 +135,10 @@ final class ShadowCaster {
         }
     }
 
-    /** All beams have one direction. A convex thing never lies in its own shadow: its side that looks away from the light is not asked. */
+    /**
+     * Tests a box with the one direction of all rays. A convex shape never shades itself: only its side away from the
+     * light would be in shadow, and that side is not tested.
+     */
     private void box(double[] m, int shape) {
         int at = shape * Shapes.STRIDE;
         double ix = inverse(m[at] * axes[6] + m[at + 3] * axes[7] + m[at + 6] * axes[8]);

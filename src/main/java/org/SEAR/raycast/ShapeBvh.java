@@ -5,11 +5,11 @@ import org.SEAR.raycast.tree.Bvh;
 import org.SEAR.raycast.tree.BvhBuilder;
 
 /**
- * The hierarchy over the shapes of a scene. New shapes make it anew; moved ones are refitted along their path to the root; after much moving it is
- * made anew as well. What beams answer does not depend on its form.
+ * Hierarchy over the shapes of a scene. New shapes rebuild it; moved shapes are refitted along their path to the root.
+ * Much movement also rebuilds it. Results of rays do not depend on its form.
  */
 final class ShapeBvh {
-    /** A tree whose inner nodes have grown to this many times their first total surface is made anew. */
+    /** Growth of the inner nodes' total surface area at which the tree is rebuilt. */
     private static final double WORN = 2;
 
     private final Shapes shapes;
@@ -28,7 +28,7 @@ final class ShapeBvh {
         return tree;
     }
 
-    /** Takes over the poses of the changed shapes. */
+    /** Applies the poses of the changed shapes. */
     void update(int[] changes, int changeCount) {
         if (shapeCount != shapes.count) {
             build();

@@ -10,17 +10,18 @@ import org.SEAR.raycast.solid.RaySolid;
 import org.SEAR.raycast.solid.TileTree;
 
 /**
- * The shapes of a scene in flat arrays. {@link #data} holds {@link #STRIDE} numbers a shape: rotation matrix (world = R * own, row by row),
- * position, sizes (half sizes of a box or of the box around another convex solid; scale of a mesh, 1 for heights).
+ * Shapes of a scene in flat arrays. {@link #data} holds {@link #STRIDE} numbers per shape: rotation matrix (world = R *
+ * own, row by row), position and sizes. Sizes are the half sizes of a box or of the box around another convex solid,
+ * the scale of a mesh, or 1 for elevation.
  */
 final class Shapes {
-    /** The owner of shapes that belong to no robot. */
+    /** Owner of shapes that belong to no robot. */
     static final int WORLD = -1;
     static final byte BOX = 0;
     static final byte CONVEX = 1;
     static final byte MESH = 2;
     static final byte HEIGHTS = 3;
-    /** Heights in tiles. */
+    /** Tiled elevation. */
     static final byte TILES = 4;
     static final int STRIDE = 16;
     static final int POSITION = 9;
@@ -59,7 +60,7 @@ final class Shapes {
         return shape;
     }
 
-    /** Adds the same shape as another scene has; where it stands is not taken over. */
+    /** Adds a shape of another scene, without its pose. */
     void addAs(Shapes other, int shape) {
         int i = shape * STRIDE + SIZE;
         int added = add(other.kind[shape], other.owner[shape], other.data[i], other.data[i + 1], other.data[i + 2]);
@@ -80,7 +81,7 @@ final class Shapes {
         System.arraycopy(pose, at, data, i + POSITION, 3);
     }
 
-    /** Writes the world-aligned bounds of a shape, rounded outward. */
+    /** Writes the axis-aligned world bounds of a shape, rounded outward. */
     void bounds(int shape, float[] out, int at) {
         int i = shape * STRIDE;
         int size = i + SIZE;
@@ -107,7 +108,7 @@ final class Shapes {
         }
     }
 
-    /** Of triangles, in their own frame before scaling: the least x, y or z, then the greatest ones. */
+    /** Returns a bound of triangles in their own frame before scaling: minimum x, y, z, then maximum x, y, z. */
     private float side(int shape, int number) {
         if (kind[shape] == MESH) {
             float[] root = mesh[shape].tree.data;

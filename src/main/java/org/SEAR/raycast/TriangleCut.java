@@ -2,9 +2,12 @@ package org.SEAR.raycast;
 
 import org.SEAR.raycast.solid.RayTriangle;
 
-/** The lines in which a fan's plane cuts triangles, as the fan's beams see them. One thread. */
+/** Lines in which a fan's plane cuts triangles. One thread. */
 final class TriangleCut {
-    /** Metres from a surface at which the origin counts as lying on it; such a shape is tested beam by beam. */
+    /**
+     * Distance of the fan's origin from a surface, metres, below which it counts as on it. Such a shape is tested ray
+     * by ray.
+     */
     static final double TOUCHING = 1e-9;
 
     /** The plane in the triangles' own frame, before scaling. */
@@ -16,7 +19,7 @@ final class TriangleCut {
     private double sx;
     private double sy;
     private double sz;
-    /** The ends of the last line. */
+    /** Ends of the last line, in the fan's frame. */
     private double px;
     private double pz;
     private double qx;
@@ -27,10 +30,9 @@ final class TriangleCut {
     }
 
     /**
-     * Begins with the triangles of a shape.
-     *
-     * @param fan its origin, left, up and forward in the shape's frame: twelve numbers, which stay the caller's
-     * @param scaleX of the triangles, likewise scaleY and scaleZ
+     * Begins the triangles of a shape.
+     * @param fan origin, left, up and forward of the fan in the shape's frame: twelve numbers, not copied
+     * @param scaleX scale of the triangles, likewise scaleY and scaleZ
      */
     void start(double[] fan, int number, double scaleX, double scaleY, double scaleZ) {
         own = fan;
@@ -53,19 +55,22 @@ final class TriangleCut {
         cut.zd = -(fan[0] * fan[9] + fan[1] * fan[10] + fan[2] * fan[11]);
     }
 
-    /** The number of the shape they belong to. */
+    /** Returns the number of the current shape. */
     int shape() {
         return shape;
     }
 
-    /** Looks at the triangle whose corners are nine numbers from a place on. */
+    /**
+     * Intersects one triangle.
+     * @param v corners, nine numbers from {@code at} on
+     */
     void triangle(float[] v, int at) {
         if (cross(v, at)) {
             segment(v, at);
         }
     }
 
-    /** Finds the line in which the plane cuts a triangle; false where it doesn't. */
+    /** Computes the line in which the plane cuts a triangle. Returns false if there is none. */
     private boolean cross(float[] v, int at) {
         PlaneCut cut = plane;
         double h0 = cut.height(v[at], v[at + 1], v[at + 2]);

@@ -1,6 +1,6 @@
 /**
- * What beams meet: shapes and triangle meshes in hierarchies, and the walks of rays, fans and bundles through them. Uses
- * {@link org.SEAR.raycast.solid}, and what it uses. The simulation thread builds and moves; between two commits
- * any number of threads may cast.
+ * Ray casting: shapes and triangle meshes in hierarchies, and casts of single rays, fans, bundles and pictures. Uses
+ * {@link org.SEAR.raycast.solid} and its dependencies. The simulation thread builds and moves shapes. Between two
+ * commits any number of threads may cast.
  */
 package org.SEAR.raycast;

@@ -4,22 +4,25 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightPyramid;
 
 /**
- * Where the beams of a picture's tile meet a {@link HeightField}: the blocks of its pyramid of least and greatest heights are walked once for the
- * pyramid that all beams fill, nearer blocks first, down to those that are small for the tile; only these are asked by each beam. A block that lies
- * beside the tile, or behind what all of its beams have met, is left out. A beam answers what {@link RayHeights} answers. One thread; allocates
- * nothing for a tile.
+ * Intersects the rays of one picture tile with a {@link HeightField}. Walks the field's min/max pyramid once for the
+ * frustum that contains all rays, nearer blocks first. Each ray is tested only against blocks that are small compared
+ * with the tile. Skips blocks outside the frustum or behind the hits of all rays. The result of a ray equals that of
+ * {@link RayHeights}. One thread; allocates nothing per tile.
  */
 public final class HeightsTile {
-    /** Beams of a tile at most. */
+    /** Maximum number of rays of a tile. */
     public static final int MOST = 64;
-    /** Planes that a tile is given by, four numbers each: a normal that looks inside, and its offset. The last one looks ahead. */
+    /**
+     * Number of planes that bound a tile. Four numbers per plane: inward normal and offset. The last normal points
+     * ahead.
+     */
     public static final int PLANES = 5;
 
     private static final int PLANE = 4;
     private static final int AHEAD = (PLANES - 1) * PLANE;
-    /** More than the rounding of the test of a plane, relative. */
+    /** Relative tolerance of the plane test, above its rounding error. */
     private static final double SLACK = 1e-9;
-    /** A block that looks smaller than this, in widths of the tile, is asked by each beam. */
+    /** Apparent size, in tile widths, below which each ray is tested against a block. */
     private static final double SMALL = 0.5;
     private static final int DEPTH = 4 * Integer.SIZE;
     private static final int BEAM = 8;
@@ -53,17 +56,17 @@ public final class HeightsTile {
     private double slackY;
     private double slackZ;
 
-    /** @param ray casts what is left of a beam in a block */
+    /** @param ray casts a single ray within a block */
     public HeightsTile(RayHeights ray) {
         this.ray = ray;
     }
 
     /**
-     * Begins a tile without beams. All is in the field's frame; how far something is counts along the last plane's normal.
-     *
+     * Begins a tile without rays. All coordinates are in the field's frame. Distances ahead are measured along the last
+     * plane's normal.
      * @param sides {@link #PLANES} planes
-     * @param width of the tile, one metre ahead
-     * @param from how far ahead beams begin, metres
+     * @param width width of the tile at one metre ahead, metres
+     * @param from distance ahead at which the rays begin, metres
      */
     public void begin(HeightField heights, double[] sides, double width, double from) {
         field = heights;
@@ -78,11 +81,10 @@ public final class HeightsTile {
     }
 
     /**
-     * Adds a beam.
-     *
-     * @param ox where it begins, metres
-     * @param dx its direction, which goes one metre ahead
-     * @param limit how far it goes at most, in its direction's lengths
+     * Adds a ray.
+     * @param ox origin, metres, likewise oy and oz
+     * @param dx direction, likewise dy and dz; its component ahead is one metre
+     * @param limit maximum distance, in lengths of the direction
      */
     public void add(double ox, double oy, double oz, double dx, double dy, double dz, double limit) {
         int at = BEAM * count;
@@ -105,12 +107,14 @@ public final class HeightsTile {
         return Math.abs(d) < 1 / LARGEST ? Math.copySign(LARGEST, d) : 1 / d;
     }
 
-    /** How far a beam goes until it meets the ground, in its direction's lengths from where it begins; infinite for not at all. */
+    /**
+     * Returns the distance from the ray's origin to the ground, in lengths of its direction; infinite without a hit.
+     */
     public double distance(int beam) {
         return hit[beam];
     }
 
-    /** Casts all beams that were added. */
+    /** Casts all added rays. */
     public void cast() {
         ray.look(field);
         slackX = ray.slackX(farX);
@@ -143,7 +147,7 @@ public final class HeightsTile {
         }
     }
 
-    /** Adds the four parts of a block, the farthest one first. */
+    /** Pushes the four children of a block, the furthest first. */
     private void open(int level, int row, int column) {
         int bottom = depth;
         for (int part = 0; part < PLANE; part++) {
@@ -188,7 +192,10 @@ public final class HeightsTile {
         nears[i - 1] = near;
     }
 
-    /** Keeps a block for later if it reaches into the tile. A cell is a block of level -1; one beside the field has no heights. */
+    /**
+     * Pushes a block onto the stack if it intersects the tile. A cell is a block of level -1. Blocks outside the field
+     * have low &gt; high.
+     */
     private void push(int level, int row, int column, float low, float high) {
         ray.nodes++;
         if (low > high) {
@@ -205,7 +212,7 @@ public final class HeightsTile {
         }
     }
 
-    /** How far ahead the nearest point of a block may be; infinite beside the tile. */
+    /** Returns a lower bound of the distance ahead of a block, metres; infinite outside the frustum. */
     private double reach(int level, int row, int column, float low, float high) {
         int size = 1 << level + 1;
         double hx = size * field.spacingX / 2 + slackX;
@@ -232,7 +239,7 @@ public final class HeightsTile {
         ask(-1, row, column, low, high);
     }
 
-    /** Asks a block by each beam that comes between its sides and its heights. */
+    /** Tests a block against each ray that passes through its bounds. */
     private void ask(int level, int row, int column, float low, float high) {
         int size = 1 << level + 1;
         double south = field.lowX + row * size * field.spacingX - slackX;

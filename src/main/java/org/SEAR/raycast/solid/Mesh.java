@@ -7,23 +7,24 @@ import org.SEAR.raycast.tree.Bvh;
 import org.SEAR.raycast.tree.BvhBuilder;
 
 /**
- * Triangles in the order of their hierarchy, in the model's own unscaled frame: 40 bytes a triangle for the corners and its number, about as many for
- * the nodes, and 17 for the patches. Immutable, any thread. The same {@link Triangles} share one mesh as long as somebody holds them.
+ * Triangles in the order of their hierarchy, in the model's own unscaled frame. Memory per triangle: 40 bytes for the
+ * corners and its number, about as many for the nodes, and 17 for the patches. All users of the same {@link Triangles}
+ * share one mesh through a weak cache. Immutable, any thread.
  */
 public final class Mesh {
     private static final int LEAF_SIZE = 4;
     private static final Map<Triangles, Mesh> KNOWN = new WeakHashMap<>();
 
-    /** Its leaves link to triangles. */
+    /** Its leaves contain triangles. */
     public final Bvh tree;
-    /** Nine floats a triangle, in the order of the tree: x, y, z of its three corners. */
+    /** Corners, nine floats per triangle: x, y and z of three corners, in tree order. */
     public final float[] corners;
-    /** The number that each had before. */
+    /** Original number of each triangle. */
     public final int[] order;
-    /** The same triangles as a fan looks at them. */
+    /** The same triangles grouped for fans. */
     public final Patches patches;
 
-    /** Bounds are rounded outward: the slab test leaves out a beam that runs within a box's side, so none may. */
+    /** Builds the hierarchy. Bounds are rounded outward because the slab test misses rays within a box's side. */
     private Mesh(Triangles triangles) {
         int n = triangles.size();
         float[] boxes = new float[n * Bvh.BOUNDS];
@@ -49,7 +50,7 @@ public final class Mesh {
         patches = new Patches(tree, corners);
     }
 
-    /** The mesh of these triangles, built when it is asked for the first time. */
+    /** Returns the mesh of these triangles; builds it at the first call. */
     public static Mesh of(Triangles triangles) {
         synchronized (KNOWN) {
             return KNOWN.computeIfAbsent(triangles, Mesh::new);

@@ -4,40 +4,43 @@ import java.util.Arrays;
 import org.SEAR.raycast.tree.Bvh;
 
 /**
- * Triangles in patches of up to 40 neighbours, with a hierarchy over the patches: for fans, which look at all along the line in which their plane
- * cuts a model. A patch holds corners that its triangles share once, side by side, and the hierarchy ends above: a fan over 100 000 triangles opens
- * less than half as many nodes. A single beam looks for one triangle and goes down to it in the {@link Mesh}. Immutable, any thread.
+ * Triangles grouped into patches of up to 40 neighbours, with a hierarchy over the patches. A fan needs all triangles
+ * along the line where its plane cuts a model. The triangles of a patch share corners stored side by side, and the
+ * hierarchy ends at the patches. A fan over 100 000 triangles therefore opens less than half as many nodes. A single
+ * ray uses the {@link Mesh} instead. Immutable, any thread.
  */
 public final class Patches {
-    /** The greatest number of triangles of a patch in a large model; in a small one, of whose triangles many beams meet the same, it is less ... */
+    /** Maximum number of triangles of a patch in a large model. Small models have smaller patches. */
     public static final int MOST = 40;
-    /** ... but never below this. */
+    /** Maximum number of triangles of a patch in the smallest models. */
     private static final int FEW = 20;
-    /** So many patches at least, where that leaves them as large. */
+    /** Minimum number of patches of a model, unless patches would become smaller than {@link #FEW}. */
     private static final int PATCHES = 200;
-    /** The greatest number of corners: a bit of a long for each. */
+    /** Maximum number of corners of a patch: one bit of a long each. */
     public static final int CORNERS = 63;
-    /** Where a patch's numbers in {@link #links} have the first float of its corners, how many corners they are, and its first triangle. */
+    /**
+     * Offsets within a patch's entry of {@link #links}: first float of its corners, number of corners, first triangle.
+     */
     public static final int CORNER = 0;
     public static final int COUNT = 1;
     public static final int TRIANGLE = 2;
-    /** Where its triangles begin: three corners of the patch each, eight bits a number. */
+    /** Offset of the triangles within a patch's entry: three corner numbers of eight bits each. */
     public static final int LINKS = 3;
 
-    /** Its leaves link to the numbers of a patch; their counts are those of its triangles. */
+    /** Its leaves link to patch entries in {@link #links} and count the patch's triangles. */
     public final Bvh tree;
     /** x, y and z of each corner. */
     public final float[] corners;
     public final int[] links;
 
-    /** Makes and grows the three arrays. */
+    /** Creates and grows the three arrays. */
     private static final class Maker {
         private final Bvh whole;
         private final float[] v;
         private float[] nodes;
         private float[] corners;
         private int[] links;
-        /** The greatest number of triangles of a patch of this model. */
+        /** Maximum number of triangles of a patch of this model. */
         private final int most;
         private int nodeCount = 2;
         private int cornerCount;
@@ -53,7 +56,7 @@ public final class Patches {
             links = new int[2 * n];
         }
 
-        /** Copies a node with all below it. */
+        /** Copies a node and its subtree. */
         private void copy(int from, int to) {
             System.arraycopy(whole.data, from * Bvh.STRIDE, nodes, to * Bvh.STRIDE, Bvh.BOUNDS);
             int first = from;
@@ -81,7 +84,7 @@ public final class Patches {
             copy(whole.link(from) + 1, children + 1);
         }
 
-        /** Adds a patch; false where its triangles have too many corners. */
+        /** Adds a patch. Returns false if its triangles have too many corners. */
         private boolean patch(int start, int n) {
             int first = cornerCount;
             int at = linkCount;

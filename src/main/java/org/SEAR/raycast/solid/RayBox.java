@@ -1,13 +1,13 @@
 package org.SEAR.raycast.solid;
 
-/** Where a beam meets a box that is centred in the origin of its own frame; distances as {@link RaySolid} has them. */
+/** Intersection of a ray with a box centred at the origin of its own frame. Distances follow {@link RaySolid}. */
 public final class RayBox {
     private static final double MISS = Double.POSITIVE_INFINITY;
 
     private RayBox() {
     }
 
-    /** The distance to a box of half sizes (hx, hy, hz). */
+    /** Returns the distance to a box of half sizes (hx, hy, hz). */
     public static double intersect(double ox, double oy, double oz, double dx, double dy, double dz, double hx, double hy, double hz) {
         double in = Double.NEGATIVE_INFINITY;
         double out = MISS;
@@ -38,7 +38,7 @@ public final class RayBox {
         return in > out || out < 0 ? MISS : in >= 0 ? in : out;
     }
 
-    /** The outward normal of a box at the surface point (x, y, z), which is replaced by it. */
+    /** Replaces the surface point (x, y, z) by the box's outward normal there. */
     public static void normal(double[] point, double hx, double hy, double hz) {
         double ex = Math.abs(point[0]) - hx;
         double ey = Math.abs(point[1]) - hy;

@@ -15,7 +15,7 @@ public final class RayEllipsoid implements RaySolid {
         this.c = c;
     }
 
-    /** In units of its half sizes it is the unit sphere; the beam is looked at from its point nearest to the centre, where no digits cancel. */
+    /** Scales to the unit sphere. Solves from the ray's closest point to the centre to avoid cancellation. */
     @Override
     public double intersect(double ox, double oy, double oz, double dx, double dy, double dz) {
         double ux = dx / a;

@@ -4,21 +4,24 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightPyramid;
 
 /**
- * The intersection of a ray with a {@link HeightField}: leads the beam through the blocks of its pyramid of least and greatest heights, nearer ones
- * first (maximum mipmaps: Tevs, Ihrke and Seidel 2008), to the cells whose triangles it may meet. Blocks are taken a little larger than they are, by
- * more than the rounding of the tests, so that no cell is left out that the beam touches. One thread.
+ * Intersection of a ray with a {@link HeightField}. Leads the ray through the field's min/max pyramid, nearer blocks
+ * first (maximum mipmaps: Tevs, Ihrke and Seidel 2008), to the cells whose triangles it may hit. Blocks are enlarged by
+ * more than the rounding of the tests, so that no touched cell is missed. One thread.
  */
 public final class RayHeights {
-    /** Stands for 1 / 0. */
+    /** Replaces 1 / 0. */
     private static final double LARGEST = 1e30;
-    /** More than the rounding of a place on the beam, relative to how far out the field and the origin are. */
+    /**
+     * Relative tolerance of a point on the ray, above its rounding error. Relative to the distances of field and
+     * origin.
+     */
     static final double ROUNDING = 1e-12;
-    /** Four blocks of each level at most, and four cells. */
+    /** At most four blocks per level and four cells. */
     private static final int DEPTH = 4 * Integer.SIZE;
 
-    /** Blocks looked at since the beginning. */
+    /** Number of blocks visited since construction. */
     public long nodes;
-    /** Triangles looked at. */
+    /** Number of triangles tested since construction. */
     public long triangles;
 
     private final int[] levels = new int[DEPTH];
@@ -39,17 +42,17 @@ public final class RayHeights {
     private double dz;
     private double ix;
     private double iz;
-    /** 1 where the beam goes north, or east; else the other half of a block comes first. */
+    /** 1 if the ray goes north or east. Otherwise the other half of a block comes first. */
     private int north;
     private int east;
-    /** Of the field: by what its places may be rounded, and how far out they are. */
+    /** The field's rounding error in x and z, and its maximum absolute coordinates added up, metres. */
     private double ulpX;
     private double ulpZ;
     private double far;
-    /** Cells a metre. */
+    /** Cells per metre. */
     private double perX;
     private double perZ;
-    /** What a place may be off the beam; likewise with the sign of its direction. */
+    /** Tolerance of a point on the ray, metres; ahead: with the sign of the direction. */
     private double slackX;
     private double slackY;
     private double slackZ;
@@ -57,10 +60,16 @@ public final class RayHeights {
     private double aheadZ;
     private double best;
     private double limit;
-    /** The triangle that the last successful {@link #intersect} met: twice the number of its south-western post, plus 1 west of the diagonal. */
+    /**
+     * Triangle of the last successful {@link #intersect}: twice the number of its south-western post, plus 1 west of
+     * the diagonal.
+     */
     private long triangle;
 
-    /** The distance to the nearest triangle up to a distance, both in units of the direction's length; the first of two that are equally near. */
+    /**
+     * Returns the distance to the nearest triangle within maxRange, both in lengths of the direction. Of equally near
+     * triangles the first wins.
+     */
     public double intersect(HeightField heights, double px, double py, double pz, double vx, double vy, double vz, double maxRange) {
         look(heights);
         aim(px, py, pz, vx, vy, vz);
@@ -72,11 +81,10 @@ public final class RayHeights {
     }
 
     /**
-     * The same of a block alone, in which the beam is known to come between the least and the greatest height.
-     *
-     * @param ray the beam: origin and direction
-     * @param from where it begins in ray
-     * @param in where the beam comes over the block, likewise out
+     * Intersects one block only, given that the ray passes between its minimum and maximum height.
+     * @param ray origin and direction
+     * @param from index of the origin in ray
+     * @param in distance at which the ray enters the block, likewise out where it leaves
      */
     double within(double[] ray, int from, int level, int row, int column, double in, double out, double maxRange) {
         aim(ray[from], ray[from + 1], ray[from + 2], ray[from + 3], ray[from + 4], ray[from + 5]);
@@ -87,14 +95,13 @@ public final class RayHeights {
         return run();
     }
 
-    /** Takes a field. */
     void look(HeightField heights) {
         if (heights != field) {
             measure(heights);
         }
     }
 
-    /** By what a place is taken to be off a beam which begins so far out, metres. */
+    /** Tolerance for a ray whose origin is this far from the field's origin, metres. */
     double slackX(double distance) {
         return ulpX + ROUNDING * distance;
     }
@@ -158,7 +165,7 @@ public final class RayHeights {
         far = Math.max(Math.abs(data[0]), Math.abs(data[1])) + farX + farZ;
     }
 
-    /** Begins with the least block over which all of the beam is that is over the field. */
+    /** Begins with the smallest block that contains the ray's part over the field. */
     private void start() {
         double sizeX = (field.rows - 1) * field.spacingX;
         double sizeZ = (field.columns - 1) * field.spacingZ;
@@ -182,7 +189,7 @@ public final class RayHeights {
         }
     }
 
-    /** The row of cells at a place, the nearest one beside the field. */
+    /** Returns the row of cells at x, clamped to the field. */
     private int row(double x) {
         return Math.max(0, Math.min((int) ((x - field.lowX) * perX), field.rows - 2));
     }
@@ -191,7 +198,10 @@ public final class RayHeights {
         return Math.max(0, Math.min((int) ((z - field.lowZ) * perZ), field.columns - 2));
     }
 
-    /** Keeps a block for later, if the part of the beam over it comes between its least and greatest height. A cell is a block of level -1. */
+    /**
+     * Pushes a block if the ray's part over it passes between its minimum and maximum height. A cell is a block of
+     * level -1.
+     */
     private void push(int level, int row, int column, float lowest, float highest, double in, double out) {
         boolean falls = dy < 0;
         double low = oy + (falls ? out : in) * dy;
@@ -205,7 +215,7 @@ public final class RayHeights {
         }
     }
 
-    /** Adds those of the four parts of a block over which the beam comes, in the opposite order. */
+    /** Pushes the children of a block under the ray, furthest first. */
     private void open(int level, int row, int column, double in, double out) {
         int size = 1 << level;
         double x = field.lowX + (2 * row + 1) * size * field.spacingX - ox;
@@ -222,7 +232,7 @@ public final class RayHeights {
         }
     }
 
-    /** The parts of a block's southern or northern half. */
+    /** Pushes the children of a block's southern or northern half. */
     private void half(int level, int row, int column, int northern, double in, double out, double enterZ, double leaveZ) {
         if (enterZ <= out) {
             part(level, row, column, northern, east, Math.max(in, enterZ), out);
@@ -269,7 +279,7 @@ public final class RayHeights {
         }
     }
 
-    /** Writes the upward normal of the triangle that the last successful {@link #intersect} met, of any length. */
+    /** Writes the upward normal, of any length, of the triangle of the last successful {@link #intersect}. */
     public void normal(HeightField heights, double[] out) {
         int post = (int) (triangle / 2);
         heights.triangle(post / heights.columns, post % heights.columns, (int) (triangle % 2), corners);

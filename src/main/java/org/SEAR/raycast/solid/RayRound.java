@@ -15,8 +15,7 @@ public final class RayRound implements RaySolid {
     }
 
     /**
-     * A solid cylinder.
-     *
+     * Creates a solid cylinder.
      * @param radius metres
      */
     public static RayRound cylinder(double radius, double halfHeight) {
@@ -24,15 +23,14 @@ public final class RayRound implements RaySolid {
     }
 
     /**
-     * A solid cone, apex at +halfHeight, base at -halfHeight.
-     *
+     * Creates a solid cone with the apex at +halfHeight and the base at -halfHeight.
      * @param radius of the base, metres
      */
     public static RayRound cone(double radius, double halfHeight) {
         return new RayRound(radius / 2, -radius / (2 * halfHeight), halfHeight);
     }
 
-    /** The beam is looked at from its point nearest to the centre, where no digits cancel. */
+    /** Solves from the ray's closest point to the centre to avoid cancellation. */
     @Override
     public double intersect(double ox, double oy, double oz, double dx, double dy, double dz) {
         double shift = -(ox * dx + oy * dy + oz * dz) / (dx * dx + dy * dy + dz * dz);

@@ -1,30 +1,27 @@
 package org.SEAR.raycast.solid;
 
 /**
- * A convex solid, centred in the origin of its own frame, as single beams meet it. Implementations are immutable and allocate nothing here: the loop
- * of beams calls them.
+ * A convex solid, centred at the origin of its own frame, for intersection with single rays. Implementations are
+ * immutable and allocate nothing in these methods, which the ray loop calls.
  */
 public interface RaySolid {
     /**
-     * Where a beam meets its surface, which belongs to it.
-     *
-     * @param ox origin of the beam, metres, likewise oy and oz
+     * Returns the distance to the surface, which belongs to the solid.
+     * @param ox origin of the ray, metres, likewise oy and oz
      * @param dx direction of any length but 0, likewise dy and dz
-     * @return the distance in units of the direction's length, from inside or on the surface the way out; {@code Double.POSITIVE_INFINITY} where the
-     *     beam misses
+     * @return the distance in lengths of the direction; from inside or on the surface, the exit distance;
+     *     {@code Double.POSITIVE_INFINITY} for a miss
      */
     double intersect(double ox, double oy, double oz, double dx, double dy, double dz);
 
     /**
-     * The outward normal, of any length but 0.
-     *
-     * @param point {x, y, z} on the surface, replaced by it
+     * Replaces a surface point by the outward normal, of any length but 0.
+     * @param point {x, y, z} on the surface
      */
     void normal(double[] point);
 
     /**
-     * How far it reaches from the origin in a direction and in the opposite one, metres, or more.
-     *
+     * Returns the maximum extent from the origin along a direction and its opposite, metres, or an upper bound.
      * @param dx unit direction, likewise dy and dz
      */
     double reach(double dx, double dy, double dz);

@@ -1,19 +1,18 @@
 package org.SEAR.raycast.solid;
 
-/** Where a beam meets one triangle of a mesh or of a height field. */
+/** Intersection of a ray with one triangle of a mesh or height field. */
 public final class RayTriangle {
-    /** Squared sine below which a triangle is seen edge-on and, having no thickness, not met. */
+    /** Squared sine below which a ray sees a triangle edge-on and misses it: triangles have no thickness. */
     private static final double EDGE_ON = 1e-24;
 
     private RayTriangle() {
     }
 
     /**
-     * Where a beam meets the triangle, from either side. Each edge is judged by the same numbers in both triangles that share it, so no beam slips
-     * through between them.
-     *
-     * @param v holds x, y and z of the corners, nine numbers from {@code at} on
-     * @return the distance as {@link RaySolid} has it
+     * Returns the distance to the triangle, from either side. Both triangles of a shared edge use the same edge values,
+     * so no ray slips through between them.
+     * @param v x, y and z of the corners, nine numbers from {@code at} on
+     * @return the distance as defined by {@link RaySolid}
      */
     public static double intersect(float[] v, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
         double ax = v[at] - ox;
@@ -51,7 +50,7 @@ public final class RayTriangle {
         return t >= 0 ? t : Double.POSITIVE_INFINITY;
     }
 
-    /** Writes its normal, counter-clockwise corners in front, of any length. */
+    /** Writes the normal, of any length. It points to the side that sees the corners counter-clockwise. */
     public static void normal(float[] v, int at, double[] out) {
         double ux = (double) v[at + 3] - v[at];
         double uy = (double) v[at + 4] - v[at + 1];

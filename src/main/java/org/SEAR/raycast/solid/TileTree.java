@@ -7,13 +7,13 @@ import org.SEAR.raycast.tree.Bvh;
 import org.SEAR.raycast.tree.BvhBuilder;
 
 /**
- * A hierarchy over the tiles of {@link HeightTiles}, by which beams find the few that they may meet before these are brought into memory. Immutable,
- * any thread. The same tiles share one as long as somebody holds them.
+ * Hierarchy over {@link HeightTiles}, by which rays find the few tiles they may hit before these are loaded. The same
+ * tiles share one hierarchy through a weak cache. Immutable, any thread.
  */
 public final class TileTree {
     private static final Map<HeightTiles, TileTree> KNOWN = new WeakHashMap<>();
 
-    /** Of the tiles' boxes, rounded outward; its items are their numbers. */
+    /** Hierarchy over the tiles' boxes, rounded outward. Its items are tile numbers. */
     public final Bvh tree;
 
     private TileTree(HeightTiles tiles) {
@@ -30,7 +30,7 @@ public final class TileTree {
         tree = BvhBuilder.build(boxes, 1);
     }
 
-    /** The hierarchy over these tiles, built when it is asked for the first time. */
+    /** Returns the hierarchy over these tiles; builds it at the first call. */
     public static TileTree of(HeightTiles tiles) {
         synchronized (KNOWN) {
             return KNOWN.computeIfAbsent(tiles, TileTree::new);

@@ -1,6 +1,7 @@
 /**
- * Where one beam meets one convex solid, one triangle or heights: a class for each kind; and how a model's triangles lie in memory. Uses
- * {@link org.SEAR.geometry} and {@link org.SEAR.raycast.tree}, and what these use. Nothing here allocates. Immutable, for any thread; only
- * {@link org.SEAR.raycast.solid.RayHeights} holds what one thread needs.
+ * Intersections of rays with convex solids, triangles and height fields, one class per kind, and the memory layout of a
+ * model's triangles. Uses {@link org.SEAR.geometry}, {@link org.SEAR.raycast.tree} and their dependencies. Casting
+ * allocates nothing. Classes are immutable, any thread, except {@link org.SEAR.raycast.solid.RayHeights} and
+ * {@link org.SEAR.raycast.solid.HeightsTile}: one instance per thread.
  */
 package org.SEAR.raycast.solid;

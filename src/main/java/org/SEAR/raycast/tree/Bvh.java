@@ -1,15 +1,15 @@
 package org.SEAR.raycast.tree;
 
 /**
- * A bounding volume hierarchy in one flat array. The two children of a node stand side by side, so that one look at memory fetches both. Bounds may
- * be refitted, the shape of the tree never changes. Any thread may read it while nobody refits.
+ * Bounding volume hierarchy in one flat array. The two children of a node are adjacent in memory, so one access fetches
+ * both. Bounds may be refitted; the topology never changes. Any thread may read it while no thread refits.
  */
 public final class Bvh {
-    /** No path from the root to a leaf is longer; the size of stacks. */
+    /** Maximum path length from the root to a leaf; the size of traversal stacks. */
     public static final int MAX_DEPTH = 96;
-    /** Floats of {@link #data} that a node takes: least x, y, z, greatest x, y, z, and the bits of two integers. */
+    /** Floats per node in {@link #data}: minimum x, y, z, maximum x, y, z, and the bits of two integers. */
     public static final int STRIDE = 8;
-    /** Floats of a node that are its bounds. */
+    /** Floats of a node's bounds. */
     public static final int BOUNDS = 6;
     public static final int LINK = 6;
     public static final int COUNT = 7;
@@ -23,17 +23,20 @@ public final class Bvh {
         this.items = items;
     }
 
-    /** Number of nodes with the root as 0, 0 without items. Number 1 is never used. */
+    /** Returns the number of nodes including the root, node 0; 0 without items. Node 1 is never used. */
     public int size() {
         return data.length / STRIDE;
     }
 
-    /** Inner node: number of the left child, the right one is the next. Leaf: where its items begin in {@link #items}. */
+    /**
+     * Inner node: returns the number of the left child; the right child follows it. Leaf: returns the index of its
+     * first item in {@link #items}.
+     */
     public int link(int node) {
         return Float.floatToRawIntBits(data[node * STRIDE + LINK]);
     }
 
-    /** Number of items of a leaf, 0 in inner nodes. */
+    /** Returns the number of items of a leaf, 0 for an inner node. */
     public int count(int node) {
         return Float.floatToRawIntBits(data[node * STRIDE + COUNT]);
     }
@@ -62,12 +65,12 @@ public final class Bvh {
         return changed;
     }
 
-    /** The greatest absolute coordinate of any item along an axis. */
+    /** Returns the greatest absolute coordinate of any item along an axis, metres. */
     public double farthest(int axis) {
         return data.length == 0 ? 0 : Math.max(Math.abs(data[axis]), Math.abs(data[axis + 3]));
     }
 
-    /** Half the surface of a node's bounds, m^2. */
+    /** Returns half the surface area of a node's bounds, m^2. */
     public double halfArea(int node) {
         return halfArea(data, node * STRIDE);
     }

@@ -8,9 +8,9 @@ import java.util.Arrays;
  */
 public final class BvhBuilder {
     private static final int BINS = 16;
-    /** Cost of visiting a node in units of testing an item. */
+    /** Cost of visiting a node relative to testing an item. */
     private static final double VISIT_COST = 1.5;
-    /** From here on nodes are halved, so that no path grows beyond {@link Bvh#MAX_DEPTH}. */
+    /** Depth from which nodes are halved, so that no path exceeds {@link Bvh#MAX_DEPTH}. */
     private static final int HALVING_DEPTH = Bvh.MAX_DEPTH - 34;
     private static final int STRIDE = Bvh.BOUNDS;
 
@@ -41,8 +41,9 @@ public final class BvhBuilder {
     }
 
     /**
-     * @param boxes six floats an item: least x, y, z, greatest x, y, z; reordered in place to the order of the tree's items
-     * @param leafSize greatest number of items in a leaf
+     * @param boxes six floats per item: minimum x, y, z, maximum x, y, z; reordered in place to the order of the tree's
+     *     items
+     * @param leafSize maximum number of items in a leaf
      */
     public static Bvh build(float[] boxes, int leafSize) {
         BvhBuilder builder = new BvhBuilder(boxes, leafSize);
@@ -77,9 +78,8 @@ public final class BvhBuilder {
     }
 
     /**
-     * Orders the items into two sides.
-     *
-     * @return where the right side begins, or -1 when a leaf is better
+     * Partitions the items into two sides.
+     * @return index of the right side's first item, or -1 if a leaf is cheaper
      */
     private int chooseSplit(int node, int from, int to, int depth) {
         int n = to - from;

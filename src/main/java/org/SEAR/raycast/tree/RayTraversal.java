@@ -1,34 +1,36 @@
 package org.SEAR.raycast.tree;
 
 /**
- * Leads one ray through a {@link Bvh}, leaf by leaf, nearer ones first: a ray meets a box where its stretches between the three pairs of parallel
- * planes overlap (the slab test of Kay and Kajiya, "Ray tracing complex scenes", 1986). It computes in single precision, rounded so that no node is
- * left out that the ray touches (Ize, "Robust BVH ray traversal", 2013); that some are visited in vain costs time, not correctness. The bits of
- * floats are compared as integers: that is right as long as negative numbers need no order among themselves, and spares the branches that {@code
- * Math.max} takes because of NaN and -0. One thread.
+ * Traverses a {@link Bvh} along one ray, nearer leaves first, with the slab test of Kay and Kajiya, "Ray tracing
+ * complex scenes", 1986. A ray hits a box where its intervals between the three pairs of planes overlap. Single
+ * precision is rounded so that no touched node is missed (Ize, "Robust BVH ray traversal", 2013). Extra visits cost
+ * time, not correctness. Float bits are compared as integers, which is valid as negative numbers need no order among
+ * themselves. This avoids the branches of {@code Math.max} for NaN and -0. One thread.
  */
 public final class RayTraversal {
-    /** Stands for 1 / 0, so that 0 * LARGEST is 0. */
+    /** Replaces 1 / 0, so that 0 * LARGEST is 0. */
     private static final double LARGEST = 1e30;
-    /** Relative; more than the rounding of a double to a float ... */
+    /** Relative error bound of rounding a double to a float. */
     private static final double FLOAT = 1.2e-7;
-    /** ... and for numbers whose floats have fewer digits: times {@link #LARGEST} it is farther than any beam goes. */
+    /**
+     * Absolute error bound near 0, where floats have fewer digits. Times {@link #LARGEST} it exceeds any ray's range.
+     */
     private static final double LEAST = 1e-12;
-    /** By how much the far side of a node and the limit are moved out: more than all roundings of the test together. */
+    /** Factor that moves out a node's far side and the limit, above all rounding errors of the test together. */
     private static final double SLACK = 1 + 1e-6;
 
-    /** Nodes looked at since the beginning. */
+    /** Number of nodes visited since construction. */
     public long nodes;
 
     private final int[] stack = new int[Bvh.MAX_DEPTH];
     private final int[] stackNear = new int[Bvh.MAX_DEPTH];
     private int depth;
     private float[] data;
-    /** Where a node holds the sides that the ray meets first. */
+    /** Offsets within a node of the sides that the ray enters. */
     private int sideX;
     private int sideY;
     private int sideZ;
-    /** The origin and 1 / direction as the near sides have to see them, and as the far sides have to. */
+    /** Origin and 1 / direction, rounded conservatively for near and far sides. */
     private float nearX;
     private float nearY;
     private float nearZ;
@@ -42,7 +44,7 @@ public final class RayTraversal {
     private float farIy;
     private float farIz;
 
-    /** Begins a ray; the direction may have any length but 0, and distances are in units of it. */
+    /** Begins a ray. The direction may have any length but 0; distances are in lengths of the direction. */
     public void start(Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz) {
         data = tree.data;
         depth = 0;
@@ -79,8 +81,8 @@ public final class RayTraversal {
     }
 
     /**
-     * The next leaf that the ray may meet up to a distance, -1 when there is none left. Of two children the one whose middle part of the ray comes
-     * first goes first: where boxes overlap, they often begin at the same place.
+     * Returns the next leaf that the ray may hit within limit, or -1. Visits the child first whose interval has the
+     * nearer midpoint, as overlapping boxes often share the entry point.
      */
     public int next(double limit) {
         float[] box = data;

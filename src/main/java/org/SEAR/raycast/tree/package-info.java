@@ -1,5 +1,5 @@
 /**
- * Hierarchies of bounding volumes: how they are built, and how a ray is led through one. Uses nothing of SEAR. A tree is read by any thread while
- * nobody refits it; who builds or walks has one of these for a thread.
+ * Bounding volume hierarchies: construction and ray traversal. Depends on no other package of SEAR. Any thread may read
+ * a tree while no thread refits it. Builders and traversals belong to one thread.
  */
 package org.SEAR.raycast.tree;

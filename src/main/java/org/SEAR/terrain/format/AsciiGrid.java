@@ -9,14 +9,15 @@ import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 
 /**
- * ESRI ASCII grid: a head of names and values, then the heights in metres, row by row from the north. It says no coordinate system; a .prj beside it
- * does, and without one coordinates that can be degrees are taken as degrees of WGS 84.
+ * ESRI ASCII grid: a header of names and values, then the elevations in metres, row by row from the north. The
+ * coordinate system comes from a .prj beside it. Without one, coordinates in the range of degrees count as degrees of
+ * WGS 84.
  */
 final class AsciiGrid extends ElevationMap {
     private static final int MAX_SIDE = 1_000_000;
-    /** Bytes of the head, and of white space somewhere. */
+    /** Maximum size of the header, and of white space, bytes. */
     private static final int MAX_HEAD = 1 << 16;
-    /** Bytes of a height and the white space behind it: a double's digits are 24 characters at most. */
+    /** Maximum size of an elevation and the white space after it, bytes; a double has at most 24 characters. */
     private static final int MAX_BYTES = 32;
     private static final Set<String> NAMES = Set.of("ncols", "nrows", "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx", "dy",
         "nodata_value");
@@ -30,7 +31,6 @@ final class AsciiGrid extends ElevationMap {
 
     /**
      * Reads a grid.
-     *
      * @param system from the .prj, or null
      */
     static AsciiGrid open(MapBytes file, String system) throws IOException {
@@ -53,9 +53,8 @@ final class AsciiGrid extends ElevationMap {
     }
 
     /**
-     * Looks at a grid's head, and whether its heights have room behind it.
-     *
-     * @throws IOException that says what is wrong there
+     * Checks a grid's header and whether the file size fits the number of posts.
+     * @throws IOException that describes the error
      */
     static void check(MapBytes file) throws IOException {
         Map<String, Double> head = head(file, new MapTokens(file));
@@ -130,6 +129,6 @@ final class AsciiGrid extends ElevationMap {
 
     @Override
     public void close() {
-        // the file was closed when it was read
+        // open() has read and closed the file
     }
 }

@@ -4,19 +4,19 @@ import java.io.Closeable;
 import java.io.IOException;
 
 /**
- * A raster of heights in a file, with its place on Earth if the file says it. Opening it reads its head, {@link #read} the posts that are asked for.
- * One thread at a time.
+ * Raster of elevations in a file, with its georeference if the file has one. Opening reads the header; {@link #read}
+ * reads a part. One thread at a time.
  */
 public abstract class ElevationMap implements Closeable {
-    /** The file, as written in the object. */
+    /** Path of the file, as written in the object. */
     public final String name;
-    /** From the first, in most maps the northernmost, to the last. */
+    /** Number of rows; in most maps the first is the northernmost. */
     public final int rows;
-    /** From the first, in most maps the westernmost, to the last. */
+    /** Number of columns; in most maps the first is the westernmost. */
     public final int columns;
-    /** Where the posts lie; null: the file doesn't say it. */
+    /** Georeference of the posts, or null. */
     public final Georeference place;
-    /** For pictures: the value of white, black being 0; NaN for files whose values are heights. */
+    /** For pictures: the value of white, with black as 0; NaN for files that contain elevations. */
     public final double white;
 
     ElevationMap(String name, int rows, int columns, Georeference place, double white) {
@@ -28,21 +28,22 @@ public abstract class ElevationMap implements Closeable {
     }
 
     /**
-     * Reads heights in metres, row by row; NaN where the map has none.
-     *
-     * @param row the first one, likewise column
-     * @param height how many rows, all of them in the map
-     * @param width how many columns, all of them in the map
-     * @throws IOException that names the file and what is wrong in it
+     * Reads elevations in metres, row by row; NaN where the map has no data.
+     * @param row first row, likewise column
+     * @param height number of rows, all inside the map
+     * @param width number of columns, all inside the map
+     * @throws IOException that names the file and the error
      */
     public abstract float[] read(int row, int column, int height, int width) throws IOException;
 
-    /** What lies beyond the end of the file, such as "3 of its 40 strips or tiles"; null if it is whole, or its kind is only read whole. */
+    /**
+     * Returns what is missing after the end of the file, such as "3 of its 40 strips or tiles". Returns null for a
+     * complete file or a format that is read as a whole.
+     */
     public String missing() {
         return null;
     }
 
-    /** Ends reading; reading what was read before goes on. */
     @Override
     public abstract void close() throws IOException;
 }

@@ -8,9 +8,9 @@ import org.SEAR.files.Assets;
 import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 
-/** Opens the files of elevation maps: by what they are, not only by how they are called. Any thread. */
+/** Opens elevation maps by content, not only by file ending. Any thread. */
 public final class ElevationMaps {
-    /** The endings of the files that can be read. */
+    /** Supported file endings. */
     public static final List<String> ENDINGS = List.of(".hgt", ".hgt.zip", ".tif", ".tiff", ".asc", ".png", ".jpg", ".jpeg", ".gif", ".bmp");
     private static final String LEGAL = "SRTM (.hgt, .hgt.zip), GeoTIFF (.tif), ESRI ASCII grid (.asc) or a grey picture (.png, .jpg, .bmp)";
     private static final int HEAD = 16;
@@ -18,7 +18,7 @@ public final class ElevationMaps {
     private ElevationMaps() {
     }
 
-    /** Whether a path names an elevation map by its ending. */
+    /** Returns whether a path has the ending of an elevation map. */
     public static boolean isMap(String path) {
         String lower = path.toLowerCase(Locale.ROOT);
         return ENDINGS.stream().anyMatch(lower::endsWith);
@@ -26,9 +26,8 @@ public final class ElevationMaps {
 
     /**
      * Opens a map.
-     *
      * @param path below the assets
-     * @throws IOException that names the file, what it is and what can be read
+     * @throws IOException that names the file, its format and the supported ones
      */
     public static ElevationMap open(Assets assets, String path) throws IOException {
         MapBytes bytes = MapBytes.open(assets, path);
@@ -41,10 +40,9 @@ public final class ElevationMaps {
     }
 
     /**
-     * Looks at a map's head, and at a picture, which is small, as a whole. What stands behind a head is looked at when it is read.
-     *
+     * Checks a map's header, or the whole of a picture. Data after a header is checked when it is read.
      * @param path below the assets
-     * @throws IOException that names the file, what it is and what can be read
+     * @throws IOException that names the file, its format and the supported ones
      */
     public static void check(Assets assets, String path) throws IOException {
         try (MapBytes bytes = MapBytes.open(assets, path)) {

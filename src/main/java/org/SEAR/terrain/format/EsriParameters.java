@@ -6,7 +6,10 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** A projection that a .prj spells out by ESRI's or OGC's names of methods and parameters, such as Lambert 93's, as parameters of PROJ. */
+/**
+ * Converts a projection in a .prj by ESRI's or OGC's names of methods and parameters, such as Lambert 93, to PROJ
+ * parameters.
+ */
 final class EsriParameters {
     private static final String NUMBER = "\\s*,\\s*([-+.\\dEe]+)\\s*";
     private static final Pattern METHOD = Pattern.compile("PROJECTION\\[\"(\\w+)\"", Pattern.CASE_INSENSITIVE);
@@ -21,7 +24,7 @@ final class EsriParameters {
         Map.entry("central_meridian", "lon_0"), Map.entry("longitude_of_center", "lon_0"), Map.entry("longitude_of_origin", "lon_0"),
         Map.entry("latitude_of_origin", "lat_0"), Map.entry("latitude_of_center", "lat_0"), Map.entry("standard_parallel_1", "lat_1"),
         Map.entry("standard_parallel_2", "lat_2"), Map.entry("scale_factor", "k_0"));
-    /** Names of datums that are WGS 84 within a metre or two. */
+    /** Names of datums that equal WGS 84 within one or two metres. */
     private static final Pattern NEAR_WGS84 = Pattern.compile("(D_)?(WGS_1984|ETRS_1989|European_Terrestrial_Reference_System_1989|RGF_?(19)?93\\w*|"
         + "Reseau_Geodesique_Francais_1993\\w*|North_American_(Datum_)?1983|NAD_?1983\\w*|GDA_?(1994|2020)|SIRGAS_2000|NZGD_2000|JGD_20(00|11))",
         Pattern.CASE_INSENSITIVE);
@@ -31,10 +34,9 @@ final class EsriParameters {
     }
 
     /**
-     * What PROJ calls it.
-     *
+     * Returns the projection as PROJ parameters.
      * @param text well-known text
-     * @return null if it is none of those that are known here
+     * @return null for an unsupported projection
      */
     static String of(String text) {
         Matcher method = METHOD.matcher(text);
@@ -51,7 +53,7 @@ final class EsriParameters {
             return null;
         }
         if (proj.equals("lcc")) {
-            // with one standard parallel, ESRI's names have it as the first, OGC's as the origin
+            // ESRI stores a single standard parallel as the first one, OGC as the latitude of origin
             parameters.putIfAbsent("lat_1", parameters.getOrDefault("lat_0", 0.0));
             parameters.putIfAbsent("lat_2", parameters.get("lat_1"));
         }
@@ -72,7 +74,10 @@ final class EsriParameters {
         return parameters;
     }
 
-    /** The unit of the projection, which comes last; null if it is none of PROJ's, or angles are no degrees. */
+    /**
+     * Returns the projection's unit, the last one in the text. Returns null if PROJ lacks it or angles are not in
+     * degrees.
+     */
     private static String unit(String text) {
         Matcher unit = UNIT.matcher(text);
         double first = unit.find() ? number(unit.group(1)) : 0;
@@ -83,7 +88,7 @@ final class EsriParameters {
         return last == 1 ? "m" : near(last, 0.3048) ? "ft" : near(last, 1200 / 3937.0) ? "us-ft" : null;
     }
 
-    /** International and US survey feet differ by 6e-7 of a metre. */
+    /** Tolerance below the difference between international and US survey feet, 6e-7 m. */
     private static boolean near(double a, double b) {
         return Math.abs(a - b) < 1e-9;
     }

@@ -8,7 +8,10 @@ import java.util.regex.Pattern;
 import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 
-/** The coordinate system in a .prj beside a grid: well-known text of ESRI or OGC, or lines such as "Projection GEOGRAPHIC" of older grids. */
+/**
+ * Coordinate system in a .prj beside a grid: well-known text of ESRI or OGC, or lines such as "Projection GEOGRAPHIC"
+ * of older grids.
+ */
 final class EsriProjection {
     private static final int MOST = 1 << 16;
     private static final Pattern AUTHORITY = Pattern.compile("(?:AUTHORITY\\[\"EPSG\",\"?|ID\\[\"EPSG\",)(\\d{4,6})\"?\\]\\s*\\]\\s*$",
@@ -21,10 +24,9 @@ final class EsriProjection {
     }
 
     /**
-     * Which system it is.
-     *
-     * @return EPSG:NUMBER
-     * @throws IOException if it is none that can be told
+     * Returns the coordinate system.
+     * @return EPSG:NUMBER or PROJ parameters
+     * @throws IOException for an unsupported system
      */
     static String system(MapBytes file) throws IOException {
         FileLimits.range(file.getName(), "the file's size", file.size(), 1, MOST);

@@ -2,7 +2,7 @@ package org.SEAR.terrain.format;
 
 import java.util.Locale;
 
-/** What a file is, by its first bytes. */
+/** Recognises a file format by its first bytes. */
 final class FileKind {
     static final String TIFF = "a TIFF";
     static final String PICTURE = "a picture";
@@ -27,8 +27,7 @@ final class FileKind {
     }
 
     /**
-     * What it is.
-     *
+     * Returns the format as used in messages.
      * @param head the first bytes as characters
      */
     static String of(String head) {

@@ -6,7 +6,7 @@ import java.util.Map;
 import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.TiffFile;
 
-/** Where a GeoTIFF says that it lies (OGC GeoTIFF 1.1). */
+/** Georeference and vertical unit in a GeoTIFF (OGC GeoTIFF 1.1). */
 final class GeoKeys {
     private static final int PIXEL_SCALE = 33550;
     private static final int TIE_POINTS = 33922;
@@ -25,7 +25,7 @@ final class GeoKeys {
     private static final int PIXEL_IS_POINT = 2;
     private static final int GEOCENTRIC = 3;
     private static final Map<Integer, Double> METRES = Map.of(9001, 1.0, 9002, 0.3048, 9003, 1200 / 3937.0);
-    /** Vertical systems in feet: EPSG's NAVD 88 and NGVD 29. */
+    /** EPSG numbers of vertical systems in feet (NAVD 88, NGVD 29), with the foot's length in metres. */
     private static final Map<Integer, Double> VERTICAL_FEET = Map.of(6360, 1200 / 3937.0, 5702, 1200 / 3937.0, 8228, 0.3048);
 
     private final TiffFile file;
@@ -45,7 +45,7 @@ final class GeoKeys {
         }
     }
 
-    /** Metres in a unit of the heights. */
+    /** Returns the length of the elevations' unit in metres. */
     double metres() throws IOException {
         int unit = keys.getOrDefault(VERTICAL_UNITS, 0);
         if (unit != 0 && unit != USER_DEFINED) {
@@ -58,7 +58,7 @@ final class GeoKeys {
         return VERTICAL_FEET.getOrDefault(keys.getOrDefault(VERTICAL, 0), 1.0);
     }
 
-    /** Where the pixels' centres lie; null if the file doesn't say it. */
+    /** Returns the georeference of the pixels' centres, or null. */
     Georeference place() throws IOException {
         double[] matrix = file.doubles(TRANSFORMATION, "ModelTransformation", 16);
         double[] scale = file.doubles(PIXEL_SCALE, "ModelPixelScale", 3);
@@ -91,7 +91,7 @@ final class GeoKeys {
         boolean geocentric = keys.getOrDefault(MODEL_TYPE, 0) == GEOCENTRIC;
         if (geocentric || projected == USER_DEFINED || projected == 0 && geographic == USER_DEFINED) {
             throw FileLimits.wrong(file.name, "the coordinate system", geocentric ? "geocentric" : "defined by user",
-                "one with an EPSG number: bring it to one, for example by gdalwarp -t_srs EPSG:4326");
+                "one with an EPSG number: convert it, for example by gdalwarp -t_srs EPSG:4326");
         }
         if (projected == 0 && geographic != 0 && keys.getOrDefault(ANGULAR_UNITS, DEGREE) != DEGREE) {
             throw FileLimits.wrong(file.name, "the unit of angles", "EPSG " + keys.get(ANGULAR_UNITS), DEGREE + " (degree)");

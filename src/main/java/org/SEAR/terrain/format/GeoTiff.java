@@ -14,19 +14,19 @@ import org.SEAR.terrain.tiff.MapBytes;
 import org.SEAR.terrain.tiff.TiffFile;
 import org.SEAR.terrain.tiff.TiffImage;
 
-/** A TIFF with one value a pixel, which is a height if the file says where on Earth it lies, and a grey otherwise. */
+/** TIFF with one value per pixel: an elevation if the file is georeferenced, otherwise a grey. */
 final class GeoTiff extends ElevationMap {
     private static final int METADATA = 42112;
     private static final int NO_DATA = 42113;
     private static final int MAX_METADATA = 16 << 20;
-    /** What GDAL and its users call metres, feet and US survey feet, in metres. */
+    /** Length in metres of the units that GDAL and its users name. */
     private static final Map<String, Double> UNITS = Map.of("m", 1.0, "metre", 1.0, "meter", 1.0, "metres", 1.0, "meters", 1.0, "ft", 0.3048,
         "foot", 0.3048, "feet", 0.3048, "us-ft", 1200 / 3937.0, "us survey foot", 1200 / 3937.0);
 
     private final TiffImage image;
-    /** Metres in a unit of the values. */
+    /** Length of the values' unit in metres. */
     private final double metres;
-    /** Metres of the value 0. */
+    /** Elevation of the value 0, metres. */
     private final double zero;
     private final double noData;
 
@@ -43,7 +43,7 @@ final class GeoTiff extends ElevationMap {
         TiffFile file = new TiffFile(bytes);
         TiffImage image = new TiffImage(file);
         if (image.samples != 1) {
-            throw FileLimits.wrong(file.name, "SamplesPerPixel", image.samples, "1, the height (several are colours: such a file goes to setImage)");
+            throw FileLimits.wrong(file.name, "SamplesPerPixel", image.samples, "1, the elevation (use setImage for colours)");
         }
         if (image.rows < 2 || image.columns < 2) {
             throw FileLimits.wrong(file.name, "the size", image.rows + " x " + image.columns, "at least 2 x 2 posts");
@@ -53,7 +53,9 @@ final class GeoTiff extends ElevationMap {
         return new GeoTiff(image, keys.place(), unit * metadata(file, "scale", 1), unit * metadata(file, "offset", 0), noData(file));
     }
 
-    /** As GDAL reads it: its own word for the values' unit counts before that of the coordinate system. */
+    /**
+     * Returns the unit's length in metres. As in GDAL, GDAL's own unit takes precedence over the coordinate system's.
+     */
     private static double unit(TiffFile file, GeoKeys keys) throws IOException {
         String name = item(file, "unittype");
         if (name == null || name.isEmpty()) {
@@ -67,14 +69,14 @@ final class GeoTiff extends ElevationMap {
         return metres;
     }
 
-    /** The text of an item of GDAL's; null if there is none. */
+    /** Returns the text of an item of GDAL's metadata, or null. */
     private static String item(TiffFile file, String role) throws IOException {
         String text = file.text(METADATA, "GDAL_METADATA", MAX_METADATA);
         Matcher item = Pattern.compile("<Item [^>]*role=\"" + role + "\"[^>]*>([^<]*)</Item>").matcher(text == null ? "" : text);
         return item.find() ? item.group(1).trim() : null;
     }
 
-    /** What GDAL says of how values become heights. */
+    /** Returns a number of GDAL's metadata: scale or offset of the values. */
     private static double metadata(TiffFile file, String role, double without) throws IOException {
         String item = item(file, role);
         if (item == null) {

@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Writes heights as a plain GeoTIFF: 32-bit floating point, one strip, not compressed, pixels as points, placed by a ModelTransformation (OGC GeoTIFF
- * 1.1, TIFF 6.0). One use, one thread.
+ * Writes elevations as a plain GeoTIFF: 32-bit floating point, one uncompressed strip, pixel is point,
+ * ModelTransformation (OGC GeoTIFF 1.1, TIFF 6.0). One use, one thread.
  */
 public final class GeoTiffWriter {
     private static final int SHORT = 3;
@@ -30,17 +30,16 @@ public final class GeoTiffWriter {
     private GeoTiffWriter() {
     }
 
-    /** Whether a place can be written: its coordinate system has a number. */
+    /** Returns whether a georeference can be written: its coordinate system needs an EPSG number. */
     public static boolean canWrite(Georeference place) {
         return place != null && place.system != null && place.system.matches(EPSG + "[0-9]{1,5}");
     }
 
     /**
-     * The bytes of a file.
-     *
-     * @param place of the post in the first row and column; {@link #canWrite} says whether it can be
-     * @param degrees whether the coordinate system is a geographic one
-     * @param heights metres, row by row, NaN where there is none
+     * Returns the bytes of a file.
+     * @param place georeference that {@link #canWrite}; the first post is in row 0 and column 0
+     * @param degrees whether the coordinate system is geographic
+     * @param heights metres, row by row, NaN for no data
      */
     public static byte[] bytes(Georeference place, boolean degrees, int rows, int columns, float[] heights) {
         return new GeoTiffWriter().write(place, degrees, rows, columns, heights);
@@ -114,7 +113,7 @@ public final class GeoTiffWriter {
         entry(tag, ASCII, bytes.length, bytes);
     }
 
-    /** An entry of the directory; what has more than four bytes stands behind it, at an even place. */
+    /** Adds an entry of the directory. Values of more than four bytes follow the directory at an even offset. */
     private void entry(int tag, int type, int number, byte[] value) {
         ByteBuffer entry = buffer(ENTRY).putShort((short) tag).putShort((short) type).putInt(number);
         if (value.length <= Integer.BYTES) {

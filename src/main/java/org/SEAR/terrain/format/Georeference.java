@@ -3,18 +3,18 @@ package org.SEAR.terrain.format;
 import java.util.Objects;
 
 /**
- * Where the posts of a map lie: map coordinates (degrees east and north, or metres or feet of a projection) as an affine function of a post's column
- * and row. A post is the centre of its pixel, also where the file counts from pixels' corners. Immutable, any thread.
+ * Position of a map's posts: map coordinates (degrees east and north, or metres or feet of a projection) as an affine
+ * function of column and row. A post is the centre of its pixel, even if the file refers to pixel corners. Immutable,
+ * any thread.
  */
 public final class Georeference {
     /** WGS 84, longitude and latitude in degrees. */
     public static final String WGS84 = "EPSG:4326";
 
-    /** The coordinate system: EPSG:NUMBER or parameters of PROJ; null: none is known. */
+    /** Coordinate system: EPSG:NUMBER or PROJ parameters; null if unknown. */
     public final String system;
     /** Map coordinates of the post in column 0 and row 0. */
     public final double x0;
-    /** Likewise. */
     public final double y0;
     /** Change of x from column to column. */
     public final double xColumn;
@@ -27,7 +27,7 @@ public final class Georeference {
     private final double determinant;
 
     /**
-     * @param system EPSG:NUMBER, parameters of PROJ, or null
+     * @param system EPSG:NUMBER, PROJ parameters, or null
      * @param x0 map coordinates of the first post, likewise y0
      * @param xColumn change of x from column to column; yColumn of y; xRow of x from row to row; yRow of y
      */
@@ -42,57 +42,57 @@ public final class Georeference {
         this.determinant = xColumn * yRow - yColumn * xRow;
     }
 
-    /** Whether all numbers are finite and rows and columns don't lie on one line. */
+    /** Returns whether all numbers are finite and rows and columns are not parallel. */
     public boolean isRegular() {
         return Double.isFinite(x0) && Double.isFinite(y0) && Double.isFinite(determinant) && Math.abs(determinant) > 1e-24;
     }
 
-    /** Map coordinate. */
     public double x(double column, double row) {
         return x0 + xColumn * column + xRow * row;
     }
 
-    /** Map coordinate. */
     public double y(double column, double row) {
         return y0 + yColumn * column + yRow * row;
     }
 
-    /** The column at map coordinates, with fractions. */
+    /** Returns the fractional column at map coordinates. */
     public double column(double x, double y) {
         return ((x - x0) * yRow - (y - y0) * xRow) / determinant;
     }
 
-    /** The row at map coordinates, with fractions. */
+    /** Returns the fractional row at map coordinates. */
     public double row(double x, double y) {
         return ((y - y0) * xColumn - (x - x0) * yColumn) / determinant;
     }
 
-    /** The same grid counted from another post. */
+    /** Returns the same grid with another post as its first. */
     public Georeference from(double column, double row) {
         return new Georeference(system, x(column, row), y(column, row), xColumn, yColumn, xRow, yRow);
     }
 
-    /** The same grid elsewhere. */
+    /** Returns the grid shifted by (x, y) map units. */
     public Georeference moved(double x, double y) {
         return new Georeference(system, x0 + x, y0 + y, xColumn, yColumn, xRow, yRow);
     }
 
-    /** The same grid in another coordinate system. */
+    /** Returns the same numbers in another coordinate system. */
     public Georeference in(String other) {
         return new Georeference(other, x0, y0, xColumn, yColumn, xRow, yRow);
     }
 
-    /** Map units from column to column. */
+    /** Returns the distance between columns, map units. */
     public double columnSpacing() {
         return Math.hypot(xColumn, yColumn);
     }
 
-    /** Map units from row to row. */
+    /** Returns the distance between rows, map units. */
     public double rowSpacing() {
         return Math.hypot(xRow, yRow);
     }
 
-    /** Whether the rows and columns of another one lie on those of this one, to a hundredth of a cell over so many of them. */
+    /**
+     * Returns whether another grid's rows and columns coincide with this grid's, within 0.01 cells over the given size.
+     */
     public boolean isAligned(Georeference other, int columns, int rows) {
         return Objects.equals(system, other.system) && isWhole(column(other.x0, other.y0)) && isWhole(row(other.x0, other.y0))
             && near(column(other.x(columns, rows), other.y(columns, rows)) - column(other.x0, other.y0), columns)

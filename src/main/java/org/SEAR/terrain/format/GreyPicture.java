@@ -16,7 +16,7 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.SEAR.files.FileLimits;
 import org.SEAR.files.UnreadablePicture;
 
-/** A picture of 8 or 16 bits whose greys are heights: black the lowest, white the highest. It has no place on Earth. */
+/** Picture of 8 or 16 bits whose greys are elevations: black the lowest, white the highest. Has no georeference. */
 final class GreyPicture extends ElevationMap {
     private final Raster raster;
 
@@ -26,9 +26,8 @@ final class GreyPicture extends ElevationMap {
     }
 
     /**
-     * Unpacks a picture.
-     *
-     * @param bytes checked ones, see {@link org.SEAR.files.Assets#readPicture}
+     * Decodes a picture.
+     * @param bytes checked by {@link org.SEAR.files.Assets#readPicture}
      */
     static GreyPicture open(String name, byte[] bytes) throws IOException {
         BufferedImage image = unpacked(name, bytes);
@@ -91,6 +90,6 @@ final class GreyPicture extends ElevationMap {
 
     @Override
     public void close() {
-        // the file was closed when it was read
+        // the bytes are in memory
     }
 }

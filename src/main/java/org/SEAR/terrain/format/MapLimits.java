@@ -1,12 +1,15 @@
 package org.SEAR.terrain.format;
 
-/** How much of a map may be used; docs/terrain.md has the same numbers. */
+/** Limits of maps. docs/terrain.md lists the same numbers. */
 public final class MapLimits {
-    /** Posts of the ground that is made of maps; more than {@link #MAX_POSTS} of them are not held in memory all at once. */
+    /**
+     * Maximum number of posts of a ground built from maps. Grounds above {@link #MAX_POSTS} are not held in memory as a
+     * whole.
+     */
     public static final int MOST_POSTS = 150_000_000;
-    /** Posts that are held in memory: of one map, and of the ground that is made of maps. */
+    /** Maximum number of posts held in memory, of one map or of a ground. */
     public static final int MAX_POSTS = 16_000_000;
-    /** Metres above or below 0; what is beyond counts as no data. */
+    /** Greatest elevation above or below 0, metres; values beyond count as no data. */
     public static final double HIGHEST = 32_000;
 
     private MapLimits() {

@@ -4,12 +4,12 @@ import java.io.IOException;
 import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 
-/** The words of a text between white space, read piece by piece, and the numbers that they are. One thread at a time. */
+/** Splits a text at white space and parses numbers, reading the file piecewise. One thread at a time. */
 final class MapTokens {
     private static final int LONGEST = 64;
-    /** White space between two words. */
+    /** Maximum white space between two words, characters. */
     private static final int WIDEST = 1 << 16;
-    /** So many digits fit into a long, and into a double's fraction. */
+    /** Number of digits that a long and a double's mantissa hold exactly. */
     private static final int PLAIN = 15;
     private static final double[] POWERS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
@@ -38,7 +38,7 @@ final class MapTokens {
         return piece[at++] & 0xff;
     }
 
-    /** Goes to the next word; false at the end. */
+    /** Reads the next word. Returns false at the end. */
     boolean next() throws IOException {
         length = 0;
         int c = read();
@@ -50,7 +50,7 @@ final class MapTokens {
         }
         if (c >= 0 && c < ' ') {
             throw FileLimits.wrong(file.getName(), "the character at byte " + place(), c, "text: numbers of an ESRI ASCII grid (is it another"
-                + " file, or one that was not written to its end?)");
+                + " or an incomplete file?)");
         }
         while (c > ' ') {
             if (length == LONGEST) {
@@ -66,17 +66,17 @@ final class MapTokens {
         return c == ' ' || c >= '\t' && c <= '\r';
     }
 
-    /** Where in the file the last character was. */
+    /** Returns the position of the last character in the file. */
     private long place() {
         return position - filled + at - 1;
     }
 
-    /** The word; empty at the end. */
+    /** Returns the word; empty at the end. */
     String text() {
         return new String(word, 0, length);
     }
 
-    /** The word as the height of a post. Numbers of a few digits, which most heights are, are read without making a string. */
+    /** Returns the word as the elevation of a post. Short numbers, which most are, need no string. */
     double number(int post, int columns) throws IOException {
         int start = length > 0 && word[0] == '-' ? 1 : 0;
         long value = 0;
@@ -98,16 +98,15 @@ final class MapTokens {
     }
 
     /**
-     * A word as a number.
-     *
+     * Parses a word as a number.
      * @param what its name in messages
-     * @throws IOException if it is none, or missing
+     * @throws IOException if the word is missing or no number
      */
     static double number(String file, String what, String text) throws IOException {
         if (text.isEmpty()) {
             throw FileLimits.wrong(file, what, "missing", "a number (is the file cut off?)");
         }
-        if (text.equalsIgnoreCase("nan")) {     // as GDAL writes it where there is no height
+        if (text.equalsIgnoreCase("nan")) {     // GDAL writes nan for no data
             return Double.NaN;
         }
         try {

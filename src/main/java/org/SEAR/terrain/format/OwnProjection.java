@@ -3,7 +3,7 @@ package org.SEAR.terrain.format;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** A projection that a file spells out instead of its EPSG number, in a GeoTIFF's keys (OGC GeoTIFF 1.1, annex C), as parameters of PROJ. */
+/** Converts a user-defined projection in a GeoTIFF's keys (OGC GeoTIFF 1.1, annex C) to PROJ parameters. */
 final class OwnProjection {
     private static final int METHOD = 3075;
     private static final int UNITS = 3076;
@@ -12,11 +12,14 @@ final class OwnProjection {
     private static final int ELLIPSOID = 2056;
     private static final int USER_DEFINED = 32767;
     private static final Map<Integer, String> METHODS = Map.of(1, "tmerc", 8, "lcc", 10, "laea", 11, "aea");
-    /** By EPSG number of a geographic system, its datum or its ellipsoid: those that are WGS 84 within a metre or two. */
+    /**
+     * Ellipsoids by EPSG number of the geographic system, datum or ellipsoid: those that equal WGS 84 within one or two
+     * metres.
+     */
     private static final Map<Integer, String> ELLIPSOIDS = Map.of(4326, "WGS84", 4269, "GRS80", 4258, "GRS80", 6318, "GRS80", 6326, "WGS84",
         6269, "GRS80", 6258, "GRS80", 1116, "GRS80", 7030, "WGS84", 7019, "GRS80");
     private static final Map<Integer, String> METRES = Map.of(9001, "m", 9002, "ft", 9003, "us-ft");
-    /** What each parameter is called by PROJ, and the keys that may hold it. */
+    /** PROJ name of each parameter and the keys that may contain it. */
     private static final Object[][] PARAMETERS = {
         {"lat_1", 3078}, {"lat_2", 3079}, {"lon_0", 3080, 3084, 3088}, {"lat_0", 3081, 3085, 3089}, {"x_0", 3082, 3086}, {"y_0", 3083, 3087},
         {"k_0", 3092},
@@ -26,11 +29,10 @@ final class OwnProjection {
     }
 
     /**
-     * What PROJ calls it.
-     *
-     * @param keys numbers of the GeoTIFF's keys
-     * @param values of those keys that are no whole numbers
-     * @return null if it is none of those that are known here
+     * Returns the projection as PROJ parameters.
+     * @param keys whole-number keys of the GeoTIFF
+     * @param values floating-point keys
+     * @return null for an unsupported projection
      */
     static String of(Map<Integer, Integer> keys, Map<Integer, Double> values) {
         String method = METHODS.get(keys.getOrDefault(METHOD, 0));
@@ -53,9 +55,8 @@ final class OwnProjection {
     }
 
     /**
-     * What PROJ calls a projection.
-     *
-     * @param parameters by PROJ's names; lengths in the unit of the map's coordinates, where PROJ has metres
+     * Formats PROJ parameters.
+     * @param parameters by PROJ's names; lengths in the map's unit, converted to metres
      * @param unit m, ft or us-ft
      */
     static String text(String method, Map<String, Double> parameters, String ellipsoid, String unit) {

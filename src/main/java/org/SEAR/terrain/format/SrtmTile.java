@@ -14,8 +14,8 @@ import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 
 /**
- * A tile of SRTM, or of others in its format: one degree by one degree of signed 16-bit big-endian metres above the geoid, north row first, without a
- * head. The name is the south-west corner; the outermost rows and columns lie on the degree lines.
+ * SRTM tile, or a tile in its format: one degree by one degree, signed 16-bit big-endian metres above the geoid, north
+ * row first, no header. The name gives the south-west corner. The outermost rows and columns are on the degree lines.
  */
 final class SrtmTile extends ElevationMap {
     private static final short NO_DATA = -32768;
@@ -30,12 +30,12 @@ final class SrtmTile extends ElevationMap {
         this.bytes = bytes;
     }
 
-    /** Whether a file is as large as a tile. */
+    /** Returns whether a file has the size of a tile. */
     static boolean isTile(long size) {
         return Arrays.stream(SIDES).anyMatch(side -> size == 2L * side * side);
     }
 
-    /** Opens a tile, packed or not. */
+    /** Opens a plain or zipped tile. */
     static SrtmTile open(MapBytes file) throws IOException {
         MapBytes bytes = file.getName().toLowerCase(Locale.ROOT).endsWith(".zip") ? unpacked(file) : file;
         if (!isTile(bytes.size())) {
@@ -50,7 +50,7 @@ final class SrtmTile extends ElevationMap {
         String file = path.substring(path.lastIndexOf('/') + 1);
         Matcher name = NAME.matcher(file);
         if (!name.matches()) {
-            throw FileLimits.wrong(path, "the file's name", file, "a tile is named after its south-west corner, such as N36W085.hgt");
+            throw FileLimits.wrong(path, "the file's name", file, "the tile's south-west corner, such as N36W085.hgt");
         }
         int latitude = Integer.parseInt(name.group(2)) * (name.group(1).equalsIgnoreCase("N") ? 1 : -1);
         int longitude = Integer.parseInt(name.group(4)) * (name.group(3).equalsIgnoreCase("E") ? 1 : -1);
@@ -83,11 +83,11 @@ final class SrtmTile extends ElevationMap {
         } catch (ZipException | EOFException | IllegalArgumentException e) {
             throw new IOException(file.getName() + ": the zip is broken (" + e.getMessage() + "), legal: a whole zip with a .hgt inside", e);
         }
-        throw FileLimits.wrong(file.getName(), "what is in the zip", "no .hgt among the first " + MAX_ENTRIES + " files",
+        throw FileLimits.wrong(file.getName(), "the zip's content", "no .hgt among the first " + MAX_ENTRIES + " files",
             "a zip with a .hgt inside");
     }
 
-    /** The next entry; what is skipped to get there is bounded. */
+    /** Returns the next entry; limits how many bytes are skipped. */
     private static ZipEntry nextOf(ZipInputStream zip, String name) throws IOException {
         long left = MapBytes.MAX_UNPACKED;
         byte[] some = new byte[1 << 16];

@@ -7,16 +7,18 @@ import org.SEAR.terrain.tiff.MapBytes;
 import org.SEAR.terrain.tiff.TiffFile;
 import org.SEAR.terrain.tiff.TiffImage;
 
-/** A GeoTIFF of colours, such as an aerial picture: grey, red-green-blue, or these with transparency, 8 bits each. One thread at a time. */
+/**
+ * GeoTIFF of colours, such as an aerial picture: grey or RGB, with or without alpha, 8 bits each. One thread at a time.
+ */
 public final class TiffPicture implements Closeable {
     private static final int PALETTE = 3;
     private static final int CMYK = 5;
 
-    /** Where the pixels' centres lie. */
+    /** Georeference of the pixels' centres. */
     public final Georeference place;
-    /** From the first, in most pictures the northernmost, to the last. */
+    /** Number of rows; in most pictures the first is the northernmost. */
     public final int rows;
-    /** From the first, in most pictures the westernmost, to the last. */
+    /** Number of columns; in most pictures the first is the westernmost. */
     public final int columns;
     private final TiffImage image;
 
@@ -29,8 +31,7 @@ public final class TiffPicture implements Closeable {
 
     /**
      * Opens a picture.
-     *
-     * @throws IOException that names the file, what is wrong and what is legal
+     * @throws IOException that names the file, the invalid value and the legal ones
      */
     public static TiffPicture open(MapBytes bytes) throws IOException {
         TiffFile file = new TiffFile(bytes);
@@ -53,12 +54,11 @@ public final class TiffPicture implements Closeable {
     }
 
     /**
-     * Reads a part, made smaller.
-     *
-     * @param row the first one, likewise column
-     * @param height how many rows, all of them in the picture; likewise width
-     * @param factor so many pixels a side become one, their mean
-     * @return colours 0xAARRGGBB, row by row; the last row and column may be of less pixels
+     * Reads a downscaled part.
+     * @param row first row, likewise column
+     * @param height number of rows, all inside the picture; likewise width
+     * @param factor number of pixels per side that are averaged to one
+     * @return colours 0xAARRGGBB, row by row; the last row and column may average fewer pixels
      */
     public int[] read(int row, int column, int height, int width, int factor) throws IOException {
         image.requireFew(row, column, height, width);
@@ -96,7 +96,7 @@ public final class TiffPicture implements Closeable {
         return blocks;
     }
 
-    /** Adds a row's colours to those of the pixels that they become. */
+    /** Adds a row's colours to the sums of the downscaled pixels. */
     private void add(byte[][] blocks, int row, int column, int width, int factor, long[] sums) {
         int planes = image.together ? 1 : image.samples;
         int apart = image.samplesTogether();

@@ -1,5 +1,5 @@
 /**
- * Files of elevation maps: SRTM tiles, GeoTIFF, ASCII grids and grey pictures. Nothing in a file is believed before it is checked. Uses
- * {@link org.SEAR.terrain.tiff}, and what that uses. Any thread.
+ * Elevation map formats: SRTM tiles, GeoTIFF, ASCII grids and grey pictures. Every value of a file is checked before
+ * use. Uses {@link org.SEAR.terrain.tiff} and its dependencies. Any thread.
  */
 package org.SEAR.terrain.format;

@@ -12,13 +12,13 @@ import org.SEAR.files.Assets;
 import org.SEAR.files.FileLimits;
 
 /**
- * The bytes of a map's file, of which only those are read that are asked for: a file that is larger than what is used of it takes no more memory.
- * One thread at a time.
+ * Bytes of a map file. Reads only requested parts, so a large file takes no more memory than the parts in use. One
+ * thread at a time.
  */
 public final class MapBytes implements Closeable {
-    /** Bytes of a map's file. */
+    /** Maximum size of a map file, bytes. */
     public static final long MAX_FILE = 4L << 30;
-    /** Bytes of a map that comes with SEAR or is unpacked: it is kept in memory as a whole. */
+    /** Maximum size of a bundled or unpacked map, which is in memory as a whole, bytes. */
     public static final int MAX_UNPACKED = 64 << 20;
 
     private final String name;
@@ -35,10 +35,9 @@ public final class MapBytes implements Closeable {
     }
 
     /**
-     * The bytes of an asset.
-     *
+     * Opens an asset.
      * @param path as written in an object
-     * @throws IOException if there is none, it is empty or too large
+     * @throws IOException if the asset is missing, empty or too large
      */
     public static MapBytes open(Assets assets, String path) throws IOException {
         Path file = assets.getFolder().resolve(path);
@@ -59,30 +58,28 @@ public final class MapBytes implements Closeable {
     }
 
     /**
-     * Bytes in memory.
-     *
-     * @param name what messages call them
-     * @throws IOException if there are none
+     * Wraps bytes in memory.
+     * @param name their name in messages
+     * @throws IOException if the array is empty
      */
     public static MapBytes of(String name, byte[] bytes) throws IOException {
         return new MapBytes(name, null, bytes, bytes.length);
     }
 
-    /** What messages call the file. */
+    /** Returns the file's name in messages. */
     public String getName() {
         return name;
     }
 
-    /** How many there are. */
+    /** Returns the size, bytes. */
     public long size() {
         return size;
     }
 
     /**
      * Reads a part.
-     *
      * @param what the part's name in messages
-     * @throws IOException if the file ends before
+     * @throws IOException if the file ends before the part does
      */
     public byte[] read(String what, long position, int length) throws IOException {
         requirePart(what, position, length);
@@ -92,10 +89,9 @@ public final class MapBytes implements Closeable {
     }
 
     /**
-     * Reads a part into an array, from its start.
-     *
+     * Reads a part into an array, from index 0.
      * @param what the part's name in messages
-     * @throws IOException if the file ends before
+     * @throws IOException if the file ends before the part does
      */
     public void read(String what, long position, byte[] into, int length) throws IOException {
         requirePart(what, position, length);
@@ -106,16 +102,15 @@ public final class MapBytes implements Closeable {
         ByteBuffer buffer = ByteBuffer.wrap(into, 0, length);
         while (buffer.hasRemaining()) {
             if (channel.read(buffer, position + buffer.position()) < 0) {
-                throw new IOException(name + ": the file became shorter while it was read");
+                throw new IOException(name + ": the file shrank while SEAR read it");
             }
         }
     }
 
     /**
-     * Refuses a part that is not in the file.
-     *
+     * Throws if a part is not inside the file.
      * @param what the part's name in messages
-     * @throws IOException that names it
+     * @throws IOException that names the part
      */
     public void requirePart(String what, long position, long length) throws IOException {
         if (position < 0 || length < 0 || position > size || length > size - position) {

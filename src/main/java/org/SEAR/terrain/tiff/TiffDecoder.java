@@ -7,7 +7,7 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 import org.SEAR.files.FileLimits;
 
-/** Unpacks a strip or tile into an array whose size is known before: what is packed can't make it larger. Any thread. */
+/** Unpacks a strip or tile into an array of fixed size, which packed data cannot exceed. Any thread. */
 final class TiffDecoder {
     static final int NONE = 1;
     private static final int LZW = 5;
@@ -20,7 +20,7 @@ final class TiffDecoder {
     private TiffDecoder() {
     }
 
-    /** Refuses what can't be unpacked. */
+    /** Throws for an unsupported compression. */
     static void require(String file, int compression) throws IOException {
         if (compression != NONE && compression != LZW && compression != DEFLATE && compression != OLD_DEFLATE && compression != PACK_BITS) {
             throw FileLimits.wrong(file, "Compression", compression + OTHERS.entrySet().stream().filter(other -> other.getKey() == compression)
@@ -31,9 +31,8 @@ final class TiffDecoder {
 
     /**
      * Unpacks until the array is full.
-     *
-     * @param what the strip or tile in messages
-     * @throws IOException if it is broken or too short
+     * @param what name of the strip or tile in messages
+     * @throws IOException if the data is broken or too short
      */
     static void unpack(String file, String what, int compression, byte[] packed, byte[] into) throws IOException {
         int count;
@@ -67,7 +66,10 @@ final class TiffDecoder {
         }
     }
 
-    /** TIFF 6.0, section 9: bytes 0 to 127 say how many follow, -1 to -127 how often one is repeated. */
+    /**
+     * PackBits, TIFF 6.0, section 9: a count of 0 to 127 precedes count + 1 literal bytes; -1 to -127 repeats the next
+     * byte 1 - count times.
+     */
     private static int packBits(byte[] packed, byte[] into) {
         int in = 0;
         int out = 0;

@@ -9,8 +9,8 @@ import java.util.Map;
 import org.SEAR.files.FileLimits;
 
 /**
- * The first image of a TIFF or BigTIFF: its tags. Overviews and masks, which follow it, are not looked at, so that a chain of directories that bites
- * its tail does no harm. Any thread after it is made.
+ * Tags of the first image of a TIFF or BigTIFF. Ignores the following directories (overviews and masks), so circular
+ * chains do no harm. Any thread after construction.
  */
 public final class TiffFile {
     private static final int MAX_TAGS = 4096;
@@ -24,15 +24,14 @@ public final class TiffFile {
     private static final int LONG8 = 16;
     private static final int IFD8 = 18;
 
-    /** The file. */
     public final MapBytes bytes;
-    /** What messages call the file. */
+    /** Name of the file in messages. */
     public final String name;
     final ByteOrder order;
     private final boolean big;
     private final Map<Integer, Tag> tags = new HashMap<>();
 
-    /** @throws IOException that names what is wrong in the head or the directory */
+    /** @throws IOException that describes an error in the header or directory */
     public TiffFile(MapBytes bytes) throws IOException {
         this.bytes = bytes;
         this.name = bytes.getName();
@@ -70,12 +69,11 @@ public final class TiffFile {
         }
     }
 
-    /** Whether there is a tag. */
     public boolean has(int tag) {
         return tags.containsKey(tag);
     }
 
-    /** The values of a tag; null if it is missing. */
+    /** Returns the values of a tag, or null. */
     private ByteBuffer values(int tag, String what, int most) throws IOException {
         Tag found = tags.get(tag);
         if (found == null) {
@@ -86,10 +84,9 @@ public final class TiffFile {
     }
 
     /**
-     * Whole numbers.
-     *
+     * Returns whole numbers.
      * @param what the tag's name in messages
-     * @param most how many there may be
+     * @param most maximum number of values
      * @return null if the tag is missing
      */
     public long[] longs(int tag, String what, int most) throws IOException {
@@ -115,7 +112,7 @@ public final class TiffFile {
         return numbers;
     }
 
-    /** One whole number between bounds, or what it is without the tag. */
+    /** Returns one whole number between bounds, or the default without the tag. */
     public int number(int tag, String what, int without, int low, int high) throws IOException {
         long[] numbers = longs(tag, what, 1 << 16);
         long value = numbers == null ? without : numbers[0];
@@ -123,7 +120,7 @@ public final class TiffFile {
         return (int) value;
     }
 
-    /** Numbers with fractions; null if the tag is missing. */
+    /** Returns floating-point numbers, or null without the tag. */
     public double[] doubles(int tag, String what, int most) throws IOException {
         ByteBuffer in = values(tag, what, most);
         if (in == null) {
@@ -140,7 +137,7 @@ public final class TiffFile {
         return numbers;
     }
 
-    /** A text without its end; null if the tag is missing or no text. */
+    /** Returns a text up to its terminator, or null if the tag is missing or not text. */
     public String text(int tag, String what, int most) throws IOException {
         ByteBuffer in = has(tag) && tags.get(tag).type == ASCII ? values(tag, what, most) : null;
         if (in == null) {
@@ -151,7 +148,7 @@ public final class TiffFile {
         return end < 0 ? text : text.substring(0, end);
     }
 
-    /** Where a tag's values lie. */
+    /** Type, number and position of a tag's values. */
     private static final class Tag {
         final int type;
         final long count;

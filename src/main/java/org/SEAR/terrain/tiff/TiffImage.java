@@ -5,39 +5,38 @@ import java.nio.ByteOrder;
 import java.util.Arrays;
 import org.SEAR.files.FileLimits;
 
-/** How the first image of a TIFF is cut into strips or tiles, and the unpacked bytes of each. One thread at a time. */
+/** Layout of the first image of a TIFF in strips or tiles, and their unpacked bytes. One thread at a time. */
 public final class TiffImage {
-    /** Rows and columns, each. */
+    /** Maximum number of rows, and of columns. */
     public static final int MAX_SIDE = 1_000_000;
-    /** Bytes that are read at once of strips and tiles that aren't packed. */
+    /** Bytes per read of an uncompressed strip or tile. */
     private static final int PIECE = 8 << 20;
     private static final int MAX_BLOCKS = 4_000_000;
-    /** Strips and tiles that are read for one area: reading each takes its time, however small it is. */
+    /** Maximum number of strips and tiles read for one area, to limit the time. */
     private static final int MAX_READ = 100_000;
-    /** Bytes of one strip or tile, packed or unpacked. */
+    /** Maximum size of one strip or tile, packed or unpacked, bytes. */
     public static final int MAX_BLOCK = 128 << 20;
-    /** Bytes that are unpacked of one file, all told: strips that are much wider than the used area take time. */
+    /** Maximum total of unpacked bytes per file, to limit the time for strips much wider than the area. */
     private static final long MAX_UNPACKED = 2L << 30;
 
-    /** Its tags. */
     public final TiffFile file;
-    /** Pixels of a row. */
+    /** Width, pixels. */
     public final int columns;
-    /** How many there are. */
+    /** Height, pixels. */
     public final int rows;
-    /** Values of a pixel. */
+    /** Values per pixel. */
     public final int samples;
-    /** Bytes of a value. */
+    /** Bytes per value. */
     public final int sampleBytes;
     /** 1 unsigned, 2 signed, 3 floating point. */
     public final int sampleFormat;
-    /** Whether strips or tiles hold all values of a pixel, not one. */
+    /** True if strips or tiles contain all values of a pixel (chunky), false if one (planar). */
     public final boolean together;
-    /** Whether values are big-endian after unpacking. */
+    /** Whether unpacked values are big-endian. */
     public final boolean bigEndian;
-    /** Of a strip or tile, columns. */
+    /** Columns of a strip or tile. */
     public final int blockColumns;
-    /** Of a strip or tile, rows. */
+    /** Rows of a strip or tile. */
     public final int blockRows;
     private final boolean tiled;
     private final int blocksAcross;
@@ -48,7 +47,7 @@ public final class TiffImage {
     private final long[] counts;
     private long unpacked;
 
-    /** @throws IOException that names what is wrong in the tags */
+    /** @throws IOException that describes an error in the tags */
     public TiffImage(TiffFile file) throws IOException {
         this.file = file;
         columns = file.number(256, "ImageWidth", 0, 1, MAX_SIDE);
@@ -120,11 +119,10 @@ public final class TiffImage {
     }
 
     /**
-     * Refuses a part that lies in too many strips or tiles.
-     *
-     * @param row the first one, likewise column
-     * @param height how many rows, likewise width
-     * @throws IOException that says how many it lies in
+     * Throws if an area needs too many strips or tiles.
+     * @param row first row, likewise column
+     * @param height number of rows, likewise width
+     * @throws IOException that contains their number
      */
     public void requireFew(int row, int column, int height, int width) throws IOException {
         long down = (row + height - 1) / blockRows - row / blockRows + 1L;
@@ -136,7 +134,7 @@ public final class TiffImage {
         }
     }
 
-    /** How many of the strips and tiles lie beyond the end of the file. */
+    /** Returns the number of strips and tiles beyond the end of the file. */
     public int countMissing() {
         int missing = 0;
         long size = file.bytes.size();
@@ -146,35 +144,34 @@ public final class TiffImage {
         return missing;
     }
 
-    /** How many strips and tiles there are. */
+    /** Returns the number of strips and tiles. */
     public int count() {
         return blocksAcross * blocksDown * (together ? 1 : samples);
     }
 
-    /** Values in a row of a strip or tile, side by side. */
+    /** Returns the number of adjacent values per pixel in a strip or tile. */
     public int samplesTogether() {
         return together ? samples : 1;
     }
 
-    /** Bytes of a row of a strip or tile. */
+    /** Returns the size of a row of a strip or tile, bytes. */
     public long rowBytes() {
         return (long) blockColumns * samplesTogether() * sampleBytes;
     }
 
-    /** How many rows of a strip or tile are best read at once: of what is packed all, because one comes after the other. */
+    /** Returns the number of rows to read together: all rows of a compressed block, which unpacks sequentially. */
     public int rowsAtOnce() {
         return compression == TiffDecoder.NONE ? (int) Math.max(1, PIECE / rowBytes()) : blockRows;
     }
 
     /**
      * Unpacks rows of a strip or tile.
-     *
-     * @param across the strip's or tile's place, counted from 0; likewise down
-     * @param plane which value of the pixels, where they lie apart
-     * @param from the first row in it
-     * @param count how many
-     * @return null where the file leaves the strip or tile out
-     * @throws IOException that names what is broken
+     * @param across position of the strip or tile, counted from 0; likewise down
+     * @param plane index of the value in a planar image
+     * @param from first row within the strip or tile
+     * @param count number of rows
+     * @return null if the file omits the strip or tile
+     * @throws IOException that describes the error
      */
     public byte[] unpack(int across, int down, int plane, int from, int count) throws IOException {
         int block = (plane * blocksDown + down) * blocksAcross + across;
@@ -193,7 +190,7 @@ public final class TiffImage {
         byte[] all = new byte[(from + count) * rowBytes];
         unpacked += all.length;
         if (unpacked > MAX_UNPACKED) {
-            throw FileLimits.wrong(file.name, "what has to be unpacked for the area", "more than " + MAX_UNPACKED + " bytes",
+            throw FileLimits.wrong(file.name, "the data to unpack for the area", "more than " + MAX_UNPACKED + " bytes",
                 "less: cut the map, for example by gdal_translate -projwin");
         }
         TiffDecoder.unpack(file.name, what, compression, packed, all);

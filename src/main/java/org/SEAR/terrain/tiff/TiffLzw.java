@@ -3,7 +3,7 @@ package org.SEAR.terrain.tiff;
 import java.io.IOException;
 import org.SEAR.files.FileLimits;
 
-/** LZW as in TIFF 6.0, section 13: codes of 9 to 12 bits, most significant bit first, one bit longer one code early. */
+/** LZW of TIFF 6.0, section 13: codes of 9 to 12 bits, most significant bit first, widened one code early. */
 final class TiffLzw {
     private static final int CLEAR = 256;
     private static final int END = 257;
@@ -13,7 +13,7 @@ final class TiffLzw {
 
     private final byte[] packed;
     private final byte[] into;
-    /** What each code stands for has been written before: where, and how many bytes. */
+    /** Start and length of each code's bytes in the output. */
     private final int[] start = new int[CODES];
     private final int[] length = new int[CODES];
     private int bitsRead;
@@ -23,14 +23,14 @@ final class TiffLzw {
         this.into = into;
     }
 
-    /** How many bytes it was, at most as many as there is room for. */
+    /** Unpacks at most into.length bytes and returns their number. */
     static int unpack(String file, String what, byte[] packed, byte[] into) throws IOException {
         if (packed.length > 1 && packed[0] == 0 && (packed[1] & 1) == 1) {
-            throw FileLimits.wrong(file, what, "packed with the LZW of before TIFF 6.0", "LZW of TIFF 6.0, such as of GDAL");
+            throw FileLimits.wrong(file, what, "packed with the LZW of TIFF 5.0", "LZW of TIFF 6.0, as GDAL writes it");
         }
         int count = new TiffLzw(packed, into).unpack();
         if (count < 0) {
-            throw FileLimits.wrong(file, what, "broken (an LZW code that stands for nothing yet)", "LZW");
+            throw FileLimits.wrong(file, what, "broken (an undefined LZW code)", "LZW");
         }
         return count;
     }
@@ -49,7 +49,7 @@ final class TiffLzw {
                 continue;
             }
             if (lastLength > 0 && next < CODES) {
-                // what the last code stood for and the first byte of this one's, which follows it
+                // the bytes of the previous code and the first byte of this code, which follows them
                 start[next] = lastStart;
                 length[next] = lastLength + 1;
                 next++;

@@ -4,19 +4,18 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * Undoes what was done to rows before they were packed. Predictor 2 keeps the difference to the value on the left (TIFF 6.0, section 14), predictor 3
- * does so with bytes after it has sorted those of a row by their rank (Adobe Photoshop TIFF Technical Note 3).
+ * Reverses the predictors of TIFF. Predictor 2 stores differences to the left value (TIFF 6.0, section 14). Predictor 3
+ * groups the bytes of a row by significance and stores their differences (Adobe Photoshop TIFF Technical Note 3).
  */
 final class TiffPredictor {
     private TiffPredictor() {
     }
 
     /**
-     * Undoes a row in place; after predictor 3 the values are big-endian.
-     *
-     * @param at where the row begins
-     * @param samples values of a pixel, side by side
-     * @param size bytes of a value
+     * Reverses a row in place; after predictor 3 the values are big-endian.
+     * @param at index of the row's first byte
+     * @param samples adjacent values per pixel
+     * @param size bytes per value
      */
     static void undo(int predictor, byte[] bytes, int at, int columns, int samples, int size, ByteOrder order) {
         if (predictor == 2 && size == 1) {

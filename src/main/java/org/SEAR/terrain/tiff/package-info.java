@@ -1,5 +1,5 @@
 /**
- * Bytes of files of which a part is read, and TIFF: its tags, and its strips and tiles unpacked. Nothing in a file is believed before it is checked.
- * Uses {@link org.SEAR.files}, and what that uses. Any thread, but one file is read by one at a time.
+ * Partial reading of files, and TIFF: tags, and unpacking of strips and tiles. Every value of a file is checked before
+ * use. Uses {@link org.SEAR.files} and its dependencies. Any thread, but only one at a time per file.
  */
 package org.SEAR.terrain.tiff;

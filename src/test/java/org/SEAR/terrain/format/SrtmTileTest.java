@@ -77,7 +77,7 @@ public class SrtmTileTest {
     @Test
     public void invalidTilesAreRejected() throws IOException {
         refused("N36W085.hgt", new byte[1000], "the tile's size is 1000 bytes, legal: 2884802 (1201 x 1201 posts");
-        refused("hills.hgt", tile(), "the file's name is hills.hgt, legal: a tile is named after its south-west corner, such as N36W085.hgt");
+        refused("hills.hgt", tile(), "the file's name is hills.hgt, legal: the tile's south-west corner, such as N36W085.hgt");
         refused("N95E000.hgt", tile(), "the latitude in the file's name is 95, legal: -90 to 89");
         refused("N36W085.hgt.zip", zip("readme.txt", new byte[9]), "no .hgt among the first 16 files");
         refused("N36W085.hgt.zip", Arrays.copyOf(zip("N36W085.hgt", tile()), 3000), "the zip is broken");

@@ -44,7 +44,7 @@ public class TiffDecoderTest {
     @Test
     public void invalidLzw() {
         IOException e = assertThrows(IOException.class, () -> unpacked(5, 4, codes(256, 300, 257)));
-        assertTrue(e.getMessage(), e.getMessage().contains("a.tif: strip 0 is broken (an LZW code that stands for nothing yet)"));
+        assertTrue(e.getMessage(), e.getMessage().contains("a.tif: strip 0 is broken (an undefined LZW code)"));
         IOException cut = assertThrows(IOException.class, () -> unpacked(5, 4, codes(256, 1, 257)));
         assertTrue(cut.getMessage(), cut.getMessage().contains("strip 0 is cut off after 1 bytes, legal: at least 4"));
     }

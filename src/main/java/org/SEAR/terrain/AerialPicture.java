@@ -8,29 +8,26 @@ import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.terrain.format.TiffPicture;
 import org.SEAR.terrain.tiff.MapBytes;
 
-/**
- * A picture of the ground from above that says where on Earth it lies (a GeoTIFF), brought onto a rectangle of the world's metres. Immutable, any
- * thread.
- */
+/** Georeferenced aerial picture (GeoTIFF), resampled to a rectangle in the world's frame. Immutable, any thread. */
 public final class AerialPicture {
-    /** Pixels of a side. */
+    /** Maximum number of pixels per side. */
     public static final int MAX_SIDE = 4096;
-    /** Pixels that a colour may lie beside its place. */
+    /** Maximum position error of a colour, pixels. */
     private static final double PIXELS = 0.25;
 
     /** Pixels from north to south. */
     public final int rows;
     /** Pixels from west to east. */
     public final int columns;
-    /** Colours 0xAARRGGBB, row by row from the north, each from the west; 0 where the picture doesn't reach. Nobody changes them. */
+    /** Colours 0xAARRGGBB, row by row from the north, each from the west; 0 outside the picture. Read-only. */
     public final int[] colours;
-    /** Metres, the world's x of the southern edge. */
+    /** World x of the southern edge, metres. */
     public final double south;
-    /** Metres, the world's x of the northern edge. */
+    /** World x of the northern edge, metres. */
     public final double north;
-    /** Metres, the world's z of the western edge. */
+    /** World z of the western edge, metres. */
     public final double west;
-    /** Metres, the world's z of the eastern edge. */
+    /** World z of the eastern edge, metres. */
     public final double east;
 
     private AerialPicture(int rows, int columns, double[] rectangle) {
@@ -43,19 +40,19 @@ public final class AerialPicture {
         this.east = rectangle[3];
     }
 
-    /** Whether a path names a picture that can say where it lies. */
+    /** Returns whether a path has the ending of a format that supports georeferences. */
     public static boolean canSayItsPlace(String path) {
         String lower = path.toLowerCase(Locale.ROOT);
         return lower.endsWith(".tif") || lower.endsWith(".tiff");
     }
 
     /**
-     * Loads the part of a picture that lies on a rectangle.
-     *
+     * Loads the part of a picture that covers a rectangle.
      * @param path below the assets
      * @param origin of the world
-     * @param rectangle metres in the world: south and north (x), west and east (z)
-     * @throws IOException that names the file, what is wrong in it and what is legal; also if nothing of it lies on the rectangle
+     * @param rectangle in the world, metres: south and north (x), west and east (z)
+     * @throws IOException that names the file, the error and what is legal; also if the picture does not overlap the
+     *     rectangle
      */
     public static AerialPicture load(Assets assets, String path, GeoOrigin origin, double... rectangle) throws IOException {
         try (MapBytes bytes = MapBytes.open(assets, path); TiffPicture picture = TiffPicture.open(bytes)) {
@@ -84,7 +81,7 @@ public final class AerialPicture {
         return Math.max(2, Math.min(MAX_SIDE, (pixels + factor - 1) / factor));
     }
 
-    /** First row, first column, rows and columns of the picture below the rectangle; null: none are. */
+    /** Returns first row, first column, rows and columns of the picture under the rectangle, or null. */
     private static int[] part(TiffPicture picture, MapPlane plane, double[] rectangle) {
         double[] at = new double[2];
         double[] box = {Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
@@ -123,7 +120,7 @@ public final class AerialPicture {
         }
     }
 
-    /** Bilinear between four pixels. */
+    /** Interpolates bilinearly between four pixels. */
     private static int colour(int[] pixels, int width, int height, double column, double row) {
         int left = (int) Math.max(0, Math.floor(column));
         int top = (int) Math.max(0, Math.floor(row));

@@ -3,11 +3,14 @@ package org.SEAR.terrain;
 import org.SEAR.geometry.HeightTiles;
 
 /**
- * The posts that a height field gets: rows from the south, columns from the west, near the origin on the map's own posts, so that ridges stay as
- * sharp as they are there. Immutable, any thread.
+ * Grid of a height field: rows from the south, columns from the west. Near the origin it contains the map's own posts,
+ * which keeps ridges sharp. Immutable, any thread.
  */
 final class FieldGrid {
-    /** Posts up to which the field is finer than the map: its triangles then follow the map's bilinear surface. */
+    /**
+     * Maximum number of posts of a field finer than the map. The triangles of such a field follow the map's bilinear
+     * surface.
+     */
     private static final double FINE = 6_000_000;
     private static final int MAX_BETWEEN = 8;
     private static final double MOST = 1e9;
@@ -30,22 +33,20 @@ final class FieldGrid {
     }
 
     /**
-     * The middles of pixels that fill a rectangle.
-     *
+     * Returns the centres of pixels that fill a rectangle.
      * @param lowX its southern edge, metres; lowZ its western edge
-     * @param spacingX metres of a pixel, likewise spacingZ
+     * @param spacingX pixel size, metres, likewise spacingZ
      */
     static FieldGrid pixels(int rows, int columns, double lowX, double lowZ, double spacingX, double spacingZ) {
         return new FieldGrid(rows, columns, lowX + spacingX / 2, lowZ + spacingZ / 2, spacingX, spacingZ);
     }
 
     /**
-     * The grid of an area about the origin.
-     *
+     * Returns the grid of an area centred at the origin.
      * @param size metres north-south and east-west
-     * @param map metres from post to post of the map, going north and going east
-     * @param post where one of the map's posts stands, metres north and east of the origin
-     * @param whole whether all of the area has to be covered, otherwise nothing beyond it
+     * @param map spacing of the map's posts, metres, going north and going east
+     * @param post position of one of the map's posts, metres north and east of the origin
+     * @param whole whether the grid covers the whole area; otherwise it stays inside
      */
     static FieldGrid of(double[] size, double[] map, double[] post, boolean whole) {
         int between = MAX_BETWEEN + 1;
@@ -59,28 +60,27 @@ final class FieldGrid {
         return new FieldGrid((int) x.posts(), (int) z.posts(), x.low(), z.low(), x.spacing, z.spacing);
     }
 
-    /** The same, moved by less than a millimetre, so that it can be cut into {@link HeightTiles}. */
+    /** Returns the same grid, moved by less than a millimetre so that it can be cut into {@link HeightTiles}. */
     FieldGrid exact() {
         return new FieldGrid(rows, columns, HeightTiles.exact(lowX), HeightTiles.exact(lowZ), HeightTiles.exact(spacingX),
             HeightTiles.exact(spacingZ));
     }
 
-    /** How many there are. */
     long posts() {
         return (long) rows * columns;
     }
 
-    /** Where a row stands, metres north; also beyond the last one. */
+    /** Returns the position of a row, metres north; also beyond the last one. */
     double x(int row) {
         return lowX + row * spacingX;
     }
 
-    /** Where a column stands, metres east; also beyond the last one. */
+    /** Returns the position of a column, metres east; also beyond the last one. */
     double z(int column) {
         return lowZ + column * spacingZ;
     }
 
-    /** One direction. */
+    /** One direction of a grid. */
     private static final class Axis {
         private final double spacing;
         private final double post;

@@ -7,9 +7,9 @@ import org.SEAR.files.FileLimits;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.terrain.format.MapLimits;
 
-/** Brings heights of a map onto the posts of a height field. One thread. */
+/** Resamples a map to the posts of a height field. One thread. */
 final class FieldSampler {
-    /** So many posts in a row have a place each as floats. */
+    /** Maximum number of posts in a row that have distinct positions as floats. */
     private static final double DISTINCT = 1 << 23;
 
     private final String file;
@@ -24,9 +24,9 @@ final class FieldSampler {
         this.raster = raster;
     }
 
-    /** Refuses a field that is too large. */
+    /** Throws if a field is too large. */
     static void require(String file, FieldGrid grid) throws IOException {
-        FileLimits.range(file, "the number of posts (" + grid.rows + " x " + grid.columns + "; a smaller area has less)", grid.posts(), 9,
+        FileLimits.range(file, "the number of posts (" + grid.rows + " x " + grid.columns + "; a smaller area has fewer)", grid.posts(), 9,
             MapLimits.MOST_POSTS);
         double least = Math.max(grid.rows * grid.spacingX, grid.columns * grid.spacingZ) / DISTINCT;
         if (!(Math.min(grid.spacingX, grid.spacingZ) >= least)) {
@@ -36,10 +36,9 @@ final class FieldSampler {
     }
 
     /**
-     * Fills what has no data from around.
-     *
-     * @param warnings gets how much it is
-     * @throws IOException if it is more than half of the area
+     * Interpolates posts without data.
+     * @param warnings receives the share of the area without data
+     * @throws IOException if that share exceeds one half
      */
     void fillGaps(List<String> warnings) throws IOException {
         if (!raster.hasGaps()) {
@@ -58,24 +57,23 @@ final class FieldSampler {
     }
 
     /**
-     * Tells how much has no data.
-     *
-     * @throws IOException if it is more than half
+     * Warns about posts without data.
+     * @throws IOException if more than half of the posts have none
      */
     static void requireData(String file, long empty, long posts, List<String> warnings) throws IOException {
         double share = 100.0 * empty / posts;
         if (share > 50) {
             throw FileLimits.wrong(file, "the part of the area without data", percent(share),
-                "at most 50 %: choose another area, or add the tile that has it");
+                "at most 50 %: choose another area, or add the missing tile");
         }
         if (empty > 0) {
-            warnings.add(file + ": " + percent(share) + " of the area have no data, and are filled in from around");
+            warnings.add(file + ": " + percent(share) + " of the area has no data: SEAR interpolates it");
         }
     }
 
-    /** What is told of an area a part of which has no place on the map. */
+    /** Returns the exception for an area outside the map's coordinate system. */
     static IOException beyond(String file) {
-        return FileLimits.wrong(file, "the place of the area", "where the map's coordinate system doesn't reach", "an area inside of it");
+        return FileLimits.wrong(file, "the area", "outside the map's coordinate system", "inside");
     }
 
     private static String percent(double share) {
@@ -83,9 +81,8 @@ final class FieldSampler {
     }
 
     /**
-     * The field with the heights of the map.
-     *
-     * @throws IOException if a part of it has no place on the map
+     * Returns the field with the map's elevations.
+     * @throws IOException if a part of the field is outside the map's coordinate system
      */
     HeightField field() throws IOException {
         float[] heights = new float[grid.rows * grid.columns];

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
 
 /**
- * Fills gaps in a raster from around: each post of a gap becomes the mean of its neighbours, so that the surface is as a skin stretched over the rim.
- * A raster of half the size, filled likewise, gives what to begin with. The same input gives the same output. Any thread.
+ * Fills gaps of a raster by interpolation: each post of a gap becomes the mean of its neighbours, like a membrane
+ * stretched over the rim. A raster of half the size, filled likewise, gives the start values. Deterministic. Any
+ * thread.
  */
 final class GapFill {
     private static final int SWEEPS = 20;
@@ -14,9 +15,8 @@ final class GapFill {
     }
 
     /**
-     * Fills in place.
-     *
-     * @param heights row by row; NaN: to be filled; at least one is not
+     * Fills gaps in place.
+     * @param heights row by row, at least one finite; NaN marks gaps
      */
     static void fill(float[] heights, int rows, int columns) {
         int[] gaps = gaps(heights);
@@ -36,10 +36,9 @@ final class GapFill {
     }
 
     /**
-     * Fills in place, where what to begin with is known.
-     *
-     * @param heights row by row; NaN: to be filled
-     * @param start what a post begins with
+     * Fills gaps in place from known start values.
+     * @param heights row by row; NaN marks gaps
+     * @param start start value of a post
      */
     static void fill(float[] heights, int rows, int columns, IntToDoubleFunction start) {
         int[] gaps = gaps(heights);

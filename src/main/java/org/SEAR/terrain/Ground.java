@@ -6,19 +6,23 @@ import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightGrid;
 
-/** The ground of a world, made of elevation maps. Immutable, any thread. */
+/** Ground of a world, built from elevation maps. Immutable, any thread. */
 public final class Ground {
-    /** Heights about the world's origin, which is the area's centre: there y is 0. Everything drives, stands and looks on these. */
+    /**
+     * Elevations relative to the world's origin, the area's centre, where y is 0. Physics and sensors use this grid.
+     */
     public final HeightGrid heights;
-    /** The same; of a ground that is too large for the memory a coarser one, for pictures of all of it. */
+    /** The same grid, or a coarser one if the ground exceeds the memory, for pictures of the whole ground. */
     public final HeightField field;
-    /** Where on Earth the world's origin lies, with the altitude of the ground there; null: the maps have no place on Earth. */
+    /**
+     * Position of the world's origin on Earth, with the ground's altitude there; null for maps without a georeference.
+     */
     public final GeoOrigin origin;
-    /** What y = 0 is in the map, metres, for maps of the Earth above the geoid. */
+    /** Elevation of y = 0 in the map, metres; above the geoid for maps of the Earth. */
     public final double altitude;
-    /** Metres from post to post of the map, of which the field may have several between: below it the heights tell nothing. */
+    /** Spacing of the map's posts, metres: the resolution of the elevations. The field may be finer. */
     public final double spacing;
-    /** What the user should know, such as how much was filled in; mostly empty. */
+    /** Warnings for the user, such as the interpolated share of the area; usually empty. */
     public final List<String> warnings;
 
     private final MapHeights map;
@@ -34,16 +38,15 @@ public final class Ground {
     }
 
     /**
-     * The height at a place as the map has it, metres above the geoid; NaN beside the area. The field, on which things stand, follows the map within
-     * decimetres where it is finer than the map, and cuts the tops of ridges otherwise.
-     *
+     * Returns the map's elevation at a position, metres above the geoid; NaN outside the area. The field follows the
+     * map within decimetres if it is finer than the map; otherwise it flattens ridges.
      * @param latitude degrees, + north
      * @param longitude degrees, + east
-     * @throws IllegalStateException if the maps have no place on Earth
+     * @throws IllegalStateException if the maps have no georeference
      */
     public double height(double latitude, double longitude) {
         if (origin == null) {
-            throw new IllegalStateException("the terrain's map has no place on Earth, so that nothing has a latitude and longitude");
+            throw new IllegalStateException("the terrain's map has no georeference, so positions have no latitude and longitude");
         }
         double[] at = origin.to(latitude, longitude);
         return Double.isNaN(heights.height(at[0], at[1])) ? Double.NaN : map.height(latitude, longitude);

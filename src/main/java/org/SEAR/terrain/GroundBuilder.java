@@ -11,7 +11,7 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightGrid;
 import org.SEAR.terrain.format.MapLimits;
 
-/** Makes the ground of a world of opened maps. One thread. */
+/** Builds the ground of a world from opened maps. One thread. */
 final class GroundBuilder {
     private static final double MAX_METRES = 1_000_000;
     private static final double HALF_CELL = 0.5;
@@ -26,7 +26,7 @@ final class GroundBuilder {
         this(mosaic, wanted, MapLimits.MAX_POSTS);
     }
 
-    /** @param atOnce posts that are held in memory at most; a ground that has more is cut into tiles */
+    /** @param atOnce maximum number of posts in memory; larger grounds are cut into tiles */
     GroundBuilder(Mosaic mosaic, TerrainArea wanted, int atOnce) {
         this.atOnce = atOnce;
         this.mosaic = mosaic;
@@ -35,9 +35,8 @@ final class GroundBuilder {
     }
 
     /**
-     * The ground.
-     *
-     * @throws IOException that names the map, what is wrong and what is legal
+     * Builds the ground.
+     * @throws IOException that names the map, the error and what is legal
      */
     Ground build() throws IOException {
         Ground ground = mosaic.place.system != null ? onEarth() : flat();
@@ -48,14 +47,14 @@ final class GroundBuilder {
     private Ground onEarth() throws IOException {
         TerrainArea.Area area = wanted.area;
         if (wanted.size != null) {
-            throw FileLimits.wrong(file, "the size", "given", "no setSize for a map that says its place and size itself: setArea chooses a part");
+            throw FileLimits.wrong(file, "the size", "given", "no setSize for a georeferenced map: use setArea to choose a part");
         }
         MapSystem system = new MapSystem(file, mosaic.place.system);
         double middleX = mosaic.place.x((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0);
         double[] middle = system.toEarth(middleX, mosaic.place.y((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0));
         if (!(Math.abs(middle[0]) <= 90) || !(Math.abs(middle[1]) <= 720)) {
-            throw FileLimits.wrong(file, "the middle of the map", "latitude " + middle[0] + ", longitude " + middle[1],
-                "a place on Earth (is the coordinate system " + mosaic.place.system + " the right one?)");
+            throw FileLimits.wrong(file, "the centre of the map", "latitude " + middle[0] + ", longitude " + middle[1],
+                "a place on Earth (is the coordinate system " + mosaic.place.system + " correct?)");
         }
         double longitude = area == null ? middle[1] - 360 * Math.rint(middle[1] / 360) : area.longitude;
         GeoOrigin level = new GeoOrigin(area == null ? middle[0] : area.latitude, 0, longitude);
@@ -72,7 +71,7 @@ final class GroundBuilder {
 
     private Ground flat() throws IOException {
         if (wanted.area != null) {
-            throw FileLimits.wrong(file, "the area", "given", "no setArea for a map that says no place on Earth: setSize says how large it is");
+            throw FileLimits.wrong(file, "the area", "given", "no setArea for a map without a georeference: use setSize");
         }
         TerrainArea.Size size = wanted.size;
         if (size == null && mosaic.first().place == null) {
@@ -121,7 +120,10 @@ final class GroundBuilder {
         return new Whole(sampler.field(), raster, spacing);
     }
 
-    /** At the origin: metres from post to post of the map, going north and going east, and how far north and east the map's first post is by them. */
+    /**
+     * Returns, at the origin, the spacing of the map's posts going north and going east, and the offset of the map's
+     * first post north and east, metres.
+     */
     private double[][] steps(MapPlane plane) throws IOException {
         double[] zero = new double[2];
         double[] north = new double[2];
@@ -137,7 +139,7 @@ final class GroundBuilder {
         return new double[][] {{x, z}, {-zero[1] * x * Math.signum(north[1] - zero[1]), -zero[0] * z * Math.signum(east[0] - zero[0])}};
     }
 
-    /** First row, first column, rows and columns of the map that are used. */
+    /** Returns first row, first column, rows and columns of the used part of the map. */
     private int[] part(double[] box) throws IOException {
         int left = start(box[0], mosaic.columns);
         int top = start(box[1], mosaic.rows);
@@ -151,9 +153,9 @@ final class GroundBuilder {
         return (int) Math.max(0, Math.min(count - 2, Math.floor(low) - 1));
     }
 
-    /** What both kinds of ground are made of. */
+    /** Common parts of grounds in memory and in tiles. */
     private abstract static class Made {
-        /** Of the map. */
+        /** Elevation by column and row of the map. */
         final DoubleBinaryOperator map;
         final Supplier<double[]> range;
         final double spacing;
@@ -166,11 +168,11 @@ final class GroundBuilder {
             this.spacing = spacing;
         }
 
-        /** Makes the height at the origin 0; returns what it was. */
+        /** Sets the elevation at the origin to 0 and returns the previous value. */
         abstract double lower(double factor) throws IOException;
     }
 
-    /** In memory. */
+    /** Ground in memory. */
     private static final class Whole extends Made {
         Whole(HeightField field, MapRaster raster, double spacing) {
             super(raster::height, raster::range, spacing);
@@ -188,7 +190,7 @@ final class GroundBuilder {
         }
     }
 
-    /** In tiles. */
+    /** Ground in tiles. */
     private final class Paged extends Made {
         private final RasterFile raster;
         private final FieldGrid grid;

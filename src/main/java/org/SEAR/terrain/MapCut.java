@@ -7,23 +7,22 @@ import org.SEAR.terrain.format.GeoTiffWriter;
 import org.SEAR.terrain.format.Georeference;
 import org.SEAR.terrain.format.MapLimits;
 
-/** Cuts the part of maps that an area uses, so that a project can be shared without the rest of them. Any thread. */
+/** Cuts the used part out of maps, so that a shared project needs no more. Any thread. */
 public final class MapCut {
-    /** How far the map reaches beyond its outermost posts, cells. */
+    /** Extent of the map beyond its outermost posts, cells. */
     private static final double HALF_CELL = 0.5;
-    /** Rows and columns around the area that are kept. */
+    /** Rows and columns kept around the area. */
     private static final int RIM = 3;
 
     private MapCut() {
     }
 
     /**
-     * The part of the maps that is used, with a rim, as one GeoTIFF that gives the same ground.
-     *
+     * Returns the used part of the maps with a rim, as one GeoTIFF that produces the same ground.
      * @param area with a part of maps
-     * @return null if all of the maps is used, or too much of them for the memory, or their coordinate system has no number by which a file could
-     *     name it
-     * @throws IOException that names the map and what is wrong with it
+     * @return null if the area uses the whole maps or exceeds the memory, or if the coordinate system has no EPSG
+     *     number
+     * @throws IOException that names the map and the error
      */
     public static byte[] of(TerrainArea area, Assets assets) throws IOException {
         if (area.area == null) {

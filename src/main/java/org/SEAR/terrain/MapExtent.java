@@ -5,11 +5,11 @@ import java.util.Locale;
 import java.util.function.DoublePredicate;
 import org.SEAR.files.FileLimits;
 
-/** Whether a rectangle of the world lies on the map, and the largest that does. One thread at a time. */
+/** Tests whether a rectangle of the world is on the map, and finds the largest one. One thread at a time. */
 final class MapExtent {
     private static final int POINTS = 32;
     private static final int HALVINGS = 30;
-    /** Columns and rows: what rounding may cost. */
+    /** Tolerance for rounding, columns and rows. */
     private static final double ROUNDING = 1e-4;
 
     private final Mosaic mosaic;
@@ -22,9 +22,9 @@ final class MapExtent {
     }
 
     /**
-     * The part of the map below a rectangle about the world's origin: first column, first row, last column, last row; null: it reaches beyond it.
-     *
-     * @param border how far beyond the outermost posts the map reaches, in cells
+     * Returns the part of the map under a rectangle centred at the world's origin: first column, first row, last
+     * column, last row. Returns null if the rectangle extends beyond the map.
+     * @param border extent of the map beyond the outermost posts, cells
      */
     double[] box(double northSouth, double eastWest, double border) {
         double[] box = {Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
@@ -46,9 +46,8 @@ final class MapExtent {
     }
 
     /**
-     * The largest rectangle that lies between the map's outermost posts: {metres north-south, metres east-west}.
-     *
-     * @param northSouth as long as it could be, likewise eastWest
+     * Returns the largest rectangle inside the map's outermost posts: {metres north-south, metres east-west}.
+     * @param northSouth upper bound, metres, likewise eastWest
      */
     double[] fitted(double northSouth, double eastWest) {
         double both = largest(part -> box(northSouth * part, eastWest * part, 0) != null);
@@ -75,11 +74,7 @@ final class MapExtent {
         return low;
     }
 
-    /**
-     * Refuses an area that reaches beyond the map.
-     *
-     * @throws IOException that says where the map lies
-     */
+    /** Returns the exception for an area that extends beyond the map, with the map's extent. */
     static IOException beyond(Mosaic mosaic, MapSystem system, TerrainArea.Area area) {
         double[] bounds = {Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
         for (int i = 0; i < 4; i++) {

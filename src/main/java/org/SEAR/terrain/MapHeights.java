@@ -3,14 +3,14 @@ package org.SEAR.terrain;
 import java.util.function.DoubleBinaryOperator;
 import org.SEAR.terrain.format.Georeference;
 
-/** The heights of the area as the map has them, at any place on Earth. Any thread. */
+/** The map's elevation at any position on Earth. Any thread. */
 final class MapHeights {
     private final DoubleBinaryOperator raster;
     private final Georeference place;
     private final MapSystem system;
     private final double middle;
 
-    /** @param raster the height at a column and a row of the map */
+    /** @param raster returns the elevation at a column and row of the map */
     MapHeights(DoubleBinaryOperator raster, Georeference place, MapSystem system, double middle) {
         this.raster = raster;
         this.place = place;
@@ -18,7 +18,7 @@ final class MapHeights {
         this.middle = middle;
     }
 
-    /** Metres as in the map, bilinear between its posts. */
+    /** Returns the map's elevation, metres, bilinear between its posts. */
     synchronized double height(double latitude, double longitude) {
         double[] map = new double[2];
         system.toMap(latitude, longitude, map);

@@ -3,7 +3,9 @@ package org.SEAR.terrain;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.terrain.format.Georeference;
 
-/** The world's level plane on a map: from metres north (x) and east (z) to columns and rows. One thread at a time. */
+/**
+ * Maps the world's horizontal plane, metres north (x) and east (z), to columns and rows of a map. One thread at a time.
+ */
 abstract class MapPlane {
     private final Georeference place;
     private final double[] map = new double[2];
@@ -12,7 +14,7 @@ abstract class MapPlane {
         this.place = place;
     }
 
-    /** The plane of a world that has its origin on Earth; exact. */
+    /** Returns the exact mapping for a world with an origin on Earth. */
     static MapPlane onEarth(GeoOrigin origin, MapSystem system, Georeference place, double middle) {
         return new MapPlane(place) {
             @Override
@@ -26,7 +28,7 @@ abstract class MapPlane {
         };
     }
 
-    /** The plane of a map without a place on Earth: its x is east, its y north, with so many units a metre. */
+    /** Returns the mapping for a map without a georeference: its x is east, its y north, scaled in units per metre. */
     static MapPlane flat(Georeference place, double middleX, double middleY, double unitsEast, double unitsNorth) {
         return new MapPlane(place) {
             @Override
@@ -37,13 +39,12 @@ abstract class MapPlane {
         };
     }
 
-    /** The map coordinates of a point. */
+    /** Writes the map coordinates of a point. */
     abstract void toMap(double x, double z, double[] into);
 
     /**
-     * The column and row at a point of the world.
-     *
-     * @param into takes them, with fractions
+     * Writes the column and row of a point of the world.
+     * @param into receives both, with fractions
      */
     final void at(double x, double z, double[] into) {
         toMap(x, z, map);

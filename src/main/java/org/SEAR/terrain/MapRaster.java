@@ -1,15 +1,15 @@
 package org.SEAR.terrain;
 
 /**
- * Heights that were read of a map, as they are there; the first one is that of the map's post {@link #row}, {@link #column}. Nobody changes them
- * after the gaps are filled. Any thread then.
+ * Elevations read from a map, unchanged. The first value belongs to the map's post {@link #row}, {@link #column}.
+ * Immutable after gaps are filled; then any thread.
  */
 final class MapRaster {
     final int row;
     final int column;
     final int rows;
     final int columns;
-    /** Metres, row by row; NaN: the map has none. */
+    /** Metres, row by row; NaN for no data. */
     final float[] heights;
 
     MapRaster(int row, int column, int rows, int columns, float[] heights) {
@@ -21,9 +21,8 @@ final class MapRaster {
     }
 
     /**
-     * The height at a place of the map, bilinear between four posts; beyond the outermost posts as at them.
-     *
-     * @param atColumn the map's column with fractions, likewise atRow
+     * Returns the elevation at a position of the map, bilinear between four posts, clamped to the outermost posts.
+     * @param atColumn the map's fractional column, likewise atRow
      */
     double height(double atColumn, double atRow) {
         double c = Math.max(0, Math.min(columns - 1, atColumn - column));
@@ -33,7 +32,10 @@ final class MapRaster {
         return between(top * columns + left, c - left, r - top);
     }
 
-    /** The height that a larger raster has at a place, to the bit, when this is the part of it that has the four posts around. */
+    /**
+     * Returns exactly the elevation that a larger raster has at a position. This part of it must contain the four
+     * surrounding posts.
+     */
     double height(RasterFile whole, double atColumn, double atRow) {
         double c = Math.max(0, Math.min(whole.columns - 1, atColumn - whole.column));
         double r = Math.max(0, Math.min(whole.rows - 1, atRow - whole.row));
@@ -48,14 +50,14 @@ final class MapRaster {
         return upper + v * (lower - upper);
     }
 
-    /** Whether the post nearest to a place has no height. */
+    /** Returns whether the nearest post has no data. */
     boolean isEmpty(double atColumn, double atRow) {
         int c = (int) Math.max(0, Math.min(columns - 1, Math.rint(atColumn - column)));
         int r = (int) Math.max(0, Math.min(rows - 1, Math.rint(atRow - row)));
         return Float.isNaN(heights[r * columns + c]);
     }
 
-    /** The lowest and the highest. */
+    /** Returns the minimum and maximum, metres. */
     double[] range() {
         float low = Float.POSITIVE_INFINITY;
         float high = Float.NEGATIVE_INFINITY;
@@ -66,7 +68,7 @@ final class MapRaster {
         return new double[] {low, high};
     }
 
-    /** Whether any post has no height. */
+    /** Returns whether any post has no data. */
     boolean hasGaps() {
         for (float height : heights) {
             if (Float.isNaN(height)) {

@@ -7,9 +7,9 @@ import org.locationtech.proj4j.CRSFactory;
 import org.locationtech.proj4j.CoordinateReferenceSystem;
 import org.locationtech.proj4j.ProjCoordinate;
 
-/** A map's coordinate system: between its coordinates and latitude and longitude of WGS 84. One thread at a time. */
+/** Converts between a map's coordinate system and latitude and longitude of WGS 84. One thread at a time. */
 final class MapSystem {
-    /** Map coordinates are degrees: x east, y north. */
+    /** Whether map coordinates are degrees: x east, y north. */
     final boolean degrees;
     private final BasicCoordinateTransform toMap;
     private final BasicCoordinateTransform toEarth;
@@ -17,9 +17,9 @@ final class MapSystem {
     private final ProjCoordinate to = new ProjCoordinate();
 
     /**
-     * @param file the map, for messages
-     * @param system EPSG:NUMBER or parameters of PROJ
-     * @throws IOException if it isn't known
+     * @param file the map's name for messages
+     * @param system EPSG:NUMBER or PROJ parameters
+     * @throws IOException for an unknown system
      */
     MapSystem(String file, String system) throws IOException {
         if (system.equals(Georeference.WGS84)) {
@@ -37,20 +37,19 @@ final class MapSystem {
             toEarth = new BasicCoordinateTransform(map, earth);
         } catch (RuntimeException e) {
             throw new IOException(file + ": the coordinate system is " + system + " (" + e.getMessage()
-                + "), legal: one of EPSG's that PROJ 4 knows: bring the map to one, for example by gdalwarp -t_srs EPSG:4326", e);
+                + "), legal: an EPSG system of PROJ 4: convert the map, for example by gdalwarp -t_srs EPSG:4326", e);
         }
     }
 
     /**
-     * Latitude and longitude to map coordinates.
-     *
-     * @param into takes x and y; not finite where the system doesn't reach
+     * Converts latitude and longitude to map coordinates.
+     * @param into receives x and y; not finite outside the system's range
      */
     void toMap(double latitude, double longitude, double[] into) {
         transform(toMap, longitude, latitude, into);
     }
 
-    /** Map coordinates to {latitude, longitude}, degrees; not finite where there is no such place. */
+    /** Converts map coordinates to {latitude, longitude}, degrees; not finite for invalid coordinates. */
     double[] toEarth(double x, double y) {
         double[] place = new double[2];
         transform(toEarth, x, y, place);

@@ -14,19 +14,19 @@ import org.SEAR.terrain.format.Georeference;
 import org.SEAR.terrain.format.MapLimits;
 
 /**
- * One or several maps side by side as one: on the grid of the finest of them. Where two have a height, that of the first counts; maps on other grids
- * are resampled, bilinear. One thread at a time.
+ * One or several maps combined on the grid of the finest one. Where maps overlap, the first with data wins. Maps on
+ * other grids are resampled bilinearly. One thread at a time.
  */
 final class Mosaic implements Closeable {
     private static final int MAX_TILES = 100;
     private static final long MAX_SIDE = 100_000_000;
 
-    /** Where the posts of the mosaic lie; for pictures, their columns from the west and rows from the south. */
+    /** Georeference of the posts. For pictures, map coordinates are columns from the west and rows from the south. */
     final Georeference place;
     final int rows;
     final int columns;
     private final List<ElevationMap> maps;
-    /** Of each map, its place on the mosaic's turn of the Earth. */
+    /** Georeference of each map, with longitudes wrapped to the first map's. */
     private final List<Georeference> places = new ArrayList<>();
 
     private Mosaic(List<ElevationMap> maps) throws IOException {
@@ -56,9 +56,8 @@ final class Mosaic implements Closeable {
 
     /**
      * Opens maps.
-     *
      * @param paths below the assets, at least one
-     * @throws IOException that names the map and what is wrong with it
+     * @throws IOException that names the map and the error
      */
     static Mosaic open(Assets assets, List<String> paths) throws IOException {
         FileLimits.range(paths.get(0), "the number of tiles", paths.size(), 1, MAX_TILES);
@@ -74,12 +73,12 @@ final class Mosaic implements Closeable {
         }
     }
 
-    /** The first map, which stands for all where they are alike. */
+    /** Returns the first map, for properties that all maps share. */
     ElevationMap first() {
         return maps.get(0);
     }
 
-    /** Of maps whose file ends too early, a line each. */
+    /** Returns a warning for each map whose file is truncated. */
     List<String> cutOff() {
         List<String> lines = new ArrayList<>();
         for (ElevationMap map : maps) {
@@ -97,14 +96,14 @@ final class Mosaic implements Closeable {
 
     private static void requireSameSystem(ElevationMap first, ElevationMap map) throws IOException {
         if (map.place == null) {
-            throw FileLimits.wrong(map.name, "the place", "not known", "several tiles need a place each, so that they can lie side by side");
+            throw FileLimits.wrong(map.name, "the georeference", "missing", "a georeference for each of several tiles");
         }
         if (first.place != null && !Objects.equals(first.place.system, map.place.system)) {
             throw FileLimits.wrong(map.name, "the coordinate system", map.place.system, first.place.system + " as in " + first.name);
         }
     }
 
-    /** Degrees of longitude that begin elsewhere: next to the first map's. */
+    /** Wraps degrees of longitude by full turns towards the first map. */
     private static Georeference turned(Georeference map, Georeference first) {
         return Georeference.WGS84.equals(map.system) ? map.moved(360 * Math.rint((first.x0 - map.x0) / 360), 0) : map;
     }
@@ -133,9 +132,8 @@ final class Mosaic implements Closeable {
 
     /**
      * Reads a part.
-     *
-     * @param row the first one, likewise column; rows and columns that the mosaic doesn't have are left out
-     * @throws IOException that names the map and what is wrong with it
+     * @param row first row, likewise column; all rows and columns must be in the mosaic
+     * @throws IOException that names the map and the error
      */
     MapRaster read(int row, int column, int height, int width) throws IOException {
         FileLimits.range(first().name, "the number of posts in the area", (long) height * width, 4, MapLimits.MAX_POSTS);

@@ -1,11 +1,11 @@
 package org.SEAR.terrain;
 
 /**
- * Where the posts of a height field lie on a map: exact at every so manyth post and interpolated between, because the way there by geodesics and map
- * projections is smooth, and slow. Immutable after it is made; any thread.
+ * Positions of a height field's posts on a map: exact at every n-th post and interpolated between. The conversion
+ * through geodesics and map projections is smooth but slow. Immutable, any thread.
  */
 final class PlaneLattice {
-    /** Metres that a post may lie beside its place. */
+    /** Maximum position error of a post, metres. */
     static final double TOLERANCE = 0.02;
     private static final int COARSEST = 256;
     private static final int FINEST = 4;
@@ -35,9 +35,8 @@ final class PlaneLattice {
     }
 
     /**
-     * As coarse as it may be.
-     *
-     * @param metresColumn metres from column to column of the map, likewise metresRow
+     * Returns the coarsest lattice within {@link #TOLERANCE}.
+     * @param metresColumn spacing of the map's columns, metres, likewise metresRow
      */
     static PlaneLattice of(FieldGrid grid, MapPlane plane, double metresColumn, double metresRow) {
         int step = COARSEST;
@@ -49,7 +48,10 @@ final class PlaneLattice {
         return lattice;
     }
 
-    /** The largest error in the middle between nodes, metres, of some of them; NaN if one has no place on the map. */
+    /**
+     * Returns the maximum error between a sample of nodes, metres; NaN if a position is outside the map's coordinate
+     * system.
+     */
     private double error(FieldGrid grid, MapPlane plane, double metresColumn, double metresRow) {
         double[] at = new double[2];
         double worst = 0;
@@ -70,19 +72,17 @@ final class PlaneLattice {
     }
 
     /**
-     * Column and row on the map of each post of a row.
-     *
-     * @param into takes them, alternating
+     * Writes the map's column and row at each post of a row.
+     * @param into receives column and row, alternating
      */
     void places(int postRow, double[] into) {
         places(postRow, 0, lastColumn, into);
     }
 
     /**
-     * The same of a part of a row.
-     *
-     * @param from its first post
-     * @param to its last post, at least one further
+     * Does the same for a part of a row.
+     * @param from first post
+     * @param to last post, greater than from
      */
     void places(int postRow, int from, int to, double[] into) {
         for (int c = from / step * step; c <= to && c < lastColumn; c += step) {
@@ -98,12 +98,12 @@ final class PlaneLattice {
         }
     }
 
-    /** The map's column at a post, with fractions. */
+    /** Returns the map's fractional column at a post. */
     double column(int postRow, int postColumn) {
         return between(column, postRow, postColumn);
     }
 
-    /** The map's row at a post, with fractions. */
+    /** Returns the map's fractional row at a post. */
     double row(int postRow, int postColumn) {
         return between(row, postRow, postColumn);
     }

@@ -11,14 +11,14 @@ import java.util.List;
 import org.SEAR.files.FileLimits;
 
 /**
- * Heights of a map that are too many for the memory, as they are there: in a file in the temporary folder, which goes away with this object, four
- * bytes a post. Nobody changes them after they are read and gaps are filled. Any thread.
+ * Elevations of a map that exceed the memory, in a temporary file of four bytes per post. The file is deleted with this
+ * object. Read-only after gaps are filled; any thread.
  */
 final class RasterFile {
     private static final Cleaner CLEANER = Cleaner.create();
-    /** Posts on each side of a block whose mean says what a gap begins with. */
+    /** Posts per side of a block whose mean gives a gap's start value. */
     private static final int BLOCK = 16;
-    /** Rows before and after those whose gaps are filled together. */
+    /** Rows before and after a strip that its gap filling takes into account. */
     private static final int AROUND = 64;
 
     final int row;
@@ -27,7 +27,7 @@ final class RasterFile {
     final int columns;
     private final String name;
     private final RandomAccessFile file;
-    /** Of each block of posts the sum of the heights, and how many have one. */
+    /** For each block, the sum of the elevations and the number of posts with data. */
     private final double[] sums;
     private final int[] counts;
     private final int blocksAcross;
@@ -47,12 +47,11 @@ final class RasterFile {
     }
 
     /**
-     * Reads a part of maps.
-     *
-     * @param part the first row, the first column, how many rows and columns
-     * @param atOnce posts that are held at once
-     * @param warnings gets how much was filled in
-     * @throws IOException that names the map and what is wrong with it
+     * Copies a part of maps to a file.
+     * @param part first row, first column, rows and columns
+     * @param atOnce maximum number of posts in memory
+     * @param warnings receives the share of posts without data
+     * @throws IOException that names the map and the error
      */
     static RasterFile of(Mosaic mosaic, int[] part, int atOnce, List<String> warnings) throws IOException {
         String name = mosaic.first().name;
@@ -69,14 +68,14 @@ final class RasterFile {
         return raster;
     }
 
-    /** A file without a name, where that can be; else it goes at the program's end. */
+    /** Opens a file and unlinks it if possible; otherwise deletes it at exit. */
     private static RandomAccessFile open(String name, long size) throws IOException {
         Path path = Files.createTempFile("sear-terrain-", ".heights");
         long room = Files.getFileStore(path).getUsableSpace();
         if (room < size) {
             Files.delete(path);
-            throw FileLimits.wrong(name, "the room for its heights in the temporary folder " + path.getParent(), room + " bytes",
-                size + " bytes or more: make room, choose another folder (-Djava.io.tmpdir=...), or use a smaller area");
+            throw FileLimits.wrong(name, "the free space for its elevations in the temporary folder " + path.getParent(), room + " bytes",
+                size + " bytes or more: free space, choose another folder (-Djava.io.tmpdir=...), or use a smaller area");
         }
         RandomAccessFile file = new RandomAccessFile(path.toFile(), "rw");
         try {
@@ -154,7 +153,7 @@ final class RasterFile {
         return false;
     }
 
-    /** Those of some rows; rows around them say how they go on. */
+    /** Fills the gaps of a strip of rows, taking rows around it into account. */
     private void fill(MapRaster coarse, int first, int height) throws IOException {
         int from = Math.max(0, first - AROUND);
         int end = Math.min(rows, first + height + AROUND);
@@ -166,8 +165,7 @@ final class RasterFile {
 
     /**
      * Reads posts.
-     *
-     * @param top the first row, counted from this part's first, likewise left
+     * @param top first row, counted from this part's first, likewise left
      */
     private synchronized float[] read(int top, int left, int height, int width) throws IOException {
         float[] heights = new float[height * width];
@@ -181,9 +179,8 @@ final class RasterFile {
     }
 
     /**
-     * The posts between which some places lie.
-     *
-     * @param box the least and the greatest column and row of them, on the map: least column, least row, greatest column, greatest row
+     * Reads the posts that surround some positions.
+     * @param box bounds of the positions on the map: minimum column, minimum row, maximum column, maximum row
      */
     MapRaster around(double[] box) {
         int left = Math.min((int) Math.max(0, box[0] - column), columns - 2);
@@ -193,16 +190,16 @@ final class RasterFile {
         try {
             return new MapRaster(row + top, column + left, bottom - top + 1, right - left + 1, read(top, left, bottom - top + 1, right - left + 1));
         } catch (IOException e) {
-            throw new UncheckedIOException(new IOException(name + ": its heights in the temporary folder can't be read: " + e.getMessage(), e));
+            throw new UncheckedIOException(new IOException(name + ": SEAR can't read its elevations in the temporary folder: " + e.getMessage(), e));
         }
     }
 
-    /** The height at a place of the map, as {@link MapRaster#height} has it. */
+    /** Returns the elevation at a position of the map, as {@link MapRaster#height} does. */
     double height(double atColumn, double atRow) {
         return around(new double[] {atColumn, atRow, atColumn, atRow}).height(this, atColumn, atRow);
     }
 
-    /** The lowest and the highest that the map has. */
+    /** Returns the minimum and maximum of the map, metres. */
     double[] range() {
         return new double[] {lowest, highest};
     }

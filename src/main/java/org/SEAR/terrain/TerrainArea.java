@@ -5,13 +5,13 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Objects;
 
-/** Which maps are used, and which part of them: what an object Terrain says. Immutable, any thread. */
+/** Maps and area that a Terrain object specifies. Immutable, any thread. */
 public final class TerrainArea {
     /** Paths below the assets, at least one. */
     final List<String> paths;
-    /** Degrees of the centre and metres north-south and east-west; null: all of the maps. */
+    /** Rectangle on Earth; null for the whole maps. */
     final Area area;
-    /** Metres of a map without a place on Earth; null: the map says them. */
+    /** Size of a map without a georeference; null if the map defines it. */
     final Size size;
 
     private TerrainArea(List<String> paths, Area area, Size size) {
@@ -21,10 +21,9 @@ public final class TerrainArea {
     }
 
     /**
-     * All of one or several maps.
-     *
+     * Selects one or several whole maps.
      * @param path below the assets
-     * @param tiles more of them, beside it
+     * @param tiles further maps
      */
     public static TerrainArea of(String path, List<String> tiles) {
         List<String> paths = new ArrayList<>();
@@ -34,8 +33,7 @@ public final class TerrainArea {
     }
 
     /**
-     * A part of them.
-     *
+     * Selects a part of the maps.
      * @param latitude of the centre, degrees, + north
      * @param longitude of the centre, degrees, + east
      * @param northSouth metres, likewise eastWest
@@ -45,10 +43,9 @@ public final class TerrainArea {
     }
 
     /**
-     * How large a map without a place on Earth is.
-     *
+     * Sets the size of a map without a georeference.
      * @param northSouth metres, likewise eastWest
-     * @param lowest metres of black, or of the lowest value; likewise highest
+     * @param lowest elevation of black or of the minimum, metres; likewise highest
      */
     public TerrainArea sized(double northSouth, double eastWest, double lowest, double highest) {
         return new TerrainArea(paths, area, new Size(northSouth, eastWest, lowest, highest));
@@ -70,7 +67,7 @@ public final class TerrainArea {
             + (size == null ? "" : ", size " + size.northSouth + " x " + size.eastWest + ", " + size.lowest + " to " + size.highest);
     }
 
-    /** A rectangle about a place on Earth. */
+    /** Rectangle centred at a position on Earth: degrees, and metres north-south and east-west. */
     static final class Area {
         final double latitude;
         final double longitude;
@@ -85,7 +82,7 @@ public final class TerrainArea {
         }
     }
 
-    /** Metres. */
+    /** Size of a map without a georeference, metres. */
     static final class Size {
         final double northSouth;
         final double eastWest;

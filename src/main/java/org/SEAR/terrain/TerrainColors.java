@@ -9,7 +9,9 @@ import org.SEAR.files.Assets;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.terrain.relief.GroundPicture;
 
-/** The colours that a terrain has of its own: those of its picture, which fills the area north up, else its one colour. Any thread. */
+/**
+ * Colours that a Terrain object specifies: its picture, north up over the whole area, or its one colour. Any thread.
+ */
 public final class TerrainColors {
     private static final int OPAQUE = 0xff000000;
 
@@ -17,10 +19,9 @@ public final class TerrainColors {
     }
 
     /**
-     * What colour the ground has where.
-     *
-     * @return null for colours by height and slope
-     * @throws IOException that names the picture, what is wrong with it and what is legal
+     * Returns the ground's colours.
+     * @return null for colours by elevation and slope
+     * @throws IOException that names the picture, the error and what is legal
      */
     public static GroundPicture.Colors of(Terrain terrain, Assets assets, Ground ground) throws IOException {
         String path = terrain.getImage();
@@ -36,9 +37,8 @@ public final class TerrainColors {
     }
 
     /**
-     * Reads a picture that is read as maps are, a TIFF; the others are looked at when the project is read.
-     *
-     * @throws IOException that names the picture, what is wrong with it and what is legal
+     * Checks a TIFF picture by reading it. Other pictures are checked when the project is loaded.
+     * @throws IOException that names the picture, the error and what is legal
      */
     public static void check(Terrain terrain, Assets assets, Ground ground) throws IOException {
         String path = terrain.getImage();
@@ -47,7 +47,7 @@ public final class TerrainColors {
         }
     }
 
-    /** A picture that says itself where it lies. */
+    /** Returns the colours of a georeferenced picture. */
     private static GroundPicture.Colors placed(String path, Assets assets, Ground ground) throws IOException {
         HeightField field = ground.field;
         AerialPicture picture = AerialPicture.load(assets, path, ground.origin, field.x(0), field.x(field.rows - 1), field.z(0),
@@ -66,13 +66,13 @@ public final class TerrainColors {
         try (InputStream in = assets.open(path)) {
             BufferedImage image = ImageIO.read(in);
             if (image == null) {
-                throw new IOException(path + " is no picture that can be read, legal: .png, .jpg, .gif or .bmp");
+                throw new IOException(path + ": SEAR can't read the picture, legal: .png, .jpg, .gif or .bmp");
             }
             return image;
         }
     }
 
-    /** A picture over all of a field. */
+    /** Returns the colours of a picture that covers a whole field. */
     static GroundPicture.Colors filling(BufferedImage image, HeightField field) {
         int width = image.getWidth();
         int height = image.getHeight();
@@ -82,7 +82,7 @@ public final class TerrainColors {
         return (x, z) -> at(pixels, width, (z - field.lowZ) * perZ - 0.5, height - (x - field.lowX) * perX - 0.5);
     }
 
-    /** The colour between the centres of four pixels. */
+    /** Interpolates between the centres of four pixels. */
     private static int at(int[] pixels, int width, double across, double down) {
         int left = (int) Math.floor(across);
         int top = (int) Math.floor(down);

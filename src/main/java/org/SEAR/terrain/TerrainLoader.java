@@ -9,8 +9,8 @@ import java.util.Map;
 import org.SEAR.files.Assets;
 
 /**
- * Loads the ground of a world. Who asks again for the same area of the same files while anybody uses it gets the same object: simulator, window, tab
- * and scripts share one array of heights. Any thread; one loads at a time.
+ * Loads the ground of a world. Repeated requests for the same area of the same files return the same object while it is
+ * in use: simulator, window, tab and scripts share one array. Any thread; loads run one at a time.
  */
 public final class TerrainLoader {
     private static final Map<String, WeakReference<Ground>> LOADED = new HashMap<>();
@@ -19,10 +19,9 @@ public final class TerrainLoader {
     }
 
     /**
-     * Loads maps, or returns what is loaded of them.
-     *
-     * @param area which maps and which part of them
-     * @throws IOException that names the file, what is wrong in it and what is legal
+     * Loads a ground or returns the loaded one.
+     * @param area maps and area
+     * @throws IOException that names the file, the error and what is legal
      */
     public static Ground load(TerrainArea area, Assets assets) throws IOException {
         synchronized (LOADED) {
@@ -44,7 +43,7 @@ public final class TerrainLoader {
         }
     }
 
-    /** What the ground depends on: another file of the same name has another size or time. */
+    /** Returns a key of everything the ground depends on, including size and time of the files. */
     private static String key(TerrainArea area, Assets assets) throws IOException {
         StringBuilder key = new StringBuilder(area.toString());
         for (String path : area.paths) {

@@ -5,9 +5,9 @@ import java.io.UncheckedIOException;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightTiles;
 
-/** Brings heights of a map that is too large for the memory onto the posts of tiles, each time that a tile is wanted. Any thread. */
+/** Resamples a map that exceeds the memory to the posts of one tile at a time. Any thread. */
 final class TileSampler implements HeightTiles.Source {
-    /** Posts of the field that stands for all of the ground where it is seen as a whole. */
+    /** Maximum number of posts of the coarse field of the whole ground. */
     private static final int OVERVIEW = 2_000_000;
 
     private final String file;
@@ -18,8 +18,8 @@ final class TileSampler implements HeightTiles.Source {
     private final double factor;
 
     /**
-     * @param zero what y = 0 is on the map
-     * @param factor metres of a unit of the map
+     * @param zero elevation of y = 0 on the map
+     * @param factor metres per unit of the map
      */
     TileSampler(String file, FieldGrid grid, PlaneLattice lattice, RasterFile raster, double zero, double factor) {
         this.file = file;
@@ -56,7 +56,7 @@ final class TileSampler implements HeightTiles.Source {
         return heights;
     }
 
-    /** The map's height at the world's origin, as the triangles there have it. */
+    /** Returns the map's elevation at the world's origin, interpolated by the field's triangles. */
     double atOrigin() {
         int row = Math.max(0, Math.min(grid.rows - 3, (int) (-grid.lowX / grid.spacingX) - 1));
         int column = Math.max(0, Math.min(grid.columns - 3, (int) (-grid.lowZ / grid.spacingZ) - 1));
@@ -67,10 +67,9 @@ final class TileSampler implements HeightTiles.Source {
     }
 
     /**
-     * The tiles, and a field that stands for all of them.
-     *
-     * @param ground takes it
-     * @throws IOException if a part of the area has no place on the map
+     * Creates the tiles and a coarse field of the whole ground.
+     * @param ground receives the coarse field
+     * @throws IOException if a part of the area is outside the map's coordinate system
      */
     HeightTiles tiles(HeightField[] ground) throws IOException {
         int step = 1;
@@ -91,7 +90,7 @@ final class TileSampler implements HeightTiles.Source {
         }
     }
 
-    /** Takes over the heights of a tile at the posts of a coarser field that lie in it. */
+    /** Copies the elevations of a tile to the coarse posts inside it. */
     private void look(HeightField tile, int row, int column, int rows, int columns, float[] coarse) {
         for (int i = first(row, grid.rows, rows); i < rows && (long) i * (grid.rows - 1) <= (row + tile.rows - 1L) * (rows - 1); i++) {
             double x = within(grid.lowX + (grid.rows - 1.0) * i / (rows - 1) * grid.spacingX, tile.x(0), tile.x(tile.rows - 1));
@@ -103,7 +102,7 @@ final class TileSampler implements HeightTiles.Source {
         }
     }
 
-    /** The first post of the coarser field that doesn't lie before a post. */
+    /** Returns the first coarse post at or after a post. */
     private static int first(int post, int posts, int coarse) {
         return (int) (((long) post * (coarse - 1) + posts - 2) / (posts - 1));
     }

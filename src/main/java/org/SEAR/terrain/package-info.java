@@ -1,5 +1,6 @@
 /**
- * From elevation maps to the ground of a world: the area that is used, its place on Earth, its height field. Uses {@link org.SEAR.POJOs},
- * {@link org.SEAR.terrain.format} and {@link org.SEAR.terrain.relief}, and what these use. Any thread.
+ * Builds the ground of a world from elevation maps: the used area, its position on Earth and its height field. Uses
+ * {@link org.SEAR.POJOs}, {@link org.SEAR.terrain.format}, {@link org.SEAR.terrain.relief} and their dependencies. Any
+ * thread.
  */
 package org.SEAR.terrain;

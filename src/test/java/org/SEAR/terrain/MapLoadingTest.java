@@ -147,7 +147,7 @@ public class MapLoadingTest {
         Ground ground = load(all("a.tif"));
         assertEquals(520, ground.height(latitude(20), longitude(12)), 1);
         assertEquals(1, ground.warnings.size());
-        assertTrue(ground.warnings.get(0), ground.warnings.get(0).matches("a.tif: (9|10|11)\\.\\d % of the area have no data, and are filled in .*"));
+        assertTrue(ground.warnings.get(0), ground.warnings.get(0).matches("a.tif: (9|10|11)\\.\\d % of the area has no data.*"));
         assertEquals(Collections.emptyList(), load(all("a.tif").around(latitude(20), longitude(25), 500, 500)).warnings);
         tile("b.tif", 0, 0, 40, 40, (c, r) -> c < 30 ? -1 : 500 + r);
         refused(all("b.tif"), "b.tif: the part of the area without data is 7");
@@ -160,7 +160,7 @@ public class MapLoadingTest {
         refused(all("a.tif").around(46.99, 8.01, 10000, 100), "a.tif: the area is 46.99, 8.01, 10000 m x 100 m, which reaches beyond the map, legal: "
             + "inside latitudes 46.95000 to 47.00000 and longitudes 8.00000 to 8.06000");
         refused(all("a.tif").around(-46.99, 8.01, 100, 100), "reaches beyond the map");
-        refused(all("a.tif").sized(100, 100, 0, 10), "no setSize for a map that says its place and size itself");
+        refused(all("a.tif").sized(100, 100, 0, 10), "no setSize for a georeferenced map");
     }
 
     @Test
@@ -195,7 +195,7 @@ public class MapLoadingTest {
             assertThrows(IllegalStateException.class, () -> ground.height(47, 8));
         }
         refused(all("hills10.png"), "hills10.png: the size is not known, legal: setSize(northSouth, eastWest, lowest, highest) in metres");
-        refused(all("hills10.png").around(47, 8, 10, 10), "no setArea for a map that says no place on Earth");
+        refused(all("hills10.png").around(47, 8, 10, 10), "no setArea for a map without a georeference");
     }
 
     @Test
@@ -235,7 +235,7 @@ public class MapLoadingTest {
         write("unknown.tif", TiffMaker.heights(3, 3, 500000, 5200000, 30, 1, 2, 3, 4, 5, 6, 7, 8, 9).with(34735, keys).bytes());
         refused(all("unknown.tif"), "unknown.tif: the coordinate system is EPSG:9999 (");
         write("wrong.tif", TiffMaker.heights(3, 3, 500000, 5200000, 30, 1, 2, 3, 4, 5, 6, 7, 8, 9).bytes());
-        refused(all("wrong.tif"), "wrong.tif: the middle of the map is latitude ");
+        refused(all("wrong.tif"), "wrong.tif: the centre of the map is latitude ");
     }
 
     @Test

@@ -108,7 +108,7 @@ public class PagedGroundTest {
         tile("gap.tif", 0, 0, 80, 90, (c, r) -> c > 30 && c < 50 && r > 10 && r < 70 ? -1 : 500 + c + 2 * r);
         Ground ground = load(FEW, TerrainArea.of("gap.tif", Collections.emptyList()));
         assertEquals(1, ground.warnings.size());
-        assertTrue(ground.warnings.get(0), ground.warnings.get(0).startsWith("gap.tif: 15.6 % of the area have no data, and are filled in"));
+        assertTrue(ground.warnings.get(0), ground.warnings.get(0).startsWith("gap.tif: 15.6 % of the area has no data"));
         HeightTiles tiles = (HeightTiles) ground.heights;
         for (int row = 0; row < tiles.rows; row++) {
             for (int column = 0; column < tiles.columns; column++) {
@@ -122,7 +122,7 @@ public class PagedGroundTest {
         }
         tile("none.tif", 0, 0, 80, 90, (c, r) -> c < 50 ? -1 : 500 + c);
         IOException e = assertThrows(IOException.class, () -> load(FEW, TerrainArea.of("none.tif", Collections.emptyList())));
-        assertEquals("none.tif: the part of the area without data is 62.5 %, legal: at most 50 %: choose another area, or add the tile that has it",
+        assertEquals("none.tif: the part of the area without data is 62.5 %, legal: at most 50 %: choose another area, or add the missing tile",
             e.getMessage());
     }
 

@@ -1,18 +1,17 @@
 package org.SEAR.terrain.relief;
 
-/** Colours along a line: stops in rising order, straight between them, red, green and blue from 0 to 1. Immutable, any thread. */
+/** Colour ramp: linear between stops in ascending order; red, green and blue from 0 to 1. Immutable, any thread. */
 public final class ColorRamp {
     private final float[][] stops;
 
-    /** @param stops each {place, red, green, blue}, places rising */
+    /** @param stops {position, red, green, blue} each, positions ascending */
     public ColorRamp(float[]... stops) {
         this.stops = stops;
     }
 
     /**
-     * The colour at a place; before the first stop that of the first, behind the last that of the last.
-     *
-     * @param into takes red, green and blue
+     * Writes the colour at a position; clamps to the first and last stop.
+     * @param into receives red, green and blue
      */
     public void at(double place, float[] into) {
         int next = 1;

@@ -1,25 +1,25 @@
 package org.SEAR.terrain.relief;
 
 /**
- * What grows on the ground, as the colour it has in plain light: meadows and woods low down, grass and rock further up, snow on top of high
- * mountains, and rock where it is steep. Heights count within the terrain's own range. Any thread.
+ * Colours of natural ground before lighting: meadows and woods low down, grass and rock further up, snow on high
+ * mountains, rock on steep slopes. Elevation is relative to the terrain's own range. Any thread.
  */
 final class GroundColors {
-    /** By height: 0 is the lowest place, 1 the top of a mountain that is high enough for snow. */
+    /** Colours by elevation: 0 is the lowest point, 1 the top of a mountain high enough for snow. */
     private static final ColorRamp HEIGHTS = new ColorRamp(new float[] {0, 0.53f, 0.56f, 0.34f}, new float[] {0.16f, 0.45f, 0.51f, 0.29f},
         new float[] {0.38f, 0.36f, 0.43f, 0.24f}, new float[] {0.55f, 0.37f, 0.41f, 0.24f}, new float[] {0.70f, 0.50f, 0.48f, 0.33f},
         new float[] {0.82f, 0.54f, 0.50f, 0.44f}, new float[] {0.92f, 0.66f, 0.65f, 0.63f}, new float[] {0.97f, 0.93f, 0.94f, 0.96f});
     private static final float[] WOOD = {0.22f, 0.31f, 0.17f};
     private static final float[] ROCK = {0.52f, 0.48f, 0.42f};
-    /** Where on the ramp a small relief ends: meadows and woods only. */
+    /** End of the ramp for a low relief: meadows and woods only. */
     private static final double LOW_TOP = 0.56;
-    /** Metres from bottom to top that end there, and that reach up to snow. */
+    /** Elevation range, metres, up to which the ramp ends at {@link #LOW_TOP}, and from which it reaches snow. */
     private static final double HILLS = 350;
     private static final double MOUNTAINS = 2600;
-    /** Slopes, metres a metre, between which rock shows. */
+    /** Slopes between which rock appears, metres per metre. */
     private static final double GRASSY = 0.75;
     private static final double ROCKY = 1.5;
-    /** Metres of a wood. */
+    /** Minimum and maximum size of a wood, metres. */
     private static final double SMALLEST_WOOD = 12;
     private static final double LARGEST_WOOD = 900;
 
@@ -37,11 +37,10 @@ final class GroundColors {
     }
 
     /**
-     * The colour of a pixel.
-     *
-     * @param steep its slope, metres a metre
+     * Writes the colour of a pixel.
+     * @param steep slope, metres per metre
      * @param ridge from -1 in a valley to 1 on a ridge
-     * @param into takes red, green and blue
+     * @param into receives red, green and blue
      */
     void at(int row, int column, double steep, double ridge, float[] into) {
         double x = relief.x(row) / wood;

@@ -2,20 +2,20 @@ package org.SEAR.terrain.relief;
 
 import java.util.Random;
 
-/** The grain of the ground close by: grey noise of all sizes that fits to itself at its edges. Any thread. */
+/** Detail texture of nearby ground: tileable grey noise of several octaves. Any thread. */
 public final class GroundGrain {
-    /** Pixels of a side. */
+    /** Size of the texture, pixels. */
     public static final int SIDE = 512;
-    /** Metres at which the grain is gone. */
+    /** Distance at which the grain has faded out, metres. */
     public static final float FAR = 150;
-    /** Metres after which it is repeated. */
+    /** Period of the grain, metres. */
     public static final double REPEATED = 9.6;
     private static final int OCTAVES = 7;
 
     private GroundGrain() {
     }
 
-    /** How bright each pixel is, row by row: 128 leaves the ground as it is. */
+    /** Returns the brightness of each pixel, row by row; 128 leaves the ground unchanged. */
     public static byte[] grey() {
         return grey(new Random(SIDE));
     }

@@ -1,24 +1,24 @@
 package org.SEAR.terrain.relief;
 
 /**
- * A picture of the ground from above, with the light of the sun in it: of an aerial picture, of one colour, or by height and slope. Its rows go from
- * the south to the north. Immutable, any thread.
+ * Picture of the ground from above including sunlight: an aerial picture, one colour, or colours by elevation and
+ * slope. Rows go from south to north. Immutable, any thread.
  */
 public final class GroundPicture {
-    /** Cartographers' light: from the north-west, half way up. */
+    /** Light of maps: from the north-west, 45 degrees above the horizon. */
     public static final HillShade MAP_LIGHT = new HillShade(315, 45);
-    /** Colours of heights on a map. */
+    /** Tints of elevation on a map. */
     private static final ColorRamp TINTS = new ColorRamp(new float[] {0, 0.62f, 0.75f, 0.55f}, new float[] {0.22f, 0.78f, 0.84f, 0.62f},
         new float[] {0.45f, 0.93f, 0.90f, 0.70f}, new float[] {0.68f, 0.88f, 0.77f, 0.57f}, new float[] {0.86f, 0.76f, 0.62f, 0.49f},
         new float[] {1, 0.95f, 0.93f, 0.91f});
-    /** A relief gentler than this, metres a metre, is shaded as if it were steeper, so that one sees it. */
+    /** Mean slope, metres per metre, below which shading exaggerates the relief to make it visible. */
     private static final double VISIBLE_SLOPE = 0.3;
     private static final double MAX_EXAGGERATION = 3;
-    /** Share of the picture's side over which valleys and ridges are told apart. */
+    /** Number of ridge-detection windows along the longer side of the picture. */
     private static final int RIDGES = 60;
     private static final double RIDGE_LIGHT = 0.13;
     private static final double GRAIN = 0.05;
-    /** How much of an aerial picture's light is left to the sun that is in it already. */
+    /** Share of shading that an aerial picture gets, as it already contains sunlight. */
     private static final double AERIAL = 0.55;
 
     /** Pixels from west to east, and from south to north. */
@@ -33,17 +33,16 @@ public final class GroundPicture {
         pixels = new int[width * height];
     }
 
-    /** What colour the ground has at a place. */
+    /** Given colours of the ground. */
     public interface Colors {
         /**
-         * The colour at a place, metres.
-         *
-         * @return 0xRRGGBB, alpha 255 in its highest byte; alpha 0 where it has none
+         * Returns the colour at a point of the world, metres.
+         * @return 0xAARRGGBB with alpha 255; alpha 0 without a colour
          */
         int at(double x, double z);
     }
 
-    /** The light that falls on a landscape: {red, green, blue} of the sky's and of the sun's, and where the sun stands. */
+    /** Light on a landscape: {red, green, blue} of sky and sun, and the sun's direction. */
     public static final class Light {
         private final float[] sky;
         private final float[] sun;
@@ -56,7 +55,7 @@ public final class GroundPicture {
         }
     }
 
-    /** A landscape by height and slope, where the given colours have none; all of it if they are null. */
+    /** Draws a landscape: the given colours, and colours by elevation and slope elsewhere or if given is null. */
     public static GroundPicture landscape(Relief relief, Light light, Colors given) {
         GroundPicture picture = new GroundPicture(relief);
         GroundColors natural = new GroundColors(relief);
@@ -92,7 +91,7 @@ public final class GroundPicture {
         return picture;
     }
 
-    /** A map: heights as tints, or the given colours where they are, with hill shading. */
+    /** Draws a map with hill shading: the given colours, and tints of elevation elsewhere. */
     public static GroundPicture map(Relief relief, Colors given) {
         GroundPicture picture = new GroundPicture(relief);
         double exaggeration = Math.max(1, Math.min(MAX_EXAGGERATION, VISIBLE_SLOPE / Math.max(relief.meanSlope(), 1e-9)));

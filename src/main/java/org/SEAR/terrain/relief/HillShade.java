@@ -1,8 +1,8 @@
 package org.SEAR.terrain.relief;
 
 /**
- * How much light a slope gets from a sun that is infinitely far away: Lambert's cosine of the angle between the sun and the normal of the ground, 0
- * where it looks away. Immutable, any thread.
+ * Light on a slope from an infinitely distant sun: Lambert's cosine of the angle between sun and surface normal, 0 if
+ * the slope faces away. Immutable, any thread.
  */
 public final class HillShade {
     private final double north;
@@ -10,7 +10,7 @@ public final class HillShade {
     private final double east;
 
     /**
-     * @param azimuth where the sun stands, degrees clockwise from north
+     * @param azimuth direction of the sun, degrees clockwise from north
      * @param altitude degrees above the horizon
      */
     public HillShade(double azimuth, double altitude) {
@@ -21,9 +21,8 @@ public final class HillShade {
     }
 
     /**
-     * The share of full light, 0 to 1.
-     *
-     * @param slopeNorth metres up for a metre north, likewise slopeEast
+     * Returns the share of full light, 0 to 1.
+     * @param slopeNorth rise per metre to the north, metres, likewise slopeEast
      */
     public double at(double slopeNorth, double slopeEast) {
         double cosine = (up - slopeNorth * north - slopeEast * east) / Math.sqrt(1 + slopeNorth * slopeNorth + slopeEast * slopeEast);

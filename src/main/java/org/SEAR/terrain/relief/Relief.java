@@ -3,22 +3,22 @@ package org.SEAR.terrain.relief;
 import org.SEAR.geometry.HeightField;
 
 /**
- * A height field as a raster of pixels that covers just its area, the southernmost row first: heights at the pixels' centres, and how steep it is
- * there. Holds 8 bytes a pixel. Immutable, any thread.
+ * Height field resampled to pixels that cover exactly its area, the southernmost row first: elevations and slopes at
+ * the pixels' centres. 8 bytes per pixel. Immutable, any thread.
  */
 public final class Relief {
     private static final int SMALLEST = 64;
-    /** Passes of a mean that come close to a bell curve. */
+    /** Passes of a running mean that approximate a Gaussian. */
     private static final int PASSES = 2;
 
     /** Pixels from west to east. */
     public final int width;
     /** Pixels from south to north. */
     public final int height;
-    /** The lowest and the highest height of a pixel, metres. */
+    /** Minimum and maximum elevation of the pixels, metres. */
     public final double lowest;
     public final double highest;
-    /** Metres from pixel to pixel, northwards and eastwards. */
+    /** Pixel size northwards and eastwards, metres. */
     public final double stepX;
     public final double stepZ;
     private final HeightField field;
@@ -26,9 +26,10 @@ public final class Relief {
     private final float[] smooth;
 
     /**
-     * @param longest pixels of the longer side at most, at least 64
-     * @param perPost pixels between two posts at most, at least 1
-     * @param detail metres below which the heights tell nothing: slopes are smoothed over so much; the field's spacing at least
+     * @param longest maximum number of pixels of the longer side, at least 64
+     * @param perPost maximum number of pixels between two posts, at least 1
+     * @param detail resolution of the elevations, metres; slopes are smoothed over this length, at least over the
+     *     field's spacing
      */
     public Relief(HeightField field, int longest, int perPost, double detail) {
         this.field = field;
@@ -66,36 +67,36 @@ public final class Relief {
         return samples;
     }
 
-    /** Where the centre of a row of pixels lies, metres north. */
+    /** Returns the centre of a row of pixels, metres north. */
     public double x(int row) {
         return field.lowX + (row + 0.5) * stepX;
     }
 
-    /** Where the centre of a column of pixels lies, metres east. */
+    /** Returns the centre of a column of pixels, metres east. */
     public double z(int column) {
         return field.lowZ + (column + 0.5) * stepZ;
     }
 
-    /** Metres. */
+    /** Returns the elevation of a pixel, metres. */
     public float y(int row, int column) {
         return heights[row * width + column];
     }
 
-    /** Metres up for a metre north. */
+    /** Returns the rise per metre to the north, metres. */
     public double slopeNorth(int row, int column) {
         int south = Math.max(0, row - 1);
         int north = Math.min(height - 1, row + 1);
         return (smooth[north * width + column] - smooth[south * width + column]) / ((north - south) * stepX);
     }
 
-    /** Metres up for a metre east. */
+    /** Returns the rise per metre to the east, metres. */
     public double slopeEast(int row, int column) {
         int west = Math.max(0, column - 1);
         int east = Math.min(width - 1, column + 1);
         return (smooth[row * width + east] - smooth[row * width + west]) / ((east - west) * stepZ);
     }
 
-    /** The root of the mean square of the slope, metres a metre. */
+    /** Returns the root mean square slope, metres per metre. */
     public double meanSlope() {
         double sum = 0;
         int count = 0;
@@ -110,7 +111,7 @@ public final class Relief {
         return Math.sqrt(sum / count);
     }
 
-    /** The heights smoothed over so many pixels to each side, row by row from the south. The caller's own. */
+    /** Returns a new array of elevations smoothed over a radius in pixels, row by row from the south. */
     public float[] blurred(int alongX, int alongZ) {
         float[] from = heights.clone();
         if (alongX < 1 && alongZ < 1) {
@@ -128,7 +129,7 @@ public final class Relief {
         return from;
     }
 
-    /** The running mean of a line of values over radius to each side; beyond its ends the line goes on straight, turned about them. */
+    /** Computes the running mean of a line of values. Beyond its ends, the line continues by point reflection. */
     private static void mean(float[] from, float[] to, int start, int stride, int length, int radius) {
         double sum = 0;
         for (int i = -radius; i <= radius; i++) {

@@ -1,16 +1,16 @@
 package org.SEAR.terrain.relief;
 
-/** Smooth noise on the plane, the same for ever at the same place: random values at whole numbers, a smooth course between. Any thread. */
+/** Deterministic smooth noise on the plane: random values at whole numbers, interpolated between. Any thread. */
 final class ValueNoise {
     private ValueNoise() {
     }
 
-    /** Three octaves of it, from about -1 to 1, mean 0. */
+    /** Returns three octaves of noise, from about -1 to 1, mean 0. */
     static double fractal(double x, double z) {
         return (4 * at(x, z) + 2 * at(2.03 * x + 31.7, 2.03 * z - 17.1) + at(4.1 * x - 7.9, 4.1 * z + 53.3)) / 7 * 1.6;
     }
 
-    /** From -1 to 1. */
+    /** Returns one octave of noise, -1 to 1. */
     static double at(double x, double z) {
         int row = (int) Math.floor(x);
         int column = (int) Math.floor(z);
@@ -25,7 +25,7 @@ final class ValueNoise {
         return t * t * (3 - 2 * t);
     }
 
-    /** The random value of a place in whole numbers, from -1 to 1: the finisher of MurmurHash3 over both. */
+    /** Returns the random value of a lattice point, -1 to 1: both coordinates through the finaliser of MurmurHash3. */
     static double value(int row, int column) {
         int h = row * 0x9e3779b1 ^ column * 0x85ebca6b;
         h = (h ^ h >>> 16) * 0x85ebca6b;

@@ -1,5 +1,6 @@
 /**
- * Pictures of the ground from its heights: slopes, hill shading, colours by height and slope. For the window, which lays one over its terrain, and
- * for maps. Uses {@link org.SEAR.geometry}, and what that uses. Knows neither files nor the window; any thread.
+ * Pictures of the ground from its elevation: slopes, hill shading, colours by elevation and slope. The window drapes
+ * such a picture over its terrain; maps show it. Uses {@link org.SEAR.geometry} and its dependencies, no files and no
+ * window. Any thread.
  */
 package org.SEAR.terrain.relief;

@@ -102,7 +102,7 @@ public class TerrainPlacesTest {
         new Terrain("holes", "holes.asc");
         try (Simulation simulation = Worlds.start(project)) {
             String told = simulation.snapshot().warnings.toString();
-            assertTrue(told, told.contains("holes.asc: ") && told.contains("of the area have no data, and are filled in from around"));
+            assertTrue(told, told.contains("holes.asc: ") && told.contains("of the area has no data: SEAR interpolates it"));
         }
     }
 

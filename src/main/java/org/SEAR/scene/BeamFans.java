@@ -12,23 +12,23 @@ import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.sensors.BeamPattern;
 
-/** The beams of a project's sensors, as window and tab draw them. Any thread. */
+/** Creates the beams of a project's sensors for the window and the tab. Any thread. */
 public final class BeamFans {
     private static final int DISTANCE_HIT = 0xff140d;
     private static final int LIDAR_HIT = 0xfff21a;
     private static final int LIDAR_BEAM = 0xff1f14;
     private static final float DISTANCE_RADIUS = 0.03f;
     private static final float LIDAR_RADIUS = 0.018f;
-    /** Share of a step that a spread may fall short of a whole number of steps. */
+    /** Tolerance for a spread that is slightly less than a whole number of steps, in steps. */
     private static final double ROUNDING = 1e-9;
     private static final float BYTE = 255f;
-    /** More lines than this for a sensor are a blot, and a machine without graphics card spends most of a picture's time on them. */
+    /** Maximum number of lines per sensor. More would be unreadable and slow without a graphics card. */
     private static final int MAX_LINES = 240;
 
     private BeamFans() {
     }
 
-    /** In the order of the robots and their components. */
+    /** Returns the fans in the order of the robots and their components. */
     public static List<BeamFan> of(Project project) {
         List<BeamFan> fans = new ArrayList<>();
         List<SEARrobot> robots = project.getRobots();
@@ -92,7 +92,10 @@ public final class BeamFans {
         return IntStream.range(0, count).filter(beam -> beam % stride == 0).toArray();
     }
 
-    /** Of each cone the first line and every nth after it; cone by cone turned by one line, so that they fill each other's gaps. */
+    /**
+     * Chooses every n-th line of each cone. The start shifts by one line from cone to cone so that cones fill each
+     * other's gaps.
+     */
     private static int[] lines(List<BeamCone> cones, int count) {
         int stride = stride(count);
         IntStream.Builder chosen = IntStream.builder();

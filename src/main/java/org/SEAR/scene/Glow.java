@@ -1,8 +1,8 @@
 package org.SEAR.scene;
 
-/** What is seen of a light: a dark one has a little of its colour, too. Any thread. */
+/** Displayed colour of a light. A light that is off still shows some of its colour. Any thread. */
 public final class Glow {
-    /** What is seen of the colour of a light that is dark. */
+    /** Share of its colour that a light shows when off. */
     private static final double DARK = 0.2;
     private static final int BYTE = 0xff;
 
@@ -10,8 +10,7 @@ public final class Glow {
     }
 
     /**
-     * The colour that is seen.
-     *
+     * Returns the displayed colour.
      * @param color of the light, {@code #rrggbb}
      * @param brightness 0 to 1
      * @return {@code #rrggbb}

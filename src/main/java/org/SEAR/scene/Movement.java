@@ -6,18 +6,18 @@ import java.util.Iterator;
 import org.SEAR.geometry.Pose;
 
 /**
- * Movement between steps. Turns states that arrive at uneven times into smooth motion: keeps the last few, and shows the world a little late, between
- * the two states that enclose the display's time. One thread.
+ * Interpolates between steps for smooth motion from states that arrive at irregular times. Keeps the latest states and
+ * shows the world with a small delay, between the two states around the display time. One thread.
  */
 public final class Movement {
     private static final int KEPT = 6;
-    /** How far behind the newest state the display runs, real seconds: two steps. */
+    /** Delay of the display behind the newest state, real seconds: two steps. */
     private static final double DELAY = 2 / 60.0;
-    /** Farther off than this, real seconds, the display jumps. */
+    /** Display error above which the display time jumps, real seconds. */
     private static final double JUMP = 0.25;
-    /** Share of the display's error that is corrected at each frame. */
+    /** Share of the display error corrected per frame. */
     private static final double CORRECTION = 0.1;
-    /** What is farther off than this, metres, and would have been faster than that, m/s, did not move: it was put there. */
+    /** A body that moves further than this, metres, and faster than this, m/s, has been teleported. */
     private static final double FAR = 1;
     private static final double FASTEST = 60;
 
@@ -28,9 +28,8 @@ public final class Movement {
     private double share;
 
     /**
-     * Takes the newest state and moves the display's time on.
-     *
-     * @param sceneState the newest; may be the same as at the last frame
+     * Adds the newest state and advances the display time.
+     * @param sceneState the newest state; may equal that of the last frame
      * @param speed simulated seconds per real second; 0 while paused
      * @param frameTime real seconds since the last frame
      */
@@ -67,12 +66,12 @@ public final class Movement {
         share = span > 0 ? Math.max(0, Math.min(1, (clock - before.time) / span)) : 1;
     }
 
-    /** The newest state: for numbers and words. */
+    /** Returns the newest state, for numbers and text. */
     public SceneState newest() {
         return states.peekLast();
     }
 
-    /** The state whose beams and lights go best with the poses shown. */
+    /** Returns the state whose beams and lights best match the displayed poses. */
     public SceneState shown() {
         return share < 0.5 ? before : after;
     }
@@ -85,12 +84,15 @@ public final class Movement {
         return between(before.robots.get(index).pose, after.robots.get(index).pose);
     }
 
-    /** In the robot's frame. */
+    /** Returns a wheel's pose in the robot's frame. */
     public Pose wheel(int robot, int wheel) {
         return between(before.robots.get(robot).wheels.get(wheel), after.robots.get(robot).wheels.get(wheel));
     }
 
-    /** A component in the robot's frame; null if no servo can turn it: then it is where its object is. */
+    /**
+     * Returns a component's pose in the robot's frame. Returns null if no servo can turn any: the component is at its
+     * object's pose.
+     */
     public Pose part(int robot, int part) {
         boolean known = part < before.robots.get(robot).parts.size() && part < after.robots.get(robot).parts.size();
         return known ? between(before.robots.get(robot).parts.get(part), after.robots.get(robot).parts.get(part)) : null;
@@ -101,10 +103,10 @@ public final class Movement {
     }
 
     /**
-     * The pose on the way from one pose to another: straight on, and evenly the shorter way round; what was put elsewhere is there at once.
-     *
-     * @param share of the way, 0 to 1
-     * @param seconds simulated, that the whole way took
+     * Interpolates between two poses: linearly in position, the shorter way in rotation (normalised linear
+     * interpolation). A teleported body is at b immediately.
+     * @param share 0 to 1
+     * @param seconds simulated time between the poses
      */
     public static Pose between(Pose a, Pose b, double share, double seconds) {
         double dx = b.x - a.x;

@@ -5,23 +5,26 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
 
-/** What is to be drawn of the world after one step, for window and tab. {@link SceneStates} makes it. Immutable, any thread. */
+/**
+ * State of the world after one step, for drawing in the window and the tab. Created by {@link SceneStates}. Immutable,
+ * any thread.
+ */
 public final class SceneState {
     /** Steps since start or reset. */
     public final long step;
-    /** Simulated seconds. */
+    /** Simulated time, seconds. */
     public final double time;
     /** Poses of the environment objects, in the project's order. */
     public final List<Pose> environment;
     /** The robots, in the project's order. */
     public final List<RobotState> robots;
-    /** Lengths of a beam sensor's beams in metres, in the order of its {@link BeamFan}; infinite where nothing was hit. */
+    /** Beam lengths by sensor, metres, in the order of its {@link BeamFan}; infinite without a hit. */
     public final Map<String, double[]> beams;
-    /** Readings in words with unit, by sensor name. */
+    /** Readings as text with unit, by sensor name. */
     public final Map<String, String> values;
     /** Contact points {x, y, z} in the world, metres. */
     public final List<double[]> contacts;
-    /** What the user should know, in plain words. */
+    /** Warnings for the user. */
     public final List<String> warnings;
 
     public SceneState(long step, double time, List<Pose> environment, List<RobotState> robots, Map<String, double[]> beams,
@@ -36,21 +39,24 @@ public final class SceneState {
         this.warnings = Collections.unmodifiableList(warnings);
     }
 
-    /** One robot's share. Immutable. */
+    /** State of one robot. Immutable. */
     public static final class RobotState {
         public final String name;
         public final Pose pose;
-        /** m/s along the forward axis. */
+        /** Speed along the forward axis, m/s. */
         public final double speed;
-        /** rad/s about the up axis, + counter-clockwise. */
+        /** Turn rate about the up axis, rad/s, + counter-clockwise. */
         public final double turnRate;
-        /** Wheels in the body frame, spin included. */
+        /** Poses of the wheels in the body frame, including rolling. */
         public final List<Pose> wheels;
-        /** Components in the body frame; empty if no servo can turn any: they are where their objects are. */
+        /**
+         * Poses of the components in the body frame; empty if no servo can turn any. Components are then at their
+         * objects' poses.
+         */
         public final List<Pose> parts;
-        /** How bright each of its lights is, 0 to 1, in the order of its components. */
+        /** Brightness of each light, 0 to 1, in the order of the components. */
         public final List<Double> lights;
-        /** Status lines of its devices. */
+        /** Status lines of the devices. */
         public final List<String> status;
 
         public RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<Pose> parts, List<Double> lights,
@@ -65,7 +71,7 @@ public final class SceneState {
             this.status = status;
         }
 
-        /** Heading of the forward axis: degrees clockwise from north (+x), (-180, 180]. */
+        /** Returns the heading of the forward axis: degrees clockwise from north (+x), (-180, 180]. */
         public double heading() {
             return pose.heading();
         }

@@ -14,11 +14,11 @@ import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.SensorTypes;
 import org.SEAR.simulator.Snapshot;
 
-/** Makes what is to be drawn of one world. Any thread, one at a time. */
+/** Creates the scene states of one world. One thread at a time. */
 public final class SceneStates {
-    /** The unit of each sensor's reading. */
+    /** Unit of each sensor's reading. */
     private final Map<String, String> units = new LinkedHashMap<>();
-    /** Of each camera what is told while nobody looks through it. */
+    /** Text shown for a camera without viewers: its picture size. */
     private final Map<String, String> cameras = new LinkedHashMap<>();
 
     public SceneStates(Project project) {
@@ -34,9 +34,8 @@ public final class SceneStates {
     }
 
     /**
-     * The scene of a snapshot.
-     *
-     * @param readings gives what a sensor reads by its full name; null where that is not known or it is no sensor
+     * Returns the scene of a snapshot.
+     * @param readings returns a sensor's reading by full name; null if unknown
      */
     public SceneState of(Snapshot snapshot, Function<String, Reading> readings) {
         List<SceneState.RobotState> robots = new ArrayList<>();

@@ -10,15 +10,18 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 
-/** What a camera sees, as it is drawn: the edge of its picture, some way ahead, and lines from the camera to its corners. Immutable, any thread. */
+/**
+ * Field of view of a camera as drawn: the edge of its picture at some distance, and lines from the camera to its
+ * corners. Immutable, any thread.
+ */
 public final class ViewCone {
     /** Colour of the lines, 0xrrggbb. */
     public static final int COLOR = 0x2e9bd6;
-    /** Corners of a picture, at the beginning of each side. */
+    /** Number of corners of a picture. */
     public static final int CORNERS = 4;
-    /** Points of a side: a lens may bow it. */
+    /** Points per side; lens distortion may bend a side. */
     public static final int SIDE = 8;
-    /** Metres ahead at which the edge is drawn; of a camera that sees less far, there. */
+    /** Distance at which the edge is drawn, metres, limited by the camera's far plane. */
     private static final double REACH = 1.5;
 
     public final String sensor;
@@ -26,9 +29,9 @@ public final class ViewCone {
     public final int robot;
     /** Number of the camera among the robot's components. */
     public final int part;
-    /** The camera in the robot's body frame, unless a servo turns it. */
+    /** Pose of the camera in the robot's body frame, unless a servo turns it. */
     public final Pose mount;
-    /** x, y, z of the points of the edge, from the upper left corner on around it, {@link #SIDE} a side; camera frame, metres. */
+    /** x, y, z of the edge's points, from the upper left corner on, {@link #SIDE} per side; camera frame, metres. */
     public final float[] edge;
 
     private ViewCone(Camera camera, int robot, int part) {
@@ -39,7 +42,7 @@ public final class ViewCone {
         edge = edge(camera);
     }
 
-    /** In the order of the robots and their components. */
+    /** Returns the cones in the order of the robots and their components. */
     public static List<ViewCone> of(Project project) {
         List<ViewCone> cones = new ArrayList<>();
         List<SEARrobot> robots = project.getRobots();
@@ -54,7 +57,7 @@ public final class ViewCone {
         return cones;
     }
 
-    /** The same as of a camera's project. */
+    /** Returns the edge of a camera's picture, see {@link #edge}. */
     public static float[] edge(Camera camera) {
         double reach = Math.min(REACH, camera.getFar());
         double right = camera.getWidth() - 1.0;
@@ -70,7 +73,7 @@ public final class ViewCone {
                 double share = (double) i / SIDE;
                 double column = from[0] + share * (to[0] - from[0]);
                 double row = from[1] + share * (to[1] - from[1]);
-                if (!lens.point(column, row, point)) {      // half a pixel outside a lens that bends very much: that of the pixel
+                if (!lens.point(column, row, point)) {      // a strong distortion may not extend half a pixel outside: use the pixel's centre
                     lens.point(Math.max(0, Math.min(right, column)), Math.max(0, Math.min(bottom, row)), point);
                 }
                 int at = 3 * (side * SIDE + i);

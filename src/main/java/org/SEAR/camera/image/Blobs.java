@@ -5,13 +5,14 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Pieces of a picture that have the hue of a colour, as colour-tracking cameras such as Pixy tell them: what joins at sides is one piece. Hue hardly
- * depends on the light, so a thing's shadow side counts, too.
+ * Connected regions of a picture with the hue of a colour, like those that colour-tracking cameras such as Pixy report.
+ * Pixels connect at sides, not at corners. Hue hardly depends on brightness, so a region includes an object's shaded
+ * side.
  */
 public final class Blobs {
-    /** A pixel's hue is at most so many degrees off. */
+    /** Maximum hue difference of a pixel, degrees. */
     private static final double HUE = 15;
-    /** What is less colourful or darker has no hue to speak of: shares of full. */
+    /** Saturation (0 to 1) and brightness (0 to 255) below which a pixel has no reliable hue. */
     private static final double MIN_SATURATION = 0.3;
     private static final int DARKEST = 25;
     private static final double CIRCLE = 360;
@@ -20,15 +21,15 @@ public final class Blobs {
     private Blobs() {
     }
 
-    /** A piece. Immutable. */
+    /** Connected region. Immutable. */
     public static final class Blob {
-        /** The middle of the box around it, pixels from the middle of the pixel at the upper left. */
+        /** Centre of the bounding box, pixels from the centre of the top left pixel. */
         public final double x;
         public final double y;
-        /** Pixels that the box is wide and high. */
+        /** Size of the bounding box, pixels. */
         public final int width;
         public final int height;
-        /** Pixels that it has. */
+        /** Number of pixels. */
         public final int area;
 
         Blob(int left, int top, int right, int bottom, int area) {
@@ -40,16 +41,15 @@ public final class Blobs {
         }
     }
 
-    /** Whether a colour, 0xRRGGBB, has a hue that can be looked for: no grey, nothing nearly black. */
+    /** Returns whether a colour, 0xRRGGBB, has a hue to search for: neither grey nor nearly black. */
     public static boolean hasHue(int rgb) {
         return hue(rgb) >= 0;
     }
 
     /**
-     * The pieces with the hue of a colour, the largest first.
-     *
+     * Returns the regions with the hue of a colour, the largest first.
      * @param pixels 0xRRGGBB each, row by row from the top left
-     * @param least pixels that a piece has at least
+     * @param least minimum area of a region, pixels
      */
     public static List<Blob> find(int width, int[] pixels, int color, int least) {
         double wanted = hue(color);
@@ -107,7 +107,7 @@ public final class Blobs {
         return count + 1;
     }
 
-    /** Degrees from red over green and blue; -1 for what is grey or dark. */
+    /** Returns the hue in degrees from red over green to blue; -1 for grey or dark colours. */
     private static double hue(int rgb) {
         int red = rgb >> 16 & 0xff;
         int green = rgb >> 8 & 0xff;

@@ -3,20 +3,21 @@ package org.SEAR.camera.image;
 import org.SEAR.POJOs.Camera;
 
 /**
- * From what is seen to what a sensor makes of it: the light times the exposure, in electrons whose number differs by its square root, and what
- * reading adds. Light is reckoned from pictures by the curve of sRGB (IEC 61966-2-1) and back. Immutable, any thread.
+ * Sensor model: light times exposure gives electrons with shot noise (standard deviation is the square root of their
+ * number) and read noise. Converts between pictures and linear light by the sRGB curve (IEC 61966-2-1). Immutable, any
+ * thread.
  */
 public final class Exposure {
     private static final int FULL = 255;
-    /** sRGB: up to here in a straight line, then a power. */
+    /** sRGB: the curve is linear up to this value, then a power. */
     private static final double KNEE = 0.04045;
     private static final double SLOPE = 12.92;
     private static final double OFFSET = 0.055;
     private static final double GAMMA = 2.4;
-    /** Light of each value of a picture, and light half way to the next one. */
+    /** Linear light of each picture value, and of the midpoint to the next one. */
     private static final double[] LIGHT = new double[FULL + 1];
     private static final double[] HALF_WAY = new double[FULL];
-    /** The values of pictures of evenly spaced light, so closely that the next light has the same or the next but one. */
+    /** Lower bounds of the picture values for evenly spaced light; neighbours differ by at most two. */
     private static final int[] VALUES = new int[4096];
 
     static {
@@ -35,16 +36,16 @@ public final class Exposure {
     private final double fullWell;
     private final double readNoise;
 
-    /** As a camera has it. */
+    /** Takes a camera's exposure, full well and read noise. */
     public Exposure(Camera camera) {
         factor = camera.getExposure();
         fullWell = camera.getFullWell();
         readNoise = camera.getReadNoise();
     }
 
-    /** Random numbers of a picture. */
+    /** Random numbers for a picture. */
     public interface Noise {
-        /** Normal with mean 0 and standard deviation 1: of one of the picture's numbers, of the light's own or of reading. */
+        /** Returns a standard normal number for a value of the picture: shot noise or read noise. */
         double normal(boolean reading, int number);
     }
 
@@ -53,12 +54,12 @@ public final class Exposure {
         return share <= KNEE ? share / SLOPE : StrictMath.pow((share + OFFSET) / (1 + OFFSET), GAMMA);
     }
 
-    /** Whether what is seen is what comes out. */
+    /** Returns whether pictures stay unchanged. */
     public boolean isPlain() {
         return factor == 1 && fullWell == 0;
     }
 
-    /** Changes a picture, 0xRRGGBB each. */
+    /** Applies exposure and noise to pixels, 0xRRGGBB each. */
     public void expose(int[] pixels, Noise noise) {
         for (int i = 0; i < pixels.length && !isPlain(); i++) {
             int rgb = pixels[i];
@@ -80,7 +81,7 @@ public final class Exposure {
         return light < 1 ? value(VALUES[(int) (Math.max(0, light) * VALUES.length)], light) : FULL;
     }
 
-    /** The value of a picture that is nearest to a light, from one that is not above it. */
+    /** Returns the picture value nearest to a light, searching upwards from a lower bound. */
     private static int value(int least, double light) {
         int value = least;
         while (value < FULL && light >= HALF_WAY[value]) {

@@ -11,7 +11,7 @@ import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
-/** Pictures as JPEG files (ITU-T T.81) by the JDK, in which one picture has the same bytes each time. */
+/** Encodes pictures as JPEG (ITU-T T.81) with the JDK's encoder, which is deterministic. */
 public final class Jpeg {
     private static final float QUALITY = 0.85f;
 
@@ -25,7 +25,7 @@ public final class Jpeg {
         return of(image);
     }
 
-    /** @param image without what can be seen through */
+    /** @param image without transparency */
     public static byte[] of(BufferedImage image) {
         ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();

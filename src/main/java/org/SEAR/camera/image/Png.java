@@ -8,7 +8,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
-/** Pictures as PNG files, of 8 bits a channel or of 16 bits of grey. Any thread. */
+/** Encodes pictures as PNG, 8 bits per channel or 16 bits grey. Any thread. */
 public final class Png {
     private static final int MAX_GREY = 0xffff;
 
@@ -22,7 +22,7 @@ public final class Png {
         return of(image);
     }
 
-    /** @param values 0 to 65535 each, row by row from the top left; lower ones become 0, higher ones 65535 */
+    /** @param values row by row from the top left, clamped to 0 to 65535 */
     public static byte[] ofGrey(int width, int[] values) {
         BufferedImage image = new BufferedImage(width, values.length / width, BufferedImage.TYPE_USHORT_GRAY);
         short[] shades = new short[values.length];
@@ -33,10 +33,10 @@ public final class Png {
         return of(image);
     }
 
-    /** A whole picture; what can be seen through stays so. */
+    /** Encodes a picture, including transparency. */
     public static byte[] of(BufferedImage image) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {    // in memory: else each picture is a file for a moment
+        try (ImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {    // in memory: the default stream would use a temporary file
             ImageIO.write(image, "png", out);
         } catch (IOException e) {
             throw new UncheckedIOException(e);

@@ -1,5 +1,5 @@
 /**
- * What is made of pictures: what a sensor's electrons make of light, pieces of a colour, files. Uses {@link org.SEAR.POJOs}, and what that uses.
- * Any thread.
+ * Processing of pictures: sensor exposure and noise, regions of a colour, file formats. Uses {@link org.SEAR.POJOs} and
+ * its dependencies. Any thread.
  */
 package org.SEAR.camera.image;

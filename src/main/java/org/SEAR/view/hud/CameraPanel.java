@@ -16,12 +16,12 @@ import java.nio.ByteBuffer;
 import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.scene.Materials;
 
-/** The picture of a camera in a corner of the window, with its words above it. Hidden while there is none. Window thread only. */
+/** Picture of a camera with a caption, in a corner of the window. Hidden without a picture. Window thread only. */
 public final class CameraPanel {
     private static final float SHARE = 0.3f;
     private static final float TALLEST = 0.42f;
     private static final int CHANNELS = 3;
-    /** A smaller picture shows its pixels. */
+    /** Size, pixels, up to which a picture is shown without smoothing. */
     private static final int EXACT = 64;
 
     private final Node node = new Node("camera");
@@ -42,16 +42,15 @@ public final class CameraPanel {
         gui.attachChild(words.node());
     }
 
-    /** What is shown; null for nothing. */
+    /** Returns the displayed picture, or null. */
     public CameraFrame shown() {
         return shown;
     }
 
     /**
      * Shows a picture.
-     *
-     * @param shot null for none
-     * @param name of the camera whose picture is awaited; null for none
+     * @param shot picture, or null
+     * @param name camera whose picture is expected, or null
      */
     void show(CameraFrame shot, String name) {
         words.setText(shot != null ? shot.camera + ": " + shot.words : name != null ? name + ": no picture yet" : "");
@@ -88,7 +87,7 @@ public final class CameraPanel {
         }
     }
 
-    /** Puts it into the lower right corner of a window of that size, pixels, that far above its lower edge. */
+    /** Places the panel in the lower right corner of a window of this size, above its lower edge, pixels. */
     void place(int width, int height, float edge, float above) {
         if (shown == null) {
             words.place(width - words.width() - edge, above + words.height());

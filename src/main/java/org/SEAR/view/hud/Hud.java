@@ -11,17 +11,17 @@ import org.SEAR.view.input.Key;
 import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.scene.Materials;
 
-/** The words on the window: numbers of the simulation, warnings, messages, help. Window thread only. */
+/** Text on the window: simulation data, warnings, messages, help. Window thread only. */
 public final class Hud {
     private static final ColorRGBA INK = new ColorRGBA(0.93f, 0.96f, 1, 1);
     private static final ColorRGBA AMBER = new ColorRGBA(1, 0.80f, 0.30f, 1);
     private static final float SIZE = 15;
     private static final float EDGE = 10;
-    /** Panels are drawn no smaller than this share of their size. */
+    /** Minimum scale of panels. */
     private static final float SMALLEST = 0.6f;
-    /** Real seconds between two updates of the numbers: faster can't be read. */
+    /** Real seconds between two updates of the numbers, for readability. */
     private static final float REFRESH = 0.1f;
-    /** Real seconds that a message stays. */
+    /** Real seconds for which a message is shown. */
     private static final float STAY = 5;
     private static final int MESSAGES = 3;
 
@@ -59,24 +59,24 @@ public final class Hud {
         return panel;
     }
 
-    /** What the status panel needs besides the state of the scene. */
+    /** Input of the status panel besides the scene's state. */
     public static final class State {
         public boolean paused;
         public double measuredSpeed;
         public double wantedSpeed;
         public boolean flying;
         public boolean scriptDrives;
-        /** Robot that is followed. */
+        /** Number of the followed robot. */
         public int robot;
-        /** Names of the beam sensors, in the order of their number keys. */
+        /** Names of the beam sensors in the order of their number keys. */
         public List<String> beamSensors = List.of();
-        /** Whether there is a camera. */
+        /** Whether any robot has a camera. */
         public boolean hasCameras;
-        /** The one whose picture is shown; null for none. */
+        /** Name of the camera whose picture is shown, or null. */
         public String camera;
-        /** That picture; null if there is none. */
+        /** That camera's picture, or null. */
         public CameraFrame picture;
-        /** Which of them are hidden. */
+        /** Names of the beam sensors whose beams are hidden. */
         public List<String> hidden = List.of();
     }
 
@@ -105,8 +105,8 @@ public final class Hud {
     }
 
     /**
-     * Numbers at the top, words at the bottom. Where two panels don't fit beside each other, they get smaller, or else one goes below or above the
-     * other.
+     * Places numbers at the top and text at the bottom. Panels that don't fit side by side shrink, or are placed above
+     * each other.
      */
     private void place(int width, int height) {
         float fit = Math.min(1, (width - 3 * EDGE) / (status.width() + sensors.width()));
@@ -129,7 +129,7 @@ public final class Hud {
         camera.place(width, height, EDGE, above + EDGE);
     }
 
-    /** Shows a line for some seconds. */
+    /** Shows a line for {@link #STAY} seconds. */
     public void say(String message) {
         recent.addLast(message);
         if (recent.size() > MESSAGES) {
@@ -146,7 +146,7 @@ public final class Hud {
         sinceRefresh = REFRESH;
     }
 
-    /** Between all numbers and one line, that of the time; warnings and messages stay. */
+    /** Toggles between all numbers and the line with the time. Warnings and messages stay. */
     public void toggleFolded() {
         folded = !folded;
         hint.setText(hintText());
@@ -157,7 +157,7 @@ public final class Hud {
         return helpShown ? "" : (folded ? "F4 numbers   " : "") + (cameras ? "F6 cameras   " : "") + "F1 help";
     }
 
-    /** What can be read on the panels of numbers now. */
+    /** Returns the visible text of the number panels. */
     public String shownText() {
         return (status.text() + "\n" + sensors.text()).trim();
     }
@@ -170,7 +170,7 @@ public final class Hud {
         return statusWords + "\n" + sensorWords;
     }
 
-    /** The picture of a camera in the corner. */
+    /** Returns the camera panel. */
     public CameraPanel camera() {
         return camera;
     }
@@ -184,6 +184,6 @@ public final class Hud {
         for (Key key : Key.values()) {
             text.append(String.format("%s\t%s%n", key.label, key.help));
         }
-        return text.append("Mouse\tdrag turns the camera, wheel comes nearer").toString().replace("\r", "");
+        return text.append("Mouse\tdrag turns the camera, wheel zooms").toString().replace("\r", "");
     }
 }

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.SEAR.geometry.Pose;
 import org.SEAR.scene.SceneState;
 
-/** What the window's panels say about the world. */
+/** Text of the window's panels. */
 public final class StatusText {
     private static final int WARNINGS = 6;
     private static final double HUNDRED = 100;
@@ -15,7 +15,7 @@ public final class StatusText {
     private StatusText() {
     }
 
-    /** Time, robots, serial devices. */
+    /** Returns time, robots and serial devices. */
     static String status(SceneState sceneState, Hud.State state) {
         List<String> lines = new ArrayList<>();
         lines.add(String.format(Locale.ROOT, "time %.2f s   speed %.2f of %s%s", sceneState.time, state.measuredSpeed, factor(state.wantedSpeed),
@@ -27,12 +27,12 @@ public final class StatusText {
             lines.add("flycam");
         }
         if (state.scriptDrives) {
-            lines.add("a script drives: keys do not");
+            lines.add("a script drives: keys are off");
         }
         return String.join("\n", lines);
     }
 
-    /** Every sensor's reading; numbers are those of the keys that show and hide beams. */
+    /** Returns all readings, with the number keys that show and hide beams. */
     static String sensors(SceneState sceneState, Hud.State state) {
         List<String> lines = new ArrayList<>();
         for (Map.Entry<String, String> value : sceneState.values.entrySet()) {
@@ -56,17 +56,17 @@ public final class StatusText {
         return lines;
     }
 
-    /** Rounded, and never a negative zero. */
+    /** Rounds to hundredths and avoids negative zero. */
     private static double hundredths(double value) {
         return Math.rint(value * HUNDRED) / HUNDRED + 0.0;
     }
 
-    /** A speed factor as people write it. */
+    /** Formats a speed factor. */
     public static String factor(double factor) {
         return Double.isInfinite(factor) ? "max" : String.format(Locale.ROOT, factor < 1 ? "%.2f" : "%.0f", factor);
     }
 
-    /** What is probably wrong. */
+    /** Returns the latest warnings. */
     static String warnings(SceneState sceneState) {
         List<String> all = sceneState.warnings;
         return String.join("\n", all.subList(Math.max(0, all.size() - WARNINGS), all.size()));

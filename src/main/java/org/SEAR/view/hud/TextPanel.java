@@ -9,7 +9,10 @@ import com.jme3.scene.Spatial.CullHint;
 import com.jme3.scene.shape.Quad;
 import org.SEAR.view.scene.Materials;
 
-/** Lines of text on a dark translucent ground; what follows a tab stands in a second column. Hidden while empty. Window thread only. */
+/**
+ * Lines of text on a dark translucent background; text after a tab is in a second column. Hidden while empty. Window
+ * thread only.
+ */
 final class TextPanel {
     private static final ColorRGBA GROUND = new ColorRGBA(0.05f, 0.07f, 0.10f, 0.62f);
     private static final float MARGIN = 8;
@@ -61,18 +64,18 @@ final class TextPanel {
         }
     }
 
-    /** Pixels. */
+    /** Returns the width, pixels. */
     float width() {
         float columns = second.getText().isEmpty() ? 0 : second.getLineWidth() + 2 * MARGIN;
         return text.getLineWidth() + columns + 2 * MARGIN;
     }
 
-    /** Pixels. */
+    /** Returns the height, pixels. */
     float height() {
         return text.getHeight() + 2 * MARGIN;
     }
 
-    /** Puts the panel's left upper corner there, pixels from the window's left lower corner. */
+    /** Places the upper left corner, pixels from the window's lower left corner. */
     void place(float left, float top) {
         node.setLocalTranslation(Math.round(left), Math.round(top), 0);
     }

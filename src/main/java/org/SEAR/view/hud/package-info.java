@@ -1,5 +1,5 @@
 /**
- * The words on the window, and the picture of a camera: numbers, warnings, messages, help. Uses {@link org.SEAR.view.input} and
- * {@link org.SEAR.view.link}, and what these use. It takes the names of keys from the first. On the window's thread only.
+ * Text on the window (numbers, warnings, messages, help) and the picture of a camera. Uses {@link org.SEAR.view.input}
+ * for the names of keys, {@link org.SEAR.view.link}, and their dependencies. Window thread only.
  */
 package org.SEAR.view.hud;

@@ -11,9 +11,9 @@ import java.util.EnumSet;
 import java.util.Set;
 import org.SEAR.view.scene.CameraRig;
 
-/** Turns keys and mouse into calls of whoever obeys them. Window thread only. */
+/** Turns keys and mouse into commands. Window thread only. */
 public final class Controls implements RawInputListener {
-    /** jMonkeyEngine's count of one notch of a mouse wheel. */
+    /** jMonkeyEngine's value for one notch of a mouse wheel. */
     private static final float NOTCH = 120;
     private final KeyLayout layout;
     private final CameraRig camera;
@@ -21,7 +21,7 @@ public final class Controls implements RawInputListener {
     private final Set<Key> held = EnumSet.noneOf(Key.class);
     private int buttons;
 
-    /** Obeys the keys that aren't the camera's. */
+    /** Runs the keys' commands except those of the camera. */
     public interface Commands {
         /** @param number of the sensor, from 0, for {@link Key#SENSOR} */
         void pressed(Key key, int number);
@@ -47,7 +47,7 @@ public final class Controls implements RawInputListener {
         }
     }
 
-    /** Forgets held keys: the window lost them to another one. */
+    /** Releases all held keys, for a window that has lost the focus. */
     public void release() {
         for (Key key : held) {
             steer(key, -1);
@@ -101,7 +101,7 @@ public final class Controls implements RawInputListener {
 
     @Override
     public void beginInput() {
-        // nothing to prepare: events are obeyed one by one
+        // nothing to prepare: each event runs its command
     }
 
     @Override

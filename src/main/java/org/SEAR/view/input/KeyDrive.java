@@ -1,19 +1,18 @@
 package org.SEAR.view.input;
 
-/** The speed that the keys have asked for: each press in the same direction makes it faster. Window thread only. */
+/** Speed set by the keys: each press in the same direction increases it. Window thread only. */
 public final class KeyDrive {
     private static final double FIRST = 0.2;
     private static final double MORE = 0.1;
-    /** m/s: the greatest speed of an iRobot Create (Open Interface, command Drive: 500 mm/s). */
+    /** Maximum speed, m/s: that of an iRobot Create (Open Interface, command Drive: 500 mm/s). */
     private static final double GREATEST = 0.5;
 
     private Key last = Key.STOP;
     private double speed;
 
     /**
-     * Obeys a key.
-     *
-     * @return whether it is one that drives
+     * Applies a key.
+     * @return whether the key drives
      */
     public boolean press(Key key) {
         switch (key) {
@@ -34,17 +33,17 @@ public final class KeyDrive {
         return true;
     }
 
-    /** m/s, negative for backward and for a spin to the right. */
+    /** Returns the speed, m/s; negative for backward and for a spin to the right. */
     public double speed() {
         return last == Key.BACKWARD || last == Key.SPIN_RIGHT ? -speed : speed;
     }
 
-    /** 0 for a spin, else infinite: straight. */
+    /** Returns the radius: 0 for a spin, otherwise infinite (straight). */
     public double radius() {
         return last == Key.SPIN_LEFT || last == Key.SPIN_RIGHT ? 0 : Double.POSITIVE_INFINITY;
     }
 
-    /** What the robot was told, in words. */
+    /** Returns the command as text. */
     public String words() {
         switch (last) {
             case FORWARD:

@@ -6,13 +6,13 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Which key does what on this keyboard. jMonkeyEngine numbers keys by where they lie on an American keyboard; users look at what is printed on them.
- * So a key that carries the label wins, wherever it lies; where no key carries it, the key in the American place does it. Window thread only.
+ * Maps keys to commands on this keyboard. jMonkeyEngine numbers keys by their position on a US keyboard, but users read
+ * the labels. A key with the right label wins; without one, the key at the US position is used. Window thread only.
  */
 public final class KeyLayout {
     private final Map<Integer, Key> keys = new HashMap<>();
 
-    /** @param input knows what is printed on the keys; null for an American keyboard */
+    /** @param input provides the labels; null for a US keyboard */
     public KeyLayout(KeyInput input) {
         Map<String, Integer> printed = printed(input);
         for (Key key : Key.values()) {
@@ -39,12 +39,12 @@ public final class KeyLayout {
         return labels;
     }
 
-    /** What the key does; null for nothing. */
+    /** Returns the command of a key, or null. */
     Key key(int code) {
         return keys.get(code);
     }
 
-    /** 0 for the key 1, 8 for the key 9. */
+    /** Returns 0 for the key 1, 8 for the key 9. */
     static int digit(int code) {
         return code - KeyInput.KEY_1;
     }

@@ -1,4 +1,5 @@
 /**
- * Keys and mouse, and what they mean. Uses {@link org.SEAR.view.scene}, and what that uses. The keys turn its camera. On the window's thread only.
+ * Keys and mouse and their commands. Uses {@link org.SEAR.view.scene}, whose camera the keys move, and its
+ * dependencies. Window thread only.
  */
 package org.SEAR.view.input;

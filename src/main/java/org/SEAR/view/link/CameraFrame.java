@@ -3,27 +3,27 @@ package org.SEAR.view.link;
 import org.SEAR.sensors.CameraImage;
 import org.SEAR.sensors.Picture;
 
-/** A camera's picture as small as the window shows it. Immutable, any thread. */
+/** A camera's picture, scaled down for the window. Immutable, any thread. */
 public final class CameraFrame {
-    /** Pixels of the longer side. */
+    /** Maximum length of the longer side, pixels. */
     public static final int LONGEST = 320;
     private static final int BYTE = 0xff;
 
     /** Full name of the camera. */
     public final String camera;
-    /** Its reading in words. */
+    /** The camera's reading as text. */
     public final String words;
-    /** Pixels of a row. */
+    /** Width, pixels. */
     public final int width;
-    /** Rows. */
+    /** Height, pixels. */
     public final int height;
     private final int[] pixels;
 
     /**
-     * A picture.
-     *
-     * @param pixels 0xRRGGBB each, row by row from the top left; belong to it from now on
-     * @throws IllegalArgumentException if it is larger than the window shows, or of another size than it says
+     * Creates a frame.
+     * @param pixels 0xRRGGBB each, row by row from the top left; not copied
+     * @throws IllegalArgumentException if a side exceeds {@link #LONGEST}, or the number of pixels doesn't match the
+     *     size
      */
     public CameraFrame(String camera, String words, int width, int height, int... pixels) {
         if (width < 1 || height < 1 || width > LONGEST || height > LONGEST || pixels.length != width * height) {
@@ -37,7 +37,7 @@ public final class CameraFrame {
         this.pixels = pixels;
     }
 
-    /** Of a picture as the camera has taken it: a larger one smaller, each pixel the mean of those that it stands for. */
+    /** Scales down a camera's picture by averaging pixels. Smaller pictures keep their size. */
     public static CameraFrame of(String camera, CameraImage image) {
         Picture picture = image.picture();
         int[] all = picture.getPixels();
@@ -74,7 +74,7 @@ public final class CameraFrame {
         return red / count << 16 | green / count << 8 | blue / count;
     }
 
-    /** 0xRRGGBB of a pixel. */
+    /** Returns a pixel, 0xRRGGBB. */
     public int pixel(int column, int row) {
         return pixels[row * width + column];
     }

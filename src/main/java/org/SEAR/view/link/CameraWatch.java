@@ -8,11 +8,11 @@ import org.SEAR.sensors.CameraImage;
 import org.SEAR.simulator.Simulation;
 
 /**
- * Has pictures of one camera made while a window shows it, on a thread of its own that asks the simulation: at most ten a second, and for half of the
- * time at most, so that who looks leaves time for the simulation. Any thread.
+ * Requests pictures of one camera from the simulation while a window shows it, on its own thread. It requests at most
+ * ten per second and pauses at least as long as each picture takes, to leave time for the simulation. Any thread.
  */
 final class CameraWatch {
-    /** Nanoseconds from one look to the next. */
+    /** Minimum time between requests, ns. */
     private static final long PERIOD = TimeUnit.MILLISECONDS.toNanos(100);
     private static final long TIMEOUT_SECONDS = 10;
 
@@ -24,7 +24,7 @@ final class CameraWatch {
     });
     private volatile String wanted;
     private volatile CameraFrame shot;
-    /** Whether it looks, or is going to. */
+    /** Whether a request is running or scheduled. */
     private boolean looking;
     private CameraImage last;
 
@@ -32,7 +32,7 @@ final class CameraWatch {
         this.simulation = simulation;
     }
 
-    /** @param camera null for none */
+    /** @param camera camera to request, or null */
     synchronized void want(String camera) {
         wanted = camera;
         shot = null;
@@ -42,13 +42,13 @@ final class CameraWatch {
         }
     }
 
-    /** Looks no more. */
+    /** Stops all requests. */
     synchronized void close() {
         wanted = null;
         eyes.shutdownNow();
     }
 
-    /** The newest one; null if there is none. */
+    /** Returns the newest picture, or null. */
     CameraFrame shot() {
         return shot;
     }
@@ -66,7 +66,7 @@ final class CameraWatch {
                 }
             }
         } catch (ExecutionException | TimeoutException e) {
-            show(camera, null);       // the simulation ends, or is busy: it looks again
+            show(camera, null);       // the simulation ends or is busy: try again later
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return;

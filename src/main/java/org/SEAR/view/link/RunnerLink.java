@@ -15,7 +15,7 @@ import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 import org.SEAR.simulator.Snapshot;
 
-/** The world of a runner in this process. */
+/** Link to the world of a runner in this process. */
 public final class RunnerLink implements WorldLink {
     private final SimulationRunner runner;
     private final Simulation simulation;
@@ -40,7 +40,7 @@ public final class RunnerLink implements WorldLink {
         simulation.post(world -> watch(world, true));
     }
 
-    /** All but cameras, whose pictures are made when they are wanted. */
+    /** Watches all sensors except cameras, whose pictures are taken on request. */
     private static void watch(Simulation world, boolean on) {
         for (String name : world.getSensorNames()) {
             if (!(world.getSensor(name).getParameters() instanceof Camera)) {
@@ -89,7 +89,7 @@ public final class RunnerLink implements WorldLink {
         return scriptDrives.getAsBoolean() || runsCommands();
     }
 
-    /** Whether a robot's device takes drive commands: who put a Roomba into safe or full mode drives. */
+    /** Returns whether a device accepts drive commands, such as a Roomba in safe or full mode. */
     private boolean runsCommands() {
         return simulation.snapshot().robots.stream().anyMatch(robot -> robot.commanded);
     }

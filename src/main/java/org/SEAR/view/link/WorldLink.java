@@ -5,61 +5,58 @@ import org.SEAR.project.Project;
 import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.SceneState;
 
-/** What a window sees of a world and may ask of it. Every method answers at once; none waits for the simulation. Any thread. */
+/** Access of a window to a world. No method waits for the simulation. Any thread. */
 public interface WorldLink {
-    /** The objects of the world. */
     Project project();
 
-    /** The sensors with beams, as they are drawn. */
+    /** Returns the beams of all sensors. */
     List<BeamFan> beams();
 
-    /** The newest state; null until there is one. */
+    /** Returns the newest state; null before the first one. */
     SceneState sceneState();
 
     boolean isPaused();
 
-    /** Simulated seconds per real second lately. */
+    /** Returns the recent speed, simulated seconds per real second. */
     double measuredSpeed();
 
-    /** Simulated seconds per real second as asked for; infinite for as fast as possible. */
+    /** Returns the requested speed, simulated seconds per real second; infinite for maximum. */
     double wantedSpeed();
 
-    /** Whether a script drives the robot, so that keys must not. */
+    /** Returns whether a script drives the robot, which disables the keys. */
     boolean scriptDrives();
 
     void setPaused(boolean paused);
 
-    /** @param factor > 0, infinite for as fast as possible */
+    /** @param factor simulated seconds per real second, above 0; infinite for maximum */
     void setSpeed(double factor);
 
-    /** Pauses, and advances by one step. */
+    /** Pauses and advances by one step. */
     void singleStep();
 
     /**
-     * Drives as the Roomba command does.
-     *
+     * Drives like the Roomba's Drive command.
      * @param robot its number in the project
      * @param speed m/s
-     * @param radius metres, positive to the left, infinite: straight, 0: in place to the left
+     * @param radius metres, positive to the left; infinite: straight; 0: in place to the left
      */
     void drive(int robot, double speed, double radius);
 
-    /** Everything back to the start, odometers too. */
+    /** Resets the world to its start, including odometers. */
     void reset();
 
-    /** Whether states carry contact points from now on. */
+    /** Includes or omits contact points in further states. */
     void wantContacts(boolean on);
 
     /**
-     * Whose pictures are made from now on; at first nobody's.
-     *
-     * @param camera full name of a camera; null for none
+     * Selects the camera that takes pictures; initially none.
+     * @param camera full name of a camera, or null
      */
     void wantPicture(String camera);
 
-    /** The newest picture of the camera that is wanted; null if there is none. */
+    /** Returns the newest picture of the selected camera, or null. */
     CameraFrame picture();
 
-    /** The window goes: stops asking for readings. */
+    /** Stops requesting readings, as the window closes. */
     void close();
 }

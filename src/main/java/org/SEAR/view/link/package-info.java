@@ -1,5 +1,5 @@
 /**
- * What the window knows of the simulation, and its commands. Uses {@link org.SEAR.scene}, and what that uses. Called on the window's thread; what it
- * hands out is immutable.
+ * The window's link to the simulation: states and commands. Uses {@link org.SEAR.scene} and its dependencies. Called on
+ * the window's thread; returned objects are immutable.
  */
 package org.SEAR.view.link;

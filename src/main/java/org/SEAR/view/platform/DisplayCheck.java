@@ -3,12 +3,12 @@ package org.SEAR.view.platform;
 import java.util.Locale;
 import java.util.Map;
 
-/** Finds out without touching a native library whether there can't be a window. */
+/** Detects, without native libraries, whether a window is impossible. */
 public final class DisplayCheck {
     private DisplayCheck() {
     }
 
-    /** Whether a window has to run on its process's first thread: macOS. */
+    /** Returns whether a window must run on the process's first thread (macOS). */
     public static boolean needsFirstThread() {
         return isMac(System.getProperty("os.name", ""));
     }
@@ -18,7 +18,7 @@ public final class DisplayCheck {
         return os.contains("mac") || os.contains("darwin");
     }
 
-    /** Why this process can't have a window; null if it may. */
+    /** Returns why this process can't open a window, or null. */
     public static String problem() {
         return problem(System.getProperty("os.name", ""), System.getenv());
     }

@@ -3,12 +3,15 @@ package org.SEAR.view.platform;
 import org.lwjgl.glfw.GLFW;
 import org.lwjgl.glfw.GLFWJoystickCallback;
 
-/** What jMonkeyEngine 3.6 leaves undone about GLFW, the library that makes its windows. */
+/** Workarounds for jMonkeyEngine 3.6's use of GLFW, its window library. */
 public final class Glfw {
     private Glfw() {
     }
 
-    /** jMonkeyEngine places its windows, which Wayland forbids: where there is an X server (XWayland too), take that. Before GLFW starts. */
+    /**
+     * Prefers X11 (including XWayland) to Wayland, which forbids placing windows as jMonkeyEngine does. Call before
+     * GLFW starts.
+     */
     public static void preferX11() {
         if (System.getenv("DISPLAY") != null) {
             GLFW.glfwInitHint(GLFW.GLFW_PLATFORM, GLFW.GLFW_PLATFORM_X11);
@@ -16,8 +19,8 @@ public final class Glfw {
     }
 
     /**
-     * jMonkeyEngine never takes its joystick callback back; the native side would hold each closed window, with its whole scene, for ever. On the
-     * window's thread, before GLFW ends.
+     * Frees the joystick callback, which jMonkeyEngine leaves registered. Otherwise the native side would keep each
+     * closed window with its whole scene. Window thread, before GLFW ends.
      */
     public static void freeLeftovers() {
         GLFWJoystickCallback callback = GLFW.glfwSetJoystickCallback(null);

@@ -3,14 +3,14 @@ package org.SEAR.view.platform;
 import com.jme3.system.lwjgl.LwjglDisplay;
 import org.lwjgl.glfw.GLFW;
 
-/** A window of jMonkeyEngine's that is shown when it has its first picture, and not black before. */
+/** Window of jMonkeyEngine that appears with its first picture instead of black. */
 public final class LateDisplay extends LwjglDisplay {
     @Override
     protected void showWindow() {
-        // shown later, by show
+        // show() does this later
     }
 
-    /** Asked before each picture: nothing is drawn for an X server that went away. Window thread. */
+    /** Returns false when the X server is gone. Called before each picture. Window thread. */
     @Override
     public boolean isRenderable() {
         return super.isRenderable() && X11Guard.answers();

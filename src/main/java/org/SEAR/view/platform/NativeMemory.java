@@ -5,7 +5,7 @@ import com.sun.jna.Platform;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 
-/** Memory outside of Java's heap. Any thread. */
+/** Memory outside the Java heap. Any thread. */
 public final class NativeMemory {
     private static final Logger LOG = Logger.getLogger(NativeMemory.class.getName());
 
@@ -13,8 +13,8 @@ public final class NativeMemory {
     }
 
     /**
-     * Lets glibc return what the graphics driver has freed: each window's thread has a heap of its own there, and without this a process that has
-     * opened 50 windows keeps some 200 MB of empty heaps. Elsewhere there is no such need.
+     * Makes glibc return memory that the graphics driver has freed. Each window's thread has its own glibc heap; 50
+     * closed windows would keep some 200 MB. Does nothing on other systems.
      */
     public static void giveBack() {
         if (Platform.isLinux()) {

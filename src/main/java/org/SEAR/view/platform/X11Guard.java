@@ -11,13 +11,13 @@ import java.util.logging.Logger;
 import org.lwjgl.glfw.GLFWNativeX11;
 
 /**
- * Keeps an X server from ending the whole process: Xlib's own answer to a refused request or to a lost connection is {@code exit(1)}. Installed
- * once a window, on its thread; errors of other windows than ours go to whoever handled them before.
+ * Prevents an X server from ending the whole process: Xlib's default handlers call {@code exit(1)} on connection loss
+ * or a failed request. Installed once per window, on its thread. Errors of other windows go to the previous handlers.
  */
 public final class X11Guard {
     private static final Logger LOG = Logger.getLogger(X11Guard.class.getName());
     private static final String LIBRARY = "libX11.so.6";
-    /** Kept for ever: Xlib may call them at any time. */
+    /** Static because Xlib may call the handlers at any time. */
     private static final ErrorHandler REFUSED = X11Guard::refused;
     private static final ConnectionHandler BROKEN = X11Guard::broken;
     private static final ExitHandler LOST = X11Guard::lost;
@@ -47,9 +47,8 @@ public final class X11Guard {
     }
 
     /**
-     * Guards the display of the window that is open now. Does nothing where there is no X11.
-     *
-     * @param lost called when the connection is lost
+     * Guards the display of the open window. Does nothing without X11.
+     * @param lost called on connection loss
      */
     public static void install(Runnable lost) {
         display = 0;
@@ -71,19 +70,18 @@ public final class X11Guard {
             }
             exit.invokeVoid(new Object[] {new Pointer(display), LOST, Pointer.NULL});
         } catch (UnsatisfiedLinkError e) {
-            LOG.log(Level.FINE, "an Xlib older than 1.7: a lost X server will end this process", e);
+            LOG.log(Level.FINE, "Xlib is older than 1.7: losing the X server ends this process", e);
         }
     }
 
     /**
-     * Asks the X server for an answer, and waits for it. To be called before each picture: Mesa asks the server how large the window is, and draws
-     * into a picture of whatever size its stack held before if there is no answer, which ends the process. Window thread.
-     *
-     * @return whether it answered; true where there is no X11, and for a window that is not guarded yet
+     * Waits for a reply of the X server. Call before each picture: Mesa asks the server for the window's size. Without
+     * a reply, Mesa draws with an undefined size, which ends the process. Window thread.
+     * @return whether the server replied; true without X11, and for a window without a guard
      */
     public static boolean answers() {
         if (display == 0 || display != GLFWNativeX11.glfwGetX11Display()) {
-            return true; // nothing to ask, or what is known is the display of a window that was closed
+            return true; // no X11, or the display of a closed window
         }
         if (!gone) {
             NativeLibrary.getInstance(LIBRARY).getFunction("XSync").invokeVoid(new Object[] {new Pointer(display), 0});

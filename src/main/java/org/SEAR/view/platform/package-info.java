@@ -1,5 +1,5 @@
 /**
- * What differs between computers: whether there is a display, GLFW, X11's errors, native memory. Uses no other package of SEAR. It needs
- * jMonkeyEngine, LWJGL and JNA. On the window's thread, but for the question whether there is a display.
+ * Platform differences: availability of a display, GLFW, X11 errors, native memory. Depends on jMonkeyEngine, LWJGL and
+ * JNA, and on no other package of SEAR. Window thread, except for the display check.
  */
 package org.SEAR.view.platform;

@@ -11,7 +11,7 @@ import org.SEAR.scene.SceneState;
 import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.link.WorldLink;
 
-/** The world of another process: its states come in, commands go out. In the window's process. */
+/** Link to the world of another process: receives states and sends commands. Used in the window's process. */
 public final class PipeLink implements WorldLink {
     private final Project project;
     private final DataOutputStream out;
@@ -28,7 +28,7 @@ public final class PipeLink implements WorldLink {
         beams = BeamFans.of(project);
     }
 
-    /** Takes states until there are no more. */
+    /** Receives states until the stream ends. */
     public void receive(DataInputStream in) throws IOException {
         while (true) {
             state = StateMessage.read(in, state);
@@ -42,7 +42,7 @@ public final class PipeLink implements WorldLink {
                 content.write();
                 out.flush();
             } catch (IOException e) {
-                throw new IllegalStateException("the simulation's process is gone", e);
+                throw new IllegalStateException("the simulation's process has ended", e);
             }
         }
     }
@@ -136,6 +136,6 @@ public final class PipeLink implements WorldLink {
 
     @Override
     public void close() {
-        // the other end sees this process end
+        // the other process detects the end of this one
     }
 }

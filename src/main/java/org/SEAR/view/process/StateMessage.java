@@ -12,9 +12,9 @@ import org.SEAR.scene.SceneState;
 import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.link.WorldLink;
 
-/** Everything that a {@link WorldLink} answers at one time, as it travels to a window in a process of its own. Immutable, any thread. */
+/** All values of a {@link WorldLink} at one time, serialised for a window in another process. Immutable, any thread. */
 public final class StateMessage {
-    /** Which picture belongs to a message: that of the one before, none, or one that follows. */
+    /** Picture of a message: that of the previous message, none, or a new one that follows. */
     private static final int SAME = 0;
     private static final int NONE = 1;
     private static final int ANOTHER = 2;
@@ -25,7 +25,7 @@ public final class StateMessage {
     final double measuredSpeed;
     final double wantedSpeed;
     final boolean scriptDrives;
-    /** The newest picture of a camera; null if there is none. */
+    /** The newest picture of a camera, or null. */
     final CameraFrame picture;
 
     StateMessage(SceneState sceneState, boolean paused, double measuredSpeed, double wantedSpeed, boolean scriptDrives, CameraFrame picture) {
@@ -37,7 +37,7 @@ public final class StateMessage {
         this.picture = picture;
     }
 
-    /** The present state of a world that has had its first step. */
+    /** Returns the present state of a world after its first step. */
     public static StateMessage of(WorldLink world) {
         return new StateMessage(world.sceneState(), world.isPaused(), world.measuredSpeed(), world.wantedSpeed(), world.scriptDrives(),
             world.picture());
@@ -68,9 +68,8 @@ public final class StateMessage {
     }
 
     /**
-     * Writes it.
-     *
-     * @param before the message that was written last, whose picture is not sent again; null for none
+     * Writes the message.
+     * @param before the previous message, whose picture is not repeated; or null
      */
     public void write(DataOutputStream out, StateMessage before) throws IOException {
         boolean same = picture == (before == null ? null : before.picture);
@@ -98,7 +97,7 @@ public final class StateMessage {
         writeAll(out, sceneState.warnings, sceneState.warnings.size(), out::writeUTF);
     }
 
-    /** @param before the message that was read last; null for none */
+    /** @param before the previous message, or null */
     static StateMessage read(DataInputStream in, StateMessage before) throws IOException {
         int pictures = in.readUnsignedByte();
         CameraFrame picture = pictures == ANOTHER ? picture(in) : pictures == SAME && before != null ? before.picture : null;
@@ -140,7 +139,7 @@ public final class StateMessage {
         int width = in.readUnsignedShort();
         int height = in.readUnsignedShort();
         if (width > CameraFrame.LONGEST || height > CameraFrame.LONGEST) {
-            throw new IOException("a picture of " + width + " x " + height + " comes, legal: at most " + CameraFrame.LONGEST + " each way");
+            throw new IOException("a picture of " + width + " x " + height + " was received, legal: at most " + CameraFrame.LONGEST + " each way");
         }
         byte[] bytes = new byte[3 * width * height];
         in.readFully(bytes);

@@ -6,40 +6,39 @@ import java.io.IOException;
 import org.SEAR.view.link.WorldLink;
 
 /**
- * What a window in a process of its own says on its standard output: a byte for what, then what belongs to it. Big-endian, as
+ * Protocol of a window process on its standard output: one byte for the message type, then its content. Big-endian, as
  * {@link DataOutputStream} writes; {@code 05 3F F0 00 00 00 00 00 00} is "set the speed to 1".
  */
 public final class WindowProtocol {
-    /** The window shows its first picture. */
+    /** The window has drawn its first picture. */
     public static final int OPENED = 1;
-    /** There can't be a window; UTF: why. */
+    /** UTF: why there is no window. */
     public static final int PROBLEM = 2;
     /** UTF: a warning for the user. */
     public static final int WARNING = 3;
-    /** boolean: pause or go on. */
+    /** boolean: pause or resume. */
     static final int PAUSE = 4;
     /** double: simulated seconds per real second. */
     static final int SPEED = 5;
-    /** Pause, and one step. */
+    /** Pause and advance one step. */
     static final int STEP = 6;
     /** int robot, double speed, double radius. */
     static final int DRIVE = 7;
-    /** Back to the start. */
+    /** Reset to the start. */
     static final int RESET = 8;
-    /** boolean: whether contact points are wanted. */
+    /** boolean: include contact points in states. */
     static final int CONTACTS = 9;
     /** The user has closed the window. */
     public static final int CLOSED = 10;
-    /** UTF: the camera whose pictures are wanted; empty for none. */
+    /** UTF: camera to take pictures, or empty. */
     static final int PICTURE = 11;
 
     private WindowProtocol() {
     }
 
     /**
-     * Obeys a command for the world.
-     *
-     * @return false for a byte that is none
+     * Runs a command for the world.
+     * @return false for an unknown command
      */
     public static boolean execute(int what, DataInputStream in, WorldLink world) throws IOException {
         switch (what) {

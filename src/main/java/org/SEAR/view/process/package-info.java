@@ -1,5 +1,5 @@
 /**
- * The same link between two processes, where the window has one of its own: what travels through the pipes, and how. Uses
- * {@link org.SEAR.view.link}, and what that uses. A thread reads each pipe; anybody may write.
+ * Link between a simulation and a window in its own process: messages and their format. Uses {@link org.SEAR.view.link}
+ * and its dependencies. One thread reads each pipe; any thread may write.
  */
 package org.SEAR.view.process;

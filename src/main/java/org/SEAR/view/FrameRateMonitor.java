@@ -1,12 +1,12 @@
 package org.SEAR.view;
 
-/** Notices a machine that draws so slowly that shadows should take less time. Window thread only. */
+/** Detects a machine that draws too slowly for full shadow updates. Window thread only. */
 final class FrameRateMonitor {
-    /** Real seconds in which shaders are compiled and textures loaded: they don't count. */
+    /** Initial time, real seconds, excluded because shaders compile and textures load. */
     private static final float WARM_UP = 2;
-    /** Real seconds over which pictures are counted. */
+    /** Period over which frames are counted, real seconds. */
     private static final float TRIAL = 2;
-    /** Pictures a second that a window should show. */
+    /** Minimum frame rate, frames per second. */
     private static final float ENOUGH = 30;
 
     private float time = -WARM_UP;
@@ -14,9 +14,8 @@ final class FrameRateMonitor {
     private float rate = Float.NaN;
 
     /**
-     * Counts a picture.
-     *
-     * @return whether the last trial showed too few
+     * Counts a frame.
+     * @return whether a period has ended below the minimum frame rate
      */
     boolean count(float frameTime) {
         time += frameTime;

@@ -14,9 +14,9 @@ import org.SEAR.terrain.relief.Relief;
 import org.SEAR.view.terrain.GroundMaterial;
 import org.SEAR.view.terrain.TerrainView;
 
-/** Makes what the window shows of a project's terrain. Window thread only. */
+/** Creates the window's view of a project's terrain. Window thread only. */
 final class GroundViews {
-    /** Pixels of the longer side of the picture over the ground: with a graphics card, and where the processor draws. */
+    /** Pixels of the longer side of the ground's picture: with a graphics card, and with software rendering. */
     private static final int FINE_PICTURE = 2048;
     private static final int PLAIN_PICTURE = 1024;
     private static final int PER_POST = 3;
@@ -24,13 +24,13 @@ final class GroundViews {
     private GroundViews() {
     }
 
-    /** Null for a project without a terrain; a picture over it that can't be read is warned of. */
+    /** Returns the view, or null without a terrain. Warns about an unreadable picture. */
     static TerrainView of(Project project, WindowApplication window, Consumer<String> warnings) {
         Ground ground;
         try {
             ground = project.getGround();
         } catch (ProjectException e) {
-            warnings.accept("the terrain can't be shown: " + e.getMessage());
+            warnings.accept("SEAR can't show the terrain: " + e.getMessage());
             return null;
         }
         if (ground == null) {
@@ -48,7 +48,7 @@ final class GroundViews {
                 try {
                     return TerrainColors.of((Terrain) object, project.getAssets(), ground);
                 } catch (IOException e) {
-                    warnings.accept("the picture over the terrain can't be shown: " + e.getMessage());
+                    warnings.accept("SEAR can't show the terrain's picture: " + e.getMessage());
                 }
             }
         }

@@ -17,9 +17,9 @@ import org.SEAR.view.platform.DisplayCheck;
 import org.SEAR.view.process.StateMessage;
 import org.SEAR.view.process.WindowProtocol;
 
-/** A window in a process of its own, seen from the simulation's process. Any thread. */
+/** Handle of a window in its own process, in the simulation's process. Any thread. */
 final class RemoteWindow implements WindowHandle {
-    /** Seconds that a machine may take to start a process and open a window. */
+    /** Maximum time to start a process and open a window, seconds. */
     private static final long TIMEOUT = 60;
     private static final long FEED_PERIOD = TimeUnit.MILLISECONDS.toNanos(25);
 
@@ -121,20 +121,20 @@ final class RemoteWindow implements WindowHandle {
                 break;
             default:
                 if (!WindowProtocol.execute(what, in, world)) {
-                    throw new IOException("the window's process sent " + what + ", which means nothing");
+                    throw new IOException("the window's process sent the unknown message type " + what);
                 }
                 break;
         }
     }
 
-    /** One of the two threads says it: both may notice at the same moment. */
+    /** Handles the end of the process once; both threads may call it. */
     private synchronized void ended(IOException reason) {
         if (settled.getCount() > 0) {
             problem = "the window's process ended" + (reason == null ? "" : " (" + reason.getMessage() + ")");
             settled.countDown();
         } else if (open && !closing) {
             open = false;
-            options.getWarnings().accept("the simulator window's process has ended; the simulation goes on without it");
+            options.getWarnings().accept("the simulator window's process has ended; the simulation continues without it");
             world.close();
         }
     }

@@ -17,7 +17,10 @@ import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 
-/** Writes the window's picture to files {@code sear-0001.png}, {@code sear-0002.png}, ... Read on the window's thread, written on another. */
+/**
+ * Saves the window's picture to {@code sear-0001.png}, {@code sear-0002.png}, ... Reads on the window's thread, writes
+ * on another.
+ */
 final class Screenshots implements SceneProcessor {
     private static final int PIXEL = 4;
     private static final int LAST = 9999;
@@ -32,7 +35,7 @@ final class Screenshots implements SceneProcessor {
 
     /**
      * @param writer writes the files
-     * @param tell takes the news, on the writer's thread
+     * @param tell receives messages, on the writer's thread
      */
     Screenshots(Path folder, ExecutorService writer, Consumer<String> tell) {
         this.folder = folder;
@@ -40,12 +43,12 @@ final class Screenshots implements SceneProcessor {
         this.report = tell;
     }
 
-    /** The frame being drawn, or else the next one, goes to a file. */
+    /** Saves the present or next frame. */
     void take() {
         wanted = true;
     }
 
-    /** Likewise, to this file. */
+    /** Saves the present or next frame to this file. */
     void take(Path file) {
         wanted = true;
         named = file;
@@ -84,7 +87,7 @@ final class Screenshots implements SceneProcessor {
             ImageIO.write(image, "png", target.toFile());
             report.accept("picture saved: " + target);
         } catch (IOException e) {
-            report.accept("the picture can't be saved in " + folder + " (" + e.getMessage() + "); choose a folder that can be written");
+            report.accept("SEAR can't save the picture in " + folder + " (" + e.getMessage() + "); choose a writable folder");
         }
     }
 

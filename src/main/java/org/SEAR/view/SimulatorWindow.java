@@ -8,12 +8,12 @@ import org.SEAR.view.link.WorldLink;
 import org.SEAR.view.platform.DisplayCheck;
 
 /**
- * The window that shows a running simulation. It reads snapshots and sends commands on a thread of its own; the simulation neither waits for it
- * nor depends on it, and a machine without display or OpenGL simply has no window.
+ * Window of a running simulation. It reads snapshots and sends commands on its own thread. The simulation does not wait
+ * for it, and runs without a window on a machine without display or OpenGL.
  *
- * <p>Any thread. No jMonkeyEngine type appears in this class, so it loads where jMonkeyEngine's jars are missing. A process can have one window at a
- * time, because GLFW, the library below jMonkeyEngine, is ended with it. On macOS, where a window must have a process's first thread, it runs in a
- * process of its own.
+ * <p>Any thread. This class uses no jMonkeyEngine types, so it loads without jMonkeyEngine's jars. A process can have
+ * one window at a time, because closing it terminates GLFW, jMonkeyEngine's window library. On macOS, where a window
+ * needs a process's first thread, it runs in its own process.
  */
 public final class SimulatorWindow implements AutoCloseable {
     private static final String WITHOUT = "; the simulation runs without a window";
@@ -26,11 +26,10 @@ public final class SimulatorWindow implements AutoCloseable {
     }
 
     /**
-     * Opens a window and returns when it shows its first picture, or when it is clear that there can't be one.
-     *
-     * @param runner of the simulation to show; only looked at and sent commands, never started or stopped
-     * @param options how it looks and behaves; also takes the warning when there can't be a window
-     * @return never null, and never an exception for a machine without display: look at {@link #isHeadless}
+     * Opens a window. Returns when it shows its first picture, or when there can't be one.
+     * @param runner simulation to show; the window never starts or stops it
+     * @param options look and behaviour, including the receiver of warnings
+     * @return never null; without a display, {@link #isHeadless} is true
      */
     public static SimulatorWindow open(SimulationRunner runner, WindowOptions options) {
         return open(new RunnerLink(runner, options.getScriptDrives()), options);
@@ -70,22 +69,24 @@ public final class SimulatorWindow implements AutoCloseable {
         }
     }
 
-    /** Whether the window is there. */
     public boolean isOpen() {
         return problem == null && body.isOpen();
     }
 
-    /** Whether there never was a window: no display, no OpenGL, or jMonkeyEngine missing. {@link #getProblem} says why. */
+    /**
+     * Returns whether no window could open: no display, no OpenGL, or no jMonkeyEngine. {@link #getProblem} returns the
+     * reason.
+     */
     public boolean isHeadless() {
         return problem != null;
     }
 
-    /** Why there is no window, in plain words; null when there is or was one. */
+    /** Returns why no window could open, or null. */
     public String getProblem() {
         return problem;
     }
 
-    /** Takes the window away and waits until it is gone. Does nothing when it is gone already. The simulation goes on. */
+    /** Closes the window and waits for its end. Does nothing for a closed window. The simulation continues. */
     @Override
     public void close() {
         if (problem == null) {

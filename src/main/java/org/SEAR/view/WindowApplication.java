@@ -19,15 +19,20 @@ import org.SEAR.view.platform.LateDisplay;
 import org.SEAR.view.platform.NativeMemory;
 import org.SEAR.view.platform.X11Guard;
 
-/** The window itself. Its own thread runs everything but {@link #open}, {@link #close} and {@link #isOpen}. */
+/**
+ * The jMonkeyEngine window. Everything runs on its own thread except {@link #open}, {@link #close} and {@link #isOpen}.
+ */
 final class WindowApplication extends SimpleApplication implements WindowHandle {
     private static final Logger LOG = Logger.getLogger(WindowApplication.class.getName());
-    /** Held, so that its level stays. */
+    /** Referenced so that its level persists. */
     private static final Logger ENGINE = Logger.getLogger("com.jme3");
     private static final int HARDWARE_FRAMES = 60;
-    /** A little more than anybody needs to see motion: each picture takes caches and time from the simulation. */
+    /**
+     * Maximum frame rate with software rendering: enough for smooth motion, as each frame takes time from the
+     * simulation.
+     */
     private static final int SOFTWARE_FRAMES = 34;
-    /** Seconds that a machine may take to open a window. */
+    /** Maximum time to open a window, seconds. */
     private static final long TIMEOUT = 60;
     private static final int DEPTH_BITS = 24;
 
@@ -42,12 +47,12 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
     private volatile boolean shown;
     private volatile boolean failed;
     private volatile boolean misfit;
-    /** Pictures drawn since the window opened. */
+    /** Frames drawn since the window opened. */
     volatile long frames;
     private volatile boolean closing;
     private boolean closedByUser;
     private WindowScene scene;
-    /** Null where jMonkeyEngine shows its window itself. */
+    /** Null if jMonkeyEngine shows its window itself. */
     private LateDisplay display;
 
     WindowApplication(WorldLink link, WindowOptions options, Runnable onShown) {
@@ -104,7 +109,7 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         try {
             display = new LateDisplay();
         } catch (LinkageError e) {
-            LOG.log(Level.FINE, "another jMonkeyEngine shows its window at once", e);
+            LOG.log(Level.FINE, "this jMonkeyEngine shows its window immediately", e);
             super.start(type, wait);
             return;
         }
@@ -115,7 +120,7 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         context.create(wait);
     }
 
-    /** jMonkeyEngine tells the console about every graphics card and every missing sound loader, unless somebody wants to hear it. */
+    /** Silences jMonkeyEngine's console messages unless a logging level is set. */
     private static void quieten() {
         if (ENGINE.getLevel() == null) {
             ENGINE.setLevel(Level.SEVERE);
@@ -137,7 +142,7 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         scene = new WindowScene(this, link, options, background);
     }
 
-    /** Whether OpenGL is worked out by the processor. Window thread. */
+    /** Returns whether OpenGL runs in software. Window thread. */
     boolean isSoftware() {
         String card = org.lwjgl.opengl.GL11.glGetString(org.lwjgl.opengl.GL11.GL_RENDERER);
         return card == null || card.contains("llvmpipe") || card.contains("softpipe") || card.contains("SWR") || card.contains("GDI Generic");
@@ -155,7 +160,10 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         }
     }
 
-    /** What leaves this class's methods would end the window's thread, and older versions of jMonkeyEngine then leave an empty window behind. */
+    /**
+     * Catches exceptions. They would end the window's thread, and older versions of jMonkeyEngine would leave an empty
+     * window.
+     */
     private void guard(Runnable work) {
         try {
             work.run();
@@ -197,8 +205,8 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
     }
 
     /**
-     * jMonkeyEngine calls this for what it can't go on with, and GLFW for everything down to a window position that the desktop doesn't like: only
-     * the former ends the window.
+     * Handles errors. jMonkeyEngine reports fatal errors here, which close the window, and GLFW minor ones such as an
+     * unsupported window position.
      */
     @Override
     public void handleError(String message, Throwable error) {
@@ -212,12 +220,12 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         fail(glfwError == null ? words : glfwError, error);
     }
 
-    /** Takes the window away and says why; the first picture is no longer waited for. */
+    /** Closes the window with a reason and stops waiting for its first picture. */
     private void fail(String words, Throwable error) {
         failed = true;
         if (shown) {
             LOG.log(Level.WARNING, words, error);
-            options.getWarnings().accept("the simulator window has to close: " + words);
+            options.getWarnings().accept("the simulator window closes: " + words);
         } else {
             problem = words;
             LOG.log(Level.FINE, words, error);
@@ -226,10 +234,10 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         settled.countDown();
     }
 
-    /** The X server went away. What is left of the window is not touched again: any call could end the process. */
+    /** Handles a lost X server. Leaves the remains of the window alone, as any call could end the process. */
     private void displayLost() {
         if (!closing) {
-            options.getWarnings().accept("the display of the simulator window is lost; the simulation goes on without it");
+            options.getWarnings().accept("the simulator window has lost its display; the simulation continues without it");
         }
         context.destroy(false);
     }
@@ -246,11 +254,11 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         Glfw.freeLeftovers();
         background.shutdown();
         if (problem == null) {
-            link.close(); // otherwise another window may be tried on it
+            link.close(); // another attempt may use the link after a problem
         }
         shown = false;
         if (closedByUser && !closing) {
-            // no daemon: a process that has only this window would end before the message is out
+            // no daemon: a process with only this window would end before it sends the message
             new Thread(this::reportClosed, "SEAR window closed").start();
         }
     }
@@ -275,7 +283,7 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         return shown && !closing;
     }
 
-    /** Whether classes of jMonkeyEngine are not those that the window was made for, so that another attempt is vain. */
+    /** Returns whether jMonkeyEngine's classes are incompatible, so that another attempt is useless. */
     boolean isMisfit() {
         return misfit;
     }
@@ -297,7 +305,7 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         }
     }
 
-    /** What is on the window. Window thread. */
+    /** Returns the window's content. Window thread. */
     WindowScene scene() {
         return scene;
     }

@@ -1,12 +1,12 @@
 package org.SEAR.view;
 
-/** What {@link SimulatorWindow} needs of the window behind it, without any jMonkeyEngine type. Any thread. */
+/** Window behind {@link SimulatorWindow}, without jMonkeyEngine types. Any thread. */
 interface WindowHandle {
     boolean isOpen();
 
-    /** Why it never opened; null when it did. */
+    /** Returns why the window never opened, or null. */
     String problem();
 
-    /** Ends the window and waits until its thread has ended. */
+    /** Closes the window and waits for the end of its thread. */
     void close();
 }

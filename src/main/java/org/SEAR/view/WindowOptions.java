@@ -7,11 +7,14 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.SEAR.view.platform.DisplayCheck;
 
-/** How a {@link SimulatorWindow} is to look and behave. Filled by one thread before the window opens, and not changed afterwards. */
+/**
+ * Look and behaviour of a {@link SimulatorWindow}. One thread fills it before the window opens; it is not changed
+ * afterwards.
+ */
 public final class WindowOptions {
-    /** Default width in pixels. */
+    /** Default width, pixels. */
     public static final int WIDTH = 1024;
-    /** Default height in pixels. */
+    /** Default height, pixels. */
     public static final int HEIGHT = 640;
     private static final int SMALLEST = 160;
     private static final int LARGEST = 8192;
@@ -28,7 +31,7 @@ public final class WindowOptions {
     private Runnable onClosed = () -> { };
     private Consumer<String> warnings = message -> { };
 
-    /** The title bar's text; default "SEAR". */
+    /** Sets the title bar's text; default "SEAR". */
     public WindowOptions setTitle(String text) {
         title = Objects.requireNonNull(text);
         return this;
@@ -48,7 +51,10 @@ public final class WindowOptions {
         return value;
     }
 
-    /** Smooths edges by so many samples a pixel: 0 (none) to 16, default 0, because a machine without a graphics card pays for each. */
+    /**
+     * Sets the samples per pixel for smooth edges: 0 (none) to 16, default 0. Each one costs time without a graphics
+     * card.
+     */
     public WindowOptions setSamples(int count) {
         if (count < 0 || count > MAX_SAMPLES) {
             throw new IllegalArgumentException("window samples is " + count + ", legal: 0 to " + MAX_SAMPLES);
@@ -57,40 +63,54 @@ public final class WindowOptions {
         return this;
     }
 
-    /** Whether collision shapes, contact points and wheel rays show from the start; F3 changes it. Default false. */
+    /**
+     * Sets whether collision shapes, contact points and wheel rays are visible from the start; F3 toggles them. Default
+     * false.
+     */
     public WindowOptions setDebugShapes(boolean on) {
         debugShapes = on;
         return this;
     }
 
     /**
-     * Whether the window runs in a process of its own, which the window's user does not notice: needed on macOS, and its default there; elsewhere it
-     * keeps a graphics driver that crashes away from this process, at the price of another Java process. Default elsewhere: false.
+     * Sets whether the window runs in its own process. This is required on macOS, and the default there; elsewhere the
+     * default is false. A separate process isolates crashes of the graphics driver at the cost of another Java process.
      */
     public WindowOptions setOwnProcess(boolean on) {
         ownProcess = on || DisplayCheck.needsFirstThread();
         return this;
     }
 
-    /** Where F12 puts its pictures; made when needed. Default {@code screenshots} below the working folder. */
+    /**
+     * Sets the folder for F12's pictures; created when needed. Default {@code screenshots} below the working folder.
+     */
     public WindowOptions setScreenshotFolder(Path folder) {
         screenshotFolder = Objects.requireNonNull(folder);
         return this;
     }
 
-    /** Answers whether a script drives the robot now, so that the keys must not; asked on the window's thread. Default: never. */
+    /**
+     * Sets the check whether a script drives the robot, which disables the keys; called on the window's thread.
+     * Default: never.
+     */
     public WindowOptions setScriptDrives(BooleanSupplier question) {
         scriptDrives = Objects.requireNonNull(question);
         return this;
     }
 
-    /** Runs once, on a thread of the window, after the user has closed it; not after {@link SimulatorWindow#close()}. Default: nothing. */
+    /**
+     * Sets an action that runs once, on a thread of the window, after the user has closed it; not after
+     * {@link SimulatorWindow#close()}. Default: nothing.
+     */
     public WindowOptions setOnClosed(Runnable action) {
         onClosed = Objects.requireNonNull(action);
         return this;
     }
 
-    /** Takes what the user should know about the window itself (no display, picture not written); any thread. Default: nothing. */
+    /**
+     * Sets the receiver of warnings about the window (no display, picture not saved), called on any thread. Default:
+     * none.
+     */
     public WindowOptions setWarnings(Consumer<String> receiver) {
         warnings = Objects.requireNonNull(receiver);
         return this;

@@ -14,9 +14,9 @@ import org.SEAR.view.process.PipeLink;
 import org.SEAR.view.process.WindowProtocol;
 
 /**
- * A window in a process of its own. On macOS the first thread of a process must be the window's, and MyRobotLab's is not free; elsewhere this
- * keeps a broken graphics driver away from MyRobotLab. States come in on standard input, {@link WindowProtocol} goes out on standard output; it ends
- * when its input ends.
+ * Main class of a window in its own process. On macOS a window needs a process's first thread, which MyRobotLab
+ * occupies; elsewhere this isolates crashes of the graphics driver. Reads states from standard input and writes
+ * {@link WindowProtocol} to standard output. Ends when its input ends.
  */
 public final class WindowProcess {
     private WindowProcess() {

@@ -27,10 +27,10 @@ import org.SEAR.view.scene.WorldView;
 import org.SEAR.view.terrain.FarView;
 import org.SEAR.view.terrain.TerrainView;
 
-/** Everything on the window, and what the keys do with it. Window thread only. */
+/** Content of the window and the commands of its keys. Window thread only. */
 final class WindowScene {
     private static final double[] SPEEDS = {0.1, 0.25, 0.5, 1, 2, 4, 8, 16, 32, Double.POSITIVE_INFINITY};
-    /** Metres above a robot's origin that the follow camera looks at. */
+    /** Height above a robot's origin that the follow camera looks at, metres. */
     private static final float LOOK_UP = 0.1f;
 
     private final WorldLink link;
@@ -52,7 +52,7 @@ final class WindowScene {
     private int robot;
     /** Number of the camera whose picture is shown; -1 for none. */
     private int picture = -1;
-    /** Null where there is no terrain, likewise what lies far off. */
+    /** Terrain and far view; null without a terrain. */
     private final TerrainView terrain;
     private final FarView far;
 
@@ -85,7 +85,7 @@ final class WindowScene {
         state.hasCameras = !world.cameras().isEmpty();
     }
 
-    /** Draws the newest state; does nothing while there is none. */
+    /** Draws the newest state, if there is one. */
     void update(float frameTime) {
         SceneState sceneState = link.sceneState();
         if (sceneState == null) {
@@ -124,7 +124,7 @@ final class WindowScene {
         camera.update(frameTime, target, heading, world.environment());
     }
 
-    /** Whether there has been something to draw. */
+    /** Returns whether a state has been drawn. */
     boolean hasPicture() {
         return movement.newest() != null;
     }
@@ -182,7 +182,7 @@ final class WindowScene {
                 break;
             case SHAPES:
                 setShapes(!shapes.isVisible());
-                hud.say(shapes.isVisible() ? "shapes of the physics shown" : "shapes of the physics hidden");
+                hud.say(shapes.isVisible() ? "physics shapes shown" : "physics shapes hidden");
                 break;
             case FOLD:
                 hud.toggleFolded();
@@ -209,9 +209,9 @@ final class WindowScene {
     private void drive(Key key) {
         if (key == Key.RESET) {
             link.reset();
-            hud.say("back to the start");
+            hud.say("simulation reset");
         } else if (link.scriptDrives()) {
-            hud.say("a script drives the robot: the keys H K U J ; do nothing now");
+            hud.say("a script drives the robot: the keys H K U J ; are off");
         } else if (world.robots().isEmpty()) {
             hud.say("there is no robot to drive");
         } else {
@@ -242,10 +242,10 @@ final class WindowScene {
         picture = picture + 1 < cameras.size() ? picture + 1 : -1;
         state.camera = picture < 0 ? null : cameras.get(picture);
         link.wantPicture(state.camera);
-        hud.say(cameras.isEmpty() ? "there is no camera" : picture < 0 ? "no picture of a camera" : "picture of " + state.camera);
+        hud.say(cameras.isEmpty() ? "there is no camera" : picture < 0 ? "camera picture hidden" : "picture of " + state.camera);
     }
 
-    /** The next picture goes to this file. */
+    /** Saves the next frame to this file. */
     void picture(Path file) {
         screenshots.take(file);
     }
@@ -270,7 +270,7 @@ final class WindowScene {
         return shapes;
     }
 
-    /** Null where there is none. */
+    /** Returns the terrain, or null. */
     TerrainView terrain() {
         return terrain;
     }

@@ -3,20 +3,19 @@ package org.SEAR.view;
 import com.jme3.system.AppSettings;
 import org.SEAR.view.link.WorldLink;
 
-/** Keeps the first mention of jMonkeyEngine's classes out of {@link SimulatorWindow}, where a missing jar must not end in an error. */
+/** Separates jMonkeyEngine's classes from {@link SimulatorWindow}, which must load without its jars. */
 final class WindowStart {
-    /** GLFW's words for an X server that doesn't answer. */
+    /** GLFW's error message for an X server that doesn't respond. */
     private static final String NO_SERVER = "Failed to open display";
 
     private WindowStart() {
     }
 
     /**
-     * Opens a window on OpenGL 3.2 or, on an old machine, 2.0. On macOS, where it has to run on the caller's thread, it returns when the window has
-     * been closed; elsewhere when it shows its first picture.
-     *
+     * Opens a window with OpenGL 3.2 or, on an old machine, 2.0. Returns when the window shows its first picture. On
+     * macOS, where it runs on the caller's thread, returns after the window has closed.
      * @param onShown called on the window's thread after the first picture
-     * @return the last window tried; look at its problem
+     * @return the last window tried; check its problem
      */
     static WindowHandle open(WorldLink link, WindowOptions options, Runnable onShown) throws InterruptedException {
         WindowApplication modern = new WindowApplication(link, options, onShown);

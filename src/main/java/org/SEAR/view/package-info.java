@@ -1,6 +1,7 @@
 /**
- * The window: reads snapshots, sends commands, and nothing waits for it. Here is what opens it and its application; its parts are the packages
- * below. Uses {@link org.SEAR.view.hud}, {@link org.SEAR.view.platform}, {@link org.SEAR.view.process} and {@link org.SEAR.view.terrain}, and what
- * these use. jMonkeyEngine's thread draws; on macOS in a process of its own.
+ * The window: reads snapshots and sends commands; the simulation never waits for it. This package opens the window and
+ * contains its application. Uses {@link org.SEAR.view.hud}, {@link org.SEAR.view.platform},
+ * {@link org.SEAR.view.process}, {@link org.SEAR.view.terrain} and their dependencies. jMonkeyEngine's thread draws; on
+ * macOS the window has its own process.
  */
 package org.SEAR.view;

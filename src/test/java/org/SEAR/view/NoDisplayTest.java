@@ -183,7 +183,7 @@ public class NoDisplayTest {
     private static void onlyTheWindowIsLost(Process process, BufferedReader lines) throws Exception {
         process.getOutputStream().close();
         String rest = lines.lines().collect(Collectors.joining("\n"));
-        assertTrue(rest, rest.contains("warning: the display of the simulator window is lost"));
+        assertTrue(rest, rest.contains("warning: the simulator window has lost its display"));
         assertTrue(rest, rest.contains("still alive"));
         assertEquals(0, process.waitFor());
     }

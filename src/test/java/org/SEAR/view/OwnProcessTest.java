@@ -89,7 +89,7 @@ public class OwnProcessTest {
     public void aProcessThatDiesTakesOnlyTheWindowAway() {
         ProcessHandle.current().children().forEach(ProcessHandle::destroyForcibly);
         Views.until("it is noticed", () -> !window.isOpen() && !warnings.isEmpty());
-        assertEquals(List.of("the simulator window's process has ended; the simulation goes on without it"), warnings);
+        assertEquals(List.of("the simulator window's process has ended; the simulation continues without it"), warnings);
         long step = world.snapshot().step;
         Views.until("the world goes on", () -> world.snapshot().step > step);
     }

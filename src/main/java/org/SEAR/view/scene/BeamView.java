@@ -18,11 +18,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.scene.BeamFan;
 
-/** One sensor's beams as lines, and a sphere where a beam has hit. Window thread only. */
+/** One sensor's beams as lines, with a sphere at each hit. Window thread only. */
 public final class BeamView {
     private static final float OPAQUE = 0.75f;
     private static final float FAINT = 0.28f;
-    /** A small round thing: an octahedron whose faces are halved once. */
+    /** Low-polygon sphere: an octahedron subdivided once. */
     private static final int[] BALL_TRIANGLES = new int[8 * 4 * 3];
     private static final float[] BALL = ball();
     private static final int BALL_CORNERS = BALL.length / 3;
@@ -88,15 +88,14 @@ public final class BeamView {
         node.setCullHint(on ? CullHint.Inherit : CullHint.Always);
     }
 
-    /** How many beams have hit something. */
+    /** Returns the number of beams with a hit. */
     public int hitCount() {
         return hitCount;
     }
 
     /**
      * Draws a reading.
-     *
-     * @param lengths metres, infinite where nothing was hit; null for no reading, which draws beams in full length
+     * @param lengths metres, infinite without a hit; null for no reading, which draws beams in full length
      */
     void update(double[] lengths) {
         if (lengths == shown && shown != null) {
@@ -153,7 +152,7 @@ public final class BeamView {
         }
     }
 
-    /** Corners of a unit ball. */
+    /** Returns the corners of a unit sphere. */
     private static float[] ball() {
         List<Vector3f> corners = new ArrayList<>();
         int at = 0;
@@ -171,7 +170,7 @@ public final class BeamView {
         return ball;
     }
 
-    /** Adds a face's four triangles; corners are shared with other faces, so that each is worked out once. */
+    /** Adds the four triangles of an octahedron's face. Corners are shared between faces. */
     private static int face(List<Vector3f> corners, int[] triangles, int start, Vector3f[] corner) {
         Vector3f ab = corner[0].add(corner[1]).normalizeLocal();
         Vector3f bc = corner[1].add(corner[2]).normalizeLocal();
@@ -188,7 +187,7 @@ public final class BeamView {
         return at;
     }
 
-    /** The triangles of so many balls, three corners each. */
+    /** Returns the triangles of several spheres, three corners each. */
     private static IntBuffer triangles(int balls) {
         IntBuffer all = BufferUtils.createIntBuffer(balls * BALL_TRIANGLES.length);
         for (int ball = 0; ball < balls; ball++) {

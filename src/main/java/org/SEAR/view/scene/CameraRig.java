@@ -10,31 +10,31 @@ import java.util.List;
 import org.SEAR.geometry.HeightGrid;
 
 /**
- * Where the camera is: by default behind the robot and turning with it, as flycam where the user puts it. Angles in radians; yaw is counter-clockwise
- * from above, 0 looks along +z; pitch is downwards. Window thread only.
+ * Position of the camera: by default it follows the robot from behind; as flycam the user moves it. Angles in radians.
+ * Yaw is counter-clockwise from above, 0 looks along +z; pitch is downwards. Window thread only.
  */
 public final class CameraRig {
     private static final float FIELD_OF_VIEW = 50;
     private static final float NEAR = 0.05f;
-    /** Behind it, where there is a terrain, {@link org.SEAR.view.terrain.FarView} takes over. */
+    /** Far plane, metres. {@link org.SEAR.view.terrain.FarView} draws terrain beyond it. */
     private static final float FAR = 400;
     private static final float NEAREST = 0.4f;
     private static final float FARTHEST = 80;
     private static final float STEEPEST = 1.5f;
-    /** Radians a pixel of mouse movement. */
+    /** Rotation per pixel of mouse movement, radians. */
     private static final float MOUSE = 0.005f;
-    /** Metres a second. */
+    /** Speed of the flycam, m/s. */
     private static final float FLY_SPEED = 2;
     private static final float FAST = 4;
-    /** Seconds in which the follow camera makes up for most of a turn of the robot. */
+    /** Time constant with which the follow camera turns after the robot, seconds. */
     private static final float LAG = 0.5f;
     private static final float ZOOM = 1.15f;
 
-    /** Metres that the camera keeps from a wall or the ground. */
+    /** Minimum distance of the camera from a wall or the ground, metres. */
     private static final float WALL = 0.12f;
-    /** Seconds in which a flight over a terrain goes as far as it is high. */
+    /** Seconds in which the flycam over a terrain flies as far as it is high. */
     private static final float HEIGHT_TIME = 3;
-    /** Share of a terrain's side from which one sees it. */
+    /** Distance for an overview of a terrain, as a share of its longer side. */
     private static final float OVERVIEW = 0.7f;
 
     private final Camera camera;
@@ -49,7 +49,7 @@ public final class CameraRig {
     private float orbitYaw;
     private float orbitPitch = 0.45f;
     private float distance = 2.6f;
-    /** Null where there is no terrain. */
+    /** Null without a terrain. */
     private GroundSight ground;
     private float farthest = FARTHEST;
 
@@ -59,9 +59,8 @@ public final class CameraRig {
     }
 
     /**
-     * A terrain, over which the camera stays; one may go as far from the robot as it is large.
-     *
-     * @param whole whether all of it is to be seen at first
+     * Sets a terrain, above which the camera stays. The maximum distance from the robot becomes the terrain's size.
+     * @param whole whether the camera starts with an overview
      */
     public void setGround(HeightGrid field, boolean whole) {
         ground = new GroundSight(field, WALL);
@@ -69,7 +68,7 @@ public final class CameraRig {
         distance = whole ? OVERVIEW * ground.extent() : distance;
     }
 
-    /** The window has another size. */
+    /** Adapts to the window's size. */
     public void reshape() {
         camera.setFrustumPerspective(FIELD_OF_VIEW, (float) camera.getWidth() / camera.getHeight(), NEAR, FAR);
     }
@@ -78,15 +77,14 @@ public final class CameraRig {
         return flying;
     }
 
-    /** Between following the robot and flying on from here. */
+    /** Toggles between following the robot and flying from the present position. */
     public void toggle() {
         flying = !flying;
         place.set(camera.getLocation());
     }
 
     /**
-     * Puts the flycam there.
-     *
+     * Moves the flycam.
      * @param newYaw radians, likewise newPitch
      */
     public void fly(Vector3f newPlace, float newYaw, float newPitch) {
@@ -97,10 +95,9 @@ public final class CameraRig {
     }
 
     /**
-     * Puts the follow camera there.
-     *
+     * Moves the follow camera.
      * @param newDistance metres
-     * @param newYaw radians off the robot's back, likewise newPitch
+     * @param newYaw radians relative to the robot's back, likewise newPitch
      */
     public void orbit(float newDistance, float newYaw, float newPitch) {
         flying = false;
@@ -110,7 +107,7 @@ public final class CameraRig {
         robotYaw = Float.NaN;
     }
 
-    /** Starts or ends a flight: right, up, forward, each -1, 0 or 1, added to what is going on. */
+    /** Adds to the flight direction: right, up and forward, each -1, 0 or 1. */
     public void steer(float right, float up, float forward) {
         flight.addLocal(right, up, forward);
     }
@@ -119,7 +116,7 @@ public final class CameraRig {
         fast = on;
     }
 
-    /** The mouse was dragged, pixels to the right and up. */
+    /** Turns the camera by a mouse drag, pixels to the right and up. */
     public void drag(float right, float up) {
         if (flying) {
             yaw -= right * MOUSE;
@@ -130,7 +127,7 @@ public final class CameraRig {
         }
     }
 
-    /** The wheel was turned by so many notches, + to come nearer. */
+    /** Zooms by notches of the mouse wheel, + to move closer. */
     public void zoom(float notches) {
         if (flying) {
             place.addLocal(direction().multLocal(notches * Math.max(Math.min(distance, FARTHEST), height()) / FAST));
@@ -140,11 +137,10 @@ public final class CameraRig {
     }
 
     /**
-     * Moves the camera on.
-     *
-     * @param target of the follow camera
-     * @param heading direction in which it looks
-     * @param obstacles what the follow camera stays in front of
+     * Moves the camera for a frame.
+     * @param target point that the follow camera looks at
+     * @param heading direction that the follow camera looks along
+     * @param obstacles objects that may not hide the target
      */
     public void update(float frameTime, Vector3f target, Vector3f heading, List<? extends Spatial> obstacles) {
         if (flying) {
@@ -166,12 +162,12 @@ public final class CameraRig {
         camera.lookAtDirection(direction(), Vector3f.UNIT_Y);
     }
 
-    /** Metres above a terrain; 0 where there is none. */
+    /** Returns the height above the terrain, metres; 0 without one. */
     private float height() {
         return ground == null ? 0 : ground.above(place);
     }
 
-    /** How far back the camera may go from its target without a wall coming between. */
+    /** Returns the maximum distance behind the target without an obstacle between, metres. */
     private float sight(Vector3f target, Vector3f back, List<? extends Spatial> obstacles) {
         Ray ray = new Ray(target, back);
         ray.setLimit(distance);

@@ -11,7 +11,7 @@ import com.jme3.scene.VertexBuffer.Type;
 import com.jme3.util.BufferUtils;
 import org.SEAR.scene.ViewCone;
 
-/** Lines around what a camera sees. Window thread only. */
+/** Lines around a camera's field of view. Window thread only. */
 public final class ConeView {
     private final ViewCone cone;
     private final Node node;
@@ -32,7 +32,7 @@ public final class ConeView {
         node.attachChild(geometry);
     }
 
-    /** Along the edge, and from the camera to its corners. */
+    /** Returns the lines along the edge and from the camera to its corners. */
     private static float[] points(float[] edge) {
         int count = edge.length / 3;
         float[] points = new float[2 * edge.length + 2 * 3 * ViewCone.CORNERS];
@@ -46,7 +46,7 @@ public final class ConeView {
         return points;
     }
 
-    /** In the robot's frame. */
+    /** Returns the node, in the robot's frame. */
     public Node node() {
         return node;
     }

@@ -25,13 +25,16 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
 import org.SEAR.scene.SceneState;
 
-/** What the physics sees: outlines of the collision shapes, crosses at contact points, the rays on which wheels stand. Window thread only. */
+/**
+ * Physics shapes: outlines of collision shapes, crosses at contact points and the wheels' suspension rays. Window
+ * thread only.
+ */
 public final class DebugShapes {
     private static final ColorRGBA FIXED = new ColorRGBA(0.35f, 0.55f, 1, 1);
     private static final ColorRGBA MOVABLE = new ColorRGBA(0.2f, 1, 0.3f, 1);
     private static final ColorRGBA CONTACT = new ColorRGBA(1, 0.1f, 0.8f, 1);
     private static final ColorRGBA RAY = new ColorRGBA(1, 0.85f, 0.1f, 1);
-    /** Half the length of a cross's arm, metres. */
+    /** Half length of a cross's line, metres. */
     private static final float ARM = 0.03f;
     private static final int MAX_LINES = 1024;
 
@@ -112,7 +115,7 @@ public final class DebugShapes {
         lines.setCullHint(on ? CullHint.Never : CullHint.Always);
     }
 
-    /** How many lines show contacts and wheel rays. */
+    /** Returns the number of lines for contacts and wheel rays. */
     public int lineCount() {
         return lineCount;
     }
@@ -144,7 +147,10 @@ public final class DebugShapes {
         }
     }
 
-    /** From a wheel's radius above where it is fastened to as deep as it reaches: where the simulator looks for ground. */
+    /**
+     * Draws the rays that search for ground: from one radius above a wheel's mount to the suspension's full travel
+     * below.
+     */
     private void rays(int robot) {
         float rest = 0;
         for (SearObject part : robots.get(robot).getComponents()) {

@@ -10,12 +10,15 @@ import com.jme3.scene.mesh.IndexBuffer;
 import com.jme3.util.BufferUtils;
 import java.nio.FloatBuffer;
 
-/** Light falls on what has normals: triangles of a model whose file says none are flat, as those of cameras and tab are. Window thread only. */
+/**
+ * Adds flat normals, which lighting requires, to models without normals. The camera renderer and the tab do the same.
+ * Window thread only.
+ */
 final class FlatNormals {
     private FlatNormals() {
     }
 
-    /** Gives them to each mesh of triangles of a model that has none. */
+    /** Adds normals to each triangle mesh of a model that has none. */
     static void add(Spatial model) {
         model.depthFirstTraversal(spatial -> {
             if (spatial instanceof Geometry && ((Geometry) spatial).getMesh() != null) {
@@ -27,7 +30,7 @@ final class FlatNormals {
         });
     }
 
-    /** With corners of its own for each triangle. */
+    /** Returns a mesh with separate corners for each triangle. */
     private static Mesh flat(Mesh shared) {
         IndexBuffer indices = shared.getIndicesAsList();
         int corners = 3 * shared.getTriangleCount();

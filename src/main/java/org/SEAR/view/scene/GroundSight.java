@@ -3,32 +3,32 @@ package org.SEAR.view.scene;
 import com.jme3.math.Vector3f;
 import org.SEAR.geometry.HeightGrid;
 
-/** What a terrain hides from a camera, and where the camera has to stay above it. Window thread only. */
+/** Occlusion of a camera by terrain, and its minimum height above it. Window thread only. */
 final class GroundSight {
-    /** Steps in which a line of sight is followed; the first ones are the shortest. */
+    /** Samples along a line of sight; the nearest ones are the densest. */
     private static final int STEPS = 96;
 
     private final HeightGrid field;
     private final float room;
 
-    /** @param room metres that a camera keeps from the ground */
+    /** @param room minimum distance of a camera from the ground, metres */
     GroundSight(HeightGrid field, float room) {
         this.field = field;
         this.room = room;
     }
 
-    /** The longer side, metres. */
+    /** Returns the length of the longer side, metres. */
     float extent() {
         return (float) Math.max((field.rows - 1) * field.spacingX, (field.columns - 1) * field.spacingZ);
     }
 
-    /** Metres above the ground; 0 beside it. */
+    /** Returns the height above the ground, metres; 0 outside the terrain. */
     float above(Vector3f place) {
         double height = field.height(place.x, place.z);
         return Double.isNaN(height) ? 0 : (float) Math.max(0, place.y - height);
     }
 
-    /** Puts a place that is in or close to the ground above it. */
+    /** Lifts a position to the minimum distance above the ground. */
     void lift(Vector3f place) {
         double height = field.height(place.x, place.z);
         if (place.y < height + room) {
@@ -37,9 +37,8 @@ final class GroundSight {
     }
 
     /**
-     * How far one gets from a place above the ground, metres.
-     *
-     * @param most metres
+     * Returns the distance to the ground from a position above it, metres.
+     * @param most maximum distance, metres
      */
     float free(Vector3f from, Vector3f direction, float most) {
         float clear = 0;

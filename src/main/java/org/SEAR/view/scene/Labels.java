@@ -14,12 +14,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Names with live values, written at points of the world. Window thread only. */
+/** Names with live values at points of the world. Window thread only. */
 public final class Labels {
     private static final float SIZE = 14;
     private static final float LIFT = 20;
     private static final float LINE = 18;
-    /** How far a label is moved up above others; one that has to go farther is left out, because nobody would see what it belongs to. */
+    /**
+     * Maximum lines by which a label moves up to avoid others. Beyond that it is hidden, as its object would be
+     * unclear.
+     */
     private static final int MAX_LINES = 2;
     private static final ColorRGBA INK = new ColorRGBA(1, 1, 0.85f, 1);
     private static final ColorRGBA GROUND = new ColorRGBA(0.05f, 0.07f, 0.10f, 0.5f);
@@ -28,12 +31,12 @@ public final class Labels {
     private final Materials materials;
     private final Node node = new Node("labels");
     private final Map<String, Label> labels = new LinkedHashMap<>();
-    /** Left, bottom, right edge of each label placed in this picture. */
+    /** Left, bottom and right edge of each label in this frame. */
     private final List<float[]> taken = new ArrayList<>();
     private boolean shown = true;
     private boolean covered;
 
-    /** Ink on a dark translucent ground, so that it can be read among beams. */
+    /** Text on a dark translucent background, readable in front of beams. */
     private final class Label {
         final Node place = new Node("label");
         final BitmapText ink = new BitmapText(font);
@@ -65,7 +68,7 @@ public final class Labels {
         show();
     }
 
-    /** Whether a panel lies where the labels are. */
+    /** Hides labels while a panel covers them. */
     public void setCovered(boolean on) {
         covered = on;
         show();
@@ -75,21 +78,21 @@ public final class Labels {
         node.setCullHint(shown && !covered ? CullHint.Never : CullHint.Always);
     }
 
-    /** Words of a label; null when there is none or it is hidden. */
+    /** Returns the text of a label; null if it is missing or hidden. */
     public String text(String name) {
         Label label = labels.get(name);
         return label == null || !shown || label.place.getLocalCullHint() == CullHint.Always ? null : label.ink.getText();
     }
 
-    /** Begins a new picture: places are free again. */
+    /** Begins a frame without labels. */
     void begin() {
         taken.clear();
     }
 
     /**
-     * Writes words at a point, above what is there; hides them while the point is behind the camera, and where they would pile up.
-     *
-     * @param words null to hide
+     * Places a label at a point, above other labels. Hides it if the point is behind the camera or the label would move
+     * up too far.
+     * @param words text, or null to hide
      */
     void put(String name, String words, Vector3f point, Camera camera) {
         Label label = labels.computeIfAbsent(name, key -> {
@@ -116,7 +119,7 @@ public final class Labels {
         label.place.setCullHint(visible ? CullHint.Never : CullHint.Always);
     }
 
-    /** The lowest free height at or above the wanted one. */
+    /** Returns the lowest free height at or above the wanted one. */
     private float free(float left, float right, float wanted) {
         float bottom = wanted;
         for (boolean clash = true; clash;) {

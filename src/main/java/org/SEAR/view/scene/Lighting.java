@@ -30,7 +30,7 @@ public final class Lighting {
         root.addMatParamOverride(new MatParamOverride(VarType.Vector3, "ToSun", sunlight.negate()));
         root.addMatParamOverride(new MatParamOverride(VarType.Vector3, "SunLight", vector(Daylight.sun())));
         root.addMatParamOverride(new MatParamOverride(VarType.Vector3, "SkyLight", vector(Daylight.sky())));
-        // for what materials of models' own there are
+        // for materials that belong to models
         root.addLight(new DirectionalLight(sunlight, color(Daylight.sun())));
         root.addLight(new AmbientLight(color(Daylight.sky())));
         shadows = new SunShadow(assets, root, sunlight);
@@ -60,7 +60,7 @@ public final class Lighting {
         }
     }
 
-    /** Shadows take less time from now on: of what moves each third picture has a new one. */
+    /** Reduces shadow updates of moving objects to every third frame. */
     public void hurryShadows() {
         shadows.hurry();
     }
@@ -69,17 +69,17 @@ public final class Lighting {
         return shadows.isHurried();
     }
 
-    /** How many things have been drawn for shadows so far: what casts them is drawn again only where something has moved. */
+    /** Returns the number of objects drawn for shadows so far. Shadows are redrawn only where an object has moved. */
     public int shadowDraws() {
         return shadows.drawn();
     }
 
-    /** What is behind everything. */
+    /** Returns the background. */
     public Spatial sky() {
         return sky;
     }
 
-    /** Keeps the sky around the camera. */
+    /** Centres the sky on the camera. */
     public void follow(Camera camera) {
         sky.setLocalTranslation(camera.getLocation());
     }

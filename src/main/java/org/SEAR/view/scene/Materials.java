@@ -16,9 +16,9 @@ import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.scene.Glow;
 
-/** What surfaces look like. Window thread only. */
+/** Materials of surfaces. Window thread only. */
 public final class Materials {
-    /** Samples that a pixel at a flat angle may take. */
+    /** Maximum number of anisotropic samples per pixel. */
     private static final int ANISOTROPY = 8;
     private static final int OPAQUE = 0xff000000;
     private final AssetManager assets;
@@ -26,8 +26,8 @@ public final class Materials {
     private final Consumer<String> warnings;
 
     /**
-     * @param fine whether pictures get mipmaps and an anisotropic filter, so that they neither flicker far away nor smear at flat angles; software
-     *     OpenGL needs three times as long for that
+     * @param fine whether textures get mipmaps and anisotropic filtering, against flicker in the distance and blur at
+     *     flat angles. Software OpenGL takes three times as long with them.
      */
     public Materials(AssetManager assets, boolean fine, Consumer<String> warnings) {
         this.assets = assets;
@@ -35,7 +35,9 @@ public final class Materials {
         this.warnings = warnings;
     }
 
-    /** Lit, of a shape's picture or else its colour; the colour, with a warning, where the picture can't be read. */
+    /**
+     * Returns a lit material with a shape's picture or colour. If the picture can't be read, uses the colour and warns.
+     */
     Material surface(Shape shape) {
         String image = shape.getPicture();
         if (image != null) {
@@ -49,7 +51,7 @@ public final class Materials {
                 material.setTexture("DiffuseMap", texture);
                 return material;
             } catch (AssetNotFoundException | AssetLoadException e) {
-                warnings.accept("the picture " + image + " can't be shown (" + e.getMessage() + "); put a readable one into assets");
+                warnings.accept("SEAR can't show the picture " + image + " (" + e.getMessage() + "); put a readable one into assets");
             }
         }
         return lit(color(shape.getColor()));
@@ -59,24 +61,24 @@ public final class Materials {
         return color(Integer.parseInt(hex.substring(1), 16));
     }
 
-    /** What is seen of a light that shines so brightly, 0 to 1. */
+    /** Returns the displayed colour of a light at a brightness, 0 to 1. */
     static ColorRGBA glow(Led led, double brightness) {
         return color(Glow.of(led.getColor(), brightness));
     }
 
-    /** An opaque colour. */
+    /** Returns an opaque colour. */
     static ColorRGBA color(int rgb) {
         return new ColorRGBA().fromIntARGB(OPAQUE | rgb);
     }
 
-    /** Lit, of one colour. */
+    /** Returns a lit material of one colour. */
     Material lit(ColorRGBA color) {
         Material material = new Material(assets, "org/SEAR/view/scene/Surface.j3md");
         material.setColor("Diffuse", color);
         return material;
     }
 
-    /** Not lit, coloured corner by corner; may be seen through. */
+    /** Returns an unlit, translucent material with vertex colours. */
     Material lines() {
         Material material = new Material(assets, "Common/MatDefs/Misc/Unshaded.j3md");
         material.setBoolean("VertexColor", true);
@@ -85,7 +87,7 @@ public final class Materials {
         return material;
     }
 
-    /** Not lit, of one colour. */
+    /** Returns an unlit material of one colour. */
     public Material flat(ColorRGBA color) {
         Material material = new Material(assets, "Common/MatDefs/Misc/Unshaded.j3md");
         material.setColor("Color", color);
@@ -96,8 +98,8 @@ public final class Materials {
     }
 
     /**
-     * Replaces physically based materials, which need light probes, and shiny ones by plainly lit ones of the same colour and picture: nothing in the
-     * world shines.
+     * Replaces physically based materials, which need light probes, and shiny ones by diffuse ones with the same colour
+     * and picture.
      */
     void simplify(Spatial model) {
         model.depthFirstTraversal(spatial -> {

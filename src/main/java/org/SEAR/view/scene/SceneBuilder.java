@@ -31,7 +31,7 @@ import org.SEAR.project.ObjectPose;
 import org.SEAR.project.models.ModelLoader;
 import org.SEAR.project.problems.ProjectException;
 
-/** Makes what is seen of the objects of the grammar. Each node's own pose is left to whoever places it. Window thread only. */
+/** Creates the scene nodes of objects. The caller sets each node's pose. Window thread only. */
 public final class SceneBuilder {
     private static final ColorRGBA TYRE = new ColorRGBA(0.13f, 0.13f, 0.14f, 1);
     private static final ColorRGBA HUB = new ColorRGBA(0.75f, 0.76f, 0.78f, 1);
@@ -50,7 +50,10 @@ public final class SceneBuilder {
         this.warnings = warnings;
     }
 
-    /** An object of the environment or a part of a robot; an empty node for what has no shape, and for the ground, which is drawn by itself. */
+    /**
+     * Returns the node of an object or a robot's part. The node is empty for objects without a shape and for terrain,
+     * which is drawn separately.
+     */
     Node object(SearObject object) {
         Node node = new Node(object.getName());
         try {
@@ -66,12 +69,12 @@ public final class SceneBuilder {
                 node.attachChild(led((Led) object));
             }
         } catch (IOException | ProjectException e) {
-            warnings.accept("a model can't be shown: " + e.getMessage());
+            warnings.accept("SEAR can't show a model: " + e.getMessage());
         }
         return node;
     }
 
-    /** A robot: its parts in their places; wheels are separate, because they move. */
+    /** Returns a robot with its parts, except wheels, which move separately. */
     Node robot(SEARrobot robot) {
         Node node = new Node(robot.getName());
         for (SearObject component : robot.getComponents()) {

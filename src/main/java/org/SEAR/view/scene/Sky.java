@@ -13,8 +13,8 @@ import com.jme3.scene.VertexBuffer.Type;
 import org.SEAR.camera.Daylight;
 
 /**
- * What is behind everything: a sky that gets deeper upwards, and below a sharp horizon the haze of far land. It is a ball around the camera, coloured
- * corner by corner, so that a pixel of it costs no more than a plain one. Land is a background only: where nothing carries a robot, it falls.
+ * Background: a sky that darkens upwards, and haze of distant land below a sharp horizon. A sphere around the camera
+ * with vertex colours, as cheap as a plain background. The land is only visual: a robot without support falls.
  */
 final class Sky {
     private static final float RADIUS = 50;

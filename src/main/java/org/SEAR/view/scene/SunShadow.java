@@ -29,26 +29,29 @@ import java.util.List;
 import org.SEAR.camera.Daylight;
 
 /**
- * The sun's shadows: a picture of how far the sun's light goes, in which {@code Surface.frag} and {@code Ground.frag} look up whether it reaches a
- * point. It has two squares, a fine one near the camera and a coarse one around that, and each is drawn again only when something in it has moved or
- * the camera has gone on; what stands still costs nothing. Window thread only.
+ * Shadow map of the sun, which {@code Surface.frag} and {@code Ground.frag} sample. It has a fine square near the
+ * camera and a coarse one around it. Each is redrawn only after an object in it or the camera has moved, so static
+ * scenes cost nothing. Window thread only.
  */
 final class SunShadow implements SceneProcessor {
-    /** Of a side of a square. */
+    /** Side of a square, pixels. */
     private static final int PIXELS = 1024;
-    /** Half the side of the coarse square, metres, and how many times the fine one's that is; as {@code SunShadow.glsllib} has it. */
+    /** Half side of the coarse square, metres, and its ratio to the fine one; as in {@code SunShadow.glsllib}. */
     private static final float REACH = 22;
     private static final float COARSER = 5;
-    /** Metres ahead of the camera where the squares' middles are, as shares of their half side. */
+    /** Distance of the squares' centres ahead of the camera, as a share of their half side. */
     private static final float AHEAD = 0.7f;
-    /** A square's middle goes by such shares of its half side, whole pixels: shadows don't swim, nor are drawn for each centimetre. */
+    /**
+     * Step of a square's centre, as a share of its half side; a whole number of pixels. Prevents swimming shadows and
+     * frequent redraws.
+     */
     private static final float STRIDE = 1f / 8;
-    /** Metres before and behind the middle from which things cast shadows. */
+    /** Depth range of shadow casters before and behind the centre, metres. */
     private static final float DEPTH = 200;
-    /** Depth by which what casts a shadow is put farther off, so that it casts none on itself: by its slope, and steps of the depth. */
+    /** Depth bias of casters against self-shadowing: by slope, and in depth steps. */
     private static final float SLOPE_OFF = 2;
     private static final float STEPS_OFF = 4;
-    /** Pictures for which a movement may wait until it is seen in the coarse square, and in both where there is no time. */
+    /** Frames by which a movement may be delayed in the coarse square; on slow machines also in the fine one. */
     private static final int TIMEOUT = 3;
 
     private final Node root;
@@ -56,7 +59,7 @@ final class SunShadow implements SceneProcessor {
     private final Square fine = new Square(0, REACH / COARSER);
     private final Square coarse = new Square(1, REACH);
     private final Vector3f sunlight;
-    /** Two axes across the sunlight. */
+    /** Two axes perpendicular to the sunlight. */
     private final Vector3f across;
     private final Vector3f along;
     private final List<Caster> casters = new ArrayList<>();
@@ -93,7 +96,7 @@ final class SunShadow implements SceneProcessor {
         return map;
     }
 
-    /** For a machine that has no time: what moves has a new shadow in each third picture only. */
+    /** Reduces shadow updates of moving objects to every third frame, for slow machines. */
     void hurry() {
         hurried = true;
     }
@@ -102,7 +105,7 @@ final class SunShadow implements SceneProcessor {
         return hurried;
     }
 
-    /** Has them seen in a view, from its next picture on. */
+    /** Enables shadows in a view from its next frame on. */
     void showIn(ViewPort viewPort) {
         viewPort.addProcessor(this);
         root.addMatParamOverride(mapOverride);
@@ -119,7 +122,7 @@ final class SunShadow implements SceneProcessor {
         root.removeMatParamOverride(takenOverride);
     }
 
-    /** Things drawn into the map since the beginning. */
+    /** Returns the number of objects drawn into the map so far. */
     int drawn() {
         return drawn;
     }
@@ -147,7 +150,7 @@ final class SunShadow implements SceneProcessor {
 
     @Override
     public void preFrame(float frameTime) {
-        // everything is done when all is in its place
+        // postQueue() does everything after objects have moved
     }
 
     @Override
@@ -179,7 +182,7 @@ final class SunShadow implements SceneProcessor {
         viewOverride.setValue(view);
     }
 
-    /** Finds what casts shadows, and what of it has moved. */
+    /** Collects shadow casters and marks moved ones. */
     private void look(Spatial spatial) {
         if (spatial.getLocalCullHint() == CullHint.Always) {
             return;
@@ -212,15 +215,15 @@ final class SunShadow implements SceneProcessor {
 
     @Override
     public void postFrame(FrameBuffer out) {
-        // nothing is left to be done
+        // nothing to finish
     }
 
     @Override
     public void setProfiler(AppProfiler profiler) {
-        // nobody profiles it
+        // not profiled
     }
 
-    /** A thing that casts a shadow, where it was last. */
+    /** Shadow caster at its latest position. */
     private final class Caster {
         private final Matrix4f place = new Matrix4f();
         private Geometry geometry;
@@ -239,13 +242,13 @@ final class SunShadow implements SceneProcessor {
         }
     }
 
-    /** A part of the map. */
+    /** Square of the map. */
     private final class Square {
         private final int number;
         private final float reach;
         private final Camera camera = new Camera(2 * PIXELS, PIXELS);
         private final Vector3f middle = new Vector3f();
-        /** Of the middle, metres as the sun sees it. */
+        /** Centre in the sun's frame, metres. */
         private float x = Float.NaN;
         private float y;
         private float depth;
@@ -261,7 +264,7 @@ final class SunShadow implements SceneProcessor {
             camera.setViewPort(number / 2f, (number + 1) / 2f, 0, 1);
         }
 
-        /** Lies ahead of a camera. */
+        /** Moves the square ahead of a camera. */
         void aim(Camera eye) {
             middle.set(eye.getDirection()).multLocal(AHEAD * reach).addLocal(eye.getLocation());
             float stride = STRIDE * reach;
@@ -283,7 +286,7 @@ final class SunShadow implements SceneProcessor {
             moved |= sees(one);
         }
 
-        /** @return whether it had to be drawn */
+        /** @return whether the square was redrawn */
         boolean draw(int timeout) {
             waited++;
             if (!stale && !(moved && waited >= timeout)) {

@@ -20,14 +20,14 @@ import org.SEAR.scene.Movement;
 import org.SEAR.scene.SceneState;
 import org.SEAR.scene.ViewCone;
 
-/** The scene of a project: its objects, robots and beams, put where they are between two steps. Window thread only. */
+/** Scene of a project: objects, robots and beams at poses interpolated between steps. Window thread only. */
 public final class WorldView {
     private static final float LABEL_HEIGHT = 0.12f;
     private final Node root = new Node("world");
     private final List<Node> environment = new ArrayList<>();
     private final List<Node> robots = new ArrayList<>();
     private final List<List<Node>> wheels = new ArrayList<>();
-    /** For each robot with servos the nodes of its components; for others nothing. */
+    /** Component nodes of each robot with servos; empty for others. */
     private final List<List<Node>> parts = new ArrayList<>();
     private final List<List<Bulb>> lights = new ArrayList<>();
     private final List<BeamView> beams = new ArrayList<>();
@@ -69,7 +69,7 @@ public final class WorldView {
         return child;
     }
 
-    /** The builder attaches a robot's components in their order. */
+    /** Returns the component nodes. The builder attaches them in order. */
     private static List<Node> parts(SEARrobot robot, Node node) {
         List<Node> all = new ArrayList<>();
         if (robot.getComponents().stream().anyMatch(part -> part instanceof Servo)) {
@@ -88,7 +88,7 @@ public final class WorldView {
         return all;
     }
 
-    /** A light, in the colour that it is seen in. */
+    /** Light with its displayed colour. */
     private static final class Bulb {
         private final Led led;
         private final Geometry seen;
@@ -131,17 +131,16 @@ public final class WorldView {
         return beams;
     }
 
-    /** Of cameras. */
+    /** Returns the cones of the cameras. */
     public List<ConeView> cones() {
         return cones;
     }
 
-    /** Full names of the cameras. */
     public List<String> cameras() {
         return cones.stream().map(view -> view.cone().sensor).collect(Collectors.toList());
     }
 
-    /** Puts everything where it is now. */
+    /** Moves all nodes to their present poses. */
     public void update(Movement movement) {
         SceneState shown = movement.shown();
         for (int i = 0; i < Math.min(environment.size(), shown.environment.size()); i++) {
@@ -171,9 +170,8 @@ public final class WorldView {
     }
 
     /**
-     * Things at rest are left alone, so that jMonkeyEngine needn't compute their bounds again.
-     *
-     * @param pose null to leave it where it is
+     * Moves a node. Nodes at rest stay untouched, which saves jMonkeyEngine from recomputing their bounds.
+     * @param pose null to leave the node in place
      */
     private void move(Node node, Pose pose) {
         if (pose == null) {
@@ -202,7 +200,7 @@ public final class WorldView {
         return beamsShown;
     }
 
-    /** Shows or hides the beams of all sensors; those hidden one by one stay hidden. */
+    /** Shows or hides the beams of all sensors. Individually hidden beams stay hidden. */
     public void toggleBeams() {
         beamsShown = !beamsShown;
         show();
@@ -210,8 +208,7 @@ public final class WorldView {
 
     /**
      * Shows or hides one sensor's beams.
-     *
-     * @return what happened, in words
+     * @return message for the user
      */
     public String toggleBeam(int number) {
         if (number < 0 || number >= beams.size()) {

@@ -1,5 +1,6 @@
 /**
- * What is to be seen in space: objects, robots, beams, the shapes of the physics, light and ground, and the camera. Uses {@link org.SEAR.scene},
- * and what that uses. What a shape looks like it asks of {@link org.SEAR.physics.solid}. On the window's thread only.
+ * The three-dimensional scene: objects, robots, beams, physics shapes, light, shadows and the camera. Uses
+ * {@link org.SEAR.scene}, {@link org.SEAR.physics.solid} for the surfaces of shapes, and their dependencies. Window
+ * thread only.
  */
 package org.SEAR.view.scene;

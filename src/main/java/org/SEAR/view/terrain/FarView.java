@@ -8,16 +8,16 @@ import com.jme3.scene.Node;
 import com.jme3.scene.Spatial;
 
 /**
- * Draws what lies beyond the main view's far plane before it, with depths of its own: no depth buffer is fine enough for a wheel and a mountain at
- * once. The sky, too, belongs to it then. Window thread only.
+ * Draws everything beyond the main view's far plane first, with a separate depth range: one depth buffer is too coarse
+ * for wheels and mountains. Also draws the sky. Window thread only.
  */
 public final class FarView {
-    /** Metres to which one sees: past the far corner of the largest world. */
+    /** Far plane, metres: beyond the far corner of the largest world. */
     static final float FAR = 400_000;
-    /** Share of the main view's depth in which both draw. */
+    /** Near plane as a share of the main view's far plane; the two views overlap. */
     private static final float OVERLAP = 0.97f;
 
-    /** The sky has to lie behind the main view's far plane. */
+    /** Scale that puts the sky beyond the main view's far plane. */
     private static final float SKY = 100;
 
     private final ViewPort main;
@@ -26,7 +26,7 @@ public final class FarView {
 
     /**
      * @param scene drawn by the main view
-     * @param background taken out of the scene
+     * @param background moved out of the scene
      */
     public FarView(RenderManager manager, ViewPort main, Node scene, Spatial background) {
         this.main = main;
@@ -41,7 +41,7 @@ public final class FarView {
         main.setClearFlags(false, true, true);
     }
 
-    /** Looks where the main view looks. */
+    /** Follows the main view's camera. */
     public void update(float frameTime) {
         Camera near = main.getCamera();
         if (far.getWidth() != near.getWidth() || far.getHeight() != near.getHeight()) {

@@ -13,22 +13,22 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.terrain.relief.GroundGrain;
 import org.SEAR.terrain.relief.GroundPicture;
 
-/** What the ground is drawn with: one picture over all of it, a grain close by, haze far away. Window thread only. */
+/** Materials of the ground: one picture over the whole area, grain nearby, haze in the distance. Window thread only. */
 public final class GroundMaterial {
-    /** Metres at which the grain is gone. */
+    /** Distance at which the grain has faded out, metres. */
     static final float GRAINY = GroundGrain.FAR;
-    /** Metres after which the haze has taken two thirds: a clear day, or less where the world is smaller. */
+    /** Distance at which haze covers two thirds, metres: on a clear day, and the minimum for small worlds. */
     private static final float CLEAR = 38_000;
     private static final float NEAREST_HAZE = 2500;
 
-    /** Of what is so near that shadows are seen on it. */
+    /** For ground near enough to receive shadows. */
     final Material shadowed;
-    /** Of what is near. */
+    /** For near ground. */
     final Material near;
-    /** Of what is farther than {@link #GRAINY}. */
+    /** For ground further than {@link #GRAINY}. */
     final Material far;
 
-    /** @param fine whether pictures may cost time, as {@code Materials} has it */
+    /** @param fine whether textures use slower filters, as in {@code Materials} */
     public GroundMaterial(AssetManager assets, HeightField field, GroundPicture picture, boolean fine) {
         double extentX = (field.rows - 1) * field.spacingX;
         double extentZ = (field.columns - 1) * field.spacingZ;

@@ -5,29 +5,29 @@ import com.jme3.math.Vector3f;
 import com.jme3.renderer.Camera;
 
 /**
- * How steeply the ground rises before the eye, up to each distance, in narrow columns side by side: what stays lower behind it can't be seen. Makes
- * no objects from picture to picture.
+ * Occlusion horizon: the steepest rise of the ground seen from the camera up to each distance, in narrow columns side
+ * by side. Ground below it is hidden. Allocates nothing per frame.
  */
 final class Horizon {
     private static final int COLUMNS = 512;
-    /** Distances at which the ground is looked at: the first one, metres, and how many times farther each is than the one before. */
+    /** Sample distances: the first one, metres, and the ratio between successive ones. */
     private static final float FIRST = 3;
     private static final float RATIO = 1.15f;
     private static final int STEPS = 85;
-    /** Pictures that look up or down more steeply have columns that are too far apart: nothing counts as hidden. */
+    /** Views with less horizontal component have columns too far apart: no ground counts as hidden. */
     private static final float MIN_AHEAD = 0.4f;
 
     private final TilePyramid ground;
     private final float highest;
     private final float[] distances = new float[STEPS];
-    /** By column and step: the greatest rise over run so far. */
+    /** Greatest slope (rise over run) so far, by column and step. */
     private final float[] slopes = new float[COLUMNS * STEPS];
     private final Vector3f eye = new Vector3f(Float.NaN, 0, 0);
     private final Vector3f ahead = new Vector3f();
-    /** Half of the columns' width, one metre ahead. */
+    /** Half width of all columns at one metre ahead, metres. */
     private float half;
 
-    /** @param highest metres, of the field */
+    /** @param highest maximum elevation of the field, metres */
     Horizon(TilePyramid ground, float highest) {
         this.ground = ground;
         this.highest = highest;
@@ -37,7 +37,7 @@ final class Horizon {
         }
     }
 
-    /** Looks from a camera, unless it is above all ground. */
+    /** Updates the horizon for a camera. A camera above all ground disables it. */
     void look(Camera camera) {
         Vector3f direction = camera.getDirection();
         float level = FastMath.sqrt(direction.x * direction.x + direction.z * direction.z);
@@ -72,9 +72,8 @@ final class Horizon {
     }
 
     /**
-     * Whether the ground before a box hides all of it.
-     *
-     * @param margin rise over run by which it has to, at least
+     * Returns whether the ground in front of a box hides it completely.
+     * @param margin slope by which the horizon must exceed the box
      */
     boolean hides(float south, float north, float west, float east, float high, float margin) {
         float nearX = Math.max(0, Math.max(south - eye.x, eye.x - north));

@@ -8,16 +8,16 @@ import java.util.List;
 import org.SEAR.geometry.HeightGrid;
 
 /**
- * The ground as it is drawn: the tiles that {@link TileChoice} wants, made when they are first seen and kept while there is room. Near the camera
- * they are the field's own triangles. Window thread only.
+ * Draws the ground with the tiles of {@link TileChoice}. Tiles are created when first seen and cached. Near the camera
+ * they equal the field's triangles. Window thread only.
  */
 public final class TerrainView {
-    /** Tiles in one picture at most, 512 triangles each: with a graphics card, and where the processor draws. */
+    /** Maximum number of tiles per frame, 512 triangles each: with a graphics card, and with software rendering. */
     static final int MAX_FINE = 900;
     static final int MAX_PLAIN = 50;
-    /** Tiles that are kept at most, 3.5 kB each. */
+    /** Maximum number of cached tiles, 3.5 kB each. */
     static final int MAX_KEPT = 2400;
-    /** Metres to which shadows are seen. */
+    /** Distance up to which ground receives shadows, metres. */
     private static final float SHADOWS = 25;
 
     private final Node node = new Node("terrain");
@@ -30,7 +30,7 @@ public final class TerrainView {
     private long picture;
     private long made;
 
-    /** @param fine whether there is a graphics card, as {@code Materials} has it */
+    /** @param fine whether there is a graphics card, as in {@code Materials} */
     public TerrainView(HeightGrid field, GroundMaterial material, boolean fine) {
         this.material = material;
         pyramid = new TilePyramid(field);
@@ -49,7 +49,7 @@ public final class TerrainView {
         return pyramid.field;
     }
 
-    /** Shows what is to be seen from there. */
+    /** Shows the ground seen by a camera. */
     public void update(Camera camera) {
         picture++;
         choice.choose(camera);
@@ -87,7 +87,7 @@ public final class TerrainView {
         return tile;
     }
 
-    /** The one that was not drawn for longest, for other ground. */
+    /** Returns the least recently drawn tile, for reuse. */
     private Tile oldest() {
         Tile oldest = kept.get(0);
         for (int i = 1; i < kept.size(); i++) {
@@ -97,17 +97,17 @@ public final class TerrainView {
         return oldest;
     }
 
-    /** How many tiles are drawn. */
+    /** Returns the number of visible tiles. */
     public int seen() {
         return choice.seen();
     }
 
-    /** How many tiles are kept. */
+    /** Returns the number of cached tiles. */
     public int kept() {
         return kept.size();
     }
 
-    /** How many tiles have been filled so far. */
+    /** Returns how many times tiles have been filled. */
     public long made() {
         return made;
     }

@@ -10,8 +10,8 @@ import com.jme3.util.BufferUtils;
 import java.nio.FloatBuffer;
 
 /**
- * A square of ground that can be drawn: 17 x 17 posts, 3.5 kB. Its corners are in the world's frame, so that neighbours' common corners come to lie
- * on each other to the bit. It is filled again with other ground when it is not needed any more.
+ * Drawable square of ground: 17 x 17 posts, 3.5 kB. Corners are in the world's frame, so neighbours share them exactly.
+ * Reused for other ground.
  */
 final class Tile {
     private static final int SIDE = TilePyramid.CELLS + 1;
@@ -20,7 +20,7 @@ final class Tile {
     int level;
     int row;
     int column;
-    /** The picture in which it was drawn last. */
+    /** Number of the frame that last showed the tile. */
     long used;
     private final FloatBuffer places = BufferUtils.createFloatBuffer(3 * SIDE * SIDE);
     private final Mesh mesh = new Mesh();
@@ -54,7 +54,7 @@ final class Tile {
         geometry.updateModelBound();
     }
 
-    /** @param newKind as {@link TileIndices} has them */
+    /** @param newKind number of an index list in {@link TileIndices} */
     void stitch(TileIndices indices, int newKind) {
         if (kind != newKind) {
             kind = newKind;
@@ -63,7 +63,7 @@ final class Tile {
         }
     }
 
-    /** Corners in the world, {x, y, z} each. */
+    /** Returns the corners in the world, {x, y, z} each. */
     FloatBuffer places() {
         return places;
     }

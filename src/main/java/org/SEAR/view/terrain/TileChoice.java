@@ -7,25 +7,25 @@ import com.jme3.renderer.Camera;
 import java.util.Arrays;
 
 /**
- * Which tiles show the ground from a place: together they cover the field once, each as coarse as the eye does not notice (chunked level of detail:
- * Ulrich, "Rendering massive terrains using chunked level of detail control", 2002). A tile is taken if its error in metres, seen from where the eye
- * is, is less than a few pixels; else its four children are looked at. Where more would be seen than a picture may have, all get coarser. Makes no
- * objects from picture to picture.
+ * Chooses tiles that cover the field exactly once, each as coarse as unnoticeable (chunked level of detail: Ulrich,
+ * "Rendering massive terrains using chunked level of detail control", 2002). A tile is chosen if its error appears
+ * smaller than a few pixels; otherwise its four children are visited. If too many tiles are visible, the tolerance
+ * grows. Allocates nothing per frame.
  */
 final class TileChoice {
-    /** Halvings between neighbours at most: a tile's edge has no more to leave out. */
+    /** Maximum difference of levels between neighbours, limited by the cells on a tile's edge. */
     static final int MAX_STEPS = Integer.numberOfTrailingZeros(TilePyramid.CELLS);
-    /** Pixels that the far ground may be off. */
+    /** Error tolerance of distant ground, pixels. */
     private static final float FAR_PIXELS = 1.5f;
-    /** Pixels that the near ground may be off, where things stand on it. */
+    /** Error tolerance of near ground, where objects stand, pixels. */
     private static final float NEAR_PIXELS = 0.25f;
-    /** Pixels by which ground has to be lower than what is before it to count as hidden, besides what both may be off. */
+    /** Margin, pixels, by which ground must be below the horizon to be hidden, in addition to the tolerances. */
     private static final float SURELY = 3;
     private static final float NEAR = 20;
     private static final float FAR = 120;
     private static final float COARSER = 1.25f;
     private static final float FINER = 0.97f;
-    /** Share of the most tiles below which the ground gets finer again. */
+    /** Share of the maximum number of tiles below which the ground becomes finer again. */
     private static final float ROOM = 0.75f;
 
     private final TilePyramid pyramid;
@@ -35,14 +35,14 @@ final class TileChoice {
     private final boolean[][] forced;
     private final Plane[] sides = new Plane[4];
     private final Vector3f eye = new Vector3f();
-    /** Level, row, column and whether it is seen, for each tile chosen. */
+    /** Level, row, column and visibility of each chosen tile. */
     private int[] chosen = new int[1024];
     private int count;
     private int seen;
     private float pixels;
     private float tolerance = 1;
 
-    /** @param most tiles in sight at most */
+    /** @param most maximum number of visible tiles */
     TileChoice(TilePyramid pyramid, int most) {
         this.pyramid = pyramid;
         this.most = most;
@@ -54,7 +54,7 @@ final class TileChoice {
         }
     }
 
-    /** Chooses anew. */
+    /** Chooses the tiles for a camera. */
     void choose(Camera camera) {
         for (int side = 0; side < sides.length; side++) {
             sides[side] = camera.getWorldPlane(side); // left, right, bottom, top
@@ -116,7 +116,7 @@ final class TileChoice {
         }
     }
 
-    /** Whether a tile is off by more than one may see. */
+    /** Returns whether a tile's error exceeds the tolerance. */
     private boolean isCoarse(int level, int row, int column) {
         float distance = distance(level, row, column);
         float far = FastMath.clamp((distance - NEAR) / (FAR - NEAR), 0, 1);
@@ -143,7 +143,7 @@ final class TileChoice {
         return pyramid.field.z(pyramid.postColumn(level, column, 0));
     }
 
-    /** Whether a part of a tile's box may lie within the picture, however far off, and is not behind nearer ground. */
+    /** Returns whether a part of a tile's box may be in the view, at any distance, and not hidden by nearer ground. */
     private boolean isVisible(int level, int row, int column) {
         for (Plane side : sides) {
             Vector3f inward = side.getNormal();
@@ -174,7 +174,7 @@ final class TileChoice {
         return found;
     }
 
-    /** How many tiles there are. */
+    /** Returns the number of chosen tiles. */
     int count() {
         return count;
     }
@@ -195,26 +195,25 @@ final class TileChoice {
         return chosen[4 * tile + 3] == 1;
     }
 
-    /** How many are in sight. */
+    /** Returns the number of visible tiles. */
     int seen() {
         return seen;
     }
 
-    /** Metres from the camera to a tile. */
+    /** Returns the distance from the camera to a tile, metres. */
     float distance(int tile) {
         return distance(level(tile), row(tile), column(tile));
     }
 
     /**
-     * How many levels the neighbour at a side is coarser; 0 where it is not, or where there is none.
-     *
+     * Returns by how many levels the neighbour at a side is coarser; 0 if it isn't, or without a neighbour.
      * @param side 0 south, 1 north, 2 west, 3 east
      */
     int coarser(int tile, int side) {
         return Math.max(0, neighbour(tile, side) - level(tile));
     }
 
-    /** The level of a neighbour, -1 where the field ends. */
+    /** Returns the level of a neighbour, or -1 at the field's edge. */
     private int neighbour(int tile, int side) {
         int row = neighbourRow(tile, side);
         int column = neighbourColumn(tile, side);

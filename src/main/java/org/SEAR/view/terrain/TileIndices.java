@@ -4,8 +4,8 @@ import com.jme3.scene.VertexBuffer;
 import com.jme3.util.BufferUtils;
 
 /**
- * The triangles of a tile between its posts. Where a neighbour is coarser, posts on the common edge that it lacks are drawn together with the one
- * before them, so that both have the same edge and no hole is left. There are (4 + 1)^4 such lists of 3 kB; those that are used are made once.
+ * Triangle indices of a tile. At the edge to a coarser neighbour, posts that the neighbour lacks collapse to the
+ * previous post, so that both share the edge without gaps. There are (4 + 1)^4 index lists of 3 kB, created on demand.
  */
 final class TileIndices {
     private static final int SIDE = TilePyramid.CELLS + 1;
@@ -13,7 +13,7 @@ final class TileIndices {
 
     private final VertexBuffer[] made = new VertexBuffer[KINDS * KINDS * KINDS * KINDS];
 
-    /** The number of a list: by how many levels the neighbours south, north, west and east are coarser. */
+    /** Returns the number of the list for neighbours south, north, west and east that are coarser by these levels. */
     static int kind(int south, int north, int west, int east) {
         return ((south * KINDS + north) * KINDS + west) * KINDS + east;
     }
@@ -27,7 +27,10 @@ final class TileIndices {
         return made[kind];
     }
 
-    /** Three corners a triangle, counter-clockwise from above; corner = row * 17 + column. Triangles without area are left out. */
+    /**
+     * Returns three corners per triangle, counter-clockwise from above; corner = row * 17 + column. Omits degenerate
+     * triangles.
+     */
     static short[] triangles(int kind) {
         short[] corners = new short[6 * TilePyramid.CELLS * TilePyramid.CELLS];
         int next = 0;

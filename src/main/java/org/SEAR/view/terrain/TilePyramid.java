@@ -5,30 +5,30 @@ import org.SEAR.geometry.HeightGrid;
 import org.SEAR.geometry.HeightTiles;
 
 /**
- * The squares of ground that can be drawn, and how wrong each would be. A tile of level l has {@link #CELLS} cells on each side, of 2^l of
- * the field's cells each; at the field's northern and eastern ends cells are cut short. Level 0 is the very field; the last level is one tile.
- * Holds about 16 bytes for each 256 posts, and of ground that is not in memory as a whole each 8th post of each 8th row, so that far tiles need
- * none of the others. Window thread only.
+ * Drawable squares of ground with their errors. A tile of level l has {@link #CELLS} cells per side, each 2^l cells of
+ * the field wide. Cells at the northern and eastern edges may be smaller. Level 0 is the field itself; the last level
+ * is a single tile. Memory: about 16 bytes per 256 posts. For ground that exceeds the memory, also every 8th post of
+ * every 8th row, which suffices for distant tiles. Window thread only.
  */
 final class TilePyramid {
-    /** Cells on each side of a tile: a power of two. */
+    /** Cells per side of a tile; a power of two. */
     static final int CELLS = 16;
 
-    /** The level whose tiles' posts are held of ground that is not in memory, and those of coarser ones. */
+    /** Lowest level whose posts are kept in memory for ground that exceeds the memory. */
     private static final int KEPT = 3;
-    /** Metres from the eye beyond which the least height of a tile is enough. */
+    /** Distance from the camera, metres, beyond which a tile's minimum replaces the exact elevation. */
     private static final float FAR = 3000;
 
     final HeightGrid field;
     final int levels;
-    /** By level and tile (row by row from the south): metres by which the tile's surface is off the field's at most. */
+    /** Maximum deviation of a tile's surface from the field, metres, by level and tile (row by row from the south). */
     private final float[][] errors;
     private final float[][] lows;
     private final float[][] highs;
-    /** Null: all are in memory. */
+    /** Kept posts; null if the whole field is in memory. */
     private final float[] kept;
     private final int keptColumns;
-    /** The heights that were looked at last, and their south-western post. */
+    /** The part of the field accessed last, and its south-western post. */
     private HeightField part;
     private int partRow;
     private int partColumn;
@@ -60,7 +60,7 @@ final class TilePyramid {
         }
     }
 
-    /** The tiles that lie in one of the ground's, for each of these. */
+    /** Fills the tiles of this pyramid inside each tile of the ground. */
     private void fill(HeightTiles tiles) {
         for (int number = 0; number < tiles.size(); number++) {
             int south = tiles.firstRow(number);
@@ -97,9 +97,8 @@ final class TilePyramid {
     }
 
     /**
-     * Height of a post, metres.
-     *
-     * @param level of a tile that has it
+     * Returns the elevation of a post, metres.
+     * @param level of a tile that contains it
      */
     float y(int level, int row, int column) {
         if (kept != null && level >= KEPT) {
@@ -116,7 +115,10 @@ final class TilePyramid {
         return part.y(r, c);
     }
 
-    /** What the ground at a place is surely no lower than; NaN beside it. Far from the eye that is not exact where the ground is not in memory. */
+    /**
+     * Returns a lower bound of the ground's elevation, metres; NaN outside. The bound is exact except far from the
+     * camera on ground that exceeds the memory.
+     */
     double surely(float x, float z, float distance) {
         if (kept == null || distance < FAR) {
             return field.height(x, z);
@@ -138,37 +140,40 @@ final class TilePyramid {
         return (int) ((cells - 1L) / ((long) CELLS << level)) + 1;
     }
 
-    /** Rows of tiles, from south to north. */
+    /** Returns the number of rows of tiles, from south to north. */
     int rows(int level) {
         return rows(field, level);
     }
 
-    /** Columns of tiles, from west to east. */
+    /** Returns the number of columns of tiles, from west to east. */
     int columns(int level) {
         return columns(field, level);
     }
 
-    /** Metres. */
+    /** Returns the maximum deviation of a tile, metres. */
     float error(int level, int row, int column) {
         return errors[level][row * columns(level) + column];
     }
 
-    /** The lowest height in a tile, metres. */
+    /** Returns the minimum elevation of a tile, metres. */
     float low(int level, int row, int column) {
         return lows[level][row * columns(level) + column];
     }
 
-    /** The highest height in a tile, metres. */
+    /** Returns the maximum elevation of a tile, metres. */
     float high(int level, int row, int column) {
         return highs[level][row * columns(level) + column];
     }
 
-    /** The row of posts that is so many of a tile's cells from its southern edge; the field's last row beyond that. */
+    /**
+     * Returns the row of posts that is cell cells of a tile north of its southern edge, limited to the field's last
+     * row.
+     */
     int postRow(int level, int row, int cell) {
         return (int) Math.min(field.rows - 1, ((long) row * CELLS + cell) << level);
     }
 
-    /** Likewise for columns, from its western edge. */
+    /** Returns the column of posts, counted from the tile's western edge. */
     int postColumn(int level, int column, int cell) {
         return (int) Math.min(field.columns - 1, ((long) column * CELLS + cell) << level);
     }
@@ -201,7 +206,7 @@ final class TilePyramid {
         errors[level][at] = error;
     }
 
-    /** How far a tile is off the tiles of the level below, metres. */
+    /** Returns a tile's maximum deviation from the tiles one level below, metres. */
     private float step(int level, int row, int column) {
         float most = 0;
         for (int i = 0; i < CELLS; i++) {
@@ -213,7 +218,10 @@ final class TilePyramid {
         return most;
     }
 
-    /** How far the posts that the level below has in a cell between those at its corners are off its two triangles. */
+    /**
+     * Returns the maximum deviation of a cell's intermediate posts, which the level below adds, from the cell's two
+     * triangles, metres.
+     */
     private float step(int below, int south, int north, int west, int east) {
         int half = 1 << below;
         float most = 0;

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 
-/** Draws the pictures and models that come with SEAR; run by the build. The same program gives the same files. */
+/** Draws SEAR's bundled pictures and models during the build. Deterministic. */
 public final class AssetGenerator {
     private static final int SIZE = 512;
 

@@ -2,7 +2,7 @@ package org.SEAR.assets;
 
 /** The icons of the services' tabs in MyRobotLab's WebGui. */
 final class Icons {
-    /** MyRobotLab's icons are so many pixels wide and high. */
+    /** Width and height of MyRobotLab's icons, pixels. */
     static final int SIZE = 16;
 
     private static final Rgb BODY = Rgb.of(0x2b6cb0);

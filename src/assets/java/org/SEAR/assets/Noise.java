@@ -1,11 +1,11 @@
 package org.SEAR.assets;
 
-/** Smooth repeating noise from integer hashes: the same picture on every machine. */
+/** Smooth tileable noise from integer hashes; identical on every machine. */
 final class Noise {
     private Noise() {
     }
 
-    /** A number from 0 to 1 that looks random, for a grid point. */
+    /** Returns a pseudo-random number from 0 to 1 for a grid point. */
     static double at(int x, int y, int seed) {
         int h = x * 374761393 + y * 668265263 + seed * 1274126177;
         h = (h ^ h >>> 13) * 1103515245;
@@ -13,7 +13,7 @@ final class Noise {
         return (h >>> 8 & 0xffff) / 65535.0;
     }
 
-    /** Smooth noise from 0 to 1 with so many cells across the unit square, repeating at its edges. */
+    /** Returns smooth noise from 0 to 1 with the given cells across the unit square; tileable. */
     static double smooth(double u, double v, int cellsU, int cellsV, int seed) {
         double x = u * cellsU;
         double y = v * cellsV;
@@ -30,7 +30,7 @@ final class Noise {
         return a * (1 - fy) + b * fy;
     }
 
-    /** Noise with detail at all sizes, 0 to 1. */
+    /** Returns noise of five octaves, 0 to 1. */
     static double cloud(double u, double v, int cells, int seed) {
         double sum = 0;
         double weight = 0.5;

@@ -6,9 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 
-/** A picture that is computed point by point, smoothed by four samples a pixel. */
+/** Picture computed point by point, with four samples per pixel. */
 final class ProceduralPicture {
-    /** A colour for each point; u to the right and v upwards, both 0 to 1. */
+    /** Returns a colour for each point; u to the right and v upwards, both 0 to 1. */
     interface Painter {
         Rgb at(double u, double v);
     }
@@ -31,7 +31,7 @@ final class ProceduralPicture {
         }
     }
 
-    /** Writes it; the ending of the file, png or jpg, is the format. */
+    /** Writes the picture in the format of the file's ending, png or jpg. */
     void write(Path file) throws IOException {
         Files.createDirectories(file.getParent());
         String name = file.getFileName().toString();

@@ -1,6 +1,6 @@
 package org.SEAR.assets;
 
-/** A colour, each part 0 to 1. Immutable. */
+/** Colour, components from 0 to 1. Immutable. */
 final class Rgb {
     static final Rgb BLACK = new Rgb(0, 0, 0);
     static final Rgb WHITE = new Rgb(1, 1, 1);
@@ -15,7 +15,7 @@ final class Rgb {
         this.b = b;
     }
 
-    /** From 0xrrggbb. */
+    /** Creates a colour from 0xrrggbb. */
     static Rgb of(int rgb) {
         return new Rgb((rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
     }
@@ -28,7 +28,7 @@ final class Rgb {
         return new Rgb(r * f, g * f, b * f);
     }
 
-    /** This colour at share 0, the other at share 1. */
+    /** Mixes two colours: this one at share 0, the other at share 1. */
     Rgb mix(Rgb o, double share) {
         double s = Math.max(0, Math.min(1, share));
         return times(1 - s).plus(o.times(s));

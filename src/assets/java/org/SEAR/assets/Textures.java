@@ -1,6 +1,6 @@
 package org.SEAR.assets;
 
-/** The pictures that come with SEAR, as functions of the place. All of them repeat at their edges, but for the Roomba's top and the track. */
+/** SEAR's bundled textures as functions of position. All are tileable except the Roomba's top and the track. */
 final class Textures {
     private static final Rgb CARDBOARD = Rgb.of(0xb98a55);
     private static final Rgb TAPE = Rgb.of(0xd8bf8a);
@@ -16,12 +16,12 @@ final class Textures {
     private Textures() {
     }
 
-    /** 1 inside the band around zero, falling off softly. */
+    /** Returns 1 inside a band around zero, with a soft edge. */
     private static double line(double distance, double halfWidth) {
         return Math.max(0, Math.min(1, 1.5 - Math.abs(distance) / halfWidth));
     }
 
-    /** One side of a cardboard box: flutes, tape across the middle, arrows that show which side is up. */
+    /** One side of a cardboard box: flutes, tape across the middle, arrows for the upper side. */
     static Rgb cardboard(double u, double v) {
         double flutes = 0.03 * Math.sin(v * 2 * Math.PI * 90) + 0.12 * (Noise.cloud(u, v, 4, 1) - 0.5);
         Rgb color = CARDBOARD.times(1 + flutes);
@@ -40,7 +40,7 @@ final class Textures {
         return shaft || head || bar ? 1 : 0;
     }
 
-    /** Around a traffic cone: orange with two white bands, dirt towards the bottom. */
+    /** Side of a traffic cone: orange with two white bands, dirt towards the bottom. */
     static Rgb cone(double u, double v) {
         boolean band = v > 0.32 && v < 0.47 || v > 0.6 && v < 0.72;
         Rgb color = band ? Rgb.WHITE.times(0.95) : ORANGE;
@@ -48,7 +48,7 @@ final class Textures {
         return color.times(0.94 + 0.1 * Noise.cloud(u, v, 16, 4)).mix(Rgb.of(0x3a2f28), dirt);
     }
 
-    /** Around a recycling bin: blue plastic with ribs, a rim, and two signs of three arrows. */
+    /** Side of a recycling bin: blue plastic with ribs, a rim, and two signs of three arrows. */
     static Rgb recycling(double u, double v) {
         double rib = 0.07 * Math.cos(u * 2 * Math.PI * 24);
         Rgb color = BIN_BLUE.times(1 + rib + 0.08 * (Noise.cloud(u, v, 16, 5) - 0.5));
@@ -83,7 +83,7 @@ final class Textures {
         return color.mix(Rgb.WHITE, 0.3 * line(joint - 0.022, 0.006)).mix(JOINT, line(joint, 0.012));
     }
 
-    /** A wall of bricks, eight courses. */
+    /** Brick wall of eight courses. */
     static Rgb brick(double u, double v) {
         double course = v * 8;
         int row = (int) course;
@@ -128,7 +128,7 @@ final class Textures {
         return eye ? Rgb.of(0x101418).mix(Rgb.WHITE, line(Math.hypot(x - 0.015, y - 0.775), 0.018)) : color;
     }
 
-    /** Around a wheel: tread blocks. */
+    /** Tread of a wheel. */
     static Rgb tyre(double u, double v) {
         double block = Math.sin(u * 2 * Math.PI * 20 + (v < 0.5 ? 0 : Math.PI));
         boolean groove = Math.abs(v - 0.5) < 0.04 || block > 0.75;
@@ -141,7 +141,10 @@ final class Textures {
         return Rgb.of(0x2f5a20).mix(Rgb.of(0x7fa94a), blades);
     }
 
-    /** A floor 2 m long and wide with a track of black tape, 20 mm wide: 0.7 + 0.15 cos 3a metres from the middle in the direction a. */
+    /**
+     * Floor of 2 m x 2 m with a 20 mm wide track of black tape: 0.7 + 0.15 cos 3a metres from the centre in direction
+     * a.
+     */
     static Rgb lineTrack(double u, double v) {
         double x = 1 - 2 * v;
         double z = 1 - 2 * u;

@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** A tree of 4 m as OGRE mesh XML: a trunk with four branches, and a crown of seven bumpy balls. Its foot is the origin. */
+/**
+ * Tree of 4 m height as OGRE mesh XML: a trunk with four branches, and a crown of seven bumpy balls. The origin is at
+ * the foot.
+ */
 final class TreeModel {
     private static final int SIDES = 12;
     private static final int RINGS = 10;
@@ -16,7 +19,7 @@ final class TreeModel {
     private final List<double[]> vertices = new ArrayList<>();
     private final List<int[]> faces = new ArrayList<>();
 
-    /** The text of Tree.mesh.xml. */
+    /** Returns the text of Tree.mesh.xml. */
     static String xml() {
         StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mesh>\n  <submeshes>\n");
         TreeModel wood = new TreeModel();
@@ -32,7 +35,7 @@ final class TreeModel {
         return out.append("  </submeshes>\n</mesh>\n").toString();
     }
 
-    /** The text of Tree.material. */
+    /** Returns the text of Tree.material. */
     static String material() {
         return material("Tree/Bark", "bark.png") + material("Tree/Leaves", "leaves.png");
     }
@@ -47,7 +50,7 @@ final class TreeModel {
         vertices.add(new double[] {x, y, z, nx / length, ny / length, nz / length, u, v});
     }
 
-    /** A tapered tube with a cap: from (0, 1, 2) to (3, 4, 5), radii 6 and 7. */
+    /** Adds a tapered tube with a cap. The numbers of b: start (0, 1, 2), end (3, 4, 5), radii 6 and 7. */
     private void branch(double[] b) {
         int first = vertices.size();
         for (int end = 0; end < 2; end++) {

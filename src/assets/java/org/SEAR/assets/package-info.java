@@ -1,2 +1,2 @@
-/** Draws the textures, icons and the tree that come with SEAR, when it is built. Uses nothing else of SEAR. The main thread. */
+/** Draws SEAR's bundled textures, icons and tree during the build. Independent of the rest of SEAR. Main thread. */
 package org.SEAR.assets;

@@ -8,17 +8,17 @@ import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
 
 /**
- * The worlds of the benchmark: a walled square with rotated boxes of 0.25 to 1 m, or hills of triangles or heights, and 100 poses of a LIDAR in it.
- * The same name gives the same world. {@code room-N} is 10 m x 10 m whatever N is, {@code hall-N} grows so that 20 boxes stand on 100 m^2,
- * {@code hills-N} has N triangles or a few more on 20 m x 20 m, {@code field-N} is a height field of about N posts that grows so that 100 000 stand
- * on 20 m x 20 m.
+ * Benchmark worlds for ray casting: a walled square with rotated boxes of 0.25 to 1 m, or hills of triangles or
+ * elevations, and 100 poses of a LIDAR. Equal names give equal worlds. {@code room-N} is 10 m x 10 m with N boxes;
+ * {@code hall-N} grows at 20 boxes per 100 m^2. {@code hills-N} has at least N triangles on 20 m x 20 m.
+ * {@code field-N} is a height field of about N posts that grows at 100 000 posts per 20 m x 20 m.
  */
 public final class BeamWorld {
     static final int BEAMS = 361;
     static final double SPREAD = Math.PI;
     static final double RANGE = 8;
     static final int POSES = 100;
-    /** Metres. */
+    /** Length of the room's side, metres. */
     private static final double ROOM = 10;
     private static final double WALL = 0.1;
     private static final double WALL_HEIGHT = 2;
@@ -29,11 +29,11 @@ public final class BeamWorld {
     private static final double SPARSE = 20;
 
     final String name;
-    /** Ten numbers a box: half sizes, position, quaternion. Empty in the hills. */
+    /** Ten numbers per box: half sizes, position, quaternion. Empty for hills and fields. */
     double[][] boxes = new double[0][];
-    /** Null between walls, and on a height field. */
+    /** Null except for hills. */
     Triangles triangles;
-    /** Null elsewhere. */
+    /** Null except for fields. */
     HeightField field;
     final Pose[] poses = new Pose[POSES];
     private final Random random = new Random(2026);
@@ -42,7 +42,7 @@ public final class BeamWorld {
         this(name, true);
     }
 
-    /** @param poses whether the LIDAR's poses are wanted, too */
+    /** @param poses whether to create the LIDAR's poses */
     BeamWorld(String name, boolean poses) {
         this.name = name;
         int number = Integer.parseInt(name.substring(name.indexOf('-') + 1));
@@ -111,7 +111,7 @@ public final class BeamWorld {
         return (float) (y / 4);
     }
 
-    /** @param side metres */
+    /** @param side length, metres */
     private HeightField field(int posts, double side) {
         double[] wave = random.doubles(12, 0, 2 * Math.PI).toArray();
         double spacing = side / (posts - 1);
@@ -138,7 +138,7 @@ public final class BeamWorld {
         return scene;
     }
 
-    /** Poses outside of all boxes as far as there is such a place, or a mast's height above the hills. */
+    /** Chooses poses outside all boxes if possible, or a mast's height above the hills. */
     private void standSomewhere() {
         BeamScene scene = scene();
         double half = triangles != null ? HILLS / 4 : field != null ? -field.lowX / 2 : boxes[0][0] - 0.5;
@@ -171,7 +171,7 @@ public final class BeamWorld {
         return SPREAD / (BEAMS - 1);
     }
 
-    /** Directions of all beams of all poses, three numbers each. */
+    /** Returns the directions of all rays of all poses, three numbers each. */
     double[] directions() {
         double[] out = new double[3 * BEAMS * POSES];
         int at = 0;

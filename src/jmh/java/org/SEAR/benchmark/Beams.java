@@ -18,7 +18,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Beams a microsecond (millions a second) in rooms of one size and in worlds that grow. */
+/** Rays per microsecond in rooms of constant size and in growing worlds. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -37,7 +37,6 @@ public class Beams {
     private Pose pose;
     private int next;
 
-    /** Makes the world. */
     @Setup(Level.Trial)
     public void build() {
         beams = new BeamWorld(world);
@@ -52,7 +51,7 @@ public class Beams {
         return 3 * BeamWorld.BEAMS * next;
     }
 
-    /** A LIDAR's whole scan. */
+    /** Casts a LIDAR's scan as one fan. */
     @Benchmark
     @OperationsPerInvocation(BeamWorld.BEAMS)
     public double[] fan() {
@@ -61,7 +60,7 @@ public class Beams {
         return ranges;
     }
 
-    /** The same beams one by one. */
+    /** Casts the same rays one by one. */
     @Benchmark
     @OperationsPerInvocation(BeamWorld.BEAMS)
     public double[] single() {
@@ -74,21 +73,20 @@ public class Beams {
         return ranges;
     }
 
-    /** jbullet's world. */
+    /** World of jbullet. */
     @State(Scope.Benchmark)
     public static class Peer {
         private JBulletWorld world;
         private final Vector3f from = new Vector3f();
         private final Vector3f to = new Vector3f();
 
-        /** Makes the same world. */
         @Setup(Level.Trial)
         public void build(Beams beams) {
             world = new JBulletWorld(beams.beams);
         }
     }
 
-    /** The same beams by jbullet's rayTest. */
+    /** Casts the same rays with jbullet's rayTest. */
     @Benchmark
     @OperationsPerInvocation(BeamWorld.BEAMS)
     public double[] jbullet(Peer peer) {

@@ -10,17 +10,16 @@ import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 
-/** A project in a folder of its own, and the simulation made from it. */
+/** Project in its own folder, and its simulation. */
 final class BenchmarkProject implements AutoCloseable {
     private final Path folder;
     private final boolean temporary;
     private final Simulation simulation;
 
     /**
-     * Writes the project unless it is there, and reads it.
-     *
-     * @param kept where the project is kept for another time; null: in a temporary folder
-     * @param build puts the objects into the present project
+     * Writes the project if it is missing, and reads it.
+     * @param kept folder that keeps the project; null for a temporary folder
+     * @param build adds the objects to the present project
      */
     BenchmarkProject(Path kept, Runnable build) {
         try {

@@ -9,18 +9,18 @@ import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * Writes a scene of {@link RestWorld} as a JSON file for other engines, and what SEAR needs for it: processor time of the thread that steps, and
- * where all lies at the end, for others to judge. A scene that takes little runs several times, and the last counts: by then its code is compiled.
+ * Writes a scene of {@link RestWorld} as JSON for other engines, and SEAR's result: processor time of the stepping
+ * thread and final poses. Short scenes run repeatedly and the last run counts, when the code is compiled.
  */
 public final class Bodies {
     private static final int MOST_RUNS = 40;
-    /** No further run after so many seconds of processor time. */
+    /** Processor time after which no further run starts, seconds. */
     private static final double ENOUGH = 4;
 
     private Bodies() {
     }
 
-    /** @param args the scene's name, the file for the scene, the file for SEAR's result, or none */
+    /** @param args scene name, file for the scene, and optionally file for SEAR's result */
     public static void main(String[] args) throws IOException {
         try (RestWorld world = new RestWorld(args[0])) {
             Files.writeString(Paths.get(args[1]), String.format(Locale.ROOT,
@@ -53,7 +53,7 @@ public final class Bodies {
             Arrays.deepToString(world.poses())));
     }
 
-    /** Processor time of this thread. */
+    /** Returns the processor time of this thread, seconds. */
     private static double seconds() {
         return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() * 1e-9;
     }

@@ -15,10 +15,10 @@ import java.util.Locale;
 import org.SEAR.project.problems.ProjectException;
 
 /**
- * Takes pictures of a {@link PictureWorld} whenever it is told to, so that it can go in turns with other programs which draw the same. Writes the
- * world for those, and reads lines from its input: "colors SECONDS" or "depths SECONDS", answered by "PICTURES CPU_SECONDS SECONDS HASH", where
- * CPU_SECONDS are those of the one thread that takes them and the hash is of a whole turn; "save TURN FILE" writes a picture of depths, 32-bit floats
- * with the least byte first.
+ * Takes pictures of a {@link PictureWorld} on command, alternating with other programs that draw the same world. Writes
+ * the world for them. Reads lines from standard input: "colors SECONDS" or "depths SECONDS" returns "PICTURES
+ * CPU_SECONDS SECONDS HASH". CPU_SECONDS is the time of the one drawing thread; the hash is of a whole turn. "save TURN
+ * FILE" writes a depth picture as little-endian 32-bit floats.
  */
 public final class Cameras {
     private final PictureWorld world;
@@ -27,7 +27,7 @@ public final class Cameras {
         this.world = world;
     }
 
-    /** @param args the world's name, the file for the world or nothing */
+    /** @param args world name, and optionally file for the world */
     public static void main(String[] args) throws IOException, ProjectException {
         PrintStream out = System.out;
         System.setOut(System.err);
@@ -56,7 +56,7 @@ public final class Cameras {
         return "saved";
     }
 
-    /** Whole turns, until they have taken so many seconds of the thread's time. */
+    /** Takes whole turns until they have used the given seconds of processor time. */
     private String take(boolean colors, double seconds) {
         int count = 0;
         int hash = 0;

@@ -20,14 +20,15 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.simulator.Simulation;
 
 /**
- * What two threads and many robots make of it, everything in turns, so that a busy machine hits all alike. Arguments: JSON file, rounds, steps of a
- * robot in a round, and the fleets, such as {@code 10x1} for ten robots with a LIDAR each.
+ * Measures the gain from two threads and the cost of many robots, alternating all cases so that other load affects them
+ * equally. Arguments: JSON file, rounds, steps of a robot per round, and the fleets, such as {@code 10x1} for ten
+ * robots with a LIDAR each.
  */
 public final class Cores {
     private static final int LIDARS = 8;
     private static final int READINGS = 60;
     private static final double MICRO = 1e3;
-    /** What is compiled meanwhile takes the second core: so long a round that counts is preceded by rounds that don't, nanoseconds. */
+    /** Warm-up time per counted round, ns: compilation would occupy the second core. */
     private static final long WARM_UP = 100_000_000;
 
     private final int rounds;
@@ -39,7 +40,7 @@ public final class Cores {
         this.robotSteps = robotSteps;
     }
 
-    /** @param args JSON file, rounds, steps of a robot in a round, fleets */
+    /** @param args JSON file, rounds, steps of a robot per round, fleets */
     public static void main(String[] args) throws IOException {
         Cores cores = new Cores(Integer.parseInt(args[1]), Integer.parseInt(args[2]));
         cores.lidars(false);
@@ -54,7 +55,7 @@ public final class Cores {
         return sorted[sorted.length / 2];
     }
 
-    /** Eight LIDARs that are due in the same step: microseconds until all are read, on one thread and on two. */
+    /** Measures eight LIDARs due in the same step: microseconds to read all, on one and two threads. */
     private void lidars(boolean noise) {
         try (FleetWorld world = new FleetWorld(1, LIDARS, noise)) {
             double[][] micros = new double[2][rounds];
@@ -82,7 +83,7 @@ public final class Cores {
         }
     }
 
-    /** Microseconds a step of processor time on one thread, and by the clock on one and on two. */
+    /** Measures microseconds per step: processor time on one thread, and wall time on one and two. */
     private void fleets(String... names) {
         List<FleetWorld> worlds = new ArrayList<>();
         int[] robots = new int[names.length];
@@ -117,8 +118,9 @@ public final class Cores {
     }
 
     /**
-     * Many robots in one hall. Each has 10 m x 10 m with 20 boxes of its own, without walls between them, and drives in circles there; its LIDARs of
-     * 361 beams see 8 m far. All LIDARs are read in the same step, ten times a simulated second.
+     * Many robots in one hall. Each robot drives in circles in its own area of 10 m x 10 m with 20 boxes, without walls
+     * between areas. Its LIDARs have 361 beams and a range of 8 m. All LIDARs are read in the same step, ten times per
+     * simulated second.
      */
     private static final class FleetWorld implements AutoCloseable {
         private static final double CELL = 10;
@@ -132,11 +134,10 @@ public final class Cores {
         private final List<String> sensors;
 
         /**
-         * Fills a folder of its own with the objects.
-         *
-         * @param robots how many
-         * @param lidars of each robot
-         * @param noise whether their beams have errors
+         * Creates the project.
+         * @param robots number of robots
+         * @param lidars number of LIDARs per robot
+         * @param noise whether the LIDARs have noise
          */
         FleetWorld(int robots, int lidars, boolean noise) {
             project = new BenchmarkProject(null, () -> build(robots, lidars, noise));
@@ -197,7 +198,7 @@ public final class Cores {
             }
         }
 
-        /** A step, and what a program reads after it. */
+        /** Steps and reads as a script would. */
         void step() {
             simulation.step();
             if (simulation.getStep() % StepWorld.SCAN_EVERY == 0) {
@@ -205,7 +206,7 @@ public final class Cores {
             }
         }
 
-        /** A step, and the readings of all LIDARs: nanoseconds that these took. */
+        /** Steps, reads all LIDARs and returns the reading time, ns. */
         long readAfterStep() {
             simulation.step();
             long from = System.nanoTime();
@@ -213,7 +214,6 @@ public final class Cores {
             return System.nanoTime() - from;
         }
 
-        /** The running world. */
         Simulation getSimulation() {
             return simulation;
         }

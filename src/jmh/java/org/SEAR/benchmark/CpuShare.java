@@ -13,8 +13,8 @@ import org.openjdk.jmh.results.Result;
 import org.openjdk.jmh.results.ScalarResult;
 
 /**
- * How much of a core the JVM had during an iteration, all its threads together: 1 when one thread ran all the time. A rate divided by it is the
- * rate per second of CPU time, which other programs on a busy machine disturb less.
+ * Share of a core that all threads of the JVM used in an iteration; 1 for one thread that ran all the time. A rate
+ * divided by it is a rate per second of processor time, which other load on the machine affects less.
  */
 public final class CpuShare implements InternalProfiler {
     /** The name of the secondary result. */

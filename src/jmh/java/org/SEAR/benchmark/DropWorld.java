@@ -6,26 +6,27 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.Simulation;
 
 /**
- * Bodies that all move: {@code drop-N} is N boxes of 0.25 to 0.5 m and 20 kg, rotated, 1.2 m apart and 0.8 to 1.5 m above a floor, let go at
- * once. Within 1.25 simulated seconds they fall, bounce and tumble, and none has fallen asleep yet. {@code asleep-N} is the same when all have.
+ * Moving bodies: {@code drop-N} is N rotated boxes of 0.25 to 0.5 m and 20 kg, 1.2 m apart, dropped together from 0.8
+ * to 1.5 m above a floor. Within 1.25 simulated seconds they fall, bounce and tumble, and none sleeps. {@code asleep-N}
+ * is the same world when all bodies sleep.
  */
 public final class DropWorld implements AutoCloseable {
-    /** Steps from letting go in which all move. */
+    /** Steps in which all bodies move. */
     static final int STEPS = 75;
-    /** Steps after which they lie. */
+    /** Steps until the bodies are at rest. */
     static final int REST_STEPS = 180;
     static final double MASS = 20;
     private static final int UNTIL_ASLEEP = 420;
-    /** Metres. */
+    /** Distance between boxes, metres. */
     private static final double APART = 1.2;
 
     /** Length of the square floor's side, metres; its top is at height 0. */
     final double side;
-    /** Nine numbers a box, as in {@link Room}. */
+    /** Nine numbers per box, as in {@link Room}. */
     final double[][] boxes;
     private final BenchmarkProject project;
 
-    /** Fills a folder of its own with the objects. */
+    /** Creates the project. */
     public DropWorld(String name) {
         int number = Integer.parseInt(name.substring(name.indexOf('-') + 1));
         int row = (int) Math.ceil(Math.sqrt(number));
@@ -55,22 +56,20 @@ public final class DropWorld implements AutoCloseable {
         return 0.25 + 0.25 * random.nextDouble();
     }
 
-    /** Everything back into the air. */
+    /** Resets all boxes into the air. */
     public void reset() {
         project.getSimulation().reset();
     }
 
-    /** One step. */
     public void step() {
         project.getSimulation().step();
     }
 
-    /** The running world. */
     public Simulation getSimulation() {
         return project.getSimulation();
     }
 
-    /** Heights of the boxes' centres now, metres. */
+    /** Returns the present heights of the boxes' centres, metres. */
     double[] heights() {
         double[] heights = new double[boxes.length];
         for (int i = 0; i < heights.length; i++) {

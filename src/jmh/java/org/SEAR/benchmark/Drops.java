@@ -16,7 +16,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Steps a second over the number of bodies that move, and with bodies that sleep. */
+/** Steps per second by the number of moving bodies, and with sleeping bodies. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)
@@ -29,13 +29,12 @@ public class Drops {
 
     private DropWorld drops;
 
-    /** Makes the world. */
     @Setup(Level.Trial)
     public void build() {
         drops = new DropWorld(world);
     }
 
-    /** Everything back into the air. */
+    /** Resets all boxes into the air. */
     @Setup(Level.Invocation)
     public void restart() {
         if (world.startsWith("drop")) {
@@ -43,13 +42,12 @@ public class Drops {
         }
     }
 
-    /** Lets go of it. */
     @TearDown(Level.Trial)
     public void end() {
         drops.close();
     }
 
-    /** From letting go to where the first ones fall asleep. */
+    /** Runs from the drop until the first bodies sleep. */
     @Benchmark
     @OperationsPerInvocation(DropWorld.STEPS)
     public Object step() {

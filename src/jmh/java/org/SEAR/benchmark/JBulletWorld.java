@@ -16,7 +16,7 @@ import javax.vecmath.Quat4f;
 import javax.vecmath.Vector3f;
 import org.SEAR.geometry.Triangles;
 
-/** The same world for jbullet's rayTest. */
+/** A {@link BeamWorld} for jbullet's rayTest. */
 final class JBulletWorld {
     private final CollisionWorld world;
 
@@ -54,7 +54,7 @@ final class JBulletWorld {
         world.addCollisionObject(object);
     }
 
-    /** Share of the way from one point to the other, 1 when nothing is met. */
+    /** Returns the hit's fraction of the distance between two points; 1 without a hit. */
     float cast(Vector3f from, Vector3f to) {
         CollisionWorld.ClosestRayResultCallback result = new CollisionWorld.ClosestRayResultCallback(from, to);
         world.rayTest(from, to, result);

@@ -14,9 +14,9 @@ import org.SEAR.geometry.Triangles;
 import org.SEAR.raycast.BeamScene;
 
 /**
- * What is measured once in a fresh JVM, and written to a JSON file: {@code mesh N} (building the hierarchy of N triangles: time and bytes),
- * {@code run WORLD FOLDER STEPS} (from reading the project to the first reading, then memory of a run of so many steps). {@code project WORLD
- * FOLDER} writes the project that another JVM then runs, as it would a user's.
+ * One-time measurements in a fresh JVM, written to a JSON file. {@code mesh N}: time and bytes to build the hierarchy
+ * of N triangles. {@code run WORLD FOLDER STEPS}: time from reading the project to the first reading, then the memory
+ * of a run of STEPS steps. {@code project WORLD FOLDER} writes the project that another JVM runs as it would a user's.
  */
 public final class Measures {
     private static final double NANOS = 1e9;
@@ -26,7 +26,7 @@ public final class Measures {
     private Measures() {
     }
 
-    /** @param args JSON file, what, of which size or world */
+    /** @param args JSON file, measurement, size or world */
     public static void main(String[] args) throws IOException {
         Map<String, Double> out = new LinkedHashMap<>();
         out.put("jvmUp", ManagementFactory.getRuntimeMXBean().getUptime() / 1e3);
@@ -60,7 +60,7 @@ public final class Measures {
         return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() / NANOS;
     }
 
-    /** Bytes in use after everything unreachable is gone. */
+    /** Returns the used heap after garbage collection, bytes. */
     private static double heap() {
         for (int i = 0; i < 3; i++) {
             System.gc();
@@ -98,7 +98,7 @@ public final class Measures {
         out.put("jbulletCpu", cpu() - cpuBefore);
     }
 
-    /** @param times takes seconds by the clock, and of the thread's CPU time */
+    /** @param times receives wall time and the thread's processor time, seconds */
     private static BeamScene build(Triangles triangles, double[] times) {
         double cpuBefore = cpu();
         long from = System.nanoTime();
@@ -111,7 +111,7 @@ public final class Measures {
         return scene;
     }
 
-    /** Casts one beam: what is built at the first one is built, and the scene is still there. */
+    /** Casts one ray to trigger lazy construction and to keep the scene reachable. */
     private static void reach(BeamScene scene) {
         scene.cast(0, 100, 0, 0, -1, 0, 200, BeamScene.WORLD, null);
     }

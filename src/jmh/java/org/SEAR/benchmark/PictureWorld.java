@@ -27,17 +27,17 @@ import org.SEAR.sensors.Truth;
 import org.SEAR.simulator.Simulation;
 
 /**
- * What a camera looks at: a {@link Room} with a rover, or the world of an example after a second, seen from above its robot, 320 x 240 pixels of 60
- * degrees. The camera looks down a little and turns by ten degrees from picture to picture.
+ * Scene of a camera benchmark: a {@link Room} with a rover, or an example's world after one second. The camera is above
+ * the robot, with 320 x 240 pixels and 60 degrees. It looks slightly down and turns by ten degrees per picture.
  */
 final class PictureWorld {
     static final int WIDTH = 320;
     static final int HEIGHT = 240;
-    /** Pictures of a turn. */
+    /** Pictures per turn. */
     static final int TURNS = 36;
     static final double NEAR = 0.02;
     static final double FAR = 10_000;
-    /** Degrees from the left edge to the right one. */
+    /** Horizontal field of view, degrees. */
     static final double FIELD_OF_VIEW = 60;
     private static final double ABOVE = 0.3;
     private static final double DOWN = 10;
@@ -47,7 +47,7 @@ final class PictureWorld {
     final CameraRenderer eye;
     private final Truth truth;
 
-    /** @param name room-N, or an example's */
+    /** @param name room-N, or the name of an example */
     PictureWorld(String name) throws IOException, ProjectException {
         Path folder = Files.createTempDirectory("pictures").resolve("SEARproject");
         System.setProperty("sear.project", folder.toString());
@@ -66,7 +66,7 @@ final class PictureWorld {
         eye = new CameraRenderer(WIDTH, HEIGHT, new BrownLens(focal, (WIDTH - 1) / 2.0, (HEIGHT - 1) / 2.0, new double[4]), NEAR, FAR);
     }
 
-    /** Where the camera is for a picture: x to its left, y up, z ahead. */
+    /** Returns the camera's pose for a picture: x to its left, y up, z ahead. */
     Pose pose(int turn) {
         Pose body = truth.body();
         Pose place = new Pose(body.x, body.y + ABOVE, body.z, 0, 0, 0, 1);
@@ -81,7 +81,10 @@ final class PictureWorld {
         return eye.depths(new RenderJob(truth.scene(), truth.looks(), pose(turn), truth.owner()));
     }
 
-    /** Writes what there is to be seen, but for the robot itself, for other engines: as JSON, boxes and cylinders as such, all else as triangles. */
+    /**
+     * Writes the visible objects except the robot as JSON for other engines: boxes and cylinders as such, all else as
+     * triangles.
+     */
     void write(Path file) throws IOException {
         List<String> things = new ArrayList<>();
         for (SearObject object : simulation.getProject().getEnvironment()) {
@@ -103,7 +106,10 @@ final class PictureWorld {
         return new double[] {pose.x, pose.y, pose.z, pose.qx, pose.qy, pose.qz, pose.qw};
     }
 
-    /** Writes the picture on a shape beside the world, and says where and after how many metres it is repeated; nothing for models. */
+    /**
+     * Writes a shape's picture beside the world and returns its JSON fields: file and tile size, metres. Returns
+     * nothing for models.
+     */
     private static String picture(Shape shape, Path folder) throws IOException {
         String path = shape instanceof Model ? null : shape.getPicture();
         if (path == null || !path.endsWith(".png")) {

@@ -16,7 +16,10 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** A camera's pictures a second by one thread: in a room with 20 boxes, in an example's world, and on a mountain. See {@link PictureWorld}. */
+/**
+ * Pictures per second of a camera on one thread: in a room with 20 boxes, in an example's world, and on a mountain. See
+ * {@link PictureWorld}.
+ */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)
@@ -30,7 +33,6 @@ public class Pictures {
     private PictureWorld pictures;
     private int turn;
 
-    /** Makes the world; something stands in it after a second. */
     @Setup(Level.Trial)
     public void build() throws IOException, ProjectException {
         pictures = new PictureWorld(world);
@@ -41,13 +43,13 @@ public class Pictures {
         return turn;
     }
 
-    /** Colours with shadows. */
+    /** Draws colours with shadows. */
     @Benchmark
     public int[] colors() {
         return pictures.colors(next());
     }
 
-    /** Depths. */
+    /** Draws depths. */
     @Benchmark
     public float[] depths() {
         return pictures.depths(next());

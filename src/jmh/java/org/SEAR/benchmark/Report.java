@@ -17,12 +17,14 @@ import org.openjdk.jmh.runner.options.CommandLineOptions;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.VerboseMode;
 
-/** Runs the benchmark in Java and prints what was measured. First argument: where the JSON goes; the others are JMH's own and choose. */
+/**
+ * Runs the Java benchmarks and prints the results. The first argument is the JSON file; the others are JMH's options.
+ */
 public final class Report {
     private Report() {
     }
 
-    /** @param args JSON file, JMH's own arguments */
+    /** @param args JSON file, JMH's options */
     public static void main(String[] args) throws RunnerException, CommandLineOptionException {
         Path json = Paths.get(args[0]);
         String[] own = Arrays.copyOfRange(args, 1, args.length);

@@ -6,15 +6,15 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.Simulation;
 
 /**
- * Bodies that end at rest: {@code single-N}, N cubes of 0.1 to 0.3 m dropped each alone; {@code pile-N}, the same onto one heap; {@code dominoes-N},
- * a row of which the first is leant over; {@code stack-N}, boxes on one another. All weigh 1 kg, friction is 0.64. The same name gives the same
- * things.
+ * Bodies that come to rest: {@code single-N}, N cubes of 0.1 to 0.3 m dropped separately; {@code pile-N}, the same
+ * cubes dropped onto one pile; {@code dominoes-N}, a row with the first one tilted; {@code stack-N}, boxes on top of
+ * each other. Each has 1 kg and friction 0.64. Equal names give equal scenes.
  */
 final class RestWorld implements AutoCloseable {
     static final double MASS = 1;
-    /** Coefficient where two things touch. */
+    /** Friction coefficient of a contact between two bodies. */
     static final double FRICTION = 0.64;
-    /** Between the two looks at the end that tell what still moves, seconds. */
+    /** Time between the two samples at the end that detect motion, seconds. */
     static final double WATCH = 0.5;
     private static final double APART = 1.2;
     private static final double MESH = 0.32;
@@ -22,13 +22,13 @@ final class RestWorld implements AutoCloseable {
 
     /** Length of the square floor's side, metres; its top is at height 0. */
     final double side;
-    /** Simulated seconds after which all lies. */
+    /** Simulated time until all bodies are at rest, seconds. */
     final double seconds;
-    /** Nine numbers a box, as in {@link Room}. */
+    /** Nine numbers per box, as in {@link Room}. */
     final double[][] boxes;
     private final BenchmarkProject project;
 
-    /** Fills a folder of its own with the objects. */
+    /** Creates the project. */
     RestWorld(String name) {
         String kind = name.substring(0, name.indexOf('-'));
         int number = Integer.parseInt(name.substring(name.indexOf('-') + 1));
@@ -72,7 +72,7 @@ final class RestWorld implements AutoCloseable {
         return new double[] {size, size, size, x, y, z, 360 * random.nextDouble(), 360 * random.nextDouble(), 360 * random.nextDouble()};
     }
 
-    /** Half sizes, position and quaternion of each box at the start. */
+    /** Returns half sizes, position and quaternion of each box at the start. */
     double[][] posed() {
         double[][] posed = new double[boxes.length][];
         for (int i = 0; i < posed.length; i++) {
@@ -81,7 +81,6 @@ final class RestWorld implements AutoCloseable {
         return posed;
     }
 
-    /** Everything back to the start. */
     void reset() {
         project.getSimulation().reset();
     }
@@ -92,7 +91,7 @@ final class RestWorld implements AutoCloseable {
         }
     }
 
-    /** Position and quaternion of each box now. */
+    /** Returns the present position and quaternion of each box. */
     double[][] poses() {
         double[][] poses = new double[boxes.length][];
         for (int i = 0; i < poses.length; i++) {

@@ -6,21 +6,21 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.geometry.Pose;
 
 /**
- * The still things that a robot drives among: a walled square with fixed boxes of 0.25 to 1 m, rotated, outside of the ring on which it drives.
- * {@code room-N} is 10 m x 10 m whatever N is, {@code hall-N} grows so that 20 boxes stand on 100 m^2. The same name gives the same things.
+ * Static surroundings of a robot: a walled square with rotated fixed boxes of 0.25 to 1 m outside the robot's circle.
+ * {@code room-N} is 10 m x 10 m; {@code hall-N} grows at 20 boxes per 100 m^2. Equal names give equal rooms.
  */
 final class Room {
-    /** Metres. */
+    /** Length of the room's side, metres. */
     private static final double ROOM = 10;
     private static final double SPARSE = 20;
     private static final double WALL = 0.1;
     private static final double WALL_HEIGHT = 2;
-    /** Boxes keep this far from the middle, metres. */
+    /** Minimum distance of boxes from the centre, metres. */
     private static final double CLEAR = 2.3;
 
     /** Length of the square's side, metres. */
     final double side;
-    /** Nine numbers a box, walls first: full sizes along x, y, z, position, rotation in degrees. */
+    /** Nine numbers per box, walls first: full sizes along x, y, z, position, rotation in degrees. */
     final double[][] boxes;
 
     Room(String name) {
@@ -49,7 +49,7 @@ final class Room {
         return 0.25 + 0.75 * random.nextDouble();
     }
 
-    /** Puts everything into the present project. */
+    /** Adds all objects to the present project. */
     void build() {
         new Floor("floor", side, side);
         for (int i = 0; i < boxes.length; i++) {
@@ -58,15 +58,14 @@ final class Room {
     }
 
     /**
-     * Puts a box of nine numbers into the present project.
-     *
-     * @param mass kg, 0 fixes it
+     * Adds a box of nine numbers to the present project.
+     * @param mass kg, 0 for a fixed box
      */
     static void add(String name, double[] b, double mass) {
         new Box(name, b[0], b[2], b[1], mass, b[3], b[4], b[5], b[6], b[7], b[8]);
     }
 
-    /** The same box in ten numbers: half sizes, position, quaternion. */
+    /** Converts a box to ten numbers: half sizes, position, quaternion. */
     static double[] posed(double[] b) {
         Pose pose = Pose.ofDegrees(b[3], b[4], b[5], b[6], b[7], b[8]);
         return new double[] {b[0] / 2, b[1] / 2, b[2] / 2, pose.x, pose.y, pose.z, pose.qx, pose.qy, pose.qz, pose.qw};

@@ -16,22 +16,23 @@ import org.SEAR.devices.SerialLine;
 import org.SEAR.simulator.Simulation;
 
 /**
- * The world of the step benchmark: a {@link Room} in which a robot with four wheels drives in circles of 1 m radius. Its name is EQUIPMENT-ROOM, for
- * example {@code lidar-room-20}; equipment is {@code drive} (no sensor), {@code lidar}, {@code lidarsN} (N LIDARs of 361 beams, read ten times a
- * simulated second), {@code camera} (a colour camera of 320 x 240 at 10 Hz, each of its pictures read), {@code blind} (the same, none of them
- * read) or {@code all} (every sensor, and serial devices that send all the time).
+ * World of the step benchmark: a {@link Room} in which a four-wheeled robot drives in circles of 1 m radius. Its name
+ * is EQUIPMENT-ROOM, for example {@code lidar-room-20}. Equipment: {@code drive} (no sensor); {@code lidar};
+ * {@code lidarsN} (N LIDARs of 361 beams, read ten times per simulated second); {@code camera} (a colour camera of 320
+ * x 240 at 10 Hz, each picture read); {@code blind} (the same camera, never read); {@code all} (every sensor, and
+ * serial devices that send all the time).
  */
 public final class StepWorld implements AutoCloseable {
     /** Radius of the circle, metres. */
     static final double CIRCLE = 1;
-    /** m/s */
+    /** Speed, m/s. */
     static final double SPEED = 0.4;
-    /** Steps from one reading of the LIDAR to the next. */
+    /** Steps between two readings of the LIDAR. */
     static final int SCAN_EVERY = 6;
-    /** Height of the first LIDAR above the body's origin and of each further one above the one below, metres. */
+    /** Height of the first LIDAR above the body's origin, and distance between LIDARs, metres. */
     static final double LIDAR_HEIGHT = 0.3;
     static final double LIDAR_PITCH = 0.02;
-    /** Height of the body's origin at the start, metres. */
+    /** Initial height of the body's origin, metres. */
     static final double START_HEIGHT = 0.15;
     static final double RANGE = 8;
     private static final double STEPS_A_SECOND = 60;
@@ -48,12 +49,12 @@ public final class StepWorld implements AutoCloseable {
     private final boolean camera;
     private final boolean blind;
 
-    /** Fills a folder of its own with the objects. */
+    /** Creates a temporary project. */
     public StepWorld(String name) {
         this(name, null);
     }
 
-    /** @param kept a folder that keeps the project, and may have it already; null: a temporary one */
+    /** @param kept folder that keeps the project; null for a temporary one */
     StepWorld(String name, Path kept) {
         room = room(name);
         all = name.startsWith("all-");
@@ -75,7 +76,7 @@ public final class StepWorld implements AutoCloseable {
         }
     }
 
-    /** How many LIDARs the robot of this world has. */
+    /** Returns the number of LIDARs of a world's robot. */
     static int lidars(String name) {
         String equipment = name.substring(0, name.indexOf('-'));
         if (equipment.startsWith("lidars")) {
@@ -84,7 +85,7 @@ public final class StepWorld implements AutoCloseable {
         return equipment.matches("drive|camera|blind") ? 0 : 1;
     }
 
-    /** The still things of this world. */
+    /** Returns the static surroundings of a world. */
     static Room room(String name) {
         return new Room(name.substring(name.indexOf('-') + 1));
     }
@@ -128,7 +129,7 @@ public final class StepWorld implements AutoCloseable {
         }
     }
 
-    /** A step, and what a script reads after it. */
+    /** Steps and reads as a script would. */
     public void step() {
         simulation.step();
         if (simulation.getStep() % SCAN_EVERY == 0 && !blind) {
@@ -138,12 +139,11 @@ public final class StepWorld implements AutoCloseable {
         }
     }
 
-    /** The running world. */
     public Simulation getSimulation() {
         return simulation;
     }
 
-    /** Steps a second are this many times real time when divided by it. */
+    /** Returns the steps per second of real time. */
     static double stepsASecond() {
         return STEPS_A_SECOND;
     }

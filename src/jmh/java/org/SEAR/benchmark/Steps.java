@@ -16,7 +16,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Steps a second of one robot with four wheels that drives among fixed boxes; divided by 60 that is how many times faster than real time. */
+/** Steps per second of one four-wheeled robot among fixed boxes. Divided by 60, this is the real-time factor. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)
@@ -33,19 +33,17 @@ public class Steps {
 
     private StepWorld steps;
 
-    /** Makes the world. */
     @Setup(Level.Trial)
     public void build() {
         steps = new StepWorld(world);
     }
 
-    /** Lets go of it. */
     @TearDown(Level.Trial)
     public void end() {
         steps.close();
     }
 
-    /** A simulated second. */
+    /** Runs one simulated second. */
     @Benchmark
     @OperationsPerInvocation(BATCH)
     public Object step() {

@@ -13,20 +13,18 @@ import javax.vecmath.Vector3f;
 import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
 
-/**
- * Writes worlds of the benchmark as JSON files, with what SEAR and jbullet measure in them, so that other engines can run the same and be compared.
- */
+/** Writes benchmark worlds as JSON with the results of SEAR and jbullet, for comparison with other engines. */
 public final class WorldFiles {
-    /** Where jbullet visits more boxes than this for each beam, only some of the poses are compared. */
+    /** Number of boxes above which only {@link #FEW_POSES} poses are compared, as jbullet tests many boxes per ray. */
     private static final int MANY_BOXES = 2000;
     private static final int FEW_POSES = 10;
-    /** Steps after which the robot's way is compared: 20 simulated seconds. */
+    /** Steps of the compared distance: 20 simulated seconds. */
     private static final int DRIVE_STEPS = 1200;
 
     private WorldFiles() {
     }
 
-    /** @param args a folder, then names of worlds */
+    /** @param args folder, then names of worlds */
     public static void main(String[] args) throws IOException {
         Path folder = Files.createDirectories(Paths.get(args[0]));
         for (String name : Arrays.copyOfRange(args, 1, args.length)) {
@@ -68,7 +66,7 @@ public final class WorldFiles {
         fields.put("jbullet", ranges(jbullet(world, origins, directions)));
     }
 
-    /** Distances as JSON, -1 where nothing was met. */
+    /** Formats distances as JSON, -1 without a hit. */
     private static String ranges(double[] ranges) {
         return Arrays.toString(ranges).replace("Infinity", "-1");
     }
@@ -139,7 +137,7 @@ public final class WorldFiles {
         }
     }
 
-    /** How far the robot drives, metres. */
+    /** Returns the distance driven by the robot, metres. */
     private static double way(String name) {
         try (StepWorld world = new StepWorld(name)) {
             double way = 0;

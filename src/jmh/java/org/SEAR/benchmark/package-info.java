@@ -1,5 +1,5 @@
 /**
- * The Java part of {@code scripts/benchmark}: beams and steps of SEAR and of jbullet in the same worlds, measured by JMH. May use the plug-in and
- * jbullet. The threads of JMH.
+ * Java part of {@code scripts/benchmark}: rays and steps of SEAR and jbullet in equal worlds, measured by JMH. May use
+ * the plug-in and jbullet. Threads of JMH.
  */
 package org.SEAR.benchmark;

@@ -150,13 +150,13 @@ class _SEAR(JavaObject):
     def setMotorSpeed(self, name: str, speed: float) -> None:
         """Holds a motor's speed, within its torque, until the next command for it or its robot."""
     def getMotorSpeed(self, name: str) -> float:
-        """Returns the present speed of a motor's wheels, rad/s, + forward. Several wheels are averaged."""
+        """Returns the current speed of a motor's wheels, rad/s, + forward. Several wheels are averaged."""
     def getEncoder(self, name: str) -> int:
         """Returns encoder counts since start or reset, + forward; 0 without an encoder."""
     def setServo(self, name: str, degrees: float) -> None:
         """Turns a servo and its parts to an angle at full speed."""
     def getServo(self, name: str) -> float:
-        """Returns a servo's present angle, degrees, + counter-clockwise from above."""
+        """Returns a servo's current angle, degrees, + counter-clockwise from above."""
     def setLed(self, name: str, brightness: float) -> None:
         """Sets a light's brightness until the next command, or until an Arduino writes to its pin."""
     def getLed(self, name: str) -> float:
@@ -246,7 +246,7 @@ class _SEAR(JavaObject):
     def loadProject(self, path: str) -> None:
         """Backs up the project and replaces it with a valid bundle or folder."""
     def importRobot(self, path: str, name: str) -> str:
-        """Adds a robot from a bundle or folder and backs up the present project. Names and ports in use get a number. Parts keep their names; ambiguous ones become `"robot/part"`."""
+        """Adds a robot from a bundle or folder and backs up the current project. Names and ports in use get a number. Parts keep their names; ambiguous ones become `"robot/part"`."""
     def importEnvironment(self, path: str) -> List[str]:
         """Adds the environment of a bundle or folder, like `importRobot`."""
     def getProblems(self) -> List[Any]:

@@ -17,7 +17,7 @@ public final class Assembly {
         robot.link(component, aside);
     }
 
-    /** Returns the robot of a part; null for an object that is no robot's part. */
+    /** Returns the robot of a part; null for an object that is not part of a robot. */
     public static SEARrobot robotOf(SearObject part) {
         return part.robot();
     }

@@ -1,11 +1,13 @@
 package org.SEAR.camera;
 
-/** What is seen of one shape: its normals, its picture or colour, how warm it is. Immutable, any thread. */
+/**
+ * Appearance of one shape to cameras: its normals, its picture or colour, and its temperature. Immutable, any thread.
+ */
 public abstract class Appearance {
-    /** How warm everything is that has no temperature of its own, and the sky, degrees Celsius. */
+    /** Temperature of the sky, degrees Celsius. */
     static final double SKY_TEMPERATURE = -20;
 
-    /** Degrees Celsius. */
+    /** Temperature, degrees Celsius. */
     final double temperature;
     private final boolean casting;
 
@@ -18,23 +20,23 @@ public abstract class Appearance {
         this.casting = casting;
     }
 
-    /** Whether it casts a shadow: the ground doesn't. */
+    /** Returns whether it casts a shadow. The ground does not. */
     public final boolean isCasting() {
         return casting;
     }
 
-    /** Whether the sun and the sky are to be reckoned; false for a picture with the light in it. */
+    /** Returns whether the light of sun and sky is computed; false for a picture that contains the light. */
     boolean isLit() {
         return true;
     }
 
-    /** Sets the normal of a spot's plane, of which the place and the part are known. */
+    /** Sets the normal of a hit whose position and triangle are known. */
     protected abstract void normal(SurfaceHit spot);
 
-    /** Sets the normal that counts for the light, if it is another than the plane's. */
+    /** Sets the shading normal, if it differs from the surface normal. */
     void shade(SurfaceHit spot) {
     }
 
-    /** Sets the colour of a spot, of which all else is known. */
+    /** Sets the colour of a hit whose other values are known. */
     protected abstract void color(SurfaceHit spot);
 }

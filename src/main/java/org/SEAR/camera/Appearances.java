@@ -1,7 +1,7 @@
 package org.SEAR.camera;
 
-/** The skins of a scene. Simulation thread. */
+/** Appearances of the shapes of a scene. Simulation thread. */
 public interface Appearances {
-    /** The skin of a shape of the scene; never null. */
+    /** Returns the appearance of a shape of the scene; never null. */
     Appearance of(int shape);
 }

@@ -1,13 +1,16 @@
 package org.SEAR.camera;
 
-/** Of a sphere or an ellipsoid: a picture once around it, from +z counter-clockwise seen from above, its lower edge at the lowest point. */
+/**
+ * Appearance of a sphere or an ellipsoid. The picture goes around it once, from +z counter-clockwise seen from above,
+ * with its lower edge at the lowest point. Immutable, any thread.
+ */
 public final class BallAppearance extends Appearance {
     private final double a;
     private final double b;
     private final double c;
     private final Paint paint;
 
-    /** @param half sizes along x, y and z, metres */
+    /** @param half half extents along x, y and z, metres */
     public BallAppearance(double[] half, Paint paint, double temperature) {
         super(temperature, true);
         a = half[0];

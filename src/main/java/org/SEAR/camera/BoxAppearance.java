@@ -2,7 +2,7 @@ package org.SEAR.camera;
 
 import org.SEAR.geometry.SurfaceMesh;
 
-/** Of a box: a picture on each of its six sides, as its drawing has them. Immutable, any thread. */
+/** Appearance of a box: a picture on each of its six sides, placed as in the drawn mesh. Immutable, any thread. */
 public final class BoxAppearance extends Appearance {
     private static final int SIDES = 6;
 
@@ -13,8 +13,8 @@ public final class BoxAppearance extends Appearance {
     private final PlaneMap[] sides = new PlaneMap[SIDES];
 
     /**
-     * @param look its drawing, two triangles a side
-     * @param half sizes along x, y and z, metres
+     * @param look drawn mesh, two triangles per side
+     * @param half half extents along x, y and z, metres
      */
     public BoxAppearance(SurfaceMesh look, double[] half, Paint paint, double temperature, boolean casting) {
         super(temperature, casting);
@@ -42,7 +42,7 @@ public final class BoxAppearance extends Appearance {
         }
     }
 
-    /** Two numbers an axis, that of the negative side first. */
+    /** Returns the index of a side: two per axis, the negative side first. */
     private static int side(double nx, double ny, double nz) {
         int axis = Math.abs(nx) > 0.5 ? 0 : Math.abs(ny) > 0.5 ? 1 : 2;
         double sign = axis == 0 ? nx : axis == 1 ? ny : nz;

@@ -9,11 +9,11 @@ import org.SEAR.parallel.WorkerPool;
 import org.SEAR.raycast.PictureBeams;
 
 /**
- * Takes a camera's pictures: without errors, which come later. Large pictures are shared among the threads of a pool, strip by strip; the bytes
- * don't depend on how many there are. One picture at a time.
+ * Renders a camera's pictures without sensor errors. The threads of a pool share large pictures strip by strip; the
+ * bytes don't depend on the number of threads. One picture at a time.
  */
 public final class CameraRenderer {
-    /** Smaller pictures are made by one thread: to share them takes longer. */
+    /** Number of pixels below which one thread renders a picture: sharing would take longer. */
     private static final int WORTH_SHARING = 2_000;
 
     private final int width;
@@ -25,18 +25,18 @@ public final class CameraRenderer {
     private final Deque<Painter> painters = new ConcurrentLinkedDeque<>();
     private WorkerPool workers = WorkerPool.ALONE;
 
-    /** @param camera whose lens and size count */
+    /** @param camera source of lens and size */
     public CameraRenderer(Camera camera) {
         this(camera.getWidth(), camera.getHeight(), camera.getLens(), camera.getNear(), camera.getFar());
     }
 
     /**
-     * An eye that is no camera's.
+     * Creates a renderer without a camera.
      *
-     * @param width pixels of a row
+     * @param width pixels per row
      * @param height rows
-     * @param near metres along the axis, nearer than which nothing is seen
-     * @param far metres along the axis, farther than which nothing is seen
+     * @param near distance along the axis below which nothing is visible, metres
+     * @param far distance along the axis above which nothing is visible, metres
      */
     public CameraRenderer(int width, int height, BrownLens lens, double near, double far) {
         this.width = width;
@@ -62,22 +62,22 @@ public final class CameraRenderer {
         return new PictureBeams(width, left, up);
     }
 
-    /** Who makes large pictures; at first nobody but the thread that asks for one. */
+    /** Sets the pool that renders large pictures. Default: the calling thread alone. */
     public void setWorkers(WorkerPool pool) {
         workers = pool;
     }
 
-    /** Metres to the left of the axis, one metre ahead, of what a pixel sees. */
+    /** Returns the distance to the left of the axis, one metre ahead, of a pixel's centre, metres. */
     public double left(int pixel) {
         return beams.left(pixel);
     }
 
-    /** Metres above the axis, one metre ahead, of what a pixel sees. */
+    /** Returns the distance above the axis, one metre ahead, of a pixel's centre, metres. */
     public double up(int pixel) {
         return beams.up(pixel);
     }
 
-    /** What is seen: 0xRRGGBB (sRGB) of each pixel, row by row from the top left. */
+    /** Returns the colours: 0xRRGGBB (sRGB) of each pixel, row by row from the top left. */
     public int[] colors(RenderJob sight) {
         int[] picture = new int[width * height];
         Appearance[] skins = skins(sight);
@@ -89,14 +89,17 @@ public final class CameraRenderer {
         return picture;
     }
 
-    /** How far what is seen is: metres along the axis, row by row from the top left; infinite where nothing is between near and far. */
+    /**
+     * Returns the depths along the axis, metres, row by row from the top left; infinite where nothing is between near
+     * and far.
+     */
     public float[] depths(RenderJob sight) {
         float[] picture = new float[width * height];
         strips((painter, strip) -> painter.depths(sight, strip, picture));
         return picture;
     }
 
-    /** How warm what is seen is: degrees Celsius, row by row from the top left. */
+    /** Returns the temperatures, degrees Celsius, row by row from the top left. */
     public float[] temperatures(RenderJob sight) {
         float[] picture = new float[width * height];
         Appearance[] skins = skins(sight);

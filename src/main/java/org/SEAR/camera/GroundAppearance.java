@@ -4,17 +4,20 @@ import org.SEAR.geometry.HeightGrid;
 import org.SEAR.terrain.relief.GroundGrain;
 import org.SEAR.terrain.relief.GroundPicture;
 
-/** Of a terrain: one picture over all of it with the light in it, a grain close by, haze far away. Immutable, any thread. */
+/**
+ * Appearance of a terrain: one picture over all of it that contains the light, a grain nearby, haze at a distance.
+ * Immutable, any thread.
+ */
 public final class GroundAppearance extends Appearance {
-    /** Metres after which the haze has taken two thirds, whatever the world; less where it is smaller. */
+    /** Distance at which haze replaces two thirds of the colour, metres; less in a smaller world. */
     private static final double CLEAR = 38_000;
     private static final double NEAREST_HAZE = 2500;
     private static final double OF_WORLD = 2.2;
-    /** Metres of height that halve the haze. */
+    /** Height that halves the haze, metres. */
     private static final double THIN = 3000;
     private static final double[] AIR = {255 * 0.75, 255 * 0.82, 255 * 0.87};
     private static final double GRAIN = 0.8;
-    /** Half of the distance over which the ground's slope is taken, as a share of the posts'. */
+    /** Half of the distance over which the slope of the ground is measured, as a share of the post spacing. */
     private static final double SLOPE = 0.02;
 
     private final HeightGrid field;
@@ -24,7 +27,7 @@ public final class GroundAppearance extends Appearance {
     private final double sizeZ;
     private final double clear;
 
-    /** @param picture over all of the field */
+    /** @param picture covers all of the field */
     public GroundAppearance(HeightGrid field, GroundPicture picture, double temperature) {
         super(temperature, false);
         this.field = field;

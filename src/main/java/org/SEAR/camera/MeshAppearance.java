@@ -2,7 +2,7 @@ package org.SEAR.camera;
 
 import org.SEAR.geometry.Triangles;
 
-/** Of a model: what its file says of each triangle. Immutable, any thread. */
+/** Appearance of a model: the materials that its file gives each triangle. Immutable, any thread. */
 public final class MeshAppearance extends Appearance {
     private final Triangles mesh;
     private final double[] scale;
@@ -14,8 +14,8 @@ public final class MeshAppearance extends Appearance {
     /**
      * @param scale along x, y and z
      * @param normals x, y and z of each vertex; null for flat triangles
-     * @param places u and v of each vertex; null without pictures
-     * @param paintOf the number of each triangle's paint; null for the first
+     * @param places texture coordinates u and v of each vertex; null without pictures
+     * @param paintOf number of each triangle's paint; null for the first
      */
     public MeshAppearance(Triangles mesh, double[] scale, float[] normals, float[] places, short[] paintOf, Paint[] paints, double temperature,
             boolean casting) {
@@ -53,7 +53,9 @@ public final class MeshAppearance extends Appearance {
         }
     }
 
-    /** With the corners' normals the light is even over edges; the plane's own counts for pictures. */
+    /**
+     * Interpolates the vertex normals, so that light is smooth across edges; the triangle's own normal is for pictures.
+     */
     @Override
     void shade(SurfaceHit s) {
         if (normals == null) {
@@ -71,7 +73,7 @@ public final class MeshAppearance extends Appearance {
         }
     }
 
-    /** The weight of one of the corners of a triangle at a point of its plane. */
+    /** Returns the barycentric weight of a triangle's corner at a point of its plane. */
     private double share(int first, int corner, int other, double x, double y, double z) {
         int a = mesh.indices[first];
         int b = mesh.indices[first + corner];

@@ -10,22 +10,22 @@ public final class Paint {
         this.color = color;
     }
 
-    /** A colour, 0xRRGGBB. */
+    /** Returns a paint of one colour, 0xRRGGBB. */
     public static Paint of(int color) {
         return new Paint(null, color);
     }
 
-    /** A picture. */
+    /** Returns a paint of a picture. */
     public static Paint of(Texture texture) {
         return new Paint(texture, 0);
     }
 
-    /** Whether places in a picture don't matter. */
+    /** Returns whether it is a colour, the same at all texture coordinates. */
     boolean isPlain() {
         return texture == null;
     }
 
-    /** Sets the spot's colour; see {@link Texture#look}. */
+    /** Sets the colour of a hit; see {@link Texture#look}. */
     void look(double u, double v, double ux, double vx, double uy, double vy, SurfaceHit spot) {
         if (texture == null) {
             spot.setColor(color);

@@ -5,8 +5,8 @@ import org.SEAR.geometry.Rotation;
 import org.SEAR.raycast.PictureBeams;
 
 /**
- * Makes strips of pictures, a row of tiles each: beams say what each pixel meets, the sun's beams what lies in the shadow, and skins what it looks
- * like. Holds what one thread needs for it; allocates nothing for a strip.
+ * Renders strips of pictures, one row of tiles each: beams find the surface of each pixel, beams to the sun find
+ * shadows, and appearances give the colours. Holds the buffers of one thread; allocates nothing per strip.
  */
 final class Painter {
     private static final int TILE = PictureBeams.TILE * PictureBeams.TILE;
@@ -15,7 +15,7 @@ final class Painter {
     private final PictureBeams beams;
     private final double near;
     private final double far;
-    /** What a direction changes by from pixel to pixel, metres one metre ahead. */
+    /** Distance between neighbouring pixels one metre ahead, metres. */
     private final double pitch;
     private final double[] depths;
     private final int[] shapes;
@@ -25,7 +25,7 @@ final class Painter {
     private final double[] sun = Daylight.toSun();
     private final double[] axes = new double[9];
     private final double[] frame = new double[12];
-    /** From the picture's frame to the shape's, and where the eye and the sun are there. */
+    /** Rotation from the picture's frame to the shape's, and the camera and the sun in the shape's frame. */
     private final double[] turn = new double[9];
     private final double[] eye = new double[3];
     private final double[] sunThere = new double[3];
@@ -41,7 +41,7 @@ final class Painter {
     private boolean[] casting;
     private int known;
 
-    /** @param pitch metres from pixel to pixel, one metre ahead */
+    /** @param pitch distance between neighbouring pixels one metre ahead, metres */
     Painter(PictureBeams beams, double pitch, double near, double far) {
         this.beams = beams;
         this.pitch = pitch;
@@ -64,7 +64,7 @@ final class Painter {
         return (beams.bottom(strip * beams.tilesAcross) - strip * PictureBeams.TILE) * beams.width;
     }
 
-    /** Metres along the axis; infinite where nothing is met between near and far. */
+    /** Renders depths along the axis, metres; infinite where nothing is between near and far. */
     void depths(RenderJob from, int strip, float[] picture) {
         cast(from, strip, 0);
         int base = strip * PictureBeams.TILE * beams.width;
@@ -75,9 +75,9 @@ final class Painter {
     }
 
     /**
-     * Degrees Celsius.
+     * Renders temperatures, degrees Celsius.
      *
-     * @param ofShapes the skin of each shape
+     * @param ofShapes appearance of each shape
      */
     void temperatures(RenderJob from, int strip, Appearance[] ofShapes, float[] picture) {
         cast(from, strip, near);
@@ -89,10 +89,10 @@ final class Painter {
     }
 
     /**
-     * 0xRRGGBB of each pixel.
+     * Renders colours, 0xRRGGBB.
      *
-     * @param ofShapes the skin of each shape
-     * @param castingShapes of each shape whether it casts a shadow
+     * @param ofShapes appearance of each shape
+     * @param castingShapes whether each shape casts a shadow
      */
     void colors(RenderJob from, int strip, Appearance[] ofShapes, boolean[] castingShapes, int[] picture) {
         cast(from, strip, near);
@@ -164,7 +164,7 @@ final class Painter {
         points[3 * number + 2] = sight.eye.z + t * (axes[6] * x + axes[7] * y + axes[8]);
     }
 
-    /** Brings eye, axes and sun into the frame of a shape. */
+    /** Transforms camera, axes and sun into the frame of a shape. */
     private void intersect(int shape) {
         known = shape;
         sight.scene.frame(shape, frame);

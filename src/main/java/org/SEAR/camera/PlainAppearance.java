@@ -1,6 +1,6 @@
 package org.SEAR.camera;
 
-/** Of what nothing is known: one colour, seen as if it looked to the eye. Immutable, any thread. */
+/** Appearance of an unknown shape: one colour, lit as if it faced the camera. Immutable, any thread. */
 public final class PlainAppearance extends Appearance {
     private final int color;
 

@@ -1,12 +1,15 @@
 package org.SEAR.camera;
 
-/** Places of a picture on a plane that it is laid on evenly: u = U p + u0, likewise v, as three corners have them. Immutable, any thread. */
+/**
+ * Linear texture map of a plane: u = U p + u0, likewise v, from the coordinates of three corners. Immutable, any
+ * thread.
+ */
 final class PlaneMap {
     private final double[] map = new double[8];
 
     /**
-     * @param corners x, y, z of three corners, metres
-     * @param places u, v of each
+     * @param corners x, y and z of three corners, metres
+     * @param places u and v of each
      */
     PlaneMap(double[] corners, double[] places) {
         double[] e = {corners[3] - corners[0], corners[4] - corners[1], corners[5] - corners[2]};
@@ -30,7 +33,7 @@ final class PlaneMap {
         return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     }
 
-    /** Sets the spot's colour. */
+    /** Sets the colour of a hit. */
     void look(Paint paint, SurfaceHit s) {
         double[] m = map;
         paint.look(m[0] * s.x + m[1] * s.y + m[2] * s.z + m[3], m[4] * s.x + m[5] * s.y + m[6] * s.z + m[7],

@@ -3,7 +3,7 @@ package org.SEAR.camera;
 import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
 
-/** What there is to be seen, and from where. Nobody moves anything in the scene while a picture of it is made. */
+/** Scene and viewpoint of a picture. The scene must not move while a picture is rendered. */
 public final class RenderJob {
     final BeamScene scene;
     final Appearances looks;
@@ -11,8 +11,8 @@ public final class RenderJob {
     final int ignoredOwner;
 
     /**
-     * @param eye x to the left, y up, z ahead
-     * @param ignoredOwner the robot that is not seen; {@link BeamScene#WORLD} for none
+     * @param eye pose of the camera: x to the left, y up, z ahead
+     * @param ignoredOwner invisible robot; {@link BeamScene#WORLD} for none
      */
     public RenderJob(BeamScene scene, Appearances looks, Pose eye, int ignoredOwner) {
         this.scene = scene;

@@ -1,13 +1,14 @@
 package org.SEAR.camera;
 
 /**
- * Of a cylinder or a cone about its y axis, its ends circles or ellipses: a picture once around its side, from +z counter-clockwise seen from above,
- * and on each of its caps. A wheel has spokes on its caps. Immutable, any thread.
+ * Appearance of a cylinder or a cone about its y axis, with circular or elliptic ends. One picture goes around its
+ * side, from +z counter-clockwise seen from above, another covers each cap. A wheel has spokes on its caps. Immutable,
+ * any thread.
  */
 public final class RoundAppearance extends Appearance {
-    /** A place is on a cap when it is so near to it, as a share of the height. */
+    /** Distance from a cap, as a share of the height, below which a position is on the cap. */
     private static final double ON_CAP = 1e-9;
-    /** Half width and half length of a wheel's spoke as shares of its radius. */
+    /** Half width and half length of a wheel's spoke, as shares of its radius. */
     private static final double SPOKE_WIDE = 0.18;
     private static final double SPOKE_LONG = 0.85;
 
@@ -19,8 +20,8 @@ public final class RoundAppearance extends Appearance {
     private final Paint spoke;
 
     /**
-     * @param half sizes along x, y and z, metres
-     * @param spoke of a wheel; null for none
+     * @param half half extents along x, y and z, metres
+     * @param spoke paint of a wheel's spokes; null for none
      */
     public RoundAppearance(double[] half, boolean cone, Paint paint, Paint spoke, double temperature) {
         super(temperature, true);
@@ -32,7 +33,7 @@ public final class RoundAppearance extends Appearance {
         this.spoke = spoke;
     }
 
-    /** 1 for a place on the upper cap, -1 on the lower one, 0 on the side. */
+    /** Returns 1 for a position on the upper cap, -1 on the lower one, 0 on the side. */
     private int cap(SurfaceHit s) {
         double edge = h * (1 - ON_CAP);
         double x = s.x / a;

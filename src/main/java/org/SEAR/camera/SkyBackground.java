@@ -1,6 +1,9 @@
 package org.SEAR.camera;
 
-/** The sky in a direction, as the window draws it: even between the rings, which are joined by flat bands. Immutable, any thread. */
+/**
+ * Colour of the sky by direction, as the window draws it: flat bands between rings, coloured linearly. Immutable, any
+ * thread.
+ */
 final class SkyBackground {
     private static final double FULL = 255;
     private static final float[][] RINGS = Daylight.rings();
@@ -18,7 +21,7 @@ final class SkyBackground {
     }
 
     /**
-     * What is seen in a direction of any length but 0.
+     * Sets the colour of the sky in a direction of any length but 0.
      *
      * @param spot takes red, green and blue
      */
@@ -31,7 +34,7 @@ final class SkyBackground {
         while (ring < RINGS.length - 2 && sine > SIN[ring + 1]) {
             ring++;
         }
-        // how far along the straight line from the lower ring to the upper one the direction goes through it
+        // share of the straight line from the lower to the upper ring at which the direction crosses it
         double below = sine * COS[ring] - cosine * SIN[ring];
         double above = SIN[ring + 1] * cosine - COS[ring + 1] * sine;
         double part = below + above == 0 ? 0 : Math.max(0, Math.min(1, below / (below + above)));

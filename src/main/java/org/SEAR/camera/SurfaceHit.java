@@ -1,34 +1,34 @@
 package org.SEAR.camera;
 
 /**
- * Where a beam of a picture has met a surface, in the surface's own frame, and what it sees there. Mutable, so that nothing is made anew for a pixel;
- * belongs to one thread.
+ * Point where a beam of a picture hits a surface, in the surface's frame, with the surface's colour there. Mutable, to
+ * avoid allocation per pixel; belongs to one thread.
  */
 public final class SurfaceHit {
-    /** The place, metres. */
+    /** Position, metres. */
     public double x;
     public double y;
     public double z;
-    /** The beam: how far ahead the place is, and what it goes for each metre ahead. */
+    /** Depth along the camera's axis, metres, and the beam's displacement per metre of depth. */
     public double depth;
     public double dx;
     public double dy;
     public double dz;
-    /** Where the place moves when the beam goes one pixel to the right, metres. */
+    /** Displacement of the position when the beam moves one pixel to the right, metres. */
     public double rightX;
     public double rightY;
     public double rightZ;
-    /** Where it moves when the beam goes one pixel down, metres. */
+    /** Displacement of the position when the beam moves one pixel down, metres. */
     public double downX;
     public double downY;
     public double downZ;
-    /** Number of a model's triangle, as its {@code Triangles} have it; -1 for others. */
+    /** Index of the triangle of a model, as in {@code Triangles}; -1 for other shapes. */
     public int part;
-    /** Outward normal of length 1. */
+    /** Outward unit normal. */
     public double nx;
     public double ny;
     public double nz;
-    /** What is seen: 0 to 255 each, before the light. */
+    /** Colour before lighting, 0 to 255 each. */
     public double red;
     public double green;
     public double blue;

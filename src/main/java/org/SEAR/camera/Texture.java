@@ -1,20 +1,23 @@
 package org.SEAR.camera;
 
 /**
- * A picture on a surface, with smaller and smaller ones of it (Williams, "Pyramidal parametrics", 1983): what a pixel covers is the mean of a few
- * places of the one in which it is about as large as a pixel, in a row along its longer side (as anisotropic filters do). Reckons in whole numbers
- * where it mixes, so that the bytes are the same everywhere. Immutable, any thread.
+ * Mipmapped texture (Williams, "Pyramidal parametrics", 1983) with anisotropic filtering: a pixel's colour is the mean
+ * of a few samples along its longer side, from the level whose pixels are about as large. Mixes in integers, so that
+ * the bytes are the same everywhere. Immutable, any thread.
  */
 public final class Texture {
-    /** Places at most that a pixel at a flat angle is the mean of. */
+    /** Largest number of samples of a pixel at a flat angle. */
     private static final int MAX_PLACES = 4;
-    /** By number of places: the part that each has of what a pixel covers, squared. */
+    /** Squared share of each sample, by number of samples. */
     private static final double[] PARTS = {1, 1, 1 / 4.0, 1 / 9.0, 1 / 16.0};
-    /** How much steeper than the size goes from one picture to the next smaller one: near either only that is looked at, which halves the work. */
+    /**
+     * Steepness of the blend between two levels relative to the size; near a level only that one is sampled, which
+     * halves the work.
+     */
     private static final double STEEPER = 3;
     private static final int BITS = 8;
     private static final int ONE = 1 << BITS;
-    /** Pixels by which a place in a row may be off what is reckoned for it at once. */
+    /** Bound of the rounding error of a sample's position, pixels. */
     private static final double ROUNDING = 1e-3;
     private static final int MANTISSA = 52;
     private static final int BIAS = 1023;
@@ -25,10 +28,10 @@ public final class Texture {
     private final boolean repeated;
 
     /**
-     * A picture.
+     * Creates a texture.
      *
      * @param pixels 0xRRGGBB, row by row from the top left
-     * @param repeated whether it goes on beyond its edges from the start, or with the pixels at its edges
+     * @param repeated whether the texture repeats beyond its edges; otherwise its edge pixels continue
      */
     public Texture(int width, int height, int[] pixels, boolean repeated) {
         int count = 1;
@@ -83,9 +86,9 @@ public final class Texture {
     }
 
     /**
-     * What a pixel sees.
+     * Sets the colour that a pixel sees.
      *
-     * @param u 0 at the picture's left edge, 1 at its right one
+     * @param u 0 at the texture's left edge, 1 at its right one
      * @param v 0 at its lower edge, 1 at its upper one
      * @param ux change of u for one pixel to the right, likewise vx
      * @param uy change of u for one pixel down, likewise vy
@@ -121,19 +124,19 @@ public final class Texture {
         }
     }
 
-    /** @param square of how many times longer than wide what a pixel covers is, where it is a pixel wide at least */
+    /** @param square squared ratio of length to width of a pixel's footprint */
     private static int places(double square) {
         return square > 9 ? MAX_PLACES : square > 4 ? 3 : square > 1 ? 2 : 1;
     }
 
-    /** The logarithm to base 2 of a number of 1 or more, straight between powers of 2. */
+    /** Returns the logarithm to base 2 of a number of at least 1, linear between powers of 2. */
     private static double logarithm(double value) {
         long bits = Double.doubleToRawLongBits(value);
         double mantissa = Double.longBitsToDouble(bits & (1L << MANTISSA) - 1 | (long) BIAS << MANTISSA);
         return (bits >>> MANTISSA) - BIAS + mantissa - 1;
     }
 
-    /** Adds the mean of places in a row, each the mean of the four pixels around it. */
+    /** Adds the mean of samples in a row, each the bilinear mean of four pixels. */
     private void add(int level, double u, double v, double stepU, double stepV, int places, double share, SurfaceHit spot) {
         int width = widths[level];
         int height = heights[level];
@@ -193,8 +196,9 @@ public final class Texture {
     }
 
     /**
-     * The same numbers where no place is at an edge. Red and blue are reckoned side by side, 32 bits apart, so that one multiplication does for
-     * both: a mean of two pixels takes 16 bits, one of four 24, and the sum of {@link #MAX_PLACES} of those 27.
+     * Does the same where no sample is at an edge. Red and blue are computed together, 32 bits apart, so that one
+     * multiplication serves both: a mean of two pixels takes 16 bits, one of four 24, and the sum of
+     * {@link #MAX_PLACES} of those 27.
      */
     private static void addWithin(int[] pixels, int width, double firstAcross, double firstDown, double stepAcross, double stepDown, int places,
             double scale, SurfaceHit spot) {
@@ -229,7 +233,7 @@ public final class Texture {
         spot.blue += scale * (int) redBlue;
     }
 
-    /** Red above the lower 32 bits, blue in them. */
+    /** Returns red above the lower 32 bits, and blue in them. */
     private static long apart(int rgb) {
         return (long) (rgb & 0xff0000) << 16 | rgb & 0xff;
     }

@@ -29,7 +29,7 @@ public interface DeviceContext {
     /** Hardware of the device's robot. */
     RobotHardware robot();
 
-    /** Reads a sensor at the present step. */
+    /** Reads a sensor at the current step. */
     <R extends Reading> R read(Sensor<R> sensor);
 
     /** Sensor of the device's own object (LIDAR, GPS); null for a robot's drive. */
@@ -43,10 +43,10 @@ public interface DeviceContext {
      */
     Sensor<?> sensor(String part);
 
-    /** Ground truth of the robot at the present step, for devices that report more than their sensor's reading. */
+    /** Ground truth of the robot at the current step, for devices that report more than their sensor's reading. */
     Truth truth();
 
-    /** Simulated seconds of the present step. */
+    /** Simulated seconds of the current step. */
     double time();
 
     /** UTC of simulated time 0, milliseconds since 1970. */

@@ -1,6 +1,6 @@
 package org.SEAR.devices;
 
-/** Motors and contact sensors of one robot, for its firmware, at the present step. Simulation thread only. */
+/** Motors and contact sensors of one robot, for its firmware, at the current step. Simulation thread only. */
 public interface RobotHardware {
     /**
      * Sets the speeds of the left and right driven wheels over ground, m/s; a servo with limited force reaches them.

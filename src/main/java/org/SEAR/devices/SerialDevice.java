@@ -93,7 +93,7 @@ public interface SerialDevice {
         return false;
     }
 
-    /** Its connected pins with their present state; empty for a device without pins. */
+    /** Its connected pins with their current state; empty for a device without pins. */
     default List<PinState> pinStates() {
         return List.of();
     }

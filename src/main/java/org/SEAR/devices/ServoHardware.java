@@ -15,7 +15,7 @@ public interface ServoHardware {
      */
     void setAngle(double degrees);
 
-    /** Present angle. */
+    /** Current angle. */
     double getAngle();
 
     /** Smallest possible angle. */

@@ -29,7 +29,7 @@ final class EpisodePlan {
     private double north;
     private double west;
 
-    /** Plan of the present world. */
+    /** Plan of the current world. */
     EpisodePlan(Simulation simulation) {
         this.simulation = simulation;
         outlines = Outline.of(simulation);

@@ -17,7 +17,7 @@ import org.SEAR.sensors.Truth;
 import org.SEAR.simulator.Simulation;
 
 /**
- * What a learner observes after a step: the readings of sensors, then the relative poses of objects, as from a beacon.
+ * Observation of a learner after a step: the readings of sensors, then the relative poses of objects, as from a beacon.
  * A LIDAR contributes each beam, right to left. Each number is a float of four bytes. Simulation thread.
  */
 final class Observation {

@@ -22,7 +22,7 @@ import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.orders.BodyOrder;
 
 /**
- * What a check sees of a pupil's run, and where it reports its findings. It trusts only the commands of a record: they
+ * Run of a pupil's script as a lesson's check sees it; takes the check's findings. It trusts only the commands of a record: they
  * run in the lesson's own world, and the robots' positions there count. Public because checks in Python call it. One
  * thread.
  */

@@ -41,7 +41,7 @@ final class ContactRows {
     private static final int POINTS = 11;
     /** Gap for zero displacement of both bodies in this step, metres. */
     private static final int BASE = PairRow.SIZE;
-    /** Present gap, metres. */
+    /** Current gap, metres. */
     private static final int GAP = BASE + 1;
     /** Restitution impulse of this substep, N s; part of the friction limit. */
     private static final int RESTITUTION_IMPULSE = BASE + 2;
@@ -480,7 +480,7 @@ final class ContactRows {
         return points[slot];
     }
 
-    /** Present gap at a point, metres. */
+    /** Current gap at a point, metres. */
     double gap(int slot, int i) {
         return data[slot * SIZE + POINTS + i * POINT + GAP];
     }

@@ -70,7 +70,7 @@ final class IslandSolver {
     private List<PairContacts> pairs;
     private final List<PairContacts> ofMeshes = new ArrayList<>();
     private List<WheelDrive> drives;
-    /** Hinges of the bodies' solids that turn in this step. */
+    /** Hinges that turn in this step. */
     private final List<Hinge> hinges = new ArrayList<>();
     private final ContactRows rows = new ContactRows();
     private final PositionCorrection correction = new PositionCorrection();

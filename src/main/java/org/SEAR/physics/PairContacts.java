@@ -218,7 +218,7 @@ final class PairContacts {
         }
     }
 
-    /** Whether a new search is due after a time at the present speed. */
+    /** Whether a new search is due after a time at the current speed. */
     boolean isSoonStale(double seconds) {
         return (fast + finder.stepGain()) * seconds > mostTravel();
     }

@@ -34,7 +34,7 @@ public final class Outline {
         this.color = ground && !shape.hasColor() ? WHITE : shape.getColor();
     }
 
-    /** Returns the outlines of the present world in drawing order: ground, objects, robots. Simulation thread. */
+    /** Returns the outlines of the current world in drawing order: ground, objects, robots. Simulation thread. */
     public static List<Outline> of(Simulation world) {
         List<Outline> all = new ArrayList<>();
         List<SearObject> environment = world.getProject().getEnvironment();

@@ -68,7 +68,7 @@ public final class Plan {
     }
 
     /**
-     * Returns the plan of the present world. Simulation thread.
+     * Returns the plan of the current world. Simulation thread.
      *
      * @param withBeams whether to read beam sensors; readings do not change
      */

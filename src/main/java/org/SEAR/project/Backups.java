@@ -29,7 +29,7 @@ final class Backups {
     /** Largest size of all backups together. */
     private static final long MAX_BYTES = 1L << 30;
     private static final int PIECE = 65536;
-    /** Replaces the size of a folder, and of an entry that is no plain file; the latter never equals another. */
+    /** Replaces the size of a folder, and of an entry that is not a plain file; the latter never equals another. */
     private static final long FOLDER = -1;
     private static final long OTHER = -2;
     /** Limits of the backups, for messages. */

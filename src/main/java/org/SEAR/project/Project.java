@@ -82,7 +82,7 @@ public final class Project {
     }
 
     /**
-     * Returns warnings about legal but probably unintended data: a file in {@code robot/} that is no robot's part, a
+     * Returns warnings about legal but probably unintended data: a file in {@code robot/} that is not part of a robot, a
      * missing picture.
      */
     public List<String> getWarnings() {

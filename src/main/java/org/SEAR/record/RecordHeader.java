@@ -27,7 +27,7 @@ public final class RecordHeader {
     private static final int LONGEST_NAME = 1000;
     private static final int LONGEST_INTERVAL = 3600;
 
-    /** What determines the run besides project and commands. */
+    /** Everything besides project and commands that determines the run. */
     public final RunOrigin origin;
     /** Step of the simulation at which the record begins. Only a record from step 0 can be rerun. */
     public final long firstStep;

@@ -372,7 +372,7 @@ public final class RunRecord {
         private int baud() throws IOException {
             int baud = in.readInt();
             if (baud < 0) {
-                throw new RecordException("after " + steps + " steps a port gets " + baud + " baud, legal: 0 or more");
+                throw new RecordException("after " + steps + " steps a port is set to " + baud + " baud, legal: 0 or more");
             }
             return baud;
         }

@@ -9,7 +9,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
 
 /**
- * Pictures at the camera's rate in simulated time. A reading is the last due picture or, before the first, a picture of
+ * Pictures at the camera's rate in simulated time. A reading is the last picture that was due or, before the first, a picture of
  * the present moment.
  *
  * <p>When a picture is due, the sensor stores only the poses of all objects, which costs almost nothing. It renders the
@@ -35,7 +35,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
     private Pose place;
     private long due = -1;
     private double dueTime;
-    /** Copy of the world at the time of the last due picture, if the world has moved on. */
+    /** Copy of the world at the time of the last picture that was due, if the world has moved on. */
     private BeamScene past;
     /** The world of the last picture, and the robot hidden in it. */
     private BeamScene seen;
@@ -110,7 +110,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
     }
 
     /**
-     * Returns the present distance along the axis of what a pixel of the last picture shows, metres. Infinite without
+     * Returns the current distance along the axis of what a pixel of the last picture shows, metres. Infinite without
      * anything in range; NaN without a picture. Simulation thread.
      */
     public double depth(int pixel) {

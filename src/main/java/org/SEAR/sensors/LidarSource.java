@@ -6,7 +6,7 @@ package org.SEAR.sensors;
  */
 public interface LidarSource {
     /**
-     * Returns a scan at the present step with a spread and resolution other than the object's. It has the same noise
+     * Returns a scan at the current step with a spread and resolution other than the object's. It has the same noise
      * and rules as the sensor's own reading. A pure function of truth, step and parameters.
      *
      * @param spreadDegrees from the rightmost to the leftmost beam, centred on the forward axis, (0, 360]

@@ -5,7 +5,7 @@ import org.SEAR.POJOs.SearObject;
 
 /**
  * Signed distance of the body's origin since the count was last reset, whole millimetres, 16 bit. Like a Roomba's
- * packet 19 it stops at 32767 or -32768 until it is read. Fractions of a millimetre carry over to the next reading.
+ * packet 19 it stops at 32767 or -32768 until it is taken. Fractions of a millimetre carry over to the next reading.
  *
  * <p>{@link #read} only reads, so that a window may show the count. {@link #take} reads and resets the count, like a
  * robot's program.

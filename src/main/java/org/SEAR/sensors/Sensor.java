@@ -63,7 +63,7 @@ public abstract class Sensor<R extends Reading> {
         mount = newMount;
     }
 
-    /** Returns the reading at the present step; measures at most once per step, on demand. */
+    /** Returns the reading at the current step; measures at most once per step, on demand. */
     public final R read(Truth truth) {
         if (!isRead(truth)) {
             last = measure(truth);

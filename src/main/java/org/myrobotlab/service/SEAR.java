@@ -405,7 +405,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Returns the present speed of a motor's wheels, rad/s, + forward. Several wheels are averaged.
+     * Returns the current speed of a motor's wheels, rad/s, + forward. Several wheels are averaged.
      *
      * @param name motor
      * @throws IllegalArgumentException unknown motor
@@ -439,7 +439,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Returns a servo's present angle, degrees, + counter-clockwise from above.
+     * Returns a servo's current angle, degrees, + counter-clockwise from above.
      *
      * @param name servo
      * @throws IllegalArgumentException unknown servo
@@ -929,7 +929,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Adds a robot from a bundle or folder and backs up the present project. Names and ports in use get a number. Parts
+     * Adds a robot from a bundle or folder and backs up the current project. Names and ports in use get a number. Parts
      * keep their names; ambiguous ones become {@code "robot/part"}.
      *
      * @param path bundle or folder
@@ -1408,7 +1408,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         return calls.attempt(() -> parts.nextState());
     }
 
-    /** Returns the whole present world, for a panel that opens during a run. */
+    /** Returns the whole current world, for a panel that opens during a run. */
     public Map<String, Object> getWorld() {
         return calls.attempt(() -> parts.wholeState());
     }

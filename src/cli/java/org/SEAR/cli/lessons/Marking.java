@@ -142,7 +142,7 @@ final class Marking {
 
     private Mark.Kind howItEnded(PupilProcess process, String script, List<String> missing) throws InterruptedException {
         if (process.isTooLarge()) {
-            missing.add("Your script took more than " + memory + " MB of memory and was stopped.");
+            missing.add("Your script used more than " + memory + " MB of memory and was stopped.");
             return Mark.Kind.TOO_LARGE;
         } else if (process.isTooLong()) {
             missing.add(String.format(Locale.ROOT, "Your script was stopped after %.0f s by the computer's clock: is there a loop "

@@ -205,7 +205,7 @@ public final class Razor implements SerialDevice {
     }
 
     /**
-     * Minimum and maximum of each axis since the calibration began; for the gyroscope the present value and the mean.
+     * Minimum and maximum of each axis since the calibration began; for the gyroscope the current value and the mean.
      */
     private String calibration(double[] values) {
         StringBuilder text = new StringBuilder(CALIBRATED[calibrated]);

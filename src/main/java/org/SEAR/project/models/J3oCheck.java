@@ -30,7 +30,7 @@ final class J3oCheck {
     }
 
     /**
-     * @throws IOException if the file is truncated, names a class that is no part of a scene, or counts more objects
+     * @throws IOException if the file is truncated, names a class that does not belong to a scene, or counts more objects
      *     than it contains
      */
     void check() throws IOException {

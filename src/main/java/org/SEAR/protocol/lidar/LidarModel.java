@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
  * A1M8, recordings of LMS1xx and TiM.
  */
 public enum LidarModel {
-    /** SICK, indoor, millimetres: up to 8 m as delivered, configurable up to 81.91 m. */
+    /** SICK, indoor, millimetres: up to 8 m with factory settings, configurable up to 81.91 m. */
     LMS200("LMS200", "SICK", LidarProtocol.LMS, 8.191, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25), Fans.of(180, 1, 0.5)),
     /** SICK, outdoor, centimetres. */
     LMS221("LMS221", "SICK", LidarProtocol.LMS, 80, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25), Fans.of(180, 1, 0.5)),
@@ -130,7 +130,7 @@ public enum LidarModel {
         return protocol;
     }
 
-    /** Range as delivered, metres. */
+    /** Range with factory settings, metres. */
     public double getRange() {
         return range;
     }
@@ -145,17 +145,17 @@ public enum LidarModel {
         return nearest;
     }
 
-    /** Angle from the rightmost to the leftmost measurement as delivered, degrees. */
+    /** Angle from the rightmost to the leftmost measurement with factory settings, degrees. */
     public double getSpread() {
         return spread;
     }
 
-    /** Angle between two measurements as delivered, degrees. */
+    /** Angle between two measurements with factory settings, degrees. */
     public double getResolution() {
         return resolution;
     }
 
-    /** Scan rate as delivered, scans per second. */
+    /** Scan rate with factory settings, scans per second. */
     public double getScanRate() {
         return scanRate;
     }

@@ -51,7 +51,7 @@ public enum MeasuringMode {
         return (1 << bits) - 1;
     }
 
-    /** Code for a hit beyond the measuring range, and smallest value that is no distance: 8183, 16375 or 32759. */
+    /** Code for a hit beyond the measuring range, and smallest value that is not a distance: 8183, 16375 or 32759. */
     public int getBeyondRange() {
         return getNothingHit() - OVERFLOWS;
     }

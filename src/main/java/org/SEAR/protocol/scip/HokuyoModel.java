@@ -48,7 +48,7 @@ public enum HokuyoModel {
         this.codes = codes;
     }
 
-    /** Finds the scanner of a LIDAR model; null if that is no Hokuyo. */
+    /** Finds the scanner of a LIDAR model; null for other makers. */
     public static HokuyoModel of(LidarModel lidar) {
         for (HokuyoModel model : values()) {
             if (model.lidar == lidar) {

@@ -11,7 +11,7 @@ import org.SEAR.physics.PhysicsWorld;
  * them as fast as the robot can without tipping over. Simulation thread.
  */
 final class DriveLimits {
-    /** Relative excess above the limit that is no reason for a warning. */
+    /** Relative excess above the limit that needs no warning. */
     private static final double TOLERANCE = 1e-6;
 
     private final String robot;

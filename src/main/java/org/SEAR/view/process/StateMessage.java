@@ -37,7 +37,7 @@ public final class StateMessage {
         this.picture = picture;
     }
 
-    /** Returns the present state of a world after its first step. */
+    /** Returns the current state of a world after its first step. */
     public static StateMessage of(WorldLink world) {
         return new StateMessage(world.sceneState(), world.isPaused(), world.measuredSpeed(), world.wantedSpeed(), world.scriptDrives(),
             world.picture());

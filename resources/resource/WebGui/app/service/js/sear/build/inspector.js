@@ -244,7 +244,7 @@ export function makeInspector(panel, world, edits) {
             inspector.inspected.name = edits.object.name
         })
     }
-    /** Returns the choices of a field for a driven wheel's name, including its present value. */
+    /** Returns the choices of a field for a driven wheel's name, including its current value. */
     inspector.choices = function(field) {
         var wheels = field.p.names === 'Wheel' && edits.object ? drivenWheels(world.shown(), edits.object.robot) : []
         return !wheels.length || !field.text || wheels.indexOf(field.text) >= 0 ? wheels : wheels.concat(field.text)
@@ -256,7 +256,7 @@ export function makeInspector(panel, world, edits) {
     }
     inspector.isSwitch = row => row.p.kind === 'switch'
     inspector.isColor = row => row.p.name === 'color' && !row.entries
-    /** What a switch's box shows: the value, or the default. */
+    /** State of a switch's box: the value, or the default. */
     inspector.isOn = row => (row.text || row.p['default']) === 'true'
     inspector.flip = function(row) {
         row.text = inspector.isOn(row) ? 'false' : 'true'

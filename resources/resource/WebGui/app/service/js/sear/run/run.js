@@ -13,7 +13,7 @@ var KEYS = {h: 'left', k: 'right', u: 'forward', j: 'backward', ';': 'stop', ent
 export function makeRun(panel, messages, world, problems, view, edits, picture) {
     var $scope = panel.scope
     var msg = panel.msg
-    var known = 1               // present speed of the simulation
+    var known = 1               // current speed of the simulation
     var driving = false         // whether a test drive waits for the simulation to start
     var fixed = []              // robots with a warning in this run that nothing steers them
     var before = null           // last message when this page started the simulation

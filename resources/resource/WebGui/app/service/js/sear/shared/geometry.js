@@ -56,7 +56,7 @@ export function between(a, b, share, seconds) {
     return [0, 1, 2].map(i => a[i] + (b[i] - a[i]) * share).concat(rotation.map(value => value / length))
 }
 
-/** Returns the present pose of a part in its robot's body, with wheel and servo rotations. @param i its number */
+/** Returns the current pose of a part in its robot's body, with wheel and servo rotations. @param i its number */
 export function placeOf(robot, i) {
     var part = robot.parts[i]
     if (part.type === 'Wheel' && robot.wheels) {

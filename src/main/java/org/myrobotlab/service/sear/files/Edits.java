@@ -18,7 +18,7 @@ import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
- * Edits of the present project for scripts and panels: those of {@link ProjectEditor}, and {@code undo} and
+ * Edits of the current project for scripts and panels: those of {@link ProjectEditor}, and {@code undo} and
  * {@code redo}. A move also moves the object in a running simulation. Any thread.
  *
  * <pre>

@@ -65,7 +65,7 @@ public final class Projects {
     }
 
     /**
-     * Moves the present project to a backup.
+     * Moves the current project to a backup.
      *
      * @return its new folder; null if there was no project
      */

@@ -34,7 +34,7 @@ public final class ScriptCameras {
     }
 
     /**
-     * Returns the last due picture.
+     * Returns the last picture that was due.
      *
      * @throws IllegalArgumentException with the available cameras
      */
@@ -100,7 +100,7 @@ public final class ScriptCameras {
         return (long) Math.floor(session.time() * ((Camera) session.getSimulation().getSensor(name).getParameters()).getRate() + ROUNDING);
     }
 
-    /** Returns the last due picture; null if no simulation with such a camera runs. */
+    /** Returns the last picture that was due; null if no simulation with such a camera runs. */
     public CameraImage look(String name) throws InterruptedException {
         return control.look((world, session) -> isThere(world, name) ? (CameraImage) world.read(name) : null, null);
     }

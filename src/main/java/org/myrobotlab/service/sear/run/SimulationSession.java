@@ -451,7 +451,7 @@ public final class SimulationSession {
         reportWarnings();
     }
 
-    /** Stops time until {@link #resume}; the present step is complete when this returns. */
+    /** Stops time until {@link #resume}; the current step is complete when this returns. */
     public void pause() throws InterruptedException {
         pauses.begin();
         runner.setPaused(true);

@@ -6,8 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.SEAR.project.problems.FileReasons;
+import org.SEAR.project.problems.PrintableText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
@@ -28,8 +28,9 @@ public final class GradeCommand implements Callable<Integer> {
     private Path path;
     @Option(names = "--lesson", paramLabel = "NAME|FOLDER", description = "Lesson of all scripts. Default: each script's name, as square.py.")
     private String lesson;
-    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "60", description = "Time limit of a script by the computer's clock. "
-        + "Default: ${DEFAULT-VALUE}.")
+    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "60",
+        description = "Limit of a script's processor time, and of the time "
+        + "in which it does nothing; ten times as long by the computer's clock. Default: ${DEFAULT-VALUE}.")
     private double limit;
     @Option(names = "--memory", paramLabel = "MB", defaultValue = "512", description = "Memory limit of a script with all processes that it starts. "
         + " Default: ${DEFAULT-VALUE}.")
@@ -52,19 +53,22 @@ public final class GradeCommand implements Callable<Integer> {
         check(limit > 0, "--limit is " + limit + ", legal: seconds above 0");
         check(memory >= MIN_MEMORY, "--memory is " + memory + ", legal: " + MIN_MEMORY + " megabytes or more");
         check(jobs == null || jobs > 0, "--jobs is " + jobs + ", legal: 1 or more");
-        PrintWriter err = spec.commandLine().getErr();
+        PrintWriter err = PrintableText.writer(spec.commandLine().getErr());
         try {
             List<Submission> all = Submission.in(path, lesson == null ? null : Lesson.find(lesson));
             boolean isOne = Files.isRegularFile(path);
-            AtomicInteger ready = new AtomicInteger();
-            List<Mark> marks = new Marking(limit, memory, seed, python3).all(all, jobs == null ? Runtime.getRuntime().availableProcessors() : jobs,
-                mark -> {
-                    if (!isOne) {
-                        err.println(ready.incrementAndGet() + " of " + all.size() + ": " + mark.pupil + ", " + mark.lesson + ": " + mark.kind.words);
-                        err.flush();
-                    }
-                });
             Path to = out == null && !isOne ? Path.of("marks") : out;
+            if (to != null) {
+                MarkTables.write(List.of(), to);
+            }
+            List<Mark> marks = new Marking(limit, memory, seed, python3).all(all, jobs == null ? Runtime.getRuntime().availableProcessors() : jobs,
+                (mark, ready) -> {
+                    if (!isOne) {
+                        err.println(ready.size() + " of " + all.size() + ": " + mark.pupil + ", " + mark.lesson + ": "
+                            + mark.kind.words);
+                    }
+                    store(ready, to, err);
+                });
             if (to != null) {
                 MarkTables.write(marks, to);
             }
@@ -76,6 +80,18 @@ public final class GradeCommand implements Callable<Integer> {
         }
     }
 
+    /** Writes the marks that are ready, so that they outlive this program; a failure may pass before the last mark. */
+    private static void store(List<Mark> ready, Path to, PrintWriter err) {
+        if (to == null) {
+            return;
+        }
+        try {
+            MarkTables.write(ready, to);
+        } catch (IOException e) {
+            err.println("sear grade: the marks could not be written: " + FileReasons.of(e));
+        }
+    }
+
     private void check(boolean isLegal, String what) {
         if (!isLegal) {
             throw new ParameterException(spec.commandLine(), what);
@@ -83,7 +99,7 @@ public final class GradeCommand implements Callable<Integer> {
     }
 
     private void report(List<Mark> marks, boolean isOne, Path to) {
-        PrintWriter screen = spec.commandLine().getOut();
+        PrintWriter screen = PrintableText.writer(spec.commandLine().getOut());
         if (isOne) {
             Mark mark = marks.get(0);
             screen.println(mark.isPassed() ? "Passed: all " + mark.asked + " of " + mark.asked + " requirements of lesson " + mark.lesson + "."

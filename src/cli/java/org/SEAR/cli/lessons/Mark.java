@@ -3,13 +3,15 @@ package org.SEAR.cli.lessons;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import org.SEAR.project.problems.PrintableText;
 
-/** The mark of one script, with reasons. Immutable. */
+/** The mark of one script, with reasons; its texts are safe for a terminal. Immutable. */
 final class Mark {
     /** Outcome of a script. */
     enum Kind {
         PASSED("passed"), NOT_YET("not yet"), FAILED("error"), ENDLESS("endless"), TOO_LARGE("too much memory"), NOTHING("nothing to mark"),
-        CHECK_FAILED("the check failed");
+        CHECK_FAILED("the check failed"), UNMARKED("not marked");
 
         final String words;
 
@@ -28,12 +30,12 @@ final class Mark {
     final Map<String, Double> measures;
 
     Mark(Submission of, Kind kind, int got, int asked, List<String> missing, Map<String, Double> measures) {
-        pupil = of.pupil;
+        pupil = PrintableText.of(of.pupil);
         lesson = of.lesson.getName();
         this.kind = kind;
         this.got = got;
         this.asked = asked;
-        this.missing = List.copyOf(missing);
+        this.missing = missing.stream().map(PrintableText::of).collect(Collectors.toUnmodifiableList());
         this.measures = new LinkedHashMap<>(measures);
     }
 

@@ -3,27 +3,29 @@ package org.SEAR.cli.lessons;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.function.Consumer;
-import java.util.stream.Collectors;
+import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 import org.SEAR.lessons.LessonRun;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.problems.ProjectException;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
-/** Marks scripts, several in parallel. */
+/** Marks scripts, several in parallel. No script changes another one's mark. */
 final class Marking {
+    private static final Logger LOG = LoggerFactory.getLogger(Marking.class);
     private static final String RECORD = "run.searlog";
     private static final double AFTER = 1;
 
@@ -34,7 +36,7 @@ final class Marking {
     private final Map<String, LessonCheck> checks = new HashMap<>();
 
     /**
-     * @param limit time for each script by the computer's clock, s
+     * @param limit processor time and idle time of each script, s
      * @param memory limit for each script, MB
      * @param python3 whether all scripts are Python 3
      */
@@ -49,10 +51,12 @@ final class Marking {
      * Marks scripts.
      *
      * @param jobs number of scripts marked in parallel
-     * @param done gets each mark when it is ready, one at a time
+     * @param done gets each mark when it is ready, and all marks until then in the order of the scripts; one call at a
+     *     time
      * @return the marks, in the order of the scripts
      */
-    List<Mark> all(List<Submission> submissions, int jobs, Consumer<Mark> done) throws IOException, InterruptedException {
+    List<Mark> all(List<Submission> submissions, int jobs, BiConsumer<Mark, List<Mark>> done) throws IOException,
+        InterruptedException {
         for (Submission one : submissions) {
             if (!checks.containsKey(one.lesson.getName())) {
                 checks.put(one.lesson.getName(), new LessonCheck(one.lesson));
@@ -60,44 +64,74 @@ final class Marking {
         }
         ExecutorService workers = Executors.newFixedThreadPool(jobs);
         try {
-            List<Future<Mark>> futures = new ArrayList<>();
-            for (Submission one : submissions) {
+            Map<Integer, Mark> marks = new TreeMap<>();
+            List<Future<?>> futures = new ArrayList<>();
+            for (int i = 0; i < submissions.size(); i++) {
+                int number = i;
                 futures.add(workers.submit(() -> {
-                    Mark mark = mark(one);
-                    synchronized (done) {
-                        done.accept(mark);
+                    Mark mark = mark(submissions.get(number));
+                    synchronized (marks) {
+                        marks.put(number, mark);
+                        done.accept(mark, List.copyOf(marks.values()));
                     }
                     return mark;
                 }));
             }
-            List<Mark> marks = new ArrayList<>();
-            for (Future<Mark> future : futures) {
-                marks.add(future.get());
+            for (Future<?> future : futures) {
+                future.get();
             }
-            return marks;
+            return List.copyOf(marks.values());
         } catch (ExecutionException e) {
-            throw new IOException(e.getCause() instanceof IOException ? e.getCause().getMessage() : e.getCause().toString(), e);
+            throw new IOException(e.getCause().toString(), e);
         } finally {
             workers.shutdownNow();
         }
     }
 
-    private Mark mark(Submission of) throws IOException, InterruptedException, ProjectException {
+    private Mark mark(Submission of) throws InterruptedException {
         if (of.script == null) {
             return new Mark(of, Mark.Kind.NOTHING, 0, 0, List.of("There is no script " + of.lesson.getName() + ".py."), Map.of());
         }
-        Path folder = Files.createTempDirectory("sear-mark");
         try {
-            return mark(of, folder);
-        } finally {
-            delete(folder);
+            return inFolders(of);
+        } catch (IOException | ProjectException | RuntimeException | StackOverflowError | OutOfMemoryError e) {
+            LOG.debug("{} of {} could not be marked", of.script, of.pupil, e);
+            String reason = e instanceof IOException ? FileReasons.of((IOException) e) : e.toString();
+            return new Mark(of, Mark.Kind.UNMARKED, 0, 0, List.of("SEAR could not mark your script: " + reason),
+                Map.of());
         }
     }
 
-    private Mark mark(Submission of, Path folder) throws IOException, InterruptedException, ProjectException {
+    private Mark inFolders(Submission of) throws IOException, InterruptedException, ProjectException {
+        Path pupils = Files.createTempDirectory("sear-mark");
+        try {
+            Path checks = Files.createTempDirectory("sear-check");
+            try {
+                return mark(of, pupils, checks);
+            } finally {
+                delete(checks);
+            }
+        } finally {
+            delete(pupils);
+        }
+    }
+
+    private static void delete(Path folder) {
+        String left = ScratchFolder.delete(folder);
+        if (left != null) {
+            LOG.warn("the temporary folder {} could not be deleted: {}", folder, left);
+        }
+    }
+
+    /**
+     * Marks one script.
+     *
+     * @param folder of the script, which may delete or fill it
+     * @param own folder of the check
+     */
+    private Mark mark(Submission of, Path folder, Path own) throws IOException, InterruptedException, ProjectException {
         LessonCheck check = checks.get(of.lesson.getName());
         Path run = Files.createDirectory(folder.resolve("run"));
-        Project world = of.lesson.unpack(folder.resolve("world"));
         of.lesson.unpack(run);
         String script = of.lesson.script().getFileName().toString();
         copy(of, run, script);
@@ -107,12 +141,13 @@ final class Marking {
         if (python3) {
             arguments.add("--python3");
         }
-        PupilProcess process = PupilProcess.run(run, arguments, limit, memory);
         String text = new String(Files.readAllBytes(of.script), StandardCharsets.UTF_8);
+        PupilProcess process = PupilProcess.run(run, arguments, limit, memory);
+        Project world = of.lesson.unpack(own.resolve("world"));
         LessonRun done = new LessonRun(world, run, text, process.getPrinted());
         List<String> missing = new ArrayList<>();
         Mark.Kind kind = howItEnded(process, script, missing);
-        if (!Files.exists(record)) {
+        if (!Files.isRegularFile(record, LinkOption.NOFOLLOW_LINKS)) {
             missing.add("Your script did not start a simulation: sear.startSimulation()");
             return new Mark(of, kind == null ? Mark.Kind.NOTHING : kind, 0, 0, missing, Map.of());
         }
@@ -144,9 +179,9 @@ final class Marking {
         if (process.isTooLarge()) {
             missing.add("Your script used more than " + memory + " MB of memory and was stopped.");
             return Mark.Kind.TOO_LARGE;
-        } else if (process.isTooLong()) {
-            missing.add(String.format(Locale.ROOT, "Your script was stopped after %.0f s by the computer's clock: is there a loop "
-                + "without sear.simSleep?", limit));
+        } else if (process.getTooLong() != null) {
+            missing.add("Your script was stopped: " + process.getTooLong()
+                + ". Is there a loop without sear.simSleep?");
             return Mark.Kind.ENDLESS;
         } else if (process.getStatus() != 0) {
             missing.add(error(process.getErrors(), script, process.getStatus()));
@@ -172,13 +207,5 @@ final class Marking {
             Files.deleteIfExists(run.resolve(script));
         }
         Files.copy(of.script, run.resolve(script));
-    }
-
-    private static void delete(Path folder) throws IOException {
-        try (Stream<Path> all = Files.walk(folder)) {
-            for (Path file : all.sorted(Comparator.reverseOrder()).collect(Collectors.toList())) {
-                Files.deleteIfExists(file);
-            }
-        }
     }
 }

@@ -5,24 +5,23 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
- * A pupil's script in its own process without a window. Limits of time and memory include all processes that it starts.
- * Single use; the waiting thread.
+ * A pupil's script in its own process without a window. Limits of time and memory include all processes that it starts,
+ * and all end with it. Single use; the waiting thread.
  */
 final class PupilProcess {
     /** Limit of kept output, bytes. */
     private static final int MAX_PRINTED = 200_000;
     private static final long LOOK_MILLIS = 100;
+    /** Ratio of the time between two searches for new processes to the time between two looks at the memory. */
+    private static final int SEARCH_EVERY = 5;
     /** Share of the memory limit for the heap; the rest is for the JVM itself. */
     private static final double HEAP_SHARE = 0.6;
     private static final int KILOBYTES = 1024;
@@ -30,10 +29,10 @@ final class PupilProcess {
     private static final Set<String> SCREENS = Set.of("DISPLAY", "WAYLAND_DISPLAY");
 
     private final Process process;
-    private final Set<ProcessHandle> all = new TreeSet<>();
+    private final ProcessFamily family;
     private final Printed out;
     private final Printed err;
-    private boolean tooLong;
+    private String tooLong;
     private boolean tooLarge;
 
     /** Output of the process; keeps its beginning and reads on. */
@@ -78,8 +77,9 @@ final class PupilProcess {
         }
     }
 
-    private PupilProcess(Process process) {
+    private PupilProcess(Process process, ProcessFamily family) {
         this.process = process;
+        this.family = family;
         out = new Printed(process.getInputStream());
         err = new Printed(process.getErrorStream());
     }
@@ -89,7 +89,7 @@ final class PupilProcess {
      *
      * @param folder working folder
      * @param arguments of {@code sear}
-     * @param limit time by the computer's clock, s
+     * @param limit processor time and idle time, s
      * @param memory limit, MB
      */
     static PupilProcess run(Path folder, List<String> arguments, double limit, int memory) throws IOException, InterruptedException {
@@ -97,19 +97,27 @@ final class PupilProcess {
         ManagementFactory.getRuntimeMXBean().getInputArguments().stream().filter(PupilProcess::isForAll).forEach(command::add);
         command.addAll(List.of("-Xmx" + (int) (HEAP_SHARE * memory) + "m", "-Xms16m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
             "-XX:+ExitOnOutOfMemoryError", "-XX:ActiveProcessorCount=1", "-Djava.awt.headless=true",
-            "-Dsear.home=" + System.getProperty("sear.home", "."), "-cp", System.getProperty("java.class.path"), "org.SEAR.cli.SearCommand"));
+            "-Dsear.parent=" + ProcessHandle.current().pid(), "-Dsear.home=" + System.getProperty("sear.home", "."),
+            "-cp",
+            System.getProperty("java.class.path"), "org.SEAR.cli.SearCommand"));
         command.addAll(arguments);
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
         builder.environment().keySet().removeAll(SCREENS);
-        Process process = builder.start();
-        process.getOutputStream().close();
-        PupilProcess pupil = new PupilProcess(process);
+        ProcessFamily family = new ProcessFamily();
+        Thread exit = new Thread(() -> end(family), "end of a script");
+        Runtime.getRuntime().addShutdownHook(exit);
         try {
-            pupil.watch(limit, memory);
+            Process process = family.start(builder);
+            process.getOutputStream().close();
+            PupilProcess pupil = new PupilProcess(process, family);
+            pupil.watch(new TimeLimit(limit), memory);
+            family.end();
+            process.waitFor();
+            return pupil;
         } finally {
-            pupil.kill();
+            family.end();
+            forget(exit);
         }
-        return pupil;
     }
 
     private static boolean isForAll(String option) {
@@ -118,46 +126,41 @@ final class PupilProcess {
             || option.startsWith("--sun-misc") || option.startsWith("--enable-native") || option.startsWith("-Dfile.encoding");
     }
 
-    private void watch(double limit, int memory) throws InterruptedException {
-        long end = System.nanoTime() + (long) (limit * TimeUnit.SECONDS.toNanos(1));
-        while (!process.waitFor(LOOK_MILLIS, TimeUnit.MILLISECONDS)) {
-            process.descendants().forEach(all::add);
-            tooLong = System.nanoTime() > end;
-            tooLarge = kilobytes() > (long) memory * KILOBYTES;
-            if (tooLong || tooLarge) {
+    /** Ends a script together with this program. */
+    private static void end(ProcessFamily family) {
+        try {
+            family.end();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private static void forget(Thread exit) {
+        try {
+            Runtime.getRuntime().removeShutdownHook(exit);
+        } catch (IllegalStateException e) {
+            return;     // this program is ending, and the hook runs
+        }
+    }
+
+    private void watch(TimeLimit limit, int memory) throws InterruptedException {
+        long start = System.nanoTime();
+        for (int look = 1; !process.waitFor(LOOK_MILLIS, TimeUnit.MILLISECONDS); look++) {
+            if (look % SEARCH_EVERY == 0) {
+                family.look();
+            }
+            tooLong = limit.exceeded((System.nanoTime() - start) / (double) TimeUnit.SECONDS.toNanos(1),
+                family.seconds());
+            tooLarge = family.kilobytes() > (long) memory * KILOBYTES;
+            if (tooLong != null || tooLarge) {
                 return;
             }
         }
     }
 
-    /** Returns the memory of the process and the processes that it started, kB; 0 if the system doesn't report it. */
-    private long kilobytes() {
-        return Stream.concat(Stream.of(process.toHandle()), all.stream()).mapToLong(one -> kilobytes(one.pid())).sum();
-    }
-
-    private static long kilobytes(long pid) {
-        Path status = Path.of("/proc", Long.toString(pid), "status");
-        if (!Files.isReadable(status)) {
-            return 0;
-        }
-        try (Stream<String> lines = Files.lines(status)) {
-            return lines.filter(line -> line.startsWith("VmRSS:")).mapToLong(line -> Long.parseLong(line.replaceAll("\\D", "")))
-                .findFirst().orElse(0);
-        } catch (IOException | java.io.UncheckedIOException e) {
-            return 0;       // the process has just ended
-        }
-    }
-
-    private void kill() throws InterruptedException {
-        process.descendants().forEach(all::add);
-        process.destroyForcibly();
-        all.forEach(ProcessHandle::destroyForcibly);
-        process.waitFor();
-    }
-
-    /** Returns whether the process was killed for taking too long. */
-    boolean isTooLong() {
-        return tooLong && !isTooLarge();
+    /** Returns what the script did for too long, so that it was killed; null if it wasn't. */
+    String getTooLong() {
+        return isTooLarge() ? null : tooLong;
     }
 
     /** Returns whether the process was killed for taking too much memory. */

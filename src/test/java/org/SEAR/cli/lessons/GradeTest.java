@@ -101,7 +101,8 @@ public class GradeTest {
         }
         assertEquals(text, 9, lines.size());
         assertTrue(text, lines.get("right").startsWith("right,square,passed,7,7,"));
-        assertTrue(text, lines.get("endless").startsWith("endless,square,endless,") && lines.get("endless").contains("is there a loop without"));
+        assertTrue(text, lines.get("endless").startsWith("endless,square,endless,")
+            && lines.get("endless").contains("Is there a loop without"));
         assertTrue(text, lines.get("forever").startsWith("forever,square,not yet,") && lines.get("forever").contains("of the second corner"));
         assertTrue(text, lines.get("greedy").startsWith("greedy,square,too much memory,0,0,"));
         assertTrue(text, lines.get("window").startsWith("window,square,error,") && lines.get("window").contains("at line 5: "));

@@ -112,6 +112,21 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         Runtime.getServices().forEach(service -> introduce(service, fresh)); // services added since the first pass
     }
 
+    /**
+     * Returns the interpreter.
+     *
+     * @throws IllegalStateException while this service starts, and after its release
+     */
+    private PythonEngine started() {
+        PythonEngine current = engine;
+        if (current == null) {
+            throw new IllegalStateException(Runtime.getService(getName()) == this ? getName()
+                + " is starting: try again in a moment"
+                : getName() + " has been released: start it again");
+        }
+        return current;
+    }
+
     /** Publishes a warning; {@code warn(String)} would publish an error. */
     private void caution(String text) {
         Status status = Status.warn("%s", text);
@@ -175,13 +190,15 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
      * @return whether it succeeded; without blocking, whether it was started
      */
     public boolean exec(String code, boolean blocking) {
+        PythonEngine current = started();
         if (!blocking) {
             startThread(() -> exec(code));
             return true;
         }
         begun();
         try {
-            return report(Python3Script.is(code.getBytes(StandardCharsets.UTF_8)) ? runPython3(code) : engine.run(code));
+            return report(Python3Script.is(code.getBytes(StandardCharsets.UTF_8)) ? runPython3(code)
+                : current.run(code));
         } finally {
             ended();
         }
@@ -193,7 +210,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
             Path file = folder.resolve("script.py");
             try {
                 Files.writeString(file, code);
-                return engine.exited(() -> python3.run(file, List.of()));
+                return started().exited(() -> python3.run(file, List.of()));
             } finally {
                 Files.deleteIfExists(file);
                 Files.delete(folder);
@@ -217,6 +234,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
             error("script %s can't be read: there is no such file", file);
             return false;
         }
+        PythonEngine current = started();
         if (!blocking) {
             startThread(() -> runConfigured(file));
             return true;
@@ -225,7 +243,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         try {
             Path path = Paths.get(file);
             boolean three = Python3Script.is(Files.readAllBytes(path));
-            return report(three ? engine.exited(() -> python3.run(path, engine.getArguments())) : engine.runFile(file));
+            return report(three ? current.exited(() -> python3.run(path, current.getArguments()))
+                : current.runFile(file));
         } finally {
             ended();
         }
@@ -254,7 +273,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     }
 
     public void execMethod(String method, Object... parms) {
-        report(engine.call(method, parms));
+        report(started().call(method, parms));
     }
 
     private void startThread(Runnable work) {
@@ -347,21 +366,21 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     // ---- variables ----------------------------------------------------------------------------------------------------
 
     public void set(String variable, Object value) {
-        engine.set(variable, value);
+        started().set(variable, value);
     }
 
     /** Returns a variable as a Java object; null if there is none. */
     public Object get(String variable) {
-        return engine.get(variable);
+        return started().get(variable);
     }
 
     public PyObject getPyObject(String variable) {
-        return engine.getPyObject(variable);
+        return started().getPyObject(variable);
     }
 
     /** Adds a folder to the module path. */
     public void addModulePath(String folder) {
-        engine.addModulePath(folder);
+        started().addModulePath(folder);
     }
 
     // ---- the editor ---------------------------------------------------------------------------------------------------

@@ -15,6 +15,7 @@ import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.function.ThrowingRunnable;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.framework.Talker;
 
@@ -46,6 +47,23 @@ public class PythonTest {
         assertTrue(python.exec("assert python.name == python.getName() == 'python'\n"
             + "assert Runtime.getService('python') is python\n"
             + "assert Platform.getLocalInstance() and Service and Python and sys.version_info[0] == 2\nsleep(0.001)"));
+    }
+
+    @Test
+    public void aCallBeforeTheStartIsCompleteSaysSo() {
+        Python late = (Python) Runtime.create("late", "Python");
+        for (ThrowingRunnable call : new ThrowingRunnable[] {() -> late.exec("1"), () -> late.exec("1", false),
+            () -> late.execMethod("f"),
+            () -> late.get("a")}) {
+            assertEquals("late is starting: try again in a moment", assertThrows(IllegalStateException.class,
+                call).getMessage());
+        }
+        assertFalse(late.stop());
+        late.startService();
+        assertTrue(late.exec("1"));
+        late.releaseService();
+        assertEquals("late has been released: start it again", assertThrows(IllegalStateException.class,
+            () -> late.exec("1")).getMessage());
     }
 
     /** A list of the 25,000 files of its jar would take a tenth of a script's start time. */

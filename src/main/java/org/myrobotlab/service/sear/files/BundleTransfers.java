@@ -1,32 +1,33 @@
 package org.myrobotlab.service.sear.files;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
  * Transfers bundles to and from a panel in a browser, in parts that fit MyRobotLab's messages (1 MiB). One upload and
- * one download at a time; a new one replaces the previous. Any thread.
+ * one download at a time, each in a temporary file; a new one replaces the previous. Memory holds one part. Any thread.
  */
 public final class BundleTransfers {
     /** Bytes of a part sent to a panel. */
     static final int PART = 192 * 1024;
-    /** Bytes of the largest bundle that panels may send. */
-    static final int GREATEST = 256 * 1024 * 1024;
+    /** Bytes of the largest bundle that panels may send, on the disk. */
+    private static final int GREATEST = 256 * 1024 * 1024;
     private static final String DOWNLOAD = "project.sear";
     /** Characters; file systems allow 255 bytes. */
     private static final int LONGEST_NAME = 60;
 
     private final Work save;
     private final Work load;
-    private ByteArrayOutputStream upload = new ByteArrayOutputStream();
     private int expected;
-    private byte[] download = {};
+    /** Contains the upload and the download; null before the first of them. */
+    private Path folder;
 
     /** An action on a bundle's file. */
     public interface Work {
@@ -53,8 +54,9 @@ public final class BundleTransfers {
      * @return whether this was the last part
      */
     public synchronized boolean receive(String name, int index, int count, String base64) throws Exception {
+        Path upload = file("upload");
         if (index == 0) {
-            upload = new ByteArrayOutputStream();
+            Files.deleteIfExists(upload);
             expected = 0;
         }
         if (index != expected || index >= count) {
@@ -62,22 +64,33 @@ public final class BundleTransfers {
                 + ": upload the file again");
         }
         byte[] part = decoded(name, base64);
-        if (upload.size() + (long) part.length > GREATEST) {
-            upload = new ByteArrayOutputStream();
+        if (index > 0 && Files.size(upload) + part.length > GREATEST) {
+            Files.delete(upload);
+            expected = 0;
             throw new IllegalArgumentException(name + " is larger than " + GREATEST + " bytes: copy it into MyRobotLab's folder and open its path");
         }
-        upload.write(part, 0, part.length);
+        Files.write(upload, part, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
         expected++;
         if (expected < count) {
             return false;
         }
-        byte[] whole = upload.toByteArray();
-        upload = new ByteArrayOutputStream();
+        expected = 0;
         withFile(fileName(name), file -> {
-            Files.write(file, whole);
+            Files.move(upload, file);
             load.on(file);
         });
         return true;
+    }
+
+    /** Returns a file in a folder that only this user can read, and that is deleted at the end of this program. */
+    private Path file(String name) throws IOException {
+        if (folder == null || !Files.isDirectory(folder)) {
+            folder = Files.createTempDirectory("sear-transfer");
+            folder.toFile().deleteOnExit();
+            folder.resolve("upload").toFile().deleteOnExit();
+            folder.resolve("download").toFile().deleteOnExit();
+        }
+        return folder.resolve(name);
     }
 
     /** Returns the user's file name without characters illegal here; errors and progress show it. */
@@ -103,21 +116,29 @@ public final class BundleTransfers {
         if (index == 0) {
             withFile(DOWNLOAD, this::keep);
         }
-        int count = Math.max(1, (download.length + PART - 1) / PART);
+        Path download = file("download");
+        long size = Files.exists(download) ? Files.size(download) : 0;
+        int count = (int) Math.max(1, (size + PART - 1) / PART);
         if (index < 0 || index >= count) {
             throw new IllegalArgumentException("part is " + index + ", legal: 0 to " + (count - 1));
         }
         Map<String, Object> part = new LinkedHashMap<>();
         part.put("index", index);
         part.put("count", count);
-        part.put("data", Base64.getEncoder().encodeToString(
-            Arrays.copyOfRange(download, index * PART, Math.min(download.length, (index + 1) * PART))));
+        byte[] bytes = new byte[(int) Math.max(0, Math.min(size - (long) index * PART, PART))];
+        if (size > 0) {
+            try (RandomAccessFile from = new RandomAccessFile(download.toFile(), "r")) {
+                from.seek((long) index * PART);
+                from.readFully(bytes);
+            }
+        }
+        part.put("data", Base64.getEncoder().encodeToString(bytes));
         return part;
     }
 
     private synchronized void keep(Path file) throws Exception {
         save.on(file);
-        download = Files.readAllBytes(file);
+        Files.move(file, file("download"), StandardCopyOption.REPLACE_EXISTING);
     }
 
     private static void withFile(String name, Work work) throws Exception {

@@ -14,10 +14,10 @@ import org.xnio.IoUtils;
  * incomplete bodies; {@link Connections} limits the time of each.
  */
 final class RequestBody {
-    /** Limit of one body, bytes. */
-    static final int LONGEST = 16 << 20;
+    /** Limit of one body, bytes: at most a sixteenth of the memory, of which text and arguments take several parts. */
+    static final int LONGEST = (int) Math.min(16 << 20, Runtime.getRuntime().maxMemory() / 16);
     /** Limit of all incomplete bodies, bytes. */
-    private static final int LARGEST_SUM = 64 << 20;
+    private static final int LARGEST_SUM = (int) Math.min(64 << 20, Runtime.getRuntime().maxMemory() / 8);
     private static final Semaphore ROOM = new Semaphore(LARGEST_SUM);
 
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();

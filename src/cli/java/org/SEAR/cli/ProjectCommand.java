@@ -11,6 +11,7 @@ import org.SEAR.project.Project;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.problems.FileReasons;
+import org.SEAR.project.problems.PrintableText;
 import org.SEAR.project.problems.ProjectException;
 import org.myrobotlab.service.sear.files.ExampleBundles;
 import picocli.CommandLine.ExitCode;
@@ -43,8 +44,8 @@ abstract class ProjectCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        PrintWriter out = spec.commandLine().getOut();
-        PrintWriter err = spec.commandLine().getErr();
+        PrintWriter out = PrintableText.writer(spec.commandLine().getOut());
+        PrintWriter err = PrintableText.writer(spec.commandLine().getErr());
         String unreadable = "sear " + spec.name() + ": " + path + " can't be read: ";
         try {
             print(ExampleBundles.with(path, found -> read(found, err)), path, out);

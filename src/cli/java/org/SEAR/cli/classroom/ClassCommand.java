@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.SEAR.project.problems.FileReasons;
+import org.SEAR.project.problems.PrintableText;
 import org.myrobotlab.embedded.web.Address;
 import org.myrobotlab.embedded.web.Token;
 import org.myrobotlab.service.sear.files.ExampleBundles;
@@ -71,7 +72,7 @@ public final class ClassCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        PrintWriter out = spec.commandLine().getOut();
+        PrintWriter out = PrintableText.writer(spec.commandLine().getOut());
         Classroom classroom;
         try {
             List<Pupil> pupils = pupils();

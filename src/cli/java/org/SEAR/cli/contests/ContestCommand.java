@@ -15,6 +15,7 @@ import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.problems.FileReasons;
+import org.SEAR.project.problems.PrintableText;
 import org.SEAR.project.problems.ProjectException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -54,7 +55,7 @@ public final class ContestCommand implements Callable<Integer> {
         if (!(limit > 0)) {
             throw new ParameterException(spec.commandLine(), "--limit is " + limit + ", legal: above 0");
         }
-        PrintWriter err = spec.commandLine().getErr();
+        PrintWriter err = PrintableText.writer(spec.commandLine().getErr());
         try {
             for (String part : List.of(WORLD, REFEREE)) {
                 if (!Files.isRegularFile(folder.resolve(part))) {
@@ -109,13 +110,13 @@ public final class ContestCommand implements Callable<Integer> {
     }
 
     private void report(Contest contest, String said) throws IOException {
-        PrintWriter screen = spec.commandLine().getOut();
+        PrintWriter screen = PrintableText.writer(spec.commandLine().getOut());
         StringBuilder csv = new StringBuilder("place,entry,points,time,bumps,why\n");
         screen.print(said);
         screen.printf("%-6s %-16s %8s %8s %6s  %s%n", "place", "entry", "points", "time", "bumps", "why");
         for (Entrant entry : contest.ranking()) {
             String points = number("%.6f", entry.getPoints()).replaceFirst("\\.?0+$", "");
-            String why = String.valueOf(entry.getWhy());
+            String why = PrintableText.of(String.valueOf(entry.getWhy()));
             String time = Double.isInfinite(entry.getTime()) ? "" : number("%.2f", entry.getTime());
             screen.printf("%-6d %-16s %8s %8s %6d  %s%n", contest.place(entry), entry.getName(), points, time, entry.getBumps(), why);
             csv.append(contest.place(entry)).append(',').append(entry.getName()).append(',').append(points).append(',').append(time).append(',')

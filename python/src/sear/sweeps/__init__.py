@@ -181,7 +181,7 @@ class _Sweep:
 
     def _tell(self, text):
         if not self._quiet:
-            print("sear sweep: " + text, file=sys.stderr, flush=True)
+            print(_plan.printable("sear sweep: " + text), file=sys.stderr, flush=True)
 
     def _progress(self, done, before, begun):
         """Prints the progress from time to time, and at the end."""
@@ -217,7 +217,7 @@ class _Sweep:
         self._limit, self._memory = there["limit"], there["memory"]
         answer = _worker.run({**self._common(), **self._part(number), "output": True})
         _worker.close()
-        print(answer.pop("output"), end="", file=sys.stderr)
+        print(_plan.printable(answer.pop("output")), end="", file=sys.stderr)
         new = self._row(self._part(number), answer)
         if old["version"] != new["version"]:
             self._tell("the row is from SEAR %s, this is %s" % (old["version"], new["version"]))

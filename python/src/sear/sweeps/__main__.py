@@ -3,6 +3,9 @@ import argparse
 import os
 import signal
 import sys
+import threading
+
+ENDS_WITH_INPUT = "SEAR_ENDS_WITH_INPUT"
 
 
 class _Parser(argparse.ArgumentParser):
@@ -29,6 +32,27 @@ def _interrupt(number, frame):
     raise KeyboardInterrupt
 
 
+def _end_with_input():
+    """Interrupts the sweep when standard input is closed, if `sear sweep` asks for it: that process has ended then,
+    even by kill -9."""
+    if os.environ.pop(ENDS_WITH_INPUT, None) is not None:
+        threading.Thread(target=_await_end, name="parent", daemon=True).start()
+
+
+def _await_end():
+    while os.read(0, 4096):
+        pass
+    os.kill(os.getpid(), signal.SIGTERM)
+
+
+def _report(text):
+    from . import _plan
+    try:
+        print(_plan.printable(text), file=sys.stderr)
+    except OSError:
+        pass    # the terminal or the reader of a pipe has gone; the tables have everything
+
+
 def main(arguments):
     """Returns the exit status."""
     from . import LIMIT, _plan, sweep_script
@@ -48,23 +72,26 @@ def main(arguments):
         workers = None if given.workers is None else _plan.whole("--workers", given.workers, 1, 1024)
         signal.signal(signal.SIGINT, _interrupt)
         signal.signal(signal.SIGTERM, _interrupt)
+        _end_with_input()
         rows = sweep_script(given.script, grid, seeds, python3=given.python3, workers=workers, scheduler=given.scheduler,
                             scheduler_file=given.scheduler_file, limit=limit, memory=memory, out=folder, fresh=given.fresh, again=given.again)
     except ValueError as error:
-        print("sear sweep: %s" % error, file=sys.stderr)
+        _report("sear sweep: %s" % error)
         return 2
     except (RuntimeError, OSError) as error:
-        print("sear sweep: %s" % error, file=sys.stderr)
+        _report("sear sweep: %s" % error)
         return 1
     except KeyboardInterrupt:
-        print("\nsear sweep: interrupted; the finished rows are in %s, and the same command continues" % folder, file=sys.stderr)
+        _report("\nsear sweep: interrupted; the finished rows are in %s, and the same command continues" % folder)
         return 130
-    if given.again is None:
-        print("%d rows in %s: %s" % (len(rows), folder, _counts(rows)))
-        for status in sorted({row["status"] for row in rows} - {"ok"}):
-            first = next(row for row in rows if row["status"] == status)
-            print("%s: row %d: %s" % (status, first["row"], first["message"]), file=sys.stderr)
-    return 0
+    if given.again is not None:
+        return 0
+    print("%d rows in %s: %s" % (len(rows), folder, _counts(rows)))
+    failed = sorted({row["status"] for row in rows} - {"ok"})
+    for status in failed:
+        first = next(row for row in rows if row["status"] == status)
+        _report("%s: row %d: %s" % (status, first["row"], first["message"]))
+    return 1 if failed else 0
 
 
 def _counts(rows):

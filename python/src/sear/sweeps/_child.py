@@ -18,6 +18,8 @@ import threading
 import time
 import types
 
+from . import _plan
+
 LENGTH = struct.Struct(">I")
 FRAME = re.compile(r'^ +File "(.*)", line (\d+)')
 MESSAGE_LENGTH = 2000
@@ -53,7 +55,11 @@ def _answer(answers, what):
 
 
 def shortened(traceback, script):
-    """Returns the message of a row: the line of the script and the error."""
+    """Returns the message of a row: the line of the script and the error, printable."""
+    return _plan.printable(_shortened(traceback, script))
+
+
+def _shortened(traceback, script):
     lines = traceback.rstrip().split("\n")
     frames = [found for found in map(FRAME.match, lines) if found]
     if not frames:
@@ -140,7 +146,7 @@ class _Runs:
             answer = work()
         except SystemExit as end:
             if end.code not in (None, 0):
-                message = "exit status %s" % end.code if isinstance(end.code, int) else str(end.code)
+                message = "exit status %s" % end.code if isinstance(end.code, int) else _plan.printable(str(end.code))
         except BaseException as error:
             told = self._errors.told(error)
             print(told, file=sys.stderr)
@@ -191,7 +197,6 @@ def _same(path, content):
 
 def _wrong(results, parameters):
     """Returns what is wrong with the results; None if nothing is."""
-    from . import _plan
     for name, value in results.items():
         if not _plan.legal_name(name) or name in parameters:
             return "result name is %s, legal: %s, and no parameter's name" % (_plan.shown(name), _plan.LEGAL_NAME)
@@ -223,7 +228,6 @@ def main():
     asked = queue.Queue()
     threading.Thread(target=_listen, args=(questions, asked), name="questions", daemon=True).start()
     try:
-        from . import _plan
         runs = _Runs(sys.argv[1])
         _answer(answers, {"version": _plan.version()})
     except Exception as error:

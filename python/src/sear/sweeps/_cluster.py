@@ -5,6 +5,7 @@ Workers in the sweeping program's process would import that program again and re
 """
 import json
 import os
+import signal
 import subprocess
 import sys
 
@@ -32,6 +33,8 @@ class Local:
         try:
             self._process.wait(20)
         except subprocess.TimeoutExpired:
+            if hasattr(os, "killpg"):
+                os.killpg(self._process.pid, signal.SIGKILL)
             self._process.kill()
         self._process.stdout.close()
 

@@ -9,6 +9,7 @@ from .. import _home
 
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
 TAKEN = ("row", "seed", "status", "message", "version", "digest")
+CONTROLS = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 LEGAL_NAME = "letters, digits and _, not a digit first, and none of " + ", ".join(TAKEN)
 SEED_LIMIT = 2 ** 63
 MOST_ROWS = 10_000_000
@@ -46,6 +47,11 @@ def positive(thing, value):
 def shown(value):
     """Formats a value for a message."""
     return '"%s"' % value if isinstance(value, str) else repr(value)
+
+
+def printable(given):
+    """Returns text safe for a terminal: control characters, except tabs and line breaks, become question marks."""
+    return CONTROLS.sub("?", given)
 
 
 def seeds_of(thing, given):

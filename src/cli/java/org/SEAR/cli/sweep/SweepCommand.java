@@ -24,10 +24,12 @@ import picocli.CommandLine.Spec;
 @Command(name = "sweep", mixinStandardHelpOptions = true,
     description = "Runs a script for each seed and combination of parameters, in many processes or on many computers, and writes a table of the "
         + "results. Needs Dask Distributed: python3 -m pip install numpy JPype1 distributed pyarrow.",
-    footer = "Exit status: 0 when all runs are complete, whatever their results, 1 when not, or when a repeated row differs, 2 for an invalid "
+    footer = "Exit status: 0 when all runs are ok, 1 when not, or when a repeated row differs, 2 for an invalid "
         + "command, 130 after Ctrl+C.")
 public final class SweepCommand implements Callable<Integer> {
     private static final int TIMEOUT_SECONDS = 30;
+    /** Environment variable: the Python process ends when its standard input is closed, as by this one's end. */
+    private static final String ENDS_WITH_INPUT = "SEAR_ENDS_WITH_INPUT";
 
     @Parameters(paramLabel = "SCRIPT.py", description = "A script as for sear SCRIPT.py. It reads sear.getParameter(\"NAME\", default) and "
         + "reports sear.setResult(\"NAME\", value).")
@@ -73,7 +75,8 @@ public final class SweepCommand implements Callable<Integer> {
                 command.add(option.longestName());
             }
         }
-        ProcessBuilder builder = new ProcessBuilder(command).inheritIO();
+        ProcessBuilder builder = new ProcessBuilder(command).inheritIO().redirectInput(ProcessBuilder.Redirect.PIPE);
+        builder.environment().put(ENDS_WITH_INPUT, "1");
         Path modules = Path.of(System.getProperty("sear.home", "."), "python");
         builder.environment().merge("PYTHONPATH", modules.toString(), (old, own) -> old + File.pathSeparator + own);
         try {

@@ -5,10 +5,17 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.SEAR.HowMany;
@@ -124,10 +131,13 @@ public class SweepTest {
             "kind = sear.getParameter('kind', 'good')", "while kind == 'endless': sleep(0.1)", "if kind == 'dies':",
             "    os.kill(os.getpid(), signal.SIGKILL)", "if kind == 'greedy':", "    much = b'x' * 1500000000",
             "    while True: sleep(0.1)",
-            "if kind == 'fails':", "    sear.loadProject('nowhere.sear')", "sear.setResult('answer', 42)", "sear.setResult('big', kind == 'good')"));
-        String out = sear(0, "sweep", "wrong.py", "--set", "kind=good,endless,dies,greedy,fails", "--set", "knd=1", "--workers", "2",
+            "if kind == 'fails':", "    sear.loadProject('nowhere.sear')", "if kind == 'escapes':",
+            "    raise ValueError('\\x1b[31mred')", "sear.setResult('answer', 42)",
+            "sear.setResult('big', kind == 'good')"));
+        String out = sear(1, "sweep", "wrong.py", "--set", "kind=good,endless,dies,greedy,fails,escapes", "--set",
+            "knd=1", "--workers", "2",
             "--limit", "20", "--memory", "1200", "--out", "out");
-        assertEquals("5 rows in out: 1 ok, 1 died, 1 failed, 1 memory, 1 time\n", out);
+        assertEquals("6 rows in out: 1 ok, 1 died, 2 failed, 1 memory, 1 time\n", out);
         assertTrue(said, said.contains("row 0 has not used parameter knd: does the script pass this name to sear.getParameter?\n"));
         assertTrue(said, said.contains("\ndied: row 2: the run's process was ended by SIGKILL\n"));
         List<String> rows = Files.readAllLines(folder.resolve("out/rows.csv")).stream().map(row -> row.replaceFirst(",[^,]*,[^,]*$", ""))
@@ -139,6 +149,49 @@ public class SweepTest {
         assertEquals("3,1,greedy,1,,,memory,the run's process used more than 1200 MB", rows.get(4));
         assertTrue(rows.get(5), rows.get(5).startsWith("4,1,fails,1,,,failed,") && rows.get(5).contains("line 12: ")
             && rows.get(5).contains("nowhere.sear"));
+        assertEquals("5,1,escapes,1,,,failed,line 14: ValueError: ?[31mred", rows.get(6));
+        sear(0, "sweep", "wrong.py", "--again", "5", "--out", "out");
+        assertTrue(said, said.contains("ValueError: ?[31mred") && said.indexOf(0x1b) < 0);
+    }
+
+    /** The script of a run connects to this test and waits for ever. The other processes hold a pipe open. */
+    @Test
+    public void allProcessesOfASweepEndWithItsCommand() throws Exception {
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            server.setSoTimeout((int) TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+            Files.writeString(folder.resolve("waits.py"), String.join("\n", "#!/usr/bin/env python3", "import socket",
+                "socket.create_connection(('127.0.0.1', " + server.getLocalPort() + ")).recv(1)"));
+            List<String> command = SearProcess.command("-Dsear.home=" + HOME);
+            command.addAll(List.of("sweep", "waits.py", "--seeds", "2", "--workers", "1"));
+            Path pipe = folder.resolve("pipe");
+            assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
+            Future<byte[]> output = CompletableFuture.supplyAsync(() -> whole(pipe));
+            ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
+                .redirectOutput(pipe.toFile());
+            builder.environment().put("PYTHONPATH", LIBRARIES);
+            builder.environment().put("SEAR_HOME", HOME);
+            Process process = builder.start();
+            List<ProcessHandle> all = List.of();
+            try (Socket script = server.accept()) {
+                all = process.descendants().collect(Collectors.toList());
+                process.destroyForcibly();
+                script.setSoTimeout((int) TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+                assertEquals(-1, script.getInputStream().read());
+                output.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            } finally {
+                all.forEach(ProcessHandle::destroyForcibly);
+                process.destroyForcibly();
+            }
+        }
+    }
+
+    /** Returns the content of a pipe, which ends when no process can write to it. */
+    private static byte[] whole(Path pipe) {
+        try (InputStream from = Files.newInputStream(pipe)) {
+            return from.readAllBytes();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     @Test

@@ -1,5 +1,7 @@
 package org.SEAR.collision;
 
+import org.SEAR.geometry.InertiaTensor;
+
 /** Box centred in the origin. Immutable. */
 public final class ConvexBox implements ConvexShape {
     private final double hx;
@@ -59,8 +61,8 @@ public final class ConvexBox implements ConvexShape {
     }
 
     @Override
-    public double[] inertia() {
-        return new double[] {(hy * hy + hz * hz) / 3, (hx * hx + hz * hz) / 3, (hx * hx + hy * hy) / 3};
+    public InertiaTensor inertia() {
+        return new InertiaTensor((hy * hy + hz * hz) / 3, (hx * hx + hz * hz) / 3, (hx * hx + hy * hy) / 3);
     }
 
     @Override

@@ -1,5 +1,7 @@
 package org.SEAR.collision;
 
+import org.SEAR.geometry.InertiaTensor;
+
 /** Ellipsoid with its axes along x, y and z, centred in the origin; a sphere if they are equal. Immutable. */
 public final class ConvexEllipsoid implements ConvexShape {
     private final double a;
@@ -41,8 +43,8 @@ public final class ConvexEllipsoid implements ConvexShape {
     }
 
     @Override
-    public double[] inertia() {
-        return new double[] {(b * b + c * c) / 5, (a * a + c * c) / 5, (a * a + b * b) / 5};
+    public InertiaTensor inertia() {
+        return new InertiaTensor((b * b + c * c) / 5, (a * a + c * c) / 5, (a * a + b * b) / 5);
     }
 
     @Override

@@ -7,6 +7,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.SEAR.geometry.InertiaTensor;
+import org.SEAR.geometry.VolumeIntegrals;
 
 /**
  * Convex hull of points (quickhull, Barber, Dobkin and Huhdanpaa 1996). No point is outside by more than
@@ -35,9 +37,8 @@ public final class ConvexHull implements ConvexShape {
     private final double radius;
     /** Shrinkage of the core towards the centre. */
     private final double drawn;
-    private final double[] centre = new double[3];
-    /** Mean squared distance from the centre along each axis, m^2. */
-    private final double[] moments = new double[3];
+    private final double[] centre;
+    private final InertiaTensor inertia;
 
     private ConvexHull(double[] points, List<Face> faces) {
         Set<Integer> used = new LinkedHashSet<>();
@@ -59,37 +60,20 @@ public final class ConvexHull implements ConvexShape {
             System.arraycopy(new double[] {face.nx, face.ny, face.nz, face.offset}, 0, planes, 4 * i, 4);
             polygons[i] = polygon(face);
         }
-        volume = weigh(points, faces);
+        VolumeIntegrals integrals = weigh(points, faces);
+        volume = integrals.volume();
+        centre = integrals.centre();
+        inertia = integrals.inertia();
         least = thinnest();
         radius = farthest();
         drawn = Math.min(DRAWN, ConvexRadius.of(Double.POSITIVE_INFINITY) / radius);
     }
 
-    /**
-     * Sums the tetrahedra between the first point and each face.
-     * @return volume, m^3
-     */
-    private double weigh(double[] p, List<Face> faces) {
-        int first = faces.get(0).a;
-        double sum = 0;
+    private static VolumeIntegrals weigh(double[] p, List<Face> faces) {
+        int first = 3 * faces.get(0).a;
+        VolumeIntegrals sum = new VolumeIntegrals(p[first], p[first + 1], p[first + 2]);
         for (Face face : faces) {
-            double[] n = cross(p, face.a, face.b, face.c);
-            double part = 0;
-            for (int axis = 0; axis < 3; axis++) {
-                part += n[axis] * (p[3 * face.a + axis] - p[3 * first + axis]) / 6;
-            }
-            sum += part;
-            for (int axis = 0; axis < 3; axis++) {
-                double total = p[3 * first + axis] + p[3 * face.a + axis] + p[3 * face.b + axis] + p[3 * face.c + axis];
-                double squares = square(p[3 * first + axis]) + square(p[3 * face.a + axis]) + square(p[3 * face.b + axis])
-                    + square(p[3 * face.c + axis]);
-                moments[axis] += part * (total * total + squares) / 20;
-                centre[axis] += part * (p[3 * first + axis] + p[3 * face.a + axis] + p[3 * face.b + axis] + p[3 * face.c + axis]) / 4;
-            }
-        }
-        for (int axis = 0; axis < 3; axis++) {
-            centre[axis] /= sum;
-            moments[axis] = moments[axis] / sum - square(centre[axis]);
+            sum.add(p, 3 * face.a, 3 * face.b, 3 * face.c);
         }
         return sum;
     }
@@ -98,10 +82,9 @@ public final class ConvexHull implements ConvexShape {
         return value * value;
     }
 
-    /** Omits the products of inertia: exact for bodies symmetrical to their axes. */
     @Override
-    public double[] inertia() {
-        return new double[] {moments[1] + moments[2], moments[0] + moments[2], moments[0] + moments[1]};
+    public InertiaTensor inertia() {
+        return inertia;
     }
 
     @Override

@@ -1,5 +1,7 @@
 package org.SEAR.collision;
 
+import org.SEAR.geometry.InertiaTensor;
+
 /** Cylinder or cone about the y axis, centred in the origin; a cone's apex is up. Immutable. */
 public final class ConvexRound implements ConvexShape {
     /** Corners of the polygon that approximates a round face. */
@@ -111,14 +113,14 @@ public final class ConvexRound implements ConvexShape {
     }
 
     @Override
-    public double[] inertia() {
+    public InertiaTensor inertia() {
         double square = bottom * bottom;
         if (top == 0) {
             double across = 0.15 * (square + half * half);
-            return new double[] {across, 0.3 * square, across};
+            return new InertiaTensor(across, 0.3 * square, across);
         }
         double across = square / 4 + half * half / 3;
-        return new double[] {across, square / 2, across};
+        return new InertiaTensor(across, square / 2, across);
     }
 
     @Override

@@ -1,5 +1,7 @@
 package org.SEAR.collision;
 
+import org.SEAR.geometry.InertiaTensor;
+
 /** Convex solid in its own frame. Implementations are immutable. */
 public interface ConvexShape {
     /**
@@ -22,8 +24,8 @@ public interface ConvexShape {
     /** Centre of mass at uniform density: {x, y, z}, metres. */
     double[] centre();
 
-    /** Moments of inertia per kilogram about the axes through {@link #centre}: {x, y, z}, m^2. */
-    double[] inertia();
+    /** Inertia tensor of one kilogram at uniform density about {@link #centre}, m^2. */
+    InertiaTensor inertia();
 
     /** Upper bound of the distance from the origin to the furthest point, metres. */
     double radius();

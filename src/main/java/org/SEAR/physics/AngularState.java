@@ -1,10 +1,13 @@
 package org.SEAR.physics;
 
 import org.SEAR.geometry.Placement;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.PrincipalAxes;
 
 /**
  * Orientation and torque-free rotation of a rigid body by Euler's equations: the angular momentum is constant, the axis
- * of rotation precesses. Integrates the quaternion by the fourth-order Runge-Kutta method. Simulation thread.
+ * of rotation precesses. Integrates the quaternion of the principal axes of inertia, which may be turned against the
+ * body's own axes, by the fourth-order Runge-Kutta method. Simulation thread.
  */
 final class AngularState {
     /** Largest rotation of one integration step, radians. */
@@ -19,10 +22,14 @@ final class AngularState {
     /** Relative difference of the moments of inertia below which the body rotates evenly about any axis. */
     private static final double EVEN = 1e-9;
 
+    /** Orientation of the principal axes of inertia in the world. */
     private double qx;
     private double qy;
     private double qz;
     private double qw = 1;
+    /** Principal axes in the body's frame. */
+    private Pose own = Pose.IDENTITY;
+    private final Placement principal = new Placement();
     private double jx;
     private double jy;
     private double jz;
@@ -34,42 +41,45 @@ final class AngularState {
     private final double[] rate = new double[4];
     private final double[] sum = new double[4];
 
-    /** @param x moment of inertia about its x axis, kg m^2, likewise y and z; 0: it does not rotate */
-    void setMoments(double x, double y, double z) {
-        jx = x;
-        jy = y;
-        jz = z;
-        inverseX = x > 0 ? 1 / x : 0;
-        inverseY = y > 0 ? 1 / y : 0;
-        inverseZ = z > 0 ? 1 / z : 0;
-        even = Math.abs(x - y) <= EVEN * x && Math.abs(x - z) <= EVEN * x;
+    /** @param axes principal axes in the body's frame; a body without moments does not rotate. Before {@link #set}. */
+    void setInertia(PrincipalAxes axes) {
+        own = axes.frame;
+        jx = axes.x;
+        jy = axes.y;
+        jz = axes.z;
+        inverseX = jx > 0 ? 1 / jx : 0;
+        inverseY = jy > 0 ? 1 / jy : 0;
+        inverseZ = jz > 0 ? 1 / jz : 0;
+        even = Math.abs(jx - jy) <= EVEN * jx && Math.abs(jx - jz) <= EVEN * jx;
     }
 
+    /** Sets the body's orientation in the world, a quaternion. */
     void set(double x, double y, double z, double w) {
-        qx = x;
-        qy = y;
-        qz = z;
-        qw = w;
+        qx = x * own.qw + w * own.qx + y * own.qz - z * own.qy;
+        qy = y * own.qw + w * own.qy + z * own.qx - x * own.qz;
+        qz = z * own.qw + w * own.qz + x * own.qy - y * own.qx;
+        qw = w * own.qw - x * own.qx - y * own.qy - z * own.qz;
         normalize();
     }
 
+    /** The body's orientation in the world, likewise {@link #qy}, {@link #qz} and {@link #qw}. */
     double qx() {
-        return qx;
+        return qx * own.qw - qw * own.qx - qy * own.qz + qz * own.qy;
     }
 
     double qy() {
-        return qy;
+        return qy * own.qw - qw * own.qy - qz * own.qx + qx * own.qz;
     }
 
     double qz() {
-        return qz;
+        return qz * own.qw - qw * own.qz - qx * own.qy + qy * own.qx;
     }
 
     double qw() {
-        return qw;
+        return qw * own.qw + qx * own.qx + qy * own.qy + qz * own.qz;
     }
 
-    /** Inverse moment of inertia, 1/(kg m^2), likewise about y and z. */
+    /** Inverse principal moment of inertia, 1/(kg m^2), likewise about y and z. */
     double inverseX() {
         return inverseX;
     }
@@ -82,9 +92,21 @@ final class AngularState {
         return inverseZ;
     }
 
-    /** Sets the rotation matrix. */
+    /** Sets the rotation matrix of the body. */
     void matrix(Placement into) {
-        into.setRotation(qx, qy, qz, qw);
+        into.setRotation(qx(), qy(), qz(), qw());
+    }
+
+    /**
+     * Returns the rotation matrix of the principal axes. Not a copy.
+     * @param body the one that {@link #matrix} has set
+     */
+    Placement principal(Placement body) {
+        if (own == Pose.IDENTITY) {
+            return body;
+        }
+        principal.setRotation(qx, qy, qz, qw);
+        return principal;
     }
 
     /**
@@ -97,7 +119,7 @@ final class AngularState {
             turnEvenly(v, speed, seconds);
             return;
         }
-        toBody(v[3], v[4], v[5], momentum);
+        toPrincipal(v[3], v[4], v[5], momentum);
         toWorld(momentum[0] * jx, momentum[1] * jy, momentum[2] * jz, momentum);
         double lx = momentum[0];
         double ly = momentum[1];
@@ -106,7 +128,7 @@ final class AngularState {
         for (int i = 0; i < pieces; i++) {
             piece(lx, ly, lz, seconds / pieces);
         }
-        toBody(lx, ly, lz, momentum);
+        toPrincipal(lx, ly, lz, momentum);
         toWorld(momentum[0] * inverseX, momentum[1] * inverseY, momentum[2] * inverseZ, momentum);
         v[3] = momentum[0];
         v[4] = momentum[1];
@@ -138,7 +160,7 @@ final class AngularState {
     }
 
     /**
-     * Solves Euler's equations in the body's axes by the midpoint rule and rotates the result with these axes, up to
+     * Solves Euler's equations in the principal axes by the midpoint rule and rotates the result with these axes, up to
      * the second order.
      */
     private void gyrateLittle(double[] v, double seconds) {
@@ -210,12 +232,16 @@ final class AngularState {
             qz = z + ahead * rate[2];
             qw = w + ahead * rate[3];
         }
-        set(x + sum[0], y + sum[1], z + sum[2], w + sum[3]);
+        qx = x + sum[0];
+        qy = y + sum[1];
+        qz = z + sum[2];
+        qw = w + sum[3];
+        normalize();
     }
 
     /** Computes the time derivative of the quaternion, 1/s, from an angular momentum in the world, N m s. */
     private void rate(double lx, double ly, double lz) {
-        toBody(lx, ly, lz, momentum);
+        toPrincipal(lx, ly, lz, momentum);
         double x = momentum[0] * inverseX / 2;
         double y = momentum[1] * inverseY / 2;
         double z = momentum[2] * inverseZ / 2;
@@ -225,7 +251,7 @@ final class AngularState {
         rate[3] = -qx * x - qy * y - qz * z;
     }
 
-    private void toBody(double x, double y, double z, double[] into) {
+    private void toPrincipal(double x, double y, double z, double[] into) {
         rotate(-qx, -qy, -qz, twice(), x, y, z, into);
     }
 

@@ -6,9 +6,11 @@ import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.PrincipalAxes;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.solid.Hinge;
 import org.SEAR.physics.solid.InnerMotion;
+import org.SEAR.physics.solid.MassProperties;
 import org.SEAR.physics.solid.Solid;
 
 /**
@@ -16,8 +18,8 @@ import org.SEAR.physics.solid.Solid;
  * axes and its origin in the centre of mass (cx, cy, cz). Simulation thread.
  */
 public final class Body {
-    /** Smallest moment of inertia per kilogram, m^2, so that thin bodies can be solved. */
-    private static final double MIN_INERTIA = 1e-4;
+    /** Smallest principal moment of inertia as a share of mass times squared reach; thinner bodies can't be solved. */
+    private static final double MIN_INERTIA = 1e-6;
 
     public final String name;
     public final double mass;
@@ -29,6 +31,8 @@ public final class Body {
     /** Pose of each solid in the body's frame. */
     public final Pose[] places;
     private int[] shapes = {};
+    private final MassProperties properties;
+    private final PrincipalAxes principal;
     private final double cx;
     private final double cy;
     private final double cz;
@@ -67,13 +71,13 @@ public final class Body {
         NONE, ABOUT_Y, BALL
     }
 
-    /**
-     * @param mass kg, 0 = fixed
-     * @param centre centre of mass in the body's frame: {x, y, z}, metres
-     */
-    public Body(String name, double mass, List<Solid> solids, Pose[] places, double[] centre, Pose start) {
+    /** @param properties in the body's frame; {@link MassProperties#FIXED} for a fixed body */
+    public Body(String name, MassProperties properties, List<Solid> solids, Pose[] places, Pose start) {
         this.name = name;
-        this.mass = mass;
+        this.properties = properties;
+        mass = properties.mass;
+        principal = PrincipalAxes.of(properties.inertia);
+        double[] centre = properties.centre();
         this.solids = solids;
         this.places = places;
         this.cx = centre[0];
@@ -130,9 +134,7 @@ public final class Body {
         reach = reach();
         leastHalf = mass > 0 ? solids.stream().mapToDouble(solid -> solid.convex().least()).min().orElse(0) : 0;
         rolls = !robot && mass > 0 && solids.stream().anyMatch(solid -> solid.convex().isRound());
-        double[] moments = mass > 0 ? moments() : new double[3];
-        double least = mass * MIN_INERTIA;
-        solver.setMass(mass, Math.max(moments[0], least), Math.max(moments[1], least), Math.max(moments[2], least));
+        solver.setMass(mass, principal.atLeast(MIN_INERTIA * mass * reach * reach));
         put(start);
         carried = false;
         group = 0;
@@ -148,29 +150,6 @@ public final class Body {
         turningSpeed = 0;
         touching = false;
         shapeVersion++;    // known contacts are invalid
-    }
-
-    /**
-     * Returns the moments of inertia about the axes through the centre of mass, kg m^2: of a single unrotated solid its
-     * own, otherwise those of the enclosing box.
-     */
-    private double[] moments() {
-        if (solids.size() == 1 && places[0].qw == 1) {
-            double[] each = solids.get(0).convex().inertia();
-            return new double[] {mass * each[0], mass * each[1], mass * each[2]};
-        }
-        Aabb all = new Aabb();
-        for (int i = 0; i < placed.length; i++) {
-            set(places[i], placed[i].place);
-            placed[i].bound();
-            all.add(placed[i].box);
-        }
-        placedAt = -1;
-        double halfX = (all.maxX - all.minX) / 2;
-        double halfY = (all.maxY - all.minY) / 2;
-        double halfZ = (all.maxZ - all.minZ) / 2;
-        return new double[] {mass / 3 * (halfY * halfY + halfZ * halfZ), mass / 3 * (halfX * halfX + halfZ * halfZ),
-            mass / 3 * (halfX * halfX + halfY * halfY)};
     }
 
     private static void set(Pose pose, Placement into) {
@@ -552,6 +531,11 @@ public final class Body {
     public void setStart(Pose newStart) {
         start = newStart;
         pose = newStart;
+    }
+
+    /** Mass, centre of mass and inertia tensor, in the body's frame. */
+    public MassProperties getMassProperties() {
+        return properties;
     }
 
     /** Centre of mass in the body's frame: {x, y, z}, metres. */

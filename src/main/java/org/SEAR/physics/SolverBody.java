@@ -3,6 +3,7 @@ package org.SEAR.physics;
 import java.util.Arrays;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.PrincipalAxes;
 
 /**
  * State of a rigid body in double precision: contacts and wheels change it, substeps integrate it. Its frame has the
@@ -54,13 +55,13 @@ public final class SolverBody {
     private long moves;
 
     /**
-     * Sets mass and moments of inertia.
+     * Sets mass and inertia. Before {@link #put}.
      * @param mass kg, 0 = it never moves
-     * @param x moment of inertia about its x axis, kg m^2, likewise y and z
+     * @param inertia principal moments and axes in the body's frame
      */
-    void setMass(double mass, double x, double y, double z) {
+    void setMass(double mass, PrincipalAxes inertia) {
         inverseMass = mass > 0 ? 1 / mass : 0;
-        spin.setMoments(mass > 0 ? x : 0, mass > 0 ? y : 0, mass > 0 ? z : 0);
+        spin.setInertia(inertia);
         refresh();
     }
 
@@ -267,15 +268,16 @@ public final class SolverBody {
     private void refresh() {
         moves++;
         spin.matrix(place);
+        Placement axes = spin.principal(place);
         double x = spin.inverseX();
         double y = spin.inverseY();
         double z = spin.inverseZ();
-        i00 = place.m00 * place.m00 * x + place.m01 * place.m01 * y + place.m02 * place.m02 * z;
-        i01 = place.m00 * place.m10 * x + place.m01 * place.m11 * y + place.m02 * place.m12 * z;
-        i02 = place.m00 * place.m20 * x + place.m01 * place.m21 * y + place.m02 * place.m22 * z;
-        i11 = place.m10 * place.m10 * x + place.m11 * place.m11 * y + place.m12 * place.m12 * z;
-        i12 = place.m10 * place.m20 * x + place.m11 * place.m21 * y + place.m12 * place.m22 * z;
-        i22 = place.m20 * place.m20 * x + place.m21 * place.m21 * y + place.m22 * place.m22 * z;
+        i00 = axes.m00 * axes.m00 * x + axes.m01 * axes.m01 * y + axes.m02 * axes.m02 * z;
+        i01 = axes.m00 * axes.m10 * x + axes.m01 * axes.m11 * y + axes.m02 * axes.m12 * z;
+        i02 = axes.m00 * axes.m20 * x + axes.m01 * axes.m21 * y + axes.m02 * axes.m22 * z;
+        i11 = axes.m10 * axes.m10 * x + axes.m11 * axes.m11 * y + axes.m12 * axes.m12 * z;
+        i12 = axes.m10 * axes.m20 * x + axes.m11 * axes.m21 * y + axes.m12 * axes.m22 * z;
+        i22 = axes.m20 * axes.m20 * x + axes.m21 * axes.m21 * y + axes.m22 * axes.m22 * z;
     }
 
     /** Counter that changes with every movement. */

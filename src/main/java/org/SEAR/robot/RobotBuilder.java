@@ -14,6 +14,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.solid.BoxSolid;
+import org.SEAR.physics.solid.MassProperties;
 import org.SEAR.physics.solid.RoundSolid;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
@@ -62,7 +63,8 @@ public final class RobotBuilder {
             add(bareBody(), Pose.IDENTITY, true, 1);
         }
         radius = reach();
-        double[] centroid = centroid();
+        MassProperties masses = masses();
+        double[] centroid = masses.centre();
         double[] centre = CentreOfMass.place(centroid, weighed(), robot.getWheels());
         springs = SpringDesign.of(dynamics, robot.getWheels(), centre, lowest());
         for (Wheel wheel : robot.getWheels()) {
@@ -77,7 +79,7 @@ public final class RobotBuilder {
             all[i] = places.get(i).times(solids.get(i).offset);
         }
         Pose start = StartPose.of(robot, dynamics, warnings);
-        body = new Body(robot.getName(), dynamics.getMass(), solids, all, centre, start);
+        body = new Body(robot.getName(), masses.withCentre(centre).withMass(dynamics.getMass()), solids, all, start);
         body.setRobot();
         hasFarWheels = UnitMistakes.report(robot, shapes, warnings);
         stability = new Stability(centre, feet(), Math.hypot(centre[0] - centroid[0], centre[2] - centroid[2]) > MIN_MOVE);
@@ -116,9 +118,9 @@ public final class RobotBuilder {
         }
     }
 
-    /** Masses determine the centre of mass if there are any, otherwise volumes do. */
+    /** Masses determine the distribution if there are any, otherwise volumes do. */
     private double weight(Shape part, Solid solid) {
-        return isWeighed() ? part.getMass() : solid.convex().volume();
+        return isWeighed() ? part.getMass() : solid.volume();
     }
 
     private boolean isWeighed() {
@@ -160,19 +162,14 @@ public final class RobotBuilder {
         return new BoxSolid(halfX, BARE / 2, halfZ, Pose.IDENTITY);
     }
 
-    private double[] centroid() {
-        double[] sum = new double[3];
-        double total = 0;
+    /** Returns the mass properties of the components in the body frame, with their weights for masses. */
+    private MassProperties masses() {
+        List<MassProperties> parts = new ArrayList<>();
         for (int i = 0; i < solids.size(); i++) {
-            double[] inSolid = solids.get(i).convex().centre();
-            double[] centre = places.get(i).times(solids.get(i).offset).transform(inSolid[0], inSolid[1], inSolid[2]);
-            double weight = weights.get(i);
-            sum[0] += centre[0] * weight;
-            sum[1] += centre[1] * weight;
-            sum[2] += centre[2] * weight;
-            total += weight;
+            Pose place = places.get(i).times(solids.get(i).offset);
+            parts.add(solids.get(i).perKilogram().withMass(weights.get(i)).inParent(place));
         }
-        return new double[] {sum[0] / total, sum[1] / total, sum[2] / total};
+        return MassProperties.sum(parts);
     }
 
     /** Returns y of the lowest point of the components in the body frame, metres. */

@@ -77,7 +77,7 @@ final class ServoMounts {
             Solid solid = shapes.shapes.get(parts.get(i));
             double mass = solid == null ? 0 : ((Shape) parts.get(i)).getMass();
             for (int carrier = carriers[i]; mass > 0 && carrier != NONE; carrier = carriers[carrier]) {
-                servos[carrier].getLoad().add(i, mass, solid.offset, solid.convex().centre(), solid.convex().inertia());
+                servos[carrier].getLoad().add(i, solid.perKilogram().withMass(mass).inParent(solid.offset));
             }
         }
     }

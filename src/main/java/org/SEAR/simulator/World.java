@@ -23,6 +23,7 @@ import org.SEAR.physics.start.GroundDistanceCheck;
 import org.SEAR.physics.start.StartPoses;
 import org.SEAR.physics.start.DensityCheck;
 import org.SEAR.physics.start.SizeCheck;
+import org.SEAR.physics.solid.MassProperties;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.ObjectPose;
@@ -196,11 +197,11 @@ final class World implements PhysicsWorld.Touches {
         if (solid == null) {
             return null;
         }
-        Pose place = solid.offset;
         double mass = ((Shape) object).getMass();
-        double[] centre = mass > 0 ? solid.convex().centre() : new double[3];
-        return new Body(object.getName(), mass, Collections.singletonList(solid), new Pose[] {place},
-            place.transform(centre[0], centre[1], centre[2]), ObjectPose.of(object));
+        MassProperties properties = mass > 0 ? solid.perKilogram().inParent(solid.offset).withMass(mass)
+            : MassProperties.FIXED;
+        return new Body(object.getName(), properties, Collections.singletonList(solid), new Pose[] {solid.offset},
+            ObjectPose.of(object));
     }
 
     /** Puts everything back to its start. */

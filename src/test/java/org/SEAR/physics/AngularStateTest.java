@@ -4,6 +4,8 @@ import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 
 import java.util.Random;
+import org.SEAR.geometry.InertiaTensor;
+import org.SEAR.geometry.PrincipalAxes;
 import org.junit.Test;
 
 /** Torque-free bodies and a top conserve energy and angular momentum. */
@@ -19,6 +21,12 @@ public class AngularStateTest {
     @Test
     public void aTTumbles() throws Exception {
         SpinScenes.tumblingT(findings);
+        findings.assertHold();
+    }
+
+    @Test
+    public void anLTumblesAboutAnAxisOffItsOwn() throws Exception {
+        SpinScenes.tumblingL(findings);
         findings.assertHold();
     }
 
@@ -47,8 +55,9 @@ public class AngularStateTest {
         for (int i = 0; i < 1000; i++) {
             AngularState free = spin(random.nextLong());
             AngularState held = new AngularState();
-            held.setMoments(1, 2, 2.5);
-            free.setMoments(1, 2, 2.5);
+            PrincipalAxes axes = PrincipalAxes.of(new InertiaTensor(1, 2, 2.5));
+            held.setInertia(axes);
+            free.setInertia(axes);
             held.set(free.qx(), free.qy(), free.qz(), free.qw());
             double[] v = {0, 0, 0, 5 * random.nextGaussian(), 5 * random.nextGaussian(), 5 * random.nextGaussian()};
             double[] wanted = v.clone();

@@ -45,6 +45,7 @@ public final class BodyReport {
         }
         all.put("tumblingbox", SpinScenes::tumblingBox);
         all.put("tumblingT", SpinScenes::tumblingT);
+        all.put("tumblingL", SpinScenes::tumblingL);
         all.put("rod", SpinScenes::nutatingRod);
         all.put("disc", SpinScenes::wobblingDisc);
         all.put("top", SpinScenes::top);

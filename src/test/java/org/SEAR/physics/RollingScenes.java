@@ -33,21 +33,31 @@ final class RollingScenes {
 
     /** Rolls a ball of 5 cm radius; at 30 degrees it reaches 210 rad/s. */
     static void ball(double degrees, double seconds, Findings into) throws Exception {
+        ball(0.05, degrees, seconds, into);
+    }
+
+    static void ball(double radius, double degrees, double seconds, Findings into) throws Exception {
         try (Stage stage = new Stage()) {
             slope(degrees);
-            put(new Sphere("thing", 0.05, 2), 0.05, degrees);
-            roll(stage, "ball down " + degrees + " degrees for " + seconds + " s", degrees, 5.0 / 7, 0.05, seconds, into);
+            put(new Sphere("thing", radius, 2), radius, degrees);
+            roll(stage, "ball of " + radius + " m down " + degrees + " degrees for " + seconds + " s", degrees, 5.0 / 7,
+                radius, seconds, into);
         }
     }
 
     /** Rolls a cylinder of 5 cm radius. */
     static void cylinder(double degrees, double seconds, Findings into) throws Exception {
+        cylinder(0.05, 0.1, degrees, seconds, into);
+    }
+
+    static void cylinder(double radius, double length, double degrees, double seconds, Findings into) throws Exception {
         try (Stage stage = new Stage()) {
             slope(degrees);
-            Cylinder cylinder = new Cylinder("thing", 0.05, 0.1, 2);
-            put(cylinder, 0.05, degrees);
+            Cylinder cylinder = new Cylinder("thing", radius, length, 2);
+            put(cylinder, radius, degrees);
             cylinder.rotate(90, 0, 0);
-            roll(stage, "cylinder down " + degrees + " degrees for " + seconds + " s", degrees, 2.0 / 3, 0.05, seconds, into);
+            roll(stage, "cylinder of " + radius + " m down " + degrees + " degrees for " + seconds + " s", degrees,
+                2.0 / 3, radius, seconds, into);
         }
     }
 

@@ -22,6 +22,14 @@ public class RollingTest {
         findings.assertHold();
     }
 
+    /** Their moments of inertia are 1e-5 and 2e-6 m^2 per kilogram. */
+    @Test
+    public void aMarbleAndAThinRodRoll() throws Exception {
+        RollingScenes.ball(0.005, 5, 1, findings);
+        RollingScenes.cylinder(0.002, 0.5, 5, 0.5, findings);
+        findings.assertHold();
+    }
+
     @Test
     public void aConeSwingsAboutItsApex() throws Exception {
         for (double degrees : new double[] {5, 15, 30}) {

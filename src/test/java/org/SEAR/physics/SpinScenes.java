@@ -1,5 +1,6 @@
 package org.SEAR.physics;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,7 +9,8 @@ import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
-import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.InertiaTensor;
+import org.SEAR.geometry.PrincipalAxes;
 import org.SEAR.simulator.BodyRun;
 
 /** Torque-free bodies and a top, which conserve energy and angular momentum. */
@@ -17,6 +19,10 @@ final class SpinScenes {
     private static final double SHARE = 0.01;
     private static final double SECONDS = 10;
     private static final double HIGH = 600;
+
+    /** Sides of a box in a model's file; corners count from 1. */
+    private static final int[][] SIDES = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5}, {3, 7, 8, 4}, {1, 5, 7, 3},
+        {2, 4, 8, 6}};
 
     private SpinScenes() {
     }
@@ -29,27 +35,47 @@ final class SpinScenes {
         }
     }
 
-    /** A T-handle as on a space station. Its convex hull has the mass. */
+    /** A T-handle as on a space station. */
     static void tumblingT(Findings into) throws Exception {
         try (Stage stage = new Stage(2)) {
-            Path file = stage.folder().resolve("assets/t.obj");
-            Files.createDirectories(file.getParent());
-            StringBuilder text = new StringBuilder();
-            int count = 0;
-            for (double[] box : new double[][] {{-0.15, 0.15, 0.1, 0.14, -0.02, 0.02}, {-0.02, 0.02, -0.1, 0.1, -0.02, 0.02}}) {
-                for (int i = 0; i < 8; i++) {
-                    text.append("v ").append(box[i & 1]).append(' ').append(box[2 + (i >> 1 & 1)]).append(' ').append(box[4 + (i >> 2)]).append('\n');
-                }
-                for (int[] side : new int[][] {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5}, {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}}) {
-                    text.append("f ").append(side[0] + count).append(' ').append(side[1] + count).append(' ').append(side[2] + count).append('\n');
-                    text.append("f ").append(side[0] + count).append(' ').append(side[2] + count).append(' ').append(side[3] + count).append('\n');
-                }
-                count += 8;
-            }
-            Files.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
+            model(stage, "t.obj", new double[][] {{-0.15, 0.15, 0.1, 0.14, -0.02, 0.02},
+                {-0.02, 0.02, -0.1, 0.1, -0.02, 0.02}});
             new Model("thing", "t.obj", 1).move(0, HIGH, 0);
             tumble("T tumbling about its middle axis", stage, 0.01, 10, 0.01, true, into);
         }
+    }
+
+    /** An L of two unequal legs with a foot to one side: all three products of inertia differ from 0. */
+    static void tumblingL(Findings into) throws Exception {
+        try (Stage stage = new Stage(2)) {
+            model(stage, "l.obj", new double[][] {{0, 0.3, 0, 0.04, 0, 0.04}, {0, 0.04, 0.04, 0.2, 0, 0.04},
+                {0.26, 0.3, 0, 0.04, 0.04, 0.14}});
+            new Model("thing", "l.obj", 1).move(0, HIGH, 0);
+            tumble("L tumbling about its middle axis", stage, 0.01, 10, 0.01, true, into);
+        }
+    }
+
+    /** Writes a model made from boxes: {minX, maxX, minY, maxY, minZ, maxZ} each, metres. */
+    private static void model(Stage stage, String name, double[][] boxes) throws IOException {
+        Path file = stage.folder().resolve("assets").resolve(name);
+        Files.createDirectories(file.getParent());
+        StringBuilder text = new StringBuilder();
+        int count = 0;
+        for (double[] box : boxes) {
+            for (int i = 0; i < 8; i++) {
+                text.append("v ").append(box[i & 1]).append(' ').append(box[2 + (i >> 1 & 1)]).append(' ')
+                    .append(box[4 + (i >> 2)]).append('\n');
+            }
+            for (int[] side : SIDES) {
+                text.append('f');
+                for (int corner : side) {
+                    text.append(' ').append(corner + count);
+                }
+                text.append('\n');
+            }
+            count += 8;
+        }
+        Files.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
     }
 
     /** A long rod turns fast about its long axis and slowly about another: torque-free precession. */
@@ -69,19 +95,22 @@ final class SpinScenes {
     }
 
     /**
-     * @param wy of the first angular velocity, rad/s, about the middle axis if {@code tips}, else about y; likewise wx
-     *     and wz about the other axes
+     * @param wy of the first angular velocity, rad/s, about the middle principal axis if {@code tips}, else about y;
+     *     likewise wx and wz about the other axes
      * @param tips whether the body must flip about its middle axis
      */
     private static void tumble(String scene, Stage stage, double wx, double wy, double wz, boolean tips, Findings into) throws Exception {
         BodyRun run = stage.start();
         into.in(scene);
-        int middle = tips ? middle(run) : 1;
+        PrincipalAxes axes = PrincipalAxes.of(tensor(run));
+        int middle = tips ? middle(axes) : 1;
         double[] spin = {wx, tips ? wx : wy, wz};
         if (tips) {
             spin[middle] = wy;
         }
-        run.set("thing", 0, 0, 0, spin[0], spin[1], spin[2]);
+        double[] first = axis(run, axes, middle);
+        double[] w = axes.frame.rotate(spin[0], spin[1], spin[2]);
+        run.set("thing", 0, 0, 0, w[0], w[1], w[2]);
         double energy = energy(run);
         double[] momentum = momentum(run);
         double least = energy;
@@ -94,7 +123,8 @@ final class SpinScenes {
             most = Math.max(most, energy(run));
             double[] now = momentum(run);
             off = Math.max(off, length(now[0] - momentum[0], now[1] - momentum[1], now[2] - momentum[2]) / length(momentum));
-            over = Math.min(over, axis(run, middle)[middle]);
+            double[] tipped = axis(run, axes, middle);
+            over = Math.min(over, tipped[0] * first[0] + tipped[1] * first[1] + tipped[2] * first[2]);
         }
         into.atLeast("least energy of turning, shares of the first", 1 - SHARE, least / energy);
         into.atMost("greatest energy of turning, shares of the first", 1 + SHARE, most / energy);
@@ -104,17 +134,18 @@ final class SpinScenes {
         }
     }
 
-    private static double[] axis(BodyRun run, int axis) {
-        Pose pose = run.pose("thing");
-        return pose.rotate(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+    /** Returns the direction of a principal axis in the world. */
+    private static double[] axis(BodyRun run, PrincipalAxes axes, int axis) {
+        double[] own = axes.frame.rotate(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+        return run.pose("thing").rotate(own[0], own[1], own[2]);
     }
 
-    private static double[] moments(BodyRun run) {
-        return run.body("thing").solids.get(0).convex().inertia();
+    private static InertiaTensor tensor(BodyRun run) {
+        return run.body("thing").getMassProperties().inertia;
     }
 
-    private static int middle(BodyRun run) {
-        double[] moments = moments(run);
+    private static int middle(PrincipalAxes axes) {
+        double[] moments = {axes.x, axes.y, axes.z};
         for (int i = 0; i < 3; i++) {
             double a = moments[(i + 1) % 3];
             double b = moments[(i + 2) % 3];
@@ -125,22 +156,32 @@ final class SpinScenes {
         throw new IllegalStateException("two moments of inertia are the same");
     }
 
-    /** Returns the angular velocity in the body's own frame, rad/s. */
+    /** Returns the angular momentum in its own frame, N m s. */
+    private static double[] ownMomentum(BodyRun run) {
+        double[] w = own(run);
+        double[][] rows = tensor(run).toRows();
+        double[] momentum = new double[3];
+        for (int i = 0; i < 3; i++) {
+            momentum[i] = rows[i][0] * w[0] + rows[i][1] * w[1] + rows[i][2] * w[2];
+        }
+        return momentum;
+    }
+
+    /** Returns the angular velocity in its own frame, rad/s. */
     private static double[] own(BodyRun run) {
         double[] v = run.velocities("thing");
         return run.pose("thing").rotateBack(v[3], v[4], v[5]);
     }
 
     private static double energy(BodyRun run) {
-        double[] moments = moments(run);
+        double[] momentum = ownMomentum(run);
         double[] w = own(run);
-        return (moments[0] * w[0] * w[0] + moments[1] * w[1] * w[1] + moments[2] * w[2] * w[2]) / 2;
+        return (momentum[0] * w[0] + momentum[1] * w[1] + momentum[2] * w[2]) / 2;
     }
 
     private static double[] momentum(BodyRun run) {
-        double[] moments = moments(run);
-        double[] w = own(run);
-        return run.pose("thing").rotate(moments[0] * w[0], moments[1] * w[1], moments[2] * w[2]);
+        double[] momentum = ownMomentum(run);
+        return run.pose("thing").rotate(momentum[0], momentum[1], momentum[2]);
     }
 
     private static double length(double... v) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.solid.BoxSolid;
+import org.SEAR.physics.solid.Solid;
 import org.junit.Test;
 
 /** {@link StackOrder}: heights of bodies in a stack, and the order in which their contacts are solved. */
@@ -16,7 +17,8 @@ public class StackOrderTest {
     private final StackOrder levels = new StackOrder();
 
     private static Body body(String name, double mass) {
-        Body body = new Body(name, mass, List.of(new BoxSolid(0.1, 0.1, 0.1, Pose.IDENTITY)), new Pose[] {Pose.IDENTITY}, new double[3],
+        Solid box = new BoxSolid(0.1, 0.1, 0.1, Pose.IDENTITY);
+        Body body = new Body(name, box.perKilogram().withMass(mass), List.of(box), new Pose[] {Pose.IDENTITY},
             Pose.IDENTITY);
         body.restart();
         return body;

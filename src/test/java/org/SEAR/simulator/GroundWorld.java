@@ -11,6 +11,7 @@ import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.start.StartPoses;
+import org.SEAR.physics.solid.MassProperties;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.ObjectPose;
@@ -32,14 +33,15 @@ public final class GroundWorld {
     private long steps;
 
     public GroundWorld(Solid ground, Project project, Shape... things) throws Exception {
-        Body body = new Body("ground", 0, Collections.singletonList(ground), new Pose[] {Pose.IDENTITY}, new double[3], Pose.IDENTITY);
+        Body body = new Body("ground", MassProperties.FIXED, Collections.singletonList(ground),
+            new Pose[] {Pose.IDENTITY}, Pose.IDENTITY);
         physics.add(body);
         body.addTo(scenes, Collections.singletonList(true), -1, 1);
         scenes.addGround(body);
         for (Shape thing : things) {
             Solid solid = Solids.of(thing, project, new ArrayList<>());
-            Body one = new Body(thing.getName(), thing.getMass(), Collections.singletonList(solid), new Pose[] {solid.offset},
-                solid.convex().centre(), ObjectPose.of(thing));
+            Body one = new Body(thing.getName(), solid.perKilogram().withMass(thing.getMass()),
+                Collections.singletonList(solid), new Pose[] {solid.offset}, ObjectPose.of(thing));
             physics.add(one);
             one.addTo(scenes, Collections.singletonList(true), -1, 1);
             bodies.add(one);

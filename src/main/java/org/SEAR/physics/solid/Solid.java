@@ -66,6 +66,16 @@ public abstract class Solid {
         return convex;
     }
 
+    /** Volume at uniform density, m^3. */
+    public double volume() {
+        return convex().volume();
+    }
+
+    /** Returns one kilogram of the solid at uniform density, in its frame. */
+    public MassProperties perKilogram() {
+        return MassProperties.of(convex());
+    }
+
     final void setSurface(Surface newSurface) {
         surface = newSurface;
     }

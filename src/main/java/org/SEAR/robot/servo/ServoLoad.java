@@ -3,6 +3,7 @@ package org.SEAR.robot.servo;
 import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.geometry.Pose;
+import org.SEAR.physics.solid.MassProperties;
 
 /**
  * Mass mounted on a servo: moment of inertia about the servo's axis, and torque of the weight. Neglects the robot's own
@@ -22,30 +23,21 @@ public final class ServoLoad {
     /** Part with a mass. */
     private static final class Weight {
         private final int part;
-        private final double mass;
-        private final Pose offset;
-        private final double[] centre;
-        private final double[] moments;
+        private final MassProperties properties;
 
-        Weight(int part, double mass, Pose offset, double[] centre, double[] moments) {
+        Weight(int part, MassProperties properties) {
             this.part = part;
-            this.mass = mass;
-            this.offset = offset;
-            this.centre = centre;
-            this.moments = moments;
+            this.properties = properties;
         }
     }
 
     /**
      * Adds a part.
      * @param part its index among the components
-     * @param mass kg
-     * @param offset pose of its solid in the component's frame
-     * @param centre of mass in the solid's frame, {x, y, z}, metres
-     * @param moments of inertia about the solid's axes through the centre of mass, per kilogram, m^2
+     * @param properties in the component's frame
      */
-    public void add(int part, double mass, Pose offset, double[] centre, double[] moments) {
-        weights.add(new Weight(part, mass, offset, centre, moments));
+    public void add(int part, MassProperties properties) {
+        weights.add(new Weight(part, properties));
     }
 
     /**
@@ -64,18 +56,19 @@ public final class ServoLoad {
         double sumY = 0;
         double sumZ = 0;
         for (Weight weight : weights) {
-            Pose solid = places[weight.part].times(weight.offset);
-            double[] centre = solid.transform(weight.centre[0], weight.centre[1], weight.centre[2]);
+            double mass = weight.properties.mass;
+            double[] own = weight.properties.centre();
+            double[] centre = places[weight.part].transform(own[0], own[1], own[2]);
             double x = centre[0] - at.x;
             double y = centre[1] - at.y;
             double z = centre[2] - at.z;
             double along = x * axisX + y * axisY + z * axisZ;
-            double[] own = solid.rotateBack(axisX, axisY, axisZ);
-            inertia += weight.mass * (x * x + y * y + z * z - along * along + weight.moments[0] * own[0] * own[0]
-                + weight.moments[1] * own[1] * own[1] + weight.moments[2] * own[2] * own[2]);
-            sumX += weight.mass * x;
-            sumY += weight.mass * y;
-            sumZ += weight.mass * z;
+            double[] turned = places[weight.part].rotateBack(axisX, axisY, axisZ);
+            inertia += mass * (x * x + y * y + z * z - along * along)
+                + weight.properties.inertia.about(turned[0], turned[1], turned[2]);
+            sumX += mass * x;
+            sumY += mass * y;
+            sumZ += mass * z;
         }
         leverX = axisY * sumZ - axisZ * sumY;
         leverY = axisZ * sumX - axisX * sumZ;

@@ -21,6 +21,7 @@ import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.collision.GjkDistance;
+import org.SEAR.geometry.InertiaTensor;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.project.ProjectRule;
@@ -121,9 +122,10 @@ public class SolidsTest {
                 }
             }
             double[] moments = moments(look);
-            assertEquals(name, 1, moments[0] / solid.convex().volume(), COARSE);
-            assertEquals(name, solid.convex().centre()[1], moments[2] / moments[0], 1e-2);
-            double[] inertia = solid.convex().inertia();
+            assertEquals(name, 1, moments[0] / solid.volume(), COARSE);
+            assertEquals(name, solid.perKilogram().centre()[1], moments[2] / moments[0], 1e-2);
+            InertiaTensor tensor = solid.perKilogram().inertia;
+            double[] inertia = {tensor.xx, tensor.yy, tensor.zz};
             double[] squares = {moments[4], moments[5] - moments[2] * moments[2] / moments[0], moments[6]};
             for (int axis = 0; axis < 3; axis++) {
                 double expected = (squares[(axis + 1) % 3] + squares[(axis + 2) % 3]) / moments[0];

@@ -1,5 +1,6 @@
 package org.SEAR.physics.solid;
 
+import org.SEAR.geometry.InertiaTensor;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.geometry.Triangles;
@@ -42,6 +43,21 @@ final class EllipticSolid extends MeshSolid {
         vertices[vertex * 3] = (float) x;
         vertices[vertex * 3 + 1] = (float) y;
         vertices[vertex * 3 + 2] = (float) z;
+    }
+
+    @Override
+    public double volume() {
+        return 2 * Math.PI * halfX * halfY * halfZ / (cone ? 3 : 1);
+    }
+
+    /** Returns the exact elliptic solid. */
+    @Override
+    public MassProperties perKilogram() {
+        double ring = cone ? 0.15 : 0.25;
+        double along = cone ? 0.15 * halfY * halfY : halfY * halfY / 3;
+        InertiaTensor inertia = new InertiaTensor(ring * halfZ * halfZ + along, ring * (halfX * halfX + halfZ * halfZ),
+            ring * halfX * halfX + along);
+        return new MassProperties(1, new double[] {0, cone ? -halfY / 2 : 0, 0}, inertia);
     }
 
     @Override

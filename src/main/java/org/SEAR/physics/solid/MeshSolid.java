@@ -9,6 +9,7 @@ import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.geometry.VolumeIntegrals;
 import org.SEAR.project.models.ModelLoader;
 import org.SEAR.raycast.BeamScene;
 
@@ -16,10 +17,14 @@ import org.SEAR.raycast.BeamScene;
 class MeshSolid extends Solid {
     /** Directions in which a drawing searches a model's outermost corners. */
     private static final int DRAWN_DIRECTIONS = 48;
+    /** Share of the convex hull above which an enclosed volume counts: two sides of a sheet enclose only rounding. */
+    private static final double LEAST_SHARE = 1e-4;
 
     private final Triangles mesh;
     private final double[] scale;
     private final double[][] corners;
+    private boolean integrated;
+    private VolumeIntegrals integrals;
 
     /** @param scale along x, y and z */
     MeshSolid(Triangles mesh, double[] scale, Pose offset) {
@@ -49,11 +54,39 @@ class MeshSolid extends Solid {
 
     @Override
     protected ConvexShape makeConvex() {
+        return ConvexHull.of(points());
+    }
+
+    private double[] points() {
         double[] points = new double[mesh.vertices.length];
         for (int i = 0; i < points.length; i++) {
             points[i] = mesh.vertices[i] * scale[i % 3];
         }
-        return ConvexHull.of(points);
+        return points;
+    }
+
+    /** Returns the volume that the mesh encloses; of an open mesh that of its convex hull. */
+    @Override
+    public double volume() {
+        VolumeIntegrals inside = integrals();
+        return inside == null ? super.volume() : inside.volume();
+    }
+
+    /** Returns the solid that the mesh encloses; of an open mesh its convex hull. */
+    @Override
+    public MassProperties perKilogram() {
+        VolumeIntegrals inside = integrals();
+        return inside == null ? super.perKilogram() : new MassProperties(1, inside.centre(), inside.inertia());
+    }
+
+    /** Returns the integrals over the enclosed volume; null if it is not closed or encloses next to nothing. */
+    private VolumeIntegrals integrals() {
+        if (!integrated) {
+            integrated = true;
+            VolumeIntegrals found = ClosedMesh.integrate(mesh, points());
+            integrals = found != null && found.volume() > LEAST_SHARE * convex().volume() ? found : null;
+        }
+        return integrals;
     }
 
     @Override

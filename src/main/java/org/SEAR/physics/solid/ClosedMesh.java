@@ -1,0 +1,124 @@
+package org.SEAR.physics.solid;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.geometry.Aabb;
+import org.SEAR.geometry.Triangles;
+import org.SEAR.geometry.VolumeIntegrals;
+
+/**
+ * Volume that a triangle mesh encloses. A mesh is closed if each edge is used as often in one direction as in the
+ * other. Vertices at exactly the same place count as one. A part that is inside out, such as a mirrored one, counts as
+ * solid unless another part's box surrounds it: then it is a cavity. Overlapping parts count twice where they overlap.
+ */
+final class ClosedMesh {
+    private final double[] points;
+    /** Three vertex numbers per triangle; vertices at the same place share the number. */
+    private final int[] corners;
+    /** Union-find forest of the vertices: one tree per connected part. */
+    private final int[] parents;
+
+    /** Connected triangles. */
+    private static final class Part {
+        private final Aabb box = new Aabb();
+        private final VolumeIntegrals integrals;
+
+        Part(double[] points) {
+            integrals = new VolumeIntegrals(points[0], points[1], points[2]);
+        }
+
+        void add(double[] points, int a, int b, int c) {
+            integrals.add(points, 3 * a, 3 * b, 3 * c);
+            for (int corner : new int[] {a, b, c}) {
+                box.add(points[3 * corner], points[3 * corner + 1], points[3 * corner + 2]);
+            }
+        }
+
+        boolean isIn(Part other) {
+            return other != this && other.box.contains(box) && !box.contains(other.box);
+        }
+    }
+
+    private ClosedMesh(Triangles mesh, double[] points) {
+        this.points = points;
+        corners = new int[mesh.indices.length];
+        parents = new int[points.length / 3];
+        int[] first = new int[parents.length];
+        Map<List<Double>, Integer> known = new HashMap<>();
+        for (int i = 0; i < parents.length; i++) {
+            parents[i] = i;
+            // adding 0 makes 0 of -0
+            List<Double> place = List.of(points[3 * i] + 0.0, points[3 * i + 1] + 0.0, points[3 * i + 2] + 0.0);
+            first[i] = known.computeIfAbsent(place, at -> known.size());
+        }
+        int[] numbers = new int[known.size()];
+        for (int i = parents.length - 1; i >= 0; i--) {
+            numbers[first[i]] = i;
+        }
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] = numbers[first[mesh.indices[i]]];
+        }
+    }
+
+    /**
+     * Returns the integrals over the enclosed volume, which is positive.
+     * @param points x, y, z of each vertex of the mesh, scaled, metres
+     * @return null if the mesh is open or encloses nothing
+     */
+    static VolumeIntegrals integrate(Triangles mesh, double[] points) {
+        return mesh.size() == 0 ? null : new ClosedMesh(mesh, points).integrate();
+    }
+
+    private VolumeIntegrals integrate() {
+        if (!isClosed()) {
+            return null;
+        }
+        VolumeIntegrals sum = new VolumeIntegrals(points[0], points[1], points[2]);
+        List<Part> parts = parts();
+        for (Part part : parts) {
+            boolean cavity = part.integrals.volume() < 0 && parts.stream().anyMatch(part::isIn);
+            sum.add(part.integrals, part.integrals.volume() < 0 && !cavity ? -1 : 1);
+        }
+        return sum.volume() > 0 ? sum : null;
+    }
+
+    private boolean isClosed() {
+        Map<Long, Integer> balance = new HashMap<>();
+        for (int i = 0; i < corners.length; i += 3) {
+            for (int k = 0; k < 3; k++) {
+                int from = corners[i + k];
+                int to = corners[i + (k + 1) % 3];
+                if (from != to) {
+                    balance.merge((long) Math.min(from, to) << 32 | Math.max(from, to), from < to ? 1 : -1,
+                        Integer::sum);
+                }
+            }
+        }
+        return balance.values().stream().allMatch(count -> count == 0);
+    }
+
+    private List<Part> parts() {
+        for (int i = 0; i < corners.length; i += 3) {
+            parents[root(corners[i])] = root(corners[i + 1]);
+            parents[root(corners[i + 1])] = root(corners[i + 2]);
+        }
+        Map<Integer, Part> parts = new LinkedHashMap<>();
+        for (int i = 0; i < corners.length; i += 3) {
+            parts.computeIfAbsent(root(corners[i]), root -> new Part(points)).add(points, corners[i], corners[i + 1],
+                corners[i + 2]);
+        }
+        return new ArrayList<>(parts.values());
+    }
+
+    private int root(int vertex) {
+        int at = vertex;
+        while (parents[at] != at) {
+            parents[at] = parents[parents[at]];
+            at = parents[at];
+        }
+        return at;
+    }
+}

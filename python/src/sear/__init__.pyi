@@ -217,6 +217,8 @@ class _SEAR(JavaObject):
         """Writes the picture of `getImage` to a file and creates its folders."""
     def getPose(self, name: str) -> np.ndarray:
         """Returns [x, y, z, rx, ry, rz] in the world: metres north, up and east, and degrees about these axes. Heading is 90 - ry when upright."""
+    def getMassProperties(self, name: str) -> Dict[str, Any]:
+        """Returns mass, centre of mass and inertia tensor of an object with a mass, or of a robot. They are in its own frame, of which `getPose` returns the pose in the world."""
     def getGroundHeight(self, x: float, z: float) -> float:
         """Returns the ground's y, metres: the highest terrain, floor or terrain model there. Needs no simulation."""
     @overload

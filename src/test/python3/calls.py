@@ -48,6 +48,9 @@ scan = robots.getLidarResult("scanner")
 assert scan.dtype == numpy.float32 and scan.shape == (181,), (scan.dtype, scan.shape)
 pose = robots.getPose("rover")
 assert pose.dtype == numpy.float64 and pose.shape == (6,)
+mass = robots.getMassProperties("rover")
+assert mass["mass"] == 2 and len(mass["centre"]) == 3 and numpy.array(mass["tensor"]).shape == (3, 3), mass
+refused((IllegalArgumentException, ValueError), "wall is fixed (mass 0), legal: an object with a mass, or a robot", robots.getMassProperties, "wall")
 distance = robots.getDistanceResult("ping")
 assert type(distance) is float and abs(distance - 2.75) < 0.02, distance
 assert abs(scan[90] - 2.9) < 0.02, scan[90]

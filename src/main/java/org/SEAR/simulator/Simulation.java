@@ -18,6 +18,7 @@ import org.SEAR.devices.ServoHardware;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.physics.solid.MassProperties;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
@@ -441,6 +442,11 @@ public final class Simulation implements AutoCloseable {
      */
     public Pose getPose(String name) {
         return places.find(name);
+    }
+
+    /** Mass properties of an object or robot in its frame. Throws as {@link World#getMassProperties}. */
+    public MassProperties getMassProperties(String name) {
+        return world.getMassProperties(name);
     }
 
     /**

@@ -336,6 +336,20 @@ final class World implements PhysicsWorld.Touches {
         return poses;
     }
 
+    /**
+     * Returns mass, centre of mass and inertia tensor of an object or robot, in its own frame.
+     * @throws IllegalArgumentException if nothing with a mass has this name
+     */
+    MassProperties getMassProperties(String name) {
+        Body body = moves.body(name);
+        if (body == null || body.isFixed()) {
+            String reason = body == null ? "nothing with a mass is named \"" + name + "\""
+                : name + " is fixed (mass 0)";
+            throw new IllegalArgumentException(reason + ", legal: an object with a mass, or a robot");
+        }
+        return body.getMassProperties();
+    }
+
     /** See {@link Solid#outline}. */
     double[][] getOutline(SearObject object) {
         return shapes.containsKey(object) ? shapes.get(object).outline() : new double[0][];

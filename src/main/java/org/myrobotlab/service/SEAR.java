@@ -788,6 +788,21 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
+     * Returns mass, centre of mass and inertia tensor of an object with a mass, or of a robot. They are in its own
+     * frame, of which {@link #getPose} returns the pose in the world.
+     *
+     * @param name of an object with a mass, or of a robot
+     * @return {@code mass}: kg, {@code centre}: [x, y, z] of the centre of mass, metres, {@code tensor}: three rows of
+     *     three numbers, the inertia tensor about the centre of mass, kg m^2; off the diagonal are the negative
+     *     products of inertia
+     * @throws IllegalArgumentException if nothing with a mass has this name
+     * @example print sear.getMassProperties("crate 1")["tensor"]
+     */
+    public Map<String, Object> getMassProperties(String name) {
+        return calls.attempt(() -> parts.bodies().massProperties(name));
+    }
+
+    /**
      * Returns the ground's y, metres: the highest terrain, floor or terrain model there. Needs no simulation.
      *
      * @param x metres north of the world's origin

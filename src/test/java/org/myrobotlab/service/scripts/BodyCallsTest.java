@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import org.SEAR.POJOs.Box;
 import org.junit.After;
 import org.junit.Before;
@@ -102,6 +103,23 @@ public class BodyCallsTest {
         assertTrue(sear.getPose("roomba")[1] > 0.15);
         assertEquals(0.1 + 0.6 - G * 0.02, sear.getPose("crate")[1], 0.01);
         assertEquals(-18, sear.getPose("crate")[4], 0.5);
+    }
+
+    @Test
+    public void massPropertiesAreThoseOfTheObjectInItsFrame() {
+        sear.startSimulation();
+        Map<String, Object> crate = sear.getMassProperties("crate");
+        double moment = 2 * 2 * 0.2 * 0.2 / 12;
+        assertEquals(2, (Double) crate.get("mass"), 1e-12);
+        assertEquals(List.of(0.0, 0.0, 0.0), crate.get("centre"));
+        List<?> rows = (List<?>) crate.get("tensor");
+        for (int i = 0; i < 9; i++) {
+            assertEquals(i % 4 == 0 ? moment : 0, (Double) ((List<?>) rows.get(i / 3)).get(i % 3), 1e-12);
+        }
+        assertEquals("a robot has all of its mass", 4, (Double) sear.getMassProperties("roomba").get("mass"), 1e-12);
+        refused("nothing with a mass is named \"nothing\", legal: an object with a mass, or a robot",
+            () -> sear.getMassProperties("nothing"));
+        refused("the name is missing (None)", () -> sear.getMassProperties(null));
     }
 
     private void refused(String part, Runnable call) {

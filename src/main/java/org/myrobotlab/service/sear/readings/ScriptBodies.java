@@ -1,10 +1,13 @@
 package org.myrobotlab.service.sear.readings;
 
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.SEAR.POJOs.ScriptSession;
 import org.SEAR.grammar.ScriptText;
+import org.SEAR.physics.solid.MassProperties;
 import org.SEAR.simulator.orders.BodyOrder;
 import org.SEAR.simulator.orders.DragSpring;
 import org.myrobotlab.service.sear.run.SimulationControl;
@@ -74,6 +77,32 @@ public final class ScriptBodies implements ScriptSession.Acts {
         }
     }
 
+    /**
+     * Returns the mass properties of an object or robot in its own frame: "mass" in kg, "centre" [x, y, z] in metres,
+     * and "tensor", the rows of the inertia tensor about the centre of mass in kg m^2.
+     */
+    public Map<String, Object> massProperties(String name) throws InterruptedException {
+        String asked = given(name);
+        MassProperties properties = control.session().ask(world -> world.getMassProperties(asked));
+        Map<String, Object> answer = new LinkedHashMap<>();
+        answer.put("mass", properties.mass);
+        answer.put("centre", list(properties.centre()));
+        List<List<Double>> rows = new ArrayList<>();
+        for (double[] row : properties.inertia.toRows()) {
+            rows.add(list(row));
+        }
+        answer.put("tensor", rows);
+        return answer;
+    }
+
+    private static List<Double> list(double[] numbers) {
+        List<Double> list = new ArrayList<>();
+        for (double number : numbers) {
+            list.add(number + 0.0);    // 0 instead of -0
+        }
+        return list;
+    }
+
     /** @param x m/s along the world's x, likewise y and z */
     public void velocity(String name, double x, double y, double z) throws InterruptedException {
         order(BodyOrder.Kind.VELOCITY, name, x, y, z, 0);
@@ -85,14 +114,19 @@ public final class ScriptBodies implements ScriptSession.Acts {
     }
 
     private void order(BodyOrder.Kind kind, String name, double x, double y, double z, double seconds) throws InterruptedException {
-        if (name == null) {
-            throw new IllegalArgumentException("the name is missing (None), legal: the name of an object with a mass, or of a robot");
-        }
-        BodyOrder order = new BodyOrder(kind, ScriptText.of(name), x, y, z, seconds);
+        BodyOrder order = new BodyOrder(kind, given(name), x, y, z, seconds);
         control.session().ask(world -> {
             world.order(order);
             return true;
         });
+    }
+
+    private static String given(String name) {
+        if (name == null) {
+            throw new IllegalArgumentException("the name is missing (None), legal: the name of an object with a mass, or"
+                + " of a robot");
+        }
+        return ScriptText.of(name);
     }
 
     @Override

@@ -240,7 +240,7 @@ public final class PhysicsWorld {
         for (int i = 0; i < island.bodies.size(); i++) {
             Body body = island.bodies.get(i);
             body.setTouching(false);
-            body.getSleepTimer().look(body);
+            body.getSleepTimer().look(body, GRAVITY);
             rests &= body.getSleepTimer().isOver();
             stands |= body.isCarried();
         }

@@ -1,5 +1,7 @@
 package org.SEAR.physics;
 
+import org.SEAR.geometry.TimeStep;
+
 /**
  * Sleep timer: whether a body has hardly moved for half a second. It uses the displacement over that time, not the
  * momentary speed: jitter in a stack is faster than a ball just after its release. Simulation thread.
@@ -7,13 +9,18 @@ package org.SEAR.physics;
 final class SleepTimer {
     /** Steps at rest before sleep: half a second. */
     private static final int STEPS = 30;
+    private static final double SECONDS = STEPS * TimeStep.SECONDS;
     /**
-     * Largest displacement of the centre of mass, and of the furthest point by rotation, metres. A ball released on a
-     * slope of 0.05 degrees moves 0.8 mm. The top of a pole as far past its balance moves 1 mm, or more if the pole is
-     * longer than a metre.
+     * Steepest slope, radians, on which a ball released from rest may sleep. A long pole that leans as far past its
+     * balance accelerates at 1.05 times the ball's rate, a short one faster.
      */
-    private static final double OBJECT = 5e-4;
-    /** The same limit for robots: slow ones drive at millimetres per second. */
+    private static final double SLOPE = Math.toRadians(0.01);
+    /**
+     * Largest displacement of the centre of mass, and of the furthest point by rotation, per gravity, s^2: that of the
+     * ball in this time, 0.15 mm on Earth. Slower creep, below 0.3 mm/s, is rest.
+     */
+    private static final double OBJECT = 5.0 / 7 * SLOPE * SECONDS * SECONDS / 2;
+    /** The same limit for robots, metres: slow ones drive at millimetres per second. */
     private static final double ROBOT = 5e-5;
     /** Largest speed at the end, m/s; a faster body is at a turning point, not at rest. */
     private static final double SPEED = 0.02;
@@ -39,9 +46,12 @@ final class SleepTimer {
         qw = body.spin().qw();
     }
 
-    /** Checks a body after a step. */
-    void look(Body body) {
-        double band = body.isRobot() ? ROBOT : OBJECT;
+    /**
+     * Checks a body after a step.
+     * @param gravity m/s^2
+     */
+    void look(Body body, double gravity) {
+        double band = body.isRobot() ? ROBOT : OBJECT * gravity;
         if (body.isDriven() || hasLeft(body.getSolver(), band, body.getReach())) {
             begin(body.getSolver());
         } else {

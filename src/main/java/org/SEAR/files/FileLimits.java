@@ -20,10 +20,30 @@ public final class FileLimits {
      * @param what the field of the file
      * @param legal legal values
      */
-    public static IOException wrong(String file, String what, Object value, String legal) {
+    public static InvalidFile wrong(String file, String what, Object value, String legal) {
+        return wrong(file, what, value, legal, null);
+    }
+
+    /**
+     * Returns an error about a file.
+     *
+     * @param what the field of the file
+     * @param legal legal values
+     * @param cause what a reader threw; null for none
+     */
+    public static InvalidFile wrong(String file, String what, Object value, String legal, Exception cause) {
         String text = String.valueOf(value);
-        return new IOException(file + ": " + what + " is " + (text.length() > REPORTED ? text.substring(0, REPORTED)
-            + "..." : text) + ", legal: " + legal);
+        return new InvalidFile(printable(file) + ": " + printable(what) + " is " + printable(text.length() > REPORTED
+            ? text.substring(0, REPORTED) + "..." : text) + ", legal: " + legal, cause);
+    }
+
+    /** Returns a file's text for a message, with control characters as {@code \x1b}. */
+    public static String printable(String text) {
+        StringBuilder shown = new StringBuilder();
+        for (char c : text.toCharArray()) {
+            shown.append(Character.isISOControl(c) ? String.format("\\x%02x", (int) c) : String.valueOf(c));
+        }
+        return shown.toString();
     }
 
     /**

@@ -13,6 +13,7 @@ import java.util.Random;
 import java.util.TreeMap;
 import java.util.logging.Level;
 import java.util.logging.Logger;
+import java.util.regex.Pattern;
 import org.SEAR.Fuzz;
 import org.SEAR.POJOs.Model;
 import org.SEAR.Slow;
@@ -31,6 +32,12 @@ import org.junit.experimental.categories.Category;
 @Category(Slow.class)
 public class FuzzTest {
     private static final int[] ODD = {0, 1, 0x7f, 0x80, 0xff, '<', '"', '-', '9', 'e', '{', '\n'};
+
+    /** Words of Java's exceptions, and characters that a terminal obeys. */
+    private static final Pattern FOREIGN = Pattern.compile("Exception|Error\\b|\\bnull\\b|java\\.|gson|[Ii]ndex:? "
+        + "-?\\d+|out of bounds|capacity|[Ll]ength \\d|"
+        + "For input string|cannot be cast|enum constant|Cannot invoke|because \"|Negative|Unexpected "
+        + "importer|[\\x00-\\x09\\x0b-\\x1f\\x7f-\\x9f]");
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -127,6 +134,8 @@ public class FuzzTest {
                 MutableModels.load(project.folder(), new Model("m" + i, "m" + ending));
             } catch (IOException e) {
                 assertTrue(text(i, ending, bytes) + e.getMessage(), e.getMessage().contains("Model \"m"));
+                boolean own = !FOREIGN.matcher(e.getMessage().replaceAll("is .{1,90}, legal", "")).find();
+                assertTrue(text(i, ending, bytes) + e.getMessage(), own && e.getMessage().contains(", legal: "));
                 refused++;
             } catch (RuntimeException | Error e) {
                 throw new AssertionError(text(i, ending, bytes), e);

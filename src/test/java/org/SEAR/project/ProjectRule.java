@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import org.junit.rules.TemporaryFolder;
 
 /** An empty present project for each test; objects that the test creates write their files there. */
-public final class ProjectRule extends TemporaryFolder {
+public class ProjectRule extends TemporaryFolder {
     private String before;
 
     @Override

@@ -1,15 +1,11 @@
 package org.SEAR.project.models;
 
-import com.google.gson.JsonObject;
 import com.jme3.asset.AssetInfo;
-import com.jme3.asset.AssetKey;
+import com.jme3.asset.AssetLoadException;
 import com.jme3.asset.AssetLoader;
 import com.jme3.asset.AssetManager;
-import com.jme3.asset.TextureKey;
-import com.jme3.export.binary.BinaryLoader;
 import com.jme3.material.plugins.J3MLoader;
 import com.jme3.scene.plugins.MTLLoader;
-import com.jme3.scene.plugins.OBJLoader;
 import com.jme3.scene.plugins.blender.BlenderContext;
 import com.jme3.scene.plugins.blender.BlenderLoader;
 import com.jme3.scene.plugins.blender.file.BlenderFileException;
@@ -18,26 +14,24 @@ import com.jme3.scene.plugins.blender.file.Structure;
 import com.jme3.scene.plugins.gltf.GlbLoader;
 import com.jme3.scene.plugins.gltf.GltfLoader;
 import com.jme3.scene.plugins.ogre.MaterialLoader;
-import com.jme3.scene.plugins.ogre.MeshLoader;
 import com.jme3.scene.plugins.ogre.SceneLoader;
-import com.jme3.scene.plugins.ogre.SkeletonLoader;
-import com.jme3.texture.Texture2D;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.URLDecoder;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.logging.Level;
-import java.util.logging.Logger;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.NoSuchElementException;
 import java.util.zip.GZIPInputStream;
 import org.SEAR.files.FileLimits;
+import org.SEAR.project.models.format.GltfReader;
+import org.SEAR.project.models.format.J3oReader;
+import org.SEAR.project.models.format.ModelLimits;
+import org.SEAR.project.models.format.ObjReader;
+import org.SEAR.project.models.format.OgreReader;
 
 /**
  * Guarded versions of jMonkeyEngine's loaders, which trust their files: OGRE XML can read other files through entities,
@@ -48,15 +42,11 @@ import org.SEAR.files.FileLimits;
 final class GuardedLoaders {
     private static final int GLB_MARK = 0x46546c67;
     private static final int JSON_CHUNK = 0x4e4f534a;
+    private static final int BINARY_CHUNK = 0x004e4942;
     /** Offset of the JSON of a .glb, bytes. */
     private static final int GLB_DATA = 20;
     private static final int PIECE = 1 << 16;
     private static final byte[] GZIP = {0x1f, (byte) 0x8b};
-    /** Element counts for which OGRE's reader allocates memory before it reads the elements. */
-    private static final Pattern COUNT = Pattern.compile("\\b(?:vertex)?count\\s*=\\s*[\"'](\\d+)", Pattern.CASE_INSENSITIVE);
-    /** Shortest element of OGRE's XML, bytes. */
-    private static final int SHORTEST = 10;
-
     private GuardedLoaders() {
     }
 
@@ -74,42 +64,53 @@ final class GuardedLoaders {
         manager.registerLoader(OgreMaterial.class, "material");
         manager.registerLoader(EngineMaterial.class, "j3m", "j3md");
         manager.registerLoader(Mesh.class, "meshxml", "mesh.xml");
-        manager.registerLoader(Skeleton.class, "skeletonxml", "skeleton.xml");
-        manager.registerLoader(Binary.class, "j3o", "j3f");
+        manager.registerLoader(Binary.class, "j3o");
         manager.registerLoader(Blend.class, "blend");
         manager.registerLoader(Gltf.class, "gltf");
         manager.registerLoader(Glb.class, "glb");
         PictureLoader.register(manager, pixels);
     }
 
-    /**
-     * Wavefront models. jMonkeyEngine's reader logs each line without triangles, a million for some files, and missing
-     * normals, which the window computes itself.
-     */
     public static final class Obj implements AssetLoader {
-        private static final Logger LINES = Logger.getLogger(OBJLoader.class.getName());
-
-        static {
-            LINES.setLevel(Level.SEVERE);
-        }
-
         @Override
         public Object load(AssetInfo info) throws IOException {
-            return new OBJLoader().load(new Checked(info, new ObjText(info.getKey().getName()).read(bytes(info))));
+            return new ObjReader(info, bytes(info), text -> ModelAssets.warn(info.getManager(), text)).read();
         }
     }
 
     public static final class Mtl implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
-            return new MTLLoader().load(info);
+            return readable(new MTLLoader(), info);
         }
     }
 
     public static final class OgreMaterial implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
-            return new MaterialLoader().load(info);
+            return readable(new MaterialLoader(), info);
+        }
+    }
+
+    /** Returns materials; a model with unreadable ones is plain. */
+    private static Object readable(AssetLoader loader, AssetInfo info) throws IOException {
+        try {
+            return loader.load(info);
+        } catch (AssetLoadException e) {
+            throw e;            // of a picture beyond a limit
+        } catch (NoSuchElementException e) {
+            throw new UnreadableMaterials("a line lacks a number", e);
+        } catch (IOException | RuntimeException e) {
+            throw new UnreadableMaterials("a line is no part of a material", e);
+        }
+    }
+
+    /** Materials that can't be shown. */
+    static final class UnreadableMaterials extends IOException {
+        private static final long serialVersionUID = 1;
+
+        UnreadableMaterials(String why, Exception cause) {
+            super(why, cause);
         }
     }
 
@@ -120,33 +121,11 @@ final class GuardedLoaders {
         }
     }
 
-    /** glTF with valid references. */
     public static final class Gltf implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
-            byte[] json = bytes(info);
-            new GltfCheck(info.getKey().getName(), json, 0, uri -> size(info, uri)).check();
-            return new GltfLoader() {
-                @Override
-                public Texture2D readTexture(JsonObject texture, boolean flip) throws IOException {
-                    return lacksPicture(this, texture) ? missing(info, texture) : super.readTexture(texture, flip);
-                }
-            }.load(new Checked(info, json));
+            return new GltfReader(info, bytes(info), new byte[0]).read();
         }
-    }
-
-    /**
-     * Returns whether a texture has no plain picture, only one by an extension that jMonkeyEngine's reader does not
-     * support.
-     */
-    private static boolean lacksPicture(GltfLoader loader, JsonObject texture) {
-        return texture != null && !loader.getDocRoot().getAsJsonArray("textures").get(texture.get("index").getAsInt()).getAsJsonObject()
-            .has("source");
-    }
-
-    /** Returns the replacement texture for a missing picture. */
-    private static Texture2D missing(AssetInfo model, JsonObject texture) {
-        return (Texture2D) model.getManager().loadTexture(new TextureKey("textures[" + texture.get("index") + "] without a source"));
     }
 
     /** Binary glTF: a header of 12 bytes, a JSON chunk and a data chunk, each after its length and kind. */
@@ -163,50 +142,25 @@ final class GuardedLoaders {
             FileLimits.range(name, "the length in the head", in.getInt(8), GLB_DATA, bytes.length);
             int json = in.getInt(GLB_DATA - 8);
             FileLimits.range(name, "the length of the JSON", json, 2, bytes.length - GLB_DATA);
-            long data = 0;
+            byte[] data = {};
             int chunk = GLB_DATA + json;
             while (chunk + 8 <= bytes.length) {
-                long length = in.getInt(chunk);
+                int length = in.getInt(chunk);
                 FileLimits.range(name, "the length of a chunk", length, 0, bytes.length - chunk - 8);
-                data = Math.max(data, length);
-                chunk += 8 + (int) length;
-            }
-            new GltfCheck(name, Arrays.copyOfRange(bytes, GLB_DATA, GLB_DATA + json), data, uri -> size(info, uri)).check();
-            return new GlbLoader() {
-                @Override
-                public Texture2D readTexture(JsonObject texture, boolean flip) throws IOException {
-                    return lacksPicture(this, texture) ? missing(info, texture) : super.readTexture(texture, flip);
+                if (data.length == 0 && in.getInt(chunk + 4) == BINARY_CHUNK) {
+                    data = Arrays.copyOfRange(bytes, chunk + 8, chunk + 8 + length);
                 }
-            }.load(new Checked(info, bytes));
-        }
-    }
-
-    /** Returns the size of a file beside a model, up to the limit. */
-    private static long size(AssetInfo model, String uri) throws IOException {
-        for (String name : new String[] {uri, URLDecoder.decode(uri.replace("+", "%2B"), StandardCharsets.UTF_8)}) {
-            AssetInfo found = model.getManager().locateAsset(new AssetKey<>(model.getKey().getFolder() + name));
-            if (found != null) {
-                try (InputStream in = found.openStream()) {
-                    return in.skip(ModelLimits.MAX_FILE);
-                }
+                chunk += 8 + length;
             }
+            return new GltfReader(info, Arrays.copyOfRange(bytes, GLB_DATA, GLB_DATA + json), data).read();
         }
-        throw FileLimits.wrong(model.getKey().getName(), "a buffer's uri", uri, "a file beside the model");
     }
 
     /** OGRE meshes without document type. */
     public static final class Mesh implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
-            return new MeshLoader().load(xml(info));
-        }
-    }
-
-    /** OGRE skeletons without document type. */
-    public static final class Skeleton implements AssetLoader {
-        @Override
-        public Object load(AssetInfo info) throws IOException {
-            return new SkeletonLoader().load(xml(info));
+            return new OgreReader(info, text -> ModelAssets.warn(info.getManager(), text)).read(xml(info));
         }
     }
 
@@ -214,9 +168,7 @@ final class GuardedLoaders {
     public static final class Binary implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
-            byte[] bytes = bytes(info);
-            new J3oCheck(info.getKey().getName(), bytes).check();
-            return new BinaryLoader().load(new Checked(info, bytes));
+            return J3oReader.read(info, bytes(info));
         }
     }
 
@@ -268,8 +220,9 @@ final class GuardedLoaders {
             for (FileBlockHeader block : unknown == null ? List.<FileBlockHeader>of() : unknown) {
                 Structure data = block.getStructure(context);
                 if (data != null && LIBRARY.equals(data.getType())) {
-                    throw new BlenderFileException(info.getKey().getName() + " links to other files, which a model may not:"
-                        + " in Blender make everything local (File, Append instead of Link), or export .glb");
+                    throw new BlenderFileException("links", FileLimits.wrong(info.getKey().getName(), "its content",
+                        "with links to other files",
+                        "everything local: in Blender use File, Append instead of Link, or export .glb"));
                 }
             }
             return context;
@@ -281,20 +234,14 @@ final class GuardedLoaders {
         }
     }
 
-    private static AssetInfo xml(AssetInfo info) throws IOException {
+    private static byte[] xml(AssetInfo info) throws IOException {
         byte[] bytes = bytes(info);
         String text = new String(bytes, StandardCharsets.ISO_8859_1).toUpperCase(Locale.ROOT);
         if (text.contains("<!DOCTYPE") || text.contains("<!ENTITY") || text.indexOf('\0') >= 0) {
-            throw new IOException(info.getKey().getName() + " has a document type or is not in UTF-8, which is not allowed in a model");
+            throw FileLimits.wrong(info.getKey().getName(), "the text", "with a document type or not in UTF-8",
+                "XML in UTF-8 without a document type");
         }
-        Matcher count = COUNT.matcher(text);
-        while (count.find()) {
-            if (count.group(1).length() > 9 || Long.parseLong(count.group(1)) > text.length() / SHORTEST) {
-                throw FileLimits.wrong(info.getKey().getName(), "a count", count.group(1), "no more than the file holds, "
-                    + text.length() / SHORTEST);
-            }
-        }
-        return new Checked(info, bytes);
+        return bytes;
     }
 
     private static byte[] bytes(AssetInfo info) throws IOException {

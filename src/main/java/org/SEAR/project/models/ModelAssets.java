@@ -1,6 +1,8 @@
 package org.SEAR.project.models;
 
 import com.jme3.asset.AssetKey;
+import com.jme3.asset.AssetLoadException;
+import com.jme3.asset.AssetManager;
 import com.jme3.asset.AssetNotFoundException;
 import com.jme3.asset.DesktopAssetManager;
 import com.jme3.asset.TextureKey;
@@ -13,7 +15,7 @@ import java.io.InputStream;
 import java.net.URL;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.NoSuchElementException;
+import java.util.Set;
 import java.util.function.Supplier;
 import org.SEAR.files.UnreadablePicture;
 
@@ -22,7 +24,7 @@ import org.SEAR.files.UnreadablePicture;
  * grammar. Files beyond a limit are errors. One thread at a time.
  */
 final class ModelAssets extends DesktopAssetManager {
-    private static final String MATERIALS = "mtl";
+    private static final Set<String> MATERIALS = Set.of("mtl", "material");
     private static final String MISSING = "there is no such file in assets";
 
     private List<String> leftOut = new ArrayList<>();
@@ -38,20 +40,34 @@ final class ModelAssets extends DesktopAssetManager {
         return taken;
     }
 
+    /** Adds a reason why a model is not shown as its file says, if the manager lists them. */
+    static void warn(AssetManager manager, String text) {
+        if (manager instanceof ModelAssets) {
+            ((ModelAssets) manager).leftOut.add(text);
+        }
+    }
+
     @Override
     public <T> T loadAsset(AssetKey<T> key) {
         if (key instanceof TextureKey) {
             return orPlain(key, () -> super.loadAsset(key));
         }
-        if (!MATERIALS.equals(key.getExtension())) {
+        if (!MATERIALS.contains(key.getExtension())) {
             return super.loadAsset(key);
         }
         try {
             return super.loadAsset(key);
-        } catch (AssetNotFoundException | NoSuchElementException e) {
-            boolean missing = e instanceof AssetNotFoundException;
-            leftOut.add("its materials " + key.getName() + " are left out: " + (missing ? MISSING : "a line lacks a number"));
-            throw missing ? e : new AssetNotFoundException(key.getName());      // makes jMonkeyEngine's reader continue without materials
+        } catch (AssetNotFoundException e) {
+            if (!key.getExtension().equals("material")) {       // which no OGRE mesh names
+                leftOut.add("its materials " + key.getName() + " are left out: " + MISSING);
+            }
+            throw e;
+        } catch (AssetLoadException e) {
+            if (!(e.getCause() instanceof GuardedLoaders.UnreadableMaterials)) {
+                throw e;
+            }
+            leftOut.add("its materials " + key.getName() + " are left out: " + e.getCause().getMessage());
+            throw new AssetNotFoundException(key.getName());        // the reader continues without materials
         }
     }
 

@@ -1,6 +1,5 @@
 package org.SEAR.project.models;
 
-import com.jme3.asset.AssetLoadException;
 import com.jme3.asset.AssetManager;
 import com.jme3.asset.ModelKey;
 import com.jme3.asset.plugins.ClasspathLocator;
@@ -16,7 +15,10 @@ import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.Model;
 import org.SEAR.files.Assets;
+import org.SEAR.files.FileLimits;
+import org.SEAR.files.InvalidFile;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.project.models.format.ModelLimits;
 
 /**
  * Loads models with jMonkeyEngine's loaders, without a display. The geometry for physics and beams and the scene for a
@@ -25,6 +27,8 @@ import org.SEAR.geometry.Triangles;
 public final class ModelLoader {
     /** Endings of the supported files. */
     public static final List<String> ENDINGS = List.of(".mesh.xml", ".j3o", ".obj", ".gltf", ".glb", ".blend");
+
+    private static final String BLENDER = "a whole file of Blender 2.49 to 2.79: export it as .glb";
 
     private final Assets assets;
     private final ModelAssets manager;
@@ -120,7 +124,8 @@ public final class ModelLoader {
         manager.takeLeftOut();
         Triangles triangles = collect(spatial(model), model);
         if (triangles.size() == 0) {
-            throw new IOException(model + ": " + model.getPath() + " has no triangles");
+            throw new IOException(model + ": " + FileLimits.wrong(model.getPath(), "the number of triangles",
+                "0: it has no triangles", "1 to " + ModelLimits.MAX_TRIANGLES).getMessage());
         }
         return new KnownModels.Known(triangles, manager.takeLeftOut());
     }
@@ -153,9 +158,19 @@ public final class ModelLoader {
         return path;
     }
 
+    /** Returns the reason why a model can't be loaded: of this program, otherwise none of a library's own words. */
     private static IOException failure(Model model, Throwable e) {
-        Throwable reported = e instanceof AssetLoadException && e.getCause() instanceof IOException ? e.getCause() : e;    // names the file
-        return new IOException(model + ": " + model.getPath() + " can't be loaded: " + reasons(reported), e);
+        String reason = null;
+        for (Throwable cause = e; cause != null && reason == null; cause = cause.getCause()) {
+            reason = cause instanceof InvalidFile ? cause.getMessage() : null;
+        }
+        String path = model.getPath();
+        String legal = path.toLowerCase(Locale.ROOT).endsWith(".blend") ? BLENDER : "a smaller or undamaged model";
+        InvalidFile other = e instanceof Error
+            ? FileLimits.wrong(path, "its need for memory or nesting", "too large", legal)
+            : FileLimits.wrong(path, "its content", "damaged, or of an unknown kind", legal);
+        String text = reason == null ? other.getMessage() : reason;
+        return new IOException(model + ": " + path + " can't be loaded: " + text, e);
     }
 
     private static Triangles collect(Spatial scene, Model model) throws IOException {
@@ -166,19 +181,7 @@ public final class ModelLoader {
         try {
             return EngineThread.call(work);
         } catch (ExecutionException e) {
-            Throwable cause = e.getCause();
-            if (cause instanceof IOException) {
-                throw (IOException) cause;
-            }
-            throw failure(model, cause);
+            throw failure(model, e.getCause());
         }
-    }
-
-    private static String reasons(Throwable failure) {
-        StringBuilder text = new StringBuilder(failure.getMessage() == null ? failure.getClass().getSimpleName() : failure.getMessage());
-        for (Throwable cause = failure.getCause(); cause != null; cause = cause.getCause()) {
-            text.append(": ").append(cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage());
-        }
-        return text.toString();
     }
 }

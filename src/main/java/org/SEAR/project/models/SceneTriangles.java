@@ -15,6 +15,7 @@ import java.util.Deque;
 import java.util.List;
 import org.SEAR.files.FileLimits;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.project.models.format.ModelLimits;
 
 /** Triangles of a loaded scene, checked: valid vertex indices, finite coordinates within the limits. One use. */
 final class SceneTriangles {
@@ -65,8 +66,14 @@ final class SceneTriangles {
         positions = new float[(int) vertices * 3];
         indices = new int[(int) triangles * 3];
         for (Geometry solid : solids) {
-            addTriangles(solid);
-            addVertices(solid);
+            try {
+                addTriangles(solid);
+                addVertices(solid);
+            } catch (ClassCastException | NullPointerException | IndexOutOfBoundsException | IllegalArgumentException
+                | UnsupportedOperationException e) {
+                throw FileLimits.wrong(file, "the mesh of " + name(solid), "damaged",
+                    "vertices with positions, and triangles of them", e);
+            }
         }
         return new Triangles(positions, indices);
     }

@@ -7,6 +7,7 @@ import com.jme3.asset.TextureKey;
 import com.jme3.material.Material;
 import com.jme3.material.RenderState.BlendMode;
 import com.jme3.math.ColorRGBA;
+import com.jme3.renderer.queue.RenderQueue.Bucket;
 import com.jme3.scene.Geometry;
 import com.jme3.scene.Spatial;
 import com.jme3.texture.Texture.WrapMode;
@@ -111,6 +112,9 @@ public final class Materials {
                 } else if (own.getMaterialDef().getAssetName().endsWith("/Lighting.j3md")) {
                     boolean colored = Boolean.TRUE.equals(own.getParamValue("UseMaterialColors"));
                     geometry.setMaterial(simplified(own, colored ? color(own, "Diffuse") : ColorRGBA.White, "DiffuseMap"));
+                }
+                if (own.isTransparent() || own.getAdditionalRenderState().getBlendMode() == BlendMode.Alpha) {
+                    geometry.setQueueBucket(Bucket.Transparent);
                 }
             }
         });

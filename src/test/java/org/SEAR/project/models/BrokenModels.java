@@ -72,7 +72,8 @@ public final class BrokenModels {
 
     private void obj() {
         String far = "legal: a finite number up to 1000000 m";
-        put("nan.obj", "v NaN 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n", "a coordinate of vertex 0 of");
+        put("nan.obj", "v NaN 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n",
+            "a coordinate of v 1 in the face in line 5 is NaN, " + far);
         put("infinite.obj", "v 0 0 0\nv Infinity 0 0\nv 0 1 0\nf 1 2 3\n", far);
         put("minus-infinite.obj", "v 0 0 0\nv 0 -Infinity 0\nv 0 1 0\nf 1 2 3\n", far);
         put("far.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n", "is 1.0E30, " + far);
@@ -89,7 +90,8 @@ public final class BrokenModels {
         put("no-such-place.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/2\n",
             "a corner of the face in line 5 is 3/2, legal: the number of a vt line before it, 1 to 1");
         put("no-normals.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//1 3//1\n", "line 4 is 1//1, legal: none, for there is no vn line before it");
-        put("star.obj", star(120), "the number of corners of the face in line 121 is 120, legal: at most 100 where it is not convex");
+        put("star.obj", star(1200),
+            "the number of corners of the face in line 1201, which is not convex, is 1200, legal: 3 to 1000");
     }
 
     private static String gltf(String... change) throws IOException {
@@ -127,7 +129,8 @@ public final class BrokenModels {
         put("no-such-scene.gltf", gltf("\"scene\":0", "\"scene\":-1"), "scene is -1, legal: 0 to 0");
         put("nan-place.gltf", gltf("\"translation\":[1.0", "\"translation\":[\"NaN\""), "legal: a finite number");
         put("far-place.gltf", gltf("\"translation\":[1.0", "\"translation\":[1e12"), "legal: a finite number");
-        put("text-for-a-list.gltf", gltf("\"nodes\":[0]", "\"nodes\":\"0\""), "another type than glTF 2.0 requires");
+        put("text-for-a-list.gltf", gltf("\"nodes\":[0]", "\"nodes\":\"0\""),
+            "scenes[0].nodes is \"0\", legal: a list");
     }
 
     private void gltfBuffers() throws IOException {
@@ -137,7 +140,8 @@ public final class BrokenModels {
         put("missing-file.gltf", gltf("data:application/octet-stream;base64,", "nothere.bin?"), "a buffer's uri is nothere.bin?");
         put("no-data.gltf", gltf("data:application/octet-stream;base64,", "data:"), "buffers[0].uri");
         put("no-such-buffer.gltf", gltf("{\"buffer\":0,\"byteLength\"", "{\"buffer\":5,\"byteLength\""), "bufferViews[0].buffer is 5, legal: 0 to 0");
-        put("view-behind-the-end.gltf", gltf("\"byteOffset\":36", "\"byteOffset\":4000"), "bufferViews[1].byteOffset is 4000, legal: 0 to 48");
+        put("view-behind-the-end.gltf", gltf("\"byteOffset\":36", "\"byteOffset\":4000"),
+            "bufferViews[1].byteOffset is 4000, legal: a whole number from 0 to 48");
         put("many-elements.gltf", gltf("\"count\":3,\"type\":\"VEC3\"", "\"count\":2000000000,\"type\":\"VEC3\""),
             "accessors[0].count is 2000000000, legal: 1 to 12000000");
         put("more-elements-than-bytes.gltf", gltf("\"count\":3,\"type\":\"VEC3\"", "\"count\":4,\"type\":\"VEC3\""),
@@ -148,13 +152,17 @@ public final class BrokenModels {
     }
 
     private void gltfMeshes() throws IOException {
-        put("no-such-accessor.gltf", gltf("\"indices\":1", "\"indices\":8"), "meshes[0].primitives.indices is 8, legal: 0 to 1");
-        put("no-such-positions.gltf", gltf("\"POSITION\":0", "\"POSITION\":8"), "meshes[0].primitives.attributes.POSITION is 8, legal: 0 to 1");
-        put("no-attributes.gltf", gltf("\"attributes\":{\"POSITION\":0},", ""), "meshes[0].primitives.attributes is missing");
+        put("no-such-accessor.gltf", gltf("\"indices\":1", "\"indices\":8"),
+            "meshes[0].primitives[0].indices is 8, legal: 0 to 1");
+        put("no-such-positions.gltf", gltf("\"POSITION\":0", "\"POSITION\":8"),
+            "meshes[0].primitives[0].attributes.POSITION is 8, legal: 0 to 1");
+        put("no-attributes.gltf", gltf("\"attributes\":{\"POSITION\":0},", ""),
+            "meshes[0].primitives[0].attributes is missing, legal: a JSON object");
         String material = "\"asset\"";
-        for (String packed : new String[] {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"}) {
+        for (String packed : new String[] {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
             put(packed + ".gltf", gltf(material, "\"extensionsRequired\":[\"" + packed + "\"],\"asset\""), "a required extension is " + packed
-                + ", legal: one of KHR_lights_punctual, KHR_materials_pbrSpecularGlossiness, KHR_materials_unlit, KHR_texture_transform: export it"
+                + ", legal: one of KHR_lights_punctual, KHR_materials_pbrSpecularGlossiness, KHR_materials_unlit,"
+                + " KHR_mesh_quantization, KHR_texture_transform: export it"
                 + " without compression");
         }
         put("no-such-image.gltf", gltf(material, "\"images\":[{\"uri\":\"a.png\"}],\"textures\":[{\"source\":1}],\"asset\""),
@@ -163,13 +171,13 @@ public final class BrokenModels {
         put("no-such-sampler.gltf", gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":2,\"target\":{}}]}],\"asset\""),
             "animations[0].channels.sampler is 2, legal: nothing");
         put("moves-nothing.gltf", gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":0}],\"samplers\":[{}]}],\"asset\""),
-            "animations[0].channels.target is missing, legal: an object");
+            "animations[0].channels.target is missing, legal: a JSON object");
         put("no-such-moved-node.gltf", gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":9}}],\"samplers\":[{}]}],"
             + "\"asset\""), "animations[0].channels.target.node is 9, legal: 0 to 0");
         put("no-such-keys.gltf", gltf(material, "\"animations\":[{\"samplers\":[{\"input\":0,\"output\":9}]}],\"asset\""),
             "animations[0].samplers.output is 9, legal: 0 to 1");
         put("no-such-target.gltf", gltf("\"indices\":1", "\"targets\":[{\"POSITION\":8}],\"indices\":1"),
-            "meshes[0].primitives.targets.POSITION is 8, legal: 0 to 1");
+            "meshes[0].primitives[0].targets[0].POSITION is 8, legal: 0 to 1");
         put("short-place.gltf", gltf("\"translation\":[", "\"scale\":[1,1],\"translation\":["),
             "the number of numbers of nodes[0].scale is 2, legal: 3");
         put("no-meshes.gltf", gltf("\"meshes\"", "\"nothing\""), "nodes[0].mesh is 0, legal: nothing, because there are none");
@@ -177,7 +185,7 @@ public final class BrokenModels {
         put("nested.gltf", "[".repeat(100_000), "can't be loaded");
         put("index-out-of-range.gltf", new String(
             new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 7}, 0, 0, 0).bytes(".gltf"),
-            StandardCharsets.UTF_8), "an index of");
+            StandardCharsets.UTF_8), "meshes[0].primitives[0].indices[2], an index of the file, is 7, legal: 0 to 2");
         put("nan.gltf", new String(new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, Float.NaN, 0}, new int[] {0, 1, 2}, 0, 0, 0).bytes(".gltf"),
             StandardCharsets.UTF_8).replace("NaN", "0"), "a coordinate of vertex 2");
     }
@@ -200,9 +208,12 @@ public final class BrokenModels {
 
     private void ogre() throws IOException {
         String good = new String(TRIANGLE.bytes(".mesh.xml"), StandardCharsets.UTF_8);
-        put("many-vertices.mesh.xml", good.replace("vertexcount=\"3\"", "vertexcount=\"1000000000\""), "a count is 1000000000");
-        put("many-faces.mesh.xml", good.replace("faces count=\"1\"", "faces count=\"200000000\""), "a count is 200000000");
-        put("index.mesh.xml", good.replace("v3=\"2\"", "v3=\"900\""), "an index of");
+        put("many-vertices.mesh.xml", good.replace("vertexcount=\"3\"", "vertexcount=\"1000000000\""),
+            "vertexcount of <geometry> in line 1 is 1000000000, legal: a whole number from 0 to 4000000");
+        put("many-faces.mesh.xml", good.replace("faces count=\"1\"", "faces count=\"200000000\""),
+            "count of <faces> in line 1 is 200000000, legal: a whole number from 0 to 12000000");
+        put("index.mesh.xml", good.replace("v3=\"2\"", "v3=\"900\""),
+            "corner 3 of the submesh in line 1 is 900, legal: 0 to 2");
         put("nan.mesh.xml", good.replace("x=\"1.0\"", "x=\"NaN\""), "a coordinate of vertex 0");
         put("not-closed.mesh.xml", good.substring(0, good.length() - 20), "can't be loaded");
         put("nothing.mesh.xml", "<mesh/>", "");

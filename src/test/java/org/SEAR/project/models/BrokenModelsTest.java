@@ -23,6 +23,7 @@ import org.SEAR.Slow;
 import org.SEAR.files.PictureSize;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.project.models.format.ModelLimits;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;

@@ -221,7 +221,8 @@ public class ModelLoaderTest {
         for (String path : new String[] {outside.toString(), "//../../other.blend", "//inside.blend", "/nowhere.blend"}) {
             put("assets/linked.blend", BlendFile.linked(path));
             FileTime before = lastRead(outside);
-            assertRefused("linked.blend", "linked.blend links to other files, which a model may not");
+            assertRefused("linked.blend",
+                "linked.blend: its content is with links to other files, legal: everything local");
             assertEquals(before, Files.readAttributes(outside, BasicFileAttributes.class).lastAccessTime());
         }
         Model model = new Model("linked model", "linked.blend");
@@ -229,7 +230,8 @@ public class ModelLoaderTest {
             Simulation.load(project.folder(), 1).close();
             fail("was loaded");
         } catch (ProjectException e) {
-            assertTrue(e.getMessage(), e.getMessage().contains("linked model.xml") && e.getMessage().contains("links to other files"));
+            assertTrue(e.getMessage(), e.getMessage().contains("linked model.xml")
+                && e.getMessage().contains("with links to other files"));
         }
         assertEquals("linked.blend", model.getPath());
     }

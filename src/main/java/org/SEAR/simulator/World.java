@@ -22,6 +22,7 @@ import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.start.GroundDistanceCheck;
 import org.SEAR.physics.start.StartPoses;
 import org.SEAR.physics.start.DensityCheck;
+import org.SEAR.physics.start.HullCheck;
 import org.SEAR.physics.start.SizeCheck;
 import org.SEAR.physics.solid.MassProperties;
 import org.SEAR.physics.solid.Solid;
@@ -133,6 +134,7 @@ final class World implements PhysicsWorld.Touches {
         StartPoses.reportOverlaps(physics.getBodies(), warnings);
         GroundDistanceCheck.report(physics.getBodies(), scenes, warnings);
         DensityCheck.report(physics.getBodies(), warnings);
+        HullCheck.report(physics.getBodies(), warnings);
         SizeCheck.report(physics.getBodies(), scenes.grounds(), warnings);
         fallen = new KillPlane(physics.getBodies(), reported);
         moves = new Teleports(this);

@@ -102,6 +102,31 @@ public class StartWarningsTest {
         assertTrue(warnings().toString(), !warnings().toString().contains("model hall is"));
     }
 
+    private void putCubes(String name, int... atX) throws Exception {
+        StringBuilder text = new StringBuilder();
+        for (int x : atX) {
+            for (int i = 0; i < 8; i++) {
+                text.append("v " + (x + i % 2) + " " + i / 2 % 2 + " " + i / 4 + "\n");
+            }
+            text.append("f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n");
+        }
+        project.put("assets/" + name, text.toString());
+    }
+
+    @Test
+    public void aMovableModelWithHollowsIsReportedWithTheRatioOfVolumes() throws Exception {
+        new Floor("floor", 20, 20);
+        putCubes("pair.obj", 0, 3);
+        Model pair = new Model("pair", "pair.obj");
+        assertEquals(List.of(), warnings());
+        pair.setMass(100);
+        assertTold("contacts of a model of pair use its convex hull, which has 2.0 times the volume inside its triangles");
+        putCubes("pair.obj", 0, 1);
+        assertEquals(List.of(), warnings());
+        project.put("assets/pair.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 1 0\nf 1 2 4\nf 1 4 3\n");
+        assertEquals(List.of(), warnings());
+    }
+
     @Test
     public void drivenWheelsOnOneSideOnly() throws Exception {
         new Floor("floor", 20, 20);

@@ -125,6 +125,10 @@ public class FuzzTest {
         Random random = new Random(Fuzz.SEED);
         Path assets = Files.createDirectories(project.folder().resolve("assets"));
         project.put("environment/fuzz.xml", "<Box><name>fuzz</name><length>1</length><width>1</width><height>1</height></Box>");
+        for (String ending : endings) {
+            Files.write(assets.resolve("m" + ending), originals.get(ending));
+            assertTrue(MutableModels.load(project.folder(), new Model("m", "m" + ending)).size() > 0);
+        }
         int refused = 0;
         for (int i = 0; i < Fuzz.FILES; i++) {
             String ending = endings.get(i % endings.size());

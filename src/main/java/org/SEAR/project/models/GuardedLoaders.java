@@ -6,11 +6,6 @@ import com.jme3.asset.AssetLoader;
 import com.jme3.asset.AssetManager;
 import com.jme3.material.plugins.J3MLoader;
 import com.jme3.scene.plugins.MTLLoader;
-import com.jme3.scene.plugins.blender.BlenderContext;
-import com.jme3.scene.plugins.blender.BlenderLoader;
-import com.jme3.scene.plugins.blender.file.BlenderFileException;
-import com.jme3.scene.plugins.blender.file.FileBlockHeader;
-import com.jme3.scene.plugins.blender.file.Structure;
 import com.jme3.scene.plugins.gltf.GlbLoader;
 import com.jme3.scene.plugins.gltf.GltfLoader;
 import com.jme3.scene.plugins.ogre.MaterialLoader;
@@ -22,11 +17,11 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Locale;
 import java.util.NoSuchElementException;
 import java.util.zip.GZIPInputStream;
 import org.SEAR.files.FileLimits;
+import org.SEAR.project.models.format.BlendReader;
 import org.SEAR.project.models.format.GltfReader;
 import org.SEAR.project.models.format.J3oReader;
 import org.SEAR.project.models.format.ModelLimits;
@@ -47,6 +42,7 @@ final class GuardedLoaders {
     private static final int GLB_DATA = 20;
     private static final int PIECE = 1 << 16;
     private static final byte[] GZIP = {0x1f, (byte) 0x8b};
+
     private GuardedLoaders() {
     }
 
@@ -176,7 +172,7 @@ final class GuardedLoaders {
     public static final class Blend implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
-            return new Unlinked().load(new Checked(info, unpacked(info)));
+            return new BlendReader(info, text -> ModelAssets.warn(info.getManager(), text)).read(unpacked(info));
         }
 
         private static byte[] unpacked(AssetInfo info) throws IOException {
@@ -184,7 +180,7 @@ final class GuardedLoaders {
             if (!Arrays.equals(GZIP, Arrays.copyOf(bytes, GZIP.length))) {
                 return bytes;
             }
-            int size = unpackedSize(bytes);
+            int size = unpackedSize(bytes, info.getKey().getName());
             if (size > ModelLimits.MAX_BLEND) {
                 throw FileLimits.wrong(info.getKey().getName(), "the unpacked size", "more than " + ModelLimits.MAX_BLEND,
                     "at most " + ModelLimits.MAX_BLEND + " bytes; save it unpacked in Blender, or export .glb");
@@ -195,42 +191,18 @@ final class GuardedLoaders {
         }
 
         /** Returns the unpacked size without keeping the data; stops soon after the limit. */
-        private static int unpackedSize(byte[] packed) throws IOException {
+        private static int unpackedSize(byte[] packed, String file) throws IOException {
             byte[] piece = new byte[PIECE];
             int size = 0;
             try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(packed))) {
                 for (int read = in.read(piece); read >= 0 && size <= ModelLimits.MAX_BLEND; read = in.read(piece)) {
                     size += read;
                 }
+            } catch (IOException e) {
+                throw FileLimits.wrong(file, "the gzip data after " + size + " unpacked bytes", "cut off or damaged",
+                    "a whole file", e);
             }
             return size;
-        }
-    }
-
-    /** Blender files without links to other files, which could lie anywhere on the disk. */
-    private static final class Unlinked extends BlenderLoader {
-        /** Structure with the path of another file; jMonkeyEngine does not know its block code. */
-        private static final String LIBRARY = "Library";
-
-        @Override
-        protected BlenderContext setup(AssetInfo info) throws BlenderFileException {
-            BlenderContext context = super.setup(info);
-            info.getManager().unregisterLocator(info.getKey().getName(), LinkedContentLocator.class);
-            List<FileBlockHeader> unknown = context.getFileBlocks(FileBlockHeader.BlockCode.BLOCK_UNKN);
-            for (FileBlockHeader block : unknown == null ? List.<FileBlockHeader>of() : unknown) {
-                Structure data = block.getStructure(context);
-                if (data != null && LIBRARY.equals(data.getType())) {
-                    throw new BlenderFileException("links", FileLimits.wrong(info.getKey().getName(), "its content",
-                        "with links to other files",
-                        "everything local: in Blender use File, Append instead of Link, or export .glb"));
-                }
-            }
-            return context;
-        }
-
-        @Override
-        protected void clear(AssetInfo info) {
-            // setup has already removed the locator of linked files
         }
     }
 

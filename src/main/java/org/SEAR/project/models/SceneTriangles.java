@@ -6,6 +6,7 @@ import com.jme3.scene.Geometry;
 import com.jme3.scene.Mesh;
 import com.jme3.scene.Node;
 import com.jme3.scene.Spatial;
+import com.jme3.scene.Spatial.CullHint;
 import com.jme3.scene.VertexBuffer;
 import com.jme3.scene.mesh.IndexBuffer;
 import java.io.IOException;
@@ -84,6 +85,9 @@ final class SceneTriangles {
         while (!waiting.isEmpty()) {
             Spatial next = waiting.removeLast();
             FileLimits.range(file, "the number of nodes", ++nodes, 0, ModelLimits.MAX_NODES);
+            if (next.getLocalCullHint() == CullHint.Always) {
+                continue;       // hidden in the window, with all in it
+            }
             if (next instanceof Node) {
                 List<Spatial> children = ((Node) next).getChildren();
                 for (int i = children.size() - 1; i >= 0; i--) {

@@ -35,6 +35,13 @@ final class BlendFile {
             + " int pad2 ListBase modifiers ListBase defbase ListBase constraints",
         "Base Base *next Base *prev Object *object",
         "Scene ID id ListBase base",
+        "ModifierData ModifierData *next ModifierData *prev int type int mode int stackindex int pad char name[64] "
+        + "void *scene char *error",
+        "SubsurfModifierData ModifierData modifier short subdivType short levels short renderLevels short flags",
+        "ArrayModifierData ModifierData modifier void *start_cap void *end_cap void *curve_ob void *offset_ob "
+        + "float offset[3] float scale[3]"
+            + " float length float merge_dist int fit_type int offset_type int flags int count",
+        "BevelModifierData ModifierData modifier float value int res",
         "Library ID id void *idblock char name[240] char filepath[240]"};
 
     static {
@@ -85,6 +92,71 @@ final class BlendFile {
     }
 
     /**
+     * Makes a mesh that is turned by 45 degrees about Blender's z axis in a parent that is twice as long along x.
+     * Blender stores the product of both matrices, which shears.
+     */
+    static byte[] sheared(float[] corners, int[][] polygons) {
+        BlendFile file = new BlendFile();
+        Block mesh = file.meshBlock(corners, polygons);
+        float half = (float) Math.sqrt(0.5);
+        Block parent = file.object("OBparent", 0, 0, 2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+        Block child = file.object("OBsolid", 1, mesh.address, 2 * half, half, 0, 0, -2 * half, half, 0, 0, 0, 0, 1, 0,
+            0, 0, 0, 1);
+        child.at(0, "parent").putLong(parent.address);
+        return file.scene(parent, child);
+    }
+
+    /**
+     * Makes a mesh with a modifier.
+     *
+     * @param type type of the modifier without its ending
+     * @param number subdivision levels or number of copies, each 1 m further along x
+     */
+    static byte[] modified(float[] corners, int[][] polygons, String type, int number) {
+        BlendFile file = new BlendFile();
+        Block mesh = file.meshBlock(corners, polygons);
+        Block modifier = file.block("DATA", type + "ModifierData", 1);
+        if (type.equals("Subsurf")) {
+            modifier.at(0, "subdivType").putShort((short) 1).putShort((short) number);
+        } else if (type.equals("Array")) {
+            modifier.at(0, "offset").putFloat(1);
+            modifier.at(0, "offset_type").putInt(1);
+            modifier.at(0, "count").putInt(number);
+        }
+        Block object = file.object("OBsolid", 1, mesh.address, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+        object.at(0, "modifiers").putLong(modifier.address).putLong(modifier.address);
+        return file.scene(object);
+    }
+
+    private Block object(String name, int type, long data, float... matrix) {
+        Block object = block("OB", "Object", 1).name(name);
+        object.at(0, "type").putShort((short) type);
+        object.at(0, "lay").putInt(1);
+        object.at(0, "data").putLong(data);
+        object.at(0, "size").putFloat(1).putFloat(1).putFloat(1);
+        ByteBuffer to = object.at(0, "obmat");
+        for (float value : matrix) {
+            to.putFloat(value);
+        }
+        return object;
+    }
+
+    private byte[] scene(Block... objects) {
+        Block bases = block("DATA", "Base", 1);
+        Block last = bases;
+        last.at(0, "object").putLong(objects[0].address);
+        for (int i = 1; i < objects.length; i++) {
+            Block next = block("DATA", "Base", 1);
+            next.at(0, "object").putLong(objects[i].address);
+            last.at(0, "next").putLong(next.address);
+            last = next;
+        }
+        Block scene = block("SC", "Scene", 1).name("SCscene");
+        scene.at(0, "base").putLong(bases.address).putLong(last.address);
+        return bytes();
+    }
+
+    /**
      * Makes the same object with its mesh in another file.
      * @param path of that file, as Blender writes it
      */
@@ -100,20 +172,8 @@ final class BlendFile {
     }
 
     private byte[] scene(Block mesh, float[] place) {
-        Block object = block("OB", "Object", 1).name("OBsolid");
-        object.at(0, "type").putShort((short) 1);
-        object.at(0, "lay").putInt(1);
-        object.at(0, "data").putLong(mesh.address);
-        object.at(0, "size").putFloat(1).putFloat(1).putFloat(1);
-        ByteBuffer matrix = object.at(0, "obmat");
-        for (int i = 0; i < 16; i++) {
-            matrix.putFloat(i == 15 || i % 5 == 0 ? 1 : i >= 12 ? place[i - 12] : 0);
-        }
-        Block base = block("DATA", "Base", 1);
-        base.at(0, "object").putLong(object.address);
-        Block scene = block("SC", "Scene", 1).name("SCscene");
-        scene.at(0, "base").putLong(base.address).putLong(base.address);
-        return bytes();
+        return scene(object("OBsolid", 1, mesh.address, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, place[0], place[1],
+            place[2], 1));
     }
 
     private Block meshBlock(float[] corners, int[][] polygons) {
@@ -134,13 +194,26 @@ final class BlendFile {
                 loops.at(corner++, "v").putInt(vertex);
             }
         }
+        TreeSet<Long> pairs = new TreeSet<>();
+        for (int[] polygon : polygons) {
+            for (int i = 0; i < polygon.length; i++) {
+                int other = polygon[(i + 1) % polygon.length];
+                pairs.add((long) Math.min(polygon[i], other) << 32 | Math.max(polygon[i], other));
+            }
+        }
+        Block edges = block("DATA", "MEdge", pairs.size());
+        int edge = 0;
+        for (long pair : pairs) {
+            edges.at(edge++, "v1").putInt((int) (pair >> 32)).putInt((int) pair);
+        }
         Block layers = block("DATA", "CustomDataLayer", 1);
         Block mesh = block("ME", "Mesh", 1).name("MEsolid");
         mesh.at(0, "mvert").putLong(vertices.address);
         mesh.at(0, "mpoly").putLong(polys.address);
+        mesh.at(0, "medge").putLong(edges.address);
         mesh.at(0, "mloop").putLong(loops.address);
         mesh.at(0, "ldata").putLong(layers.address).putInt(1).putInt(1);
-        mesh.at(0, "totvert").putInt(corners.length / 3).putInt(0).putInt(corner).putInt(polygons.length);
+        mesh.at(0, "totvert").putInt(corners.length / 3).putInt(pairs.size()).putInt(corner).putInt(polygons.length);
         return mesh;
     }
 

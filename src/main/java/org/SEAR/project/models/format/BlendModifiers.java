@@ -1,0 +1,79 @@
+package org.SEAR.project.models.format;
+
+import com.jme3.scene.plugins.blender.BlenderContext;
+import com.jme3.scene.plugins.blender.file.BlenderFileException;
+import com.jme3.scene.plugins.blender.file.Pointer;
+import com.jme3.scene.plugins.blender.file.Structure;
+import com.jme3.scene.plugins.blender.modifiers.Modifier;
+import com.jme3.scene.plugins.blender.modifiers.ModifierHelper;
+import java.util.Collection;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.SEAR.files.FileLimits;
+
+/** Reads the modifiers of Blender files: refuses those that make too many faces, and reports unsupported ones. */
+final class BlendModifiers extends ModifierHelper {
+    /** Faces of a mesh after its modifiers: some seconds of work. */
+    static final int MAX_FACES = 250_000;
+    private static final Set<String> SUPPORTED = Set.of(Modifier.ARRAY_MODIFIER_DATA, Modifier.MIRROR_MODIFIER_DATA,
+        Modifier.ARMATURE_MODIFIER_DATA, Modifier.PARTICLE_MODIFIER_DATA, Modifier.SUBSURF_MODIFIER_DATA);
+    private static final String NAME = "ModifierData";
+
+    private final String file;
+    private final Consumer<String> warnings;
+
+    BlendModifiers(String version, BlenderContext context, String file, Consumer<String> warnings) {
+        super(version, context);
+        this.file = file;
+        this.warnings = warnings;
+    }
+
+    @Override
+    public Collection<Modifier> readModifiers(Structure object, BlenderContext context) throws BlenderFileException {
+        double faces = faces(object);
+        for (Structure modifier : ((Structure) object.getFieldValue("modifiers")).evaluateListBase()) {
+            String type = modifier.getType();
+            String name = FileLimits.printable(type.replace(NAME, "") + " modifier of the object " + object.getName());
+            if (!SUPPORTED.contains(type)) {
+                warnings.accept("the " + name + " is left out: apply it in Blender, or export .glb");
+            }
+            double times = times(modifier, type);
+            if (faces * times > MAX_FACES && times > 1) {
+                throw new BlenderFileException("modifier", FileLimits.wrong(file, "the number of faces after the "
+                    + name,
+                    Math.round(faces * times), "at most " + MAX_FACES + ": lower its levels or count, or export .glb"));
+            }
+            faces *= times;
+        }
+        return super.readModifiers(object, context);
+    }
+
+    private static double faces(Structure object) throws BlenderFileException {
+        Pointer data = (Pointer) object.getFieldValue("data");
+        if (number(object, "type") != 1 || data == null || data.isNull()) {
+            return 0;
+        }
+        Structure mesh = data.fetchData().get(0);
+        return Math.max(number(mesh, "totpoly"), number(mesh, "totface"));
+    }
+
+    /** Returns a field; 0 if this version of Blender has none. */
+    private static double number(Structure of, String field) {
+        Object value = of.getFieldValue(field, null);
+        return value instanceof Number ? ((Number) value).doubleValue() : 0;
+    }
+
+    /** Returns by how much a modifier multiplies the number of faces; an array of a fixed length is unknown. */
+    private static double times(Structure modifier, String type) {
+        switch (type) {
+            case Modifier.SUBSURF_MODIFIER_DATA:
+                return Math.pow(4, number(modifier, "levels"));
+            case Modifier.ARRAY_MODIFIER_DATA:
+                return Math.max(1, number(modifier, "count"));
+            case Modifier.MIRROR_MODIFIER_DATA:
+                return 2;
+            default:
+                return 1;
+        }
+    }
+}

@@ -68,7 +68,7 @@ public final class StepWorld implements AutoCloseable {
         simulation = project.getSimulation();
         if (all) {
             for (SerialLine line : simulation.getLines()) {
-                line.setSink(bytes -> { });
+                line.setSink((bytes, starts) -> { });
                 write(line, line.getObjectType().equals("LIDAR") ? ALL_SCANS : line.getObjectType().equals("Dynamics") ? STREAM : new int[0]);
             }
         } else {

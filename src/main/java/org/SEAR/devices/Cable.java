@@ -16,6 +16,8 @@ public final class Cable implements SerialLine {
     /** Mask that distorts a byte sent at the wrong baud rate. */
     private static final int GARBLE = 0xA5;
     private static final int FIRST_SIZE = 256;
+    private static final int[] NO_START = {};
+    private static final int[] ONE_START = {0};
     /** For this long after the host's last byte, replies leave at once, not at the end of the step, s. */
     private static final double CONVERSATION = 0.1;
     /** Interval of the device's timers during that time, s. */
@@ -29,7 +31,7 @@ public final class Cable implements SerialLine {
     private final String userPort;
     private SerialDevice device;
     private volatile boolean powered = true;
-    private Sink sink = bytes -> { };
+    private Sink sink = (bytes, starts) -> { };
     private LineListener listener;
     private final Object lock = new Object();
     private byte[] incoming = new byte[FIRST_SIZE];
@@ -57,6 +59,8 @@ public final class Cable implements SerialLine {
     private double toDeviceTime;
     private byte[] toHost = new byte[FIRST_SIZE];
     private double[] toHostTimes = new double[FIRST_SIZE];
+    /** Which bytes to the host begin a message. */
+    private boolean[] toHostStarts = new boolean[FIRST_SIZE];
     private int toHostFrom;
     private int toHostEnd;
     private double freeAt;
@@ -340,7 +344,7 @@ public final class Cable implements SerialLine {
         return speed > 0 && !device.hearsEveryBaud() ? speed : device.getBaud();
     }
 
-    /** Puts bytes from the device on the line. */
+    /** Puts a message from the device on the line. */
     public void send(byte[] bytes, double time) {
         double byteTime = Uart.seconds(1, device.getBaud());
         if (freeAt - time > Uart.seconds(MAX_OUTPUT, device.getBaud())) {
@@ -352,9 +356,11 @@ public final class Cable implements SerialLine {
         }
         boolean garbled = speedOfHost() != device.getBaud();
         freeAt = Math.max(freeAt, time);
+        int start = toHostEnd;
         for (byte each : bytes) {
             freeAt += byteTime;
             toHost[toHostEnd] = garbled ? (byte) (each ^ GARBLE) : each;
+            toHostStarts[toHostEnd] = toHostEnd == start;
             toHostTimes[toHostEnd++] = freeAt;
         }
     }
@@ -364,10 +370,13 @@ public final class Cable implements SerialLine {
         boolean grow = left + more > toHost.length;
         byte[] bytes = grow ? new byte[2 * (left + more)] : toHost;
         double[] times = grow ? new double[2 * (left + more)] : toHostTimes;
+        boolean[] starts = grow ? new boolean[2 * (left + more)] : toHostStarts;
         System.arraycopy(toHost, toHostFrom, bytes, 0, left);
         System.arraycopy(toHostTimes, toHostFrom, times, 0, left);
+        System.arraycopy(toHostStarts, toHostFrom, starts, 0, left);
         toHost = bytes;
         toHostTimes = times;
+        toHostStarts = starts;
         toHostFrom = 0;
         toHostEnd = left;
     }
@@ -418,6 +427,7 @@ public final class Cable implements SerialLine {
         }
         byte[] bytes = new byte[count];
         System.arraycopy(toHost, toHostFrom, bytes, 0, count);
+        int[] starts = starts(count);
         toHostFrom += count;
         if (toHostFrom == toHostEnd) {
             toHostFrom = 0;
@@ -427,9 +437,27 @@ public final class Cable implements SerialLine {
             listener.said(this, bytes);
         }
         if (!closed) {
-            sink.receive(bytes);
+            sink.receive(bytes, starts);
             delivered += count;
         }
+    }
+
+    /** Returns the indices of the starts of messages among the next bytes to the host. */
+    private int[] starts(int count) {
+        int number = 0;
+        for (int i = 0; i < count; i++) {
+            number += toHostStarts[toHostFrom + i] ? 1 : 0;
+        }
+        if (number <= 1 && toHostStarts[toHostFrom] == (number == 1)) {
+            return number == 0 ? NO_START : ONE_START;
+        }
+        int[] starts = new int[number];
+        for (int i = 0, found = 0; i < count; i++) {
+            if (toHostStarts[toHostFrom + i]) {
+                starts[found++] = i;
+            }
+        }
+        return starts;
     }
 
     @Override

@@ -8,8 +8,11 @@ package org.SEAR.devices;
 public interface SerialLine {
     /** Receives the bytes that have left the device. Simulation thread. */
     interface Sink {
-        /** @param bytes in order; the array belongs to the receiver */
-        void receive(byte[] bytes);
+        /**
+         * @param bytes in order; the array belongs to the receiver
+         * @param starts ascending indices of bytes that begin a message; the bytes before the first one continue a message
+         */
+        void receive(byte[] bytes, int[] starts);
     }
 
     /** Name of the sensor or dynamics object with this device. */

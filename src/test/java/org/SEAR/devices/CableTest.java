@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.SEAR.simulator.Simulation;
 import org.junit.Test;
@@ -81,7 +82,7 @@ public class CableTest {
 
     public CableTest() {
         cable.attach(device);
-        cable.setSink(bytes -> host.write(bytes, 0, bytes.length));
+        cable.setSink((bytes, starts) -> host.write(bytes, 0, bytes.length));
     }
 
     private void step(long number) {
@@ -241,5 +242,23 @@ public class CableTest {
         assertEquals("nothing was on the line yet", 2, cable.freeAt(), 0);
         cable.deliver(3);
         assertEquals(4, host.size());
+    }
+
+    @Test
+    public void theReceiverLearnsWhereMessagesBegin() {
+        List<String> pieces = new ArrayList<>();
+        cable.setSink((bytes, starts) -> pieces.add(bytes.length + " " + Arrays.toString(starts)));
+        cable.send(new byte[20], 0);
+        cable.send(new byte[2], 0);
+        cable.send(new byte[1], 0);
+        cable.send(new byte[300], 0);
+        for (int step = 1; step <= 3; step++) {
+            cable.deliver(step * Simulation.STEP + 1e-6);
+        }
+        assertEquals(List.of("16 [0]", "16 [4, 6, 7]", "16 []"), pieces);
+        cable.cutOutput(3 * Simulation.STEP + 1e-6);
+        cable.send(new byte[5], 3 * Simulation.STEP + 1e-6);
+        cable.deliver(4 * Simulation.STEP);
+        assertEquals("the rest of the cut message is one byte", "6 [1]", pieces.get(3));
     }
 }

@@ -160,7 +160,7 @@ public class OrdersTest {
         try (Simulation world = world()) {
             Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
             world.getLines().stream().filter(line -> line.getObjectName().equals("gps")).findFirst().orElseThrow(AssertionError::new)
-                .setSink(bytes -> callback.accept(world));
+                .setSink((bytes, starts) -> callback.accept(world));
             for (int i = 0; i < 60; i++) {
                 run(world, 10);
                 lidar(world).write(SCAN);

@@ -68,7 +68,7 @@ public class LidarTelegramsTest {
             MarchedWorld marched = build(random);
             try (Simulation simulation = Simulation.load(Path.of(System.getProperty("sear.project")), SEED)) {
                 SerialLine line = simulation.getLines().get(0);
-                line.setSink(bytes -> received.write(bytes, 0, bytes.length));
+                line.setSink((bytes, starts) -> received.write(bytes, 0, bytes.length));
                 run(simulation, 2);
                 Pose scanner = simulation.getPose("scanner");
                 for (Object[] variant : VARIANTS) {
@@ -108,7 +108,7 @@ public class LidarTelegramsTest {
         carrier(0).addComponent(lidar);
         try (Simulation simulation = Simulation.load(Path.of(System.getProperty("sear.project")), SEED)) {
             SerialLine line = simulation.getLines().get(0);
-            line.setSink(bytes -> received.write(bytes, 0, bytes.length));
+            line.setSink((bytes, starts) -> received.write(bytes, 0, bytes.length));
             run(simulation, 2);
             ask(simulation, line, "02 00 02 00 20 40 50 08", 9);
             for (int i = 0; i < modes.length; i++) {

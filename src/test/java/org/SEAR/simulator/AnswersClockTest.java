@@ -31,7 +31,7 @@ public class AnswersClockTest {
         SimulationRunner runner = new SimulationRunner(Worlds.start(project));
         SerialLine line = runner.getSimulation().getLines().get(0);
         BlockingQueue<Long> answers = new LinkedBlockingQueue<>();
-        line.setSink(bytes -> answers.add(runner.getSimulation().snapshot().step));
+        line.setSink((bytes, starts) -> answers.add(runner.getSimulation().snapshot().step));
         Thread thread = new Thread(runner, "simulation under test");
         thread.start();
         runner.sleep(0.1);

@@ -63,7 +63,7 @@ public class RunnerTest {
     public void whileItIsPausedMrlCommAnswersBytesThatCome() throws Exception {
         SerialLine line = runner.getSimulation().getLines().get(0);
         BlockingQueue<Byte> heard = new LinkedBlockingQueue<>();
-        line.setSink(bytes -> {
+        line.setSink((bytes, starts) -> {
             for (byte each : bytes) {
                 heard.add(each);
             }

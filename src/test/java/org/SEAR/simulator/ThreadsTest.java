@@ -125,7 +125,7 @@ public class ThreadsTest {
                 MessageDigest digest = Digests.sha256();
                 int number = telegrams.size();
                 telegrams.add(digest);
-                line.setSink(each -> {
+                line.setSink((each, starts) -> {
                     digest.update(each);
                     bytes[number] += each.length;
                 });
@@ -175,7 +175,7 @@ public class ThreadsTest {
         try (Simulation simulation = Worlds.start(project)) {
             simulation.setThreads(2);
             for (SerialLine line : simulation.getLines()) {
-                line.setSink(bytes -> { });
+                line.setSink((bytes, starts) -> { });
                 line.write(ALL_SCANS);
             }
             Worlds.run(simulation, 2);

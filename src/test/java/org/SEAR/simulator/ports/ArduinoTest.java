@@ -55,7 +55,7 @@ public class ArduinoTest {
         robot.addComponent(uno);
         simulation = Worlds.start(project);
         line = simulation.getLines().get(0);
-        line.setSink(bytes -> heard.write(bytes, 0, bytes.length));
+        line.setSink((bytes, starts) -> heard.write(bytes, 0, bytes.length));
         Worlds.run(simulation, 1);
     }
 

@@ -53,7 +53,7 @@ public class BetweenStepsTest {
         world = Worlds.start(project);
         uno = line("Arduino");
         create = line("Dynamics");
-        world.getLines().forEach(each -> each.setSink(bytes -> heard.write(bytes, 0, bytes.length)));
+        world.getLines().forEach(each -> each.setSink((bytes, starts) -> heard.write(bytes, 0, bytes.length)));
         Worlds.run(world, 0.5);
     }
 
@@ -95,7 +95,7 @@ public class BetweenStepsTest {
     @Test
     public void byTheClockAnAnswerComesInOnePiece() {
         List<Integer> pieces = new ArrayList<>();
-        create.setSink(bytes -> pieces.add(bytes.length));
+        create.setSink((bytes, starts) -> pieces.add(bytes.length));
         create.write(Bytes.bytes("80 8E 00"));
         int looks = 0;
         for (int next = world.serviceDevices(100); pieces.isEmpty() && next < Simulation.PARTS; looks++) {

@@ -71,7 +71,7 @@ public class FloodTest {
     public void queriesFasterThanTheLineEndSoonAfterTheyStop() throws Exception {
         Simulation simulation = world();
         List<SerialLine> lines = simulation.getLines();
-        lines.forEach(line -> line.setSink(bytes -> { }));
+        lines.forEach(line -> line.setSink((bytes, starts) -> { }));
         lines.stream().filter(line -> line.getObjectType().equals("Dynamics")).forEach(line -> line.write(Bytes.bytes("80")));
         while (simulation.getTime() < FLOOD) {
             for (SerialLine line : lines) {
@@ -103,7 +103,7 @@ public class FloodTest {
         Random random = new Random(Fuzz.SEED);
         Simulation simulation = world();
         List<SerialLine> lines = simulation.getLines();
-        lines.forEach(line -> line.setSink(bytes -> { }));
+        lines.forEach(line -> line.setSink((bytes, starts) -> { }));
         byte[] garbage = new byte[500];
         while (simulation.getTime() < FLOOD) {
             for (SerialLine line : lines) {

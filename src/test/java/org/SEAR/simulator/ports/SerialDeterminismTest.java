@@ -103,7 +103,7 @@ public class SerialDeterminismTest {
         for (SerialLine line : simulation.getLines()) {
             ByteArrayOutputStream bytes = new ByteArrayOutputStream();
             heard.add(bytes);
-            line.setSink(each -> bytes.write(each, 0, each.length));
+            line.setSink((each, starts) -> bytes.write(each, 0, each.length));
         }
         return heard;
     }

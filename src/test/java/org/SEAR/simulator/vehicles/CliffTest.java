@@ -61,7 +61,7 @@ public class CliffTest {
             }
         }
         simulation = Worlds.start(project);
-        simulation.getLines().forEach(line -> line.setSink(bytes -> { }));
+        simulation.getLines().forEach(line -> line.setSink((bytes, starts) -> { }));
         Worlds.run(simulation, 2);
     }
 

@@ -5,8 +5,13 @@ interface ExternalEndpoint {
     /** Starts delivering bytes and the programs' opening and closing to {@code end}. */
     void start(LineEnd end);
 
-    /** Sends bytes to the program; drops them without a reader. Never waits. */
-    void write(byte[] bytes);
+    /**
+     * Sends bytes to the program; drops them without a reader, and whole messages if the program reads too slowly. Never
+     * waits. One thread at a time.
+     *
+     * @param starts indices of the messages' first bytes, as in {@link org.SEAR.devices.SerialLine.Sink}
+     */
+    void write(byte[] bytes, int[] starts);
 
     /**
      * Reports that a device is present at the port.

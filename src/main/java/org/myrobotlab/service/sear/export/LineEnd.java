@@ -51,6 +51,14 @@ final class LineEnd {
         bridge.warn(cause, bridge.getName() + ": " + message);
     }
 
+    /** Counts messages that a program which reads too slowly has lost, and warns the user. */
+    void lost(int messages) {
+        for (int i = 0; i < messages; i++) {
+            warn("unread at " + endpoint.describe(), "the program at the " + endpoint.describe()
+                + " reads too slowly; SEAR drops whole messages while an earlier one waits");
+        }
+    }
+
     /** Returns the baud rate for a program: its own, else the device's; 0 without a device. */
     int getLineBaud() {
         return baud > 0 ? baud : bridge.getDeviceBaud();

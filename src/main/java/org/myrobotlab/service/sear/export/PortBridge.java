@@ -21,6 +21,7 @@ final class PortBridge implements SerialDataListener {
     private static final int DATA_BITS = 8;
     private static final int STOP_BITS = 1;
     private static final int NO_PARITY = 0;
+    private static final int[] ONE_MESSAGE = {0};
 
     private final String name;
     private final Host host;
@@ -58,7 +59,7 @@ final class PortBridge implements SerialDataListener {
         line = direct;
         ends.forEach(end -> end.getEndpoint().deviceAt(getDeviceBaud()));
         if (direct != null) {
-            direct.setReader(this::onBytes);
+            direct.setReader(this::write);
         }
         synchronized (this) {
             port = present;
@@ -221,9 +222,14 @@ final class PortBridge implements SerialDataListener {
         ends.clear();
     }
 
+    private void write(byte[] bytes, int[] starts) {
+        ends.forEach(end -> end.getEndpoint().write(bytes, starts));
+    }
+
+    /** Takes bytes of a port without a simulated device; each piece counts as a message. */
     @Override
     public void onBytes(byte[] bytes) {
-        ends.forEach(end -> end.getEndpoint().write(bytes));
+        write(bytes, ONE_MESSAGE);
     }
 
     @Override

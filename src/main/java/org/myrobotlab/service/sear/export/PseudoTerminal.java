@@ -14,7 +14,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * A pseudo-terminal in raw mode, which programs open and close like a serial port. Drops bytes while no program has it
- * open, and unread bytes when a program closes it, as a real port does. Linux and macOS. macOS forgets the settings of
+ * open, and unread bytes when a program closes it, as a real port does. If a program pauses until the system's buffer is
+ * full, an {@link Outbox} drops whole messages. Linux and macOS. macOS forgets the settings of
  * a closed terminal, so SEAR keeps the terminal side open there, and a program may read up to 4 kB of old bytes.
  */
 final class PseudoTerminal implements ExternalEndpoint {
@@ -31,9 +32,12 @@ final class PseudoTerminal implements ExternalEndpoint {
     /** Interval between checks of a closed terminal, milliseconds. */
     private static final int CLOSED_MILLIS = 10;
     private static final short POLL_IN = 1;
+    private static final short POLL_OUT = 4;
     private static final short POLL_HANG_UP = 0x10;
     private static final int EVENTS_AT = Integer.BYTES;
     private static final int FOUND_AT = Integer.BYTES + Short.BYTES;
+    /** Offset of the wake-up pipe's descriptor behind the master's. */
+    private static final int WAKE_UP_AT = Long.BYTES;
     private static final int NONE = -1;
     /** Rate while the device's rate is unknown; no program sets it. */
     private static final int UNKNOWN_BAUD = 50;
@@ -62,6 +66,10 @@ final class PseudoTerminal implements ExternalEndpoint {
     private final String path;
     private final TerminalLink link;
     private final Memory writeDescriptor = new Memory(Long.BYTES);
+    /** Pipe that ends the reader's wait: its reading end, then its writing end. */
+    private final int[] wakeUp;
+    /** Guarded by this. */
+    private final Outbox outbox = new Outbox(bytes -> bytes);
     private volatile boolean open = true;
     private boolean unread;
     /** Length of the packet header in each read, bytes. */
@@ -91,6 +99,8 @@ final class PseudoTerminal implements ExternalEndpoint {
 
         int fcntl(int fd, int command, int value);
 
+        int pipe(int[] ends);
+
         int poll(Pointer descriptors, NativeLong count, int millis);
 
         int tcgetattr(int fd, Pointer termios);
@@ -108,13 +118,14 @@ final class PseudoTerminal implements ExternalEndpoint {
         int tcflush(int fd, int what);
     }
 
-    private PseudoTerminal(String port, C c, int master, int slave, String path, TerminalLink link) {
+    private PseudoTerminal(String port, C c, int master, int slave, String path, TerminalLink link, int[] wakeUp) {
         this.port = port;
         this.c = c;
         this.master = master;
         this.slave = slave;
         this.path = path;
         this.link = link;
+        this.wakeUp = wakeUp;
         this.header = reportSettings(true) ? PACKET_HEADER : 0;
     }
 
@@ -146,9 +157,15 @@ final class PseudoTerminal implements ExternalEndpoint {
         if (kept == NONE) {
             c.close(slave);
         }
+        int[] wakeUp = {NONE, NONE};
         try {
-            return new PseudoTerminal(port, c, master, kept, path, link == null ? null : TerminalLink.make(link, path));
+            if (c.pipe(wakeUp) != 0 || c.fcntl(wakeUp[1], SET_FLAGS, NOT_BLOCKING) != 0) {
+                throw new IOException("the system provides no pipe (error " + Native.getLastError() + ")");
+            }
+            return new PseudoTerminal(port, c, master, kept, path, link == null ? null : TerminalLink.make(link, path), wakeUp);
         } catch (IOException | RuntimeException e) {
+            closeIfOpen(c, wakeUp[0]);
+            closeIfOpen(c, wakeUp[1]);
             closeIfOpen(c, kept);
             closeIfOpen(c, master);
             throw e;
@@ -226,16 +243,19 @@ final class PseudoTerminal implements ExternalEndpoint {
     }
 
     private void read() {
-        Memory descriptor = new Memory(Long.BYTES);
+        Memory descriptors = new Memory(2L * Long.BYTES);
         Memory termios = new Memory(TERMIOS_SIZE);
         byte[] buffer = new byte[BUFFER];
         boolean inUse = false;
         while (open) {
-            int found = poll(descriptor, POLL_MILLIS);
+            int found = await(descriptors, buffer);
             boolean hungUp = (found & POLL_HANG_UP) != 0;
             if (!hungUp && !inUse && open) {
                 end.opened();
                 inUse = true;
+            }
+            if (!hungUp && (found & POLL_OUT) != 0) {
+                sendRest();
             }
             int count = (found & POLL_IN) != 0 ? take(buffer) : 0;
             boolean set = header > 0 && count > 0 && (buffer[0] & HAS_SET) != 0;
@@ -291,18 +311,42 @@ final class PseudoTerminal implements ExternalEndpoint {
     }
 
     /**
-     * Returns the events at the master: {@link #POLL_IN}, and {@link #POLL_HANG_UP} while no program has the terminal
-     * open.
+     * Waits for the reader's next task, at most {@link #POLL_MILLIS}.
+     *
+     * @return events at the master: {@link #POLL_IN}, {@link #POLL_OUT} if unsent bytes have room, and
+     *     {@link #POLL_HANG_UP} while no program has the terminal open
      */
-    private int poll(Memory descriptor, int millis) {
-        descriptor.setInt(0, master);
-        descriptor.setShort(EVENTS_AT, POLL_IN);
-        descriptor.setShort(FOUND_AT, (short) 0);
-        return c.poll(descriptor, new NativeLong(1), millis) > 0 ? descriptor.getShort(FOUND_AT) : 0;
+    private int await(Memory descriptors, byte[] buffer) {
+        describe(descriptors, 0, master, hasRest() ? POLL_IN | POLL_OUT : POLL_IN);
+        describe(descriptors, WAKE_UP_AT, wakeUp[0], POLL_IN);
+        if (c.poll(descriptors, new NativeLong(2), POLL_MILLIS) <= 0) {
+            return 0;
+        }
+        if (descriptors.getShort(WAKE_UP_AT + FOUND_AT) != 0) {
+            c.read(wakeUp[0], buffer, new NativeLong(buffer.length));
+        }
+        return descriptors.getShort(FOUND_AT);
+    }
+
+    private static void describe(Memory descriptors, int at, int fd, int events) {
+        descriptors.setInt(at, fd);
+        descriptors.setShort(at + EVENTS_AT, (short) events);
+        descriptors.setShort(at + FOUND_AT, (short) 0);
+    }
+
+    private synchronized boolean hasRest() {
+        return !outbox.isEmpty();
+    }
+
+    /** Whether no program has the terminal open. */
+    private boolean isHungUp() {
+        describe(writeDescriptor, 0, master, POLL_IN);
+        return c.poll(writeDescriptor, new NativeLong(1), 0) > 0 && (writeDescriptor.getShort(FOUND_AT) & POLL_HANG_UP) != 0;
     }
 
     /** Drops unread bytes after the last program has closed the terminal. */
     private synchronized void forgetUnread() {
+        outbox.clear();
         int side = open && unread ? c.open(path, READ_WRITE | NO_CONTROLLING_TERMINAL) : NONE;
         if (side >= 0) {
             c.tcflush(side, FLUSH_INPUT);
@@ -326,24 +370,40 @@ final class PseudoTerminal implements ExternalEndpoint {
     }
 
     @Override
-    public synchronized void write(byte[] bytes) {
-        if (open && (poll(writeDescriptor, 0) & POLL_HANG_UP) != 0) {
-            return;
-        }
-        for (int done = 0; open && done < bytes.length;) {
-            byte[] rest = Arrays.copyOfRange(bytes, done, bytes.length);
-            int written = c.write(master, rest, new NativeLong(rest.length)).intValue();
-            if (written > 0) {
-                unread = true;
-                done += written;
-            } else {
-                log.debug("no program reads {}: bytes are dropped", path);
-                if (slave != NONE) {
-                    c.tcflush(slave, FLUSH_INPUT);
-                }
-                done = bytes.length;
+    public void write(byte[] bytes, int[] starts) {
+        int dropped;
+        synchronized (this) {
+            if (!open) {
+                return;
+            }
+            if (isHungUp()) {
+                outbox.clear();
+                return;
+            }
+            outbox.flush(this::writeToMaster);
+            boolean waited = !outbox.isEmpty();
+            dropped = outbox.add(bytes, starts);
+            outbox.flush(this::writeToMaster);
+            if (!waited && !outbox.isEmpty()) {
+                c.write(wakeUp[1], new byte[1], new NativeLong(1));
             }
         }
+        if (dropped > 0 && slave == NONE) { // macOS does not report whether a program reads at all
+            end.lost(dropped);
+        }
+    }
+
+    private synchronized void sendRest() {
+        if (open) {
+            outbox.flush(this::writeToMaster);
+        }
+    }
+
+    private int writeToMaster(byte[] bytes, int from, int count) {
+        byte[] piece = from == 0 ? bytes : Arrays.copyOfRange(bytes, from, from + count);
+        int written = c.write(master, piece, new NativeLong(count)).intValue();
+        unread |= written > 0;
+        return written;
     }
 
     @Override
@@ -364,6 +424,8 @@ final class PseudoTerminal implements ExternalEndpoint {
         synchronized (this) {
             closeIfOpen(c, slave);
             c.close(master);
+            c.close(wakeUp[0]);
+            c.close(wakeUp[1]);
         }
     }
 }

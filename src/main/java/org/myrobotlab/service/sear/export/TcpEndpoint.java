@@ -18,7 +18,7 @@ import org.slf4j.LoggerFactory;
 /**
  * A TCP server on the loopback address for one program at a time; a new one replaces the old. Its
  * {@link TcpSession.Kind} defines the meaning of the bytes. The system buffers bytes for a slow program; beyond that,
- * whole messages are lost.
+ * an {@link Outbox} drops whole messages.
  */
 final class TcpEndpoint implements ExternalEndpoint {
     private static final Logger log = LoggerFactory.getLogger(TcpEndpoint.class);
@@ -33,8 +33,7 @@ final class TcpEndpoint implements ExternalEndpoint {
     /** Guarded by this, like the following fields; null without a program. */
     private SocketChannel client;
     private TcpSession session;
-    /** The unsent rest of a message. */
-    private ByteBuffer unsent = ByteBuffer.allocate(0);
+    private Outbox outbox;
 
     private TcpEndpoint(String port, TcpSession.Kind kind, Selector selector, ServerSocketChannel server) {
         this.port = port;
@@ -127,8 +126,8 @@ final class TcpEndpoint implements ExternalEndpoint {
             accepted.register(selector, SelectionKey.OP_READ);
             synchronized (this) {
                 client = accepted;
-                session = kind.begin(end, bytes -> send(accepted, bytes));
-                unsent = ByteBuffer.allocate(0);
+                session = kind.begin(end, bytes -> reply(accepted, bytes));
+                outbox = new Outbox(session::encode);
             }
             end.opened();
         }
@@ -182,6 +181,7 @@ final class TcpEndpoint implements ExternalEndpoint {
             if (last) {
                 client = null;
                 session = null;
+                outbox = null;
             }
         }
         if (last) {
@@ -190,26 +190,31 @@ final class TcpEndpoint implements ExternalEndpoint {
     }
 
     @Override
-    public void write(byte[] bytes) {
+    public void write(byte[] bytes, int[] starts) {
         SocketChannel to = client();
-        TcpSession present = sessionOf(to);
-        if (present != null) {
-            send(to, present.encode(bytes));
+        int dropped = 0;
+        try {
+            synchronized (this) {
+                if (to != null && to == client) {
+                    flush(to);
+                    dropped = outbox.add(bytes, starts);
+                    flush(to);
+                }
+            }
+        } catch (IOException e) {
+            leave(to, e);
+        }
+        if (dropped > 0) {
+            end.lost(dropped);
         }
     }
 
-    /** Sends a whole message; drops it if the previous one is incomplete. */
-    private void send(SocketChannel to, byte[] message) {
+    private void reply(SocketChannel to, byte[] bytes) {
         try {
             synchronized (this) {
-                if (to != client || unsent.hasRemaining()) {
-                    return;
-                }
-                ByteBuffer left = ByteBuffer.wrap(message);
-                to.write(left);
-                unsent = left;
-                if (left.hasRemaining()) {
-                    listenFor(to, SelectionKey.OP_READ | SelectionKey.OP_WRITE);
+                if (to == client) {
+                    outbox.reply(bytes);
+                    flush(to);
                 }
             }
         } catch (IOException e) {
@@ -220,15 +225,23 @@ final class TcpEndpoint implements ExternalEndpoint {
     private void sendRest(SocketChannel to, SelectionKey key) {
         try {
             synchronized (this) {
-                if (to == client && unsent.hasRemaining()) {
-                    to.write(unsent);
+                if (to == client) {
+                    flush(to);
                 }
-                if (to != client || !unsent.hasRemaining()) {
+                if (to != client || outbox.isEmpty()) {
                     key.interestOps(SelectionKey.OP_READ);
                 }
             }
         } catch (IOException e) {
             leave(to, e);
+        }
+    }
+
+    /** Sends what the system takes to the present program, and asks the selector for the moment when it takes more. */
+    private void flush(SocketChannel to) throws IOException {
+        outbox.flush((bytes, from, count) -> to.write(ByteBuffer.wrap(bytes, from, count)));
+        if (!outbox.isEmpty()) {
+            listenFor(to, SelectionKey.OP_READ | SelectionKey.OP_WRITE);
         }
     }
 

@@ -168,10 +168,10 @@ final class UartLine implements ExternalLine {
     }
 
     /** Takes bytes from the device on the simulation thread. Bytes of a lock-step step wait for the port's turn. */
-    private void toUser(byte[] bytes) {
+    private void toUser(byte[] bytes, int[] starts) {
         SerialLine.Sink outside = reader;
         if (outside != null) {
-            guarded(() -> outside.receive(bytes));
+            guarded(() -> outside.receive(bytes, starts));
         } else if (!held.keep(bytes)) {
             synchronized (held) {
                 handOver();

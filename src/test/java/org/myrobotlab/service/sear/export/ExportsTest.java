@@ -588,7 +588,7 @@ public class ExportsTest {
             client.getOutputStream().write(all());
             assertArrayEquals(all(), awaitDevice(256));
             assertEquals("TCP server of /dev/test_user", writer[0]);
-            reader[0].receive(all());
+            reader[0].receive(all(), new int[] {0});
             assertArrayEquals("sent by the calling thread", all(), client.getInputStream().readNBytes(256));
             assertEquals("a program has it", 1, hungUp.getCount());
         }

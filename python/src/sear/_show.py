@@ -5,6 +5,7 @@ import threading
 
 import numpy
 
+from ._files import whole
 from ._objects import SEAR, java_class
 
 LIDAR = "org.myrobotlab.service.LIDAR"
@@ -22,7 +23,7 @@ class Svg(str):
 
     def save(self, path):
         """Writes the file."""
-        with open(path, "w", encoding="utf-8") as file:
+        with whole(path) as aside, open(aside, "w", encoding="utf-8") as file:
             file.write(self)
 
     def _repr_svg_(self):
@@ -37,7 +38,7 @@ class Png(bytes):
 
     def save(self, path):
         """Writes the file."""
-        with open(path, "wb") as file:
+        with whole(path) as aside, open(aside, "wb") as file:
             file.write(self)
 
     def _repr_png_(self):

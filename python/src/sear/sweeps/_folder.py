@@ -5,6 +5,8 @@ import io
 import json
 import os
 
+from .._files import whole
+
 PLAN = "sweep.json"
 JOURNAL = "journal.jsonl"
 CSV = "rows.csv"
@@ -98,9 +100,8 @@ class Folder:
         there = self.plan()
         if there is None:
             self.forget()
-            with open(self._at(PLAN) + ".part", "w", encoding="utf-8") as file:
+            with whole(self._at(PLAN)) as aside, open(aside, "w", encoding="utf-8") as file:
                 json.dump(plan, file, indent=1)
-            os.replace(self._at(PLAN) + ".part", self._at(PLAN))
         elif json.loads(json.dumps(plan)) != there:
             other = [name for name in plan if json.loads(json.dumps(plan[name])) != there.get(name)]
             raise ValueError("%s has the rows of another sweep, with another %s: choose another folder, or start over there (--fresh)"
@@ -145,11 +146,10 @@ class Folder:
 
     def tables(self, rows):
         """Writes both tables atomically."""
-        with open(self._at(CSV) + ".part", "w", encoding="utf-8", newline="") as file:
-            file.write(lines(rows))
-        parquet(rows, self._at(PARQUET) + ".part")
-        for name in (CSV, PARQUET):
-            os.replace(self._at(name) + ".part", self._at(name))
+        with whole(self._at(CSV)) as table, whole(self._at(PARQUET)) as columnar:
+            with open(table, "w", encoding="utf-8", newline="") as file:
+                file.write(lines(rows))
+            parquet(rows, columnar)
 
     def close(self):
         """Closes the journal."""

@@ -1,5 +1,5 @@
 /**
  * Files of a project and files that come with SEAR: lookup, size limits, completeness of pictures, and pictures
- * generated on request. Uses no other package of SEAR. Any thread.
+ * generated on request; writing of files, whole or not at all. Uses no other package of SEAR. Any thread.
  */
 package org.SEAR.files;

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import org.SEAR.files.AtomicFile;
 
 /**
  * Writes drawings to files: PNG, with the computer's fonts, or SVG, with the same bytes on every computer. Any thread.
@@ -44,7 +45,7 @@ public final class DrawingFiles {
         if (folder != null && !Files.isDirectory(folder)) {
             throw new IOException(file + " can't be written, there is no folder " + folder + ": make it first");
         }
-        Files.write(file, name(file).endsWith(SVG) ? svg(drawing).getBytes(StandardCharsets.UTF_8) : png(drawing));
+        AtomicFile.write(file, name(file).endsWith(SVG) ? svg(drawing).getBytes(StandardCharsets.UTF_8) : png(drawing));
     }
 
     /** Returns the text of an SVG file. */

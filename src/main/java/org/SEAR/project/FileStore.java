@@ -7,13 +7,13 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Iterator;
 import java.util.List;
 import java.util.function.Supplier;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.ObjectStore;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.files.AtomicFile;
 import org.SEAR.grammar.TextRule;
 import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.xml.Xml;
@@ -23,9 +23,6 @@ import org.SEAR.project.xml.Xml;
  * is moved into place. Any thread; waits while the project is being replaced.
  */
 public final class FileStore implements ObjectStore {
-    /** Makes temporary files of two programs in one project distinct. */
-    private static final long PROCESS = ProcessHandle.current().pid();
-
     private final PartPlaces places = new PartPlaces();
     /** Changes since the start of {@link #whole}; null outside of it. */
     private final ThreadLocal<Undo> undo = new ThreadLocal<>();
@@ -53,7 +50,7 @@ public final class FileStore implements ObjectStore {
             Files.deleteIfExists(file);
         } else {
             Files.createDirectories(file.getParent());
-            writeAtomically(file, bytes);
+            AtomicFile.write(file, bytes);
         }
     }
 
@@ -118,22 +115,6 @@ public final class FileStore implements ObjectStore {
             ProjectSwap.change(ProjectFolder.present(), change);
         } catch (FileSystemException e) {
             throw new IOException(FileReasons.of(e), e);
-        }
-    }
-
-    /**
-     * Writes a file atomically, by a temporary file beside it.
-     *
-     * @throws IOException if the file can't be written; the old file stays complete
-     */
-    public static void writeAtomically(Path file, byte[] bytes) throws IOException {
-        Path temporary = file.resolveSibling("." + file.getFileName() + "." + PROCESS + ProjectFolder.TEMPORARY);
-        try {
-            Files.write(temporary, bytes);
-            Files.move(temporary, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        } catch (IOException e) {
-            Files.deleteIfExists(temporary);
-            throw e;
         }
     }
 

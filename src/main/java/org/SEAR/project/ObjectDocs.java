@@ -5,7 +5,6 @@ import java.lang.reflect.Executable;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -30,6 +29,7 @@ import org.SEAR.POJOs.SerialObject;
 import org.SEAR.POJOs.SerialParameters;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.VoltagePoint;
+import org.SEAR.files.AtomicFile;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
@@ -89,7 +89,7 @@ public final class ObjectDocs {
      * @param args path of the page
      */
     public static void main(String[] args) throws IOException {
-        Files.write(Paths.get(args[0]), page().getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(Paths.get(args[0]), page().getBytes(StandardCharsets.UTF_8));
     }
 
     private static void robots(StringBuilder out) {

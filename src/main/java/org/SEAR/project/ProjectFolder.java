@@ -11,8 +11,6 @@ public final class ProjectFolder {
     public static final String ASSETS = "assets";
     public static final String BEAMS = "beams";
     public static final String XML = ".xml";
-    /** Ending of temporary files: {@code .NAME.xml.PROCESS.tmp}. */
-    public static final String TEMPORARY = ".tmp";
 
     private ProjectFolder() {
     }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -14,6 +15,7 @@ import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
+import org.SEAR.files.AtomicFile;
 
 /**
  * Replaces a project so that a crash at any moment leaves either the old or the new one.
@@ -221,7 +223,7 @@ public final class ProjectSwap implements AutoCloseable {
 
     /** Marks the current project as an example, which needs no backup unless the user changes it. */
     public void keepAsExample() throws IOException {
-        Files.writeString(beside(folder, EXAMPLE), Backups.digest(folder));
+        AtomicFile.write(beside(folder, EXAMPLE), Backups.digest(folder).getBytes(StandardCharsets.UTF_8));
     }
 
     private boolean isUntouchedExample() throws IOException {

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.SEAR.files.AtomicFile;
 
 /** Original contents of files that a unit of changes has modified. One thread. */
 final class Undo {
@@ -24,7 +25,7 @@ final class Undo {
             Path file = entry.getKey();
             if (entry.getValue() != null) {
                 Files.createDirectories(file.getParent());
-                FileStore.writeAtomically(file, entry.getValue());
+                AtomicFile.write(file, entry.getValue());
             } else if (Files.deleteIfExists(file)) {
                 FileStore.deleteIfEmpty(file.getParent());
             }

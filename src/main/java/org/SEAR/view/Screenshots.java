@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
+import org.SEAR.files.AtomicFile;
 
 /**
  * Saves the window's picture to {@code sear-0001.png}, {@code sear-0002.png}, ... Reads on the window's thread, writes
@@ -84,7 +85,7 @@ final class Screenshots implements SceneProcessor {
         try {
             target = file == null ? next() : file;
             Files.createDirectories(target.toAbsolutePath().getParent());
-            ImageIO.write(image, "png", target.toFile());
+            AtomicFile.write(target, place -> ImageIO.write(image, "png", place.toFile()));
             report.accept("picture saved: " + target);
         } catch (IOException e) {
             report.accept("SEAR can't save the picture in " + folder + " (" + e.getMessage() + "); choose a writable folder");

@@ -13,8 +13,11 @@ import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.SEAR.POJOs.Box;
 import org.SEAR.Slow;
+import org.SEAR.files.AtomicFile;
+import org.SEAR.plot.Plot;
 import org.SEAR.project.bundle.Bundle;
 import org.junit.Rule;
 import org.junit.Test;
@@ -41,11 +44,12 @@ public class DiskFullTest {
         Path root = Paths.get(arguments[1]);
         if (Integer.parseInt(arguments[0]) == LITTLE) {
             attempt("template", () -> new Projects(null, null).copyTemplate("controller.py", root.toString()));
+            attempt("plot", () -> plot(100).save(root.resolve("plot.svg")));
             return;
         }
         attempt("save", () -> Bundle.save(root.resolve("big"), root.resolve("old.sear")));
         attempt("load", () -> Bundle.load(root.resolve("big.sear"), root.resolve("SEARproject")));
-        attempt("object", () -> FileStore.writeAtomically(root.resolve("SEARproject/environment/box.xml"), new byte[TOO_MUCH]));
+        attempt("object", () -> AtomicFile.write(root.resolve("SEARproject/environment/box.xml"), new byte[TOO_MUCH]));
         attempt("small", () -> Bundle.save(root.resolve("SEARproject"), root.resolve("new.sear")));
     }
 
@@ -61,6 +65,12 @@ public class DiskFullTest {
         } catch (IOException e) {
             System.out.println(what + " refused: " + e.getClass().getSimpleName());
         }
+    }
+
+    private static Plot plot(int points) {
+        Plot plot = new Plot("time (s)", IntStream.range(0, points).asDoubleStream().toArray());
+        plot.add("x", "m", IntStream.range(0, points).mapToDouble(Math::sqrt).toArray());
+        return plot;
     }
 
     private Path big() throws IOException {
@@ -105,11 +115,14 @@ public class DiskFullTest {
     }
 
     @Test
-    public void noHalfTemplateIsLeft() throws Exception {
+    public void noHalfTemplateOrPlotIsLeft() throws Exception {
         Path root = project.getRoot().toPath();
+        plot(2).save(root.resolve("plot.svg"));
+        byte[] good = Files.readAllBytes(root.resolve("plot.svg"));
         Set<String> names = names(root);
-        assertEquals("template refused: IOException\n", runLimited(LITTLE));
+        assertEquals("template refused: IOException\nplot refused: IOException\n", runLimited(LITTLE));
         assertEquals(names, names(root));
+        assertArrayEquals(good, Files.readAllBytes(root.resolve("plot.svg")));
     }
 
     private static Set<String> names(Path folder) {

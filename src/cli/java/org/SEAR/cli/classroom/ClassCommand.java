@@ -8,6 +8,7 @@ import java.lang.management.ManagementFactory;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
@@ -15,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import org.SEAR.files.AtomicFile;
 import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.problems.PrintableText;
 import org.myrobotlab.embedded.web.Address;
@@ -145,7 +147,7 @@ public final class ClassCommand implements Callable<Integer> {
             Address address = Address.listen(host, url == null ? null : url.replace("{name}", one.getValue()));
             Path place = Files.createDirectories(folder.resolve(one.getValue()));
             if (script != null && Files.notExists(place.resolve(script.getFileName()))) {
-                Files.copy(script, place.resolve(script.getFileName()));
+                AtomicFile.write(place.resolve(script.getFileName()), copy -> Files.copy(script, copy, StandardCopyOption.REPLACE_EXISTING));
             }
             pupils.add(new Pupil(one.getKey(), place, own, address.url(own) + "/?token=" + Files.readString(token).trim(),
                 command(own, token, one.getValue(), Files.exists(place.resolve("SEARproject"))), address.socket(own),

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import org.SEAR.files.AtomicFile;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.bundle.Bundle;
@@ -100,7 +101,7 @@ public final class ContestCommand implements Callable<Integer> {
             Contest contest = new Contest(project, entered, seed, limit);
             contest.run(referee, out.resolve("contest.searlog"));
             for (Entrant entry : contest.getEntries()) {
-                Files.writeString(out.resolve(entry.getName() + ".txt"), entry.printed());
+                AtomicFile.write(out.resolve(entry.getName() + ".txt"), entry.printed().getBytes(StandardCharsets.UTF_8));
             }
             report(contest, referee.takePrinted());
         } finally {
@@ -122,7 +123,7 @@ public final class ContestCommand implements Callable<Integer> {
             csv.append(contest.place(entry)).append(',').append(entry.getName()).append(',').append(points).append(',').append(time).append(',')
                 .append(entry.getBumps()).append(",\"").append(why.replace("\"", "\"\"")).append("\"\n");
         }
-        Files.write(out.resolve("scores.csv"), csv.toString().getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(out.resolve("scores.csv"), csv.toString().getBytes(StandardCharsets.UTF_8));
         screen.println();
         screen.println("Written: " + out.resolve("scores.csv") + ", contest.searlog to watch it, and each script's output");
         screen.flush();

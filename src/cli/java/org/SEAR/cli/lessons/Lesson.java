@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.files.AtomicFile;
 import org.SEAR.project.Project;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
@@ -126,10 +127,10 @@ final class Lesson {
         unpack(to);
         try (Stream<Path> files = Files.list(folder)) {
             for (Path file : (Iterable<Path>) files.filter(Lesson::isForPupils)::iterator) {
-                Files.copy(file, to.resolve(file.getFileName()), StandardCopyOption.REPLACE_EXISTING);
+                AtomicFile.write(to.resolve(file.getFileName()), place -> Files.copy(file, place, StandardCopyOption.REPLACE_EXISTING));
             }
         }
-        Files.copy(script(), script);
+        AtomicFile.write(script, place -> Files.copy(script(), place, StandardCopyOption.REPLACE_EXISTING));
     }
 
     private static boolean isForPupils(Path file) {

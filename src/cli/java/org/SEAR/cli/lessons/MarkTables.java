@@ -4,13 +4,13 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.SEAR.files.AtomicFile;
 
 /** Marks as files: CSV, text, and JUnit's XML. */
 final class MarkTables {
@@ -20,15 +20,9 @@ final class MarkTables {
     /** Writes marks.csv, marks.txt and marks.xml, each completely or not at all. */
     static void write(List<Mark> marks, Path folder) throws IOException {
         Files.createDirectories(folder);
-        write(folder.resolve("marks.csv"), csv(marks));
-        write(folder.resolve("marks.txt"), text(marks));
-        write(folder.resolve("marks.xml"), xml(marks));
-    }
-
-    private static void write(Path file, String text) throws IOException {
-        Path part = file.resolveSibling(file.getFileName() + ".part");
-        Files.write(part, text.getBytes(StandardCharsets.UTF_8));
-        Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+        AtomicFile.write(folder.resolve("marks.csv"), csv(marks).getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(folder.resolve("marks.txt"), text(marks).getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(folder.resolve("marks.xml"), xml(marks).getBytes(StandardCharsets.UTF_8));
     }
 
     /** Returns a row for each mark, with a column for each measure of any check. */

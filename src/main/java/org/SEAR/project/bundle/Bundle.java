@@ -4,13 +4,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.files.AtomicFile;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 
@@ -79,13 +78,7 @@ public final class Bundle {
             throw new IOException(target + " is a link, a pipe or a device; choose the name of an ordinary file");
         }
         Files.createDirectories(target.getParent());
-        Path temporary = target.resolveSibling("." + target.getFileName() + ProjectFolder.TEMPORARY);
-        try {
-            new BundleWriter(project, target.getFileName().toString(), progress).with(instead).write(temporary);
-            Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        } finally {
-            Files.deleteIfExists(temporary);
-        }
+        AtomicFile.write(target, new BundleWriter(project, target.getFileName().toString(), progress).with(instead)::write);
     }
 
     /** Loads without progress messages, see {@link #load(Path, Path, Progress)}. */

@@ -13,7 +13,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.SEAR.project.FileStore;
+import org.SEAR.files.AtomicFile;
 
 /**
  * Undo and redo steps of a project, each in a file of the folder {@code .edits}, and the number of steps done. The
@@ -91,7 +91,7 @@ final class EditJournal {
 
     private void writeState(int doing) throws IOException {
         String text = "done " + done + (doing > 0 ? " doing " + doing : "") + "\n";
-        FileStore.writeAtomically(folder.resolve(STATE), text.getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(folder.resolve(STATE), text.getBytes(StandardCharsets.UTF_8));
     }
 
     /** Returns the step that undo reverts; null for none. */
@@ -129,7 +129,7 @@ final class EditJournal {
             Files.deleteIfExists(file(steps.lastKey()));
             steps.pollLastEntry();
         }
-        FileStore.writeAtomically(file(done + 1), step.toBytes());
+        AtomicFile.write(file(done + 1), step.toBytes());
         steps.put(done + 1, step);
     }
 

@@ -5,7 +5,7 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import org.SEAR.project.FileStore;
+import org.SEAR.files.AtomicFile;
 import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.xml.Xml;
 
@@ -43,7 +43,7 @@ final class ObjectFiles {
         Path file = file(path);
         if (content != null) {
             Files.createDirectories(file.getParent());
-            FileStore.writeAtomically(file, content);
+            AtomicFile.write(file, content);
         } else if (Files.deleteIfExists(file) && path.indexOf('/') != path.lastIndexOf('/')) {
             deleteIfEmpty(file.getParent());
         }

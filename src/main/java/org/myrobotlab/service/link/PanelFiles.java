@@ -8,12 +8,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.nio.file.StandardCopyOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Properties;
+import org.SEAR.files.AtomicFile;
 import org.myrobotlab.framework.Service;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -87,13 +87,7 @@ public final class PanelFiles {
             }
         }
         Files.createDirectories(file.getParent());
-        Path temporary = Files.createTempFile(file.getParent(), "sear", ".tmp");
-        try {
-            Files.write(temporary, ours);
-            Files.move(temporary, file, StandardCopyOption.REPLACE_EXISTING);
-        } finally {
-            Files.deleteIfExists(temporary);
-        }
+        AtomicFile.write(file, ours);
         record.put(name, hash);
         return true;
     }
@@ -120,7 +114,7 @@ public final class PanelFiles {
     private static void write(Path file, Properties record) throws IOException {
         StringBuilder text = new StringBuilder("# Files that SEAR installed and their SHA-256, to recognise files that the user has changed.\n");
         record.stringPropertyNames().stream().sorted().forEach(name -> text.append(name).append('=').append(record.getProperty(name)).append('\n'));
-        Files.writeString(file, text);
+        AtomicFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
     }
 
     /** Returns the SHA-256 in hexadecimal digits. */

@@ -1,5 +1,5 @@
 /**
  * Shared parts of the services: a serial line with time-outs, panel files on the disk, warnings. Uses
- * {@link org.SEAR.grammar} and {@link org.myrobotlab.serial}, and what these use. Any thread.
+ * {@link org.SEAR.files}, {@link org.SEAR.grammar} and {@link org.myrobotlab.serial}, and what these use. Any thread.
  */
 package org.myrobotlab.service.link;

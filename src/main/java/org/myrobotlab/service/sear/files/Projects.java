@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import org.SEAR.files.AtomicFile;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.Project;
 import org.SEAR.project.bundle.Bundle;
@@ -242,13 +243,7 @@ public final class Projects {
                 throw new IOException("this sear.jar has no templates/" + name);
             }
             Files.createDirectories(copy.toAbsolutePath().getParent());
-            Path temporary = copy.resolveSibling("." + name + ".tmp");
-            try {
-                Files.copy(in, temporary, StandardCopyOption.REPLACE_EXISTING);
-                Files.move(temporary, copy);
-            } finally {
-                Files.deleteIfExists(temporary);
-            }
+            AtomicFile.write(copy, place -> Files.copy(in, place, StandardCopyOption.REPLACE_EXISTING));
         }
         return copy;
     }

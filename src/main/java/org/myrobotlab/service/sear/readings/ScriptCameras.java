@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.camera.image.Blobs;
+import org.SEAR.files.AtomicFile;
 import org.SEAR.grammar.ColorNames;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.sensors.CameraImage;
@@ -168,6 +169,6 @@ public final class ScriptCameras {
         byte[] file = png(name);
         Path to = ScriptText.path(text).toAbsolutePath();
         Files.createDirectories(to.getParent());
-        Files.write(to, file);
+        AtomicFile.write(to, file);
     }
 }

@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.SEAR.files.AtomicFile;
 import org.SEAR.geometry.Pose;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.Project;
@@ -117,7 +118,7 @@ public final class Records {
         RunRecord record = open(path);
         Series series = Series.of(record, names, MAX_ROWS);
         report(record, series.whole);
-        Files.write(file, series.csv().getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(file, series.csv().getBytes(StandardCharsets.UTF_8));
     }
 
     /** Returns {@code {"path": .., "names": [..], "times": [..], "values": [[.., null, ..], ..]}}. */

@@ -6,6 +6,7 @@ import org.SEAR.camera.CameraRenderer;
 import org.SEAR.camera.RenderJob;
 import org.SEAR.camera.image.Exposure;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.TimeStep;
 import org.SEAR.raycast.BeamScene;
 
 /**
@@ -23,8 +24,6 @@ public final class CameraSensor extends Sensor<CameraImage> {
     private static final int HEAT = 14;
     private static final int CHANNELS = 3;
     private static final double FULL = 255;
-    /** Above the rounding error of a picture count. */
-    private static final double ROUNDING = 1e-9;
 
     private final Camera camera;
     private final Exposure exposure;
@@ -82,8 +81,8 @@ public final class CameraSensor extends Sensor<CameraImage> {
     }
 
     /** Returns how many pictures have been due up to a step. */
-    private double number(long step, Truth truth) {
-        return Math.floor(step * truth.stepLength() * camera.getRate() + ROUNDING);
+    private long number(long step, Truth truth) {
+        return TimeStep.periods(step * truth.stepLength(), camera.getRate());
     }
 
     /** Objects hidden from beams are visible to cameras, except for depth cameras, which measure by beams. */

@@ -29,6 +29,8 @@ public final class FakeContext implements DeviceContext {
     public long epoch = EPOCH;
     /** Start times of the bytes sent since the last {@link #take}, one per byte, seconds. */
     public final List<Double> times = new ArrayList<>();
+    /** Times at which messages began to leave, as long as {@link #take} is not called. */
+    public final List<Double> messages = new ArrayList<>();
     private final ByteArrayOutputStream sent = new ByteArrayOutputStream();
     private SerialDevice device;
     private double free;
@@ -82,6 +84,7 @@ public final class FakeContext implements DeviceContext {
         byte[] bytes = sent.toByteArray();
         sent.reset();
         times.clear();
+        messages.clear();
         return bytes;
     }
 
@@ -100,6 +103,7 @@ public final class FakeContext implements DeviceContext {
     @Override
     public void send(byte[] bytes, double time) {
         free = Math.max(free, time);
+        messages.add(free);
         for (byte value : bytes) {
             times.add(free);
             free += byteTime();

@@ -32,21 +32,12 @@ public final class Publisher {
     private volatile String lastFailure = "";
     private volatile boolean started;
     private volatile boolean silenceReported;
-    private final Map<String, Subscription> subscriptions = new ConcurrentSkipListMap<>();
+    private final Map<String, Schedule> subscriptions = new ConcurrentSkipListMap<>();
     private final ScheduledExecutorService timer = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread thread = new Thread(work, "SEAR publisher");
         thread.setDaemon(true);
         return thread;
     });
-
-    private static final class Subscription {
-        private final double period;
-        private double next;
-
-        Subscription(double period) {
-            this.period = period;
-        }
-    }
 
     /** Starts the periodic checks. */
     public Publisher(Host host, SimulationControl control, ScriptReadings readings, ScriptCameras cameras) {
@@ -93,7 +84,7 @@ public final class Publisher {
         }
         readings.check(sensor);
         started = true;
-        subscriptions.put(sensor, new Subscription(1 / rate));
+        subscriptions.put(sensor, new Schedule(rate));
     }
 
     /** Stops publishing a sensor's readings. */
@@ -126,10 +117,8 @@ public final class Publisher {
             return;
         }
         double now = session.time();
-        for (Map.Entry<String, Subscription> entry : subscriptions.entrySet()) {
-            Subscription subscription = entry.getValue();
-            if (now >= subscription.next || now < subscription.next - subscription.period) {
-                subscription.next = now + subscription.period;
+        for (Map.Entry<String, Schedule> entry : subscriptions.entrySet()) {
+            if (entry.getValue().isDue(session, now)) {
                 publish(entry.getKey(), now);
                 published.run();
             }

@@ -11,6 +11,7 @@ import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.camera.image.Blobs;
 import org.SEAR.files.AtomicFile;
+import org.SEAR.geometry.TimeStep;
 import org.SEAR.grammar.ColorNames;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.sensors.CameraImage;
@@ -25,8 +26,6 @@ public final class ScriptCameras {
     private static final int HEX = 16;
     /** Least pixels of a blob. */
     private static final int MIN_BLOB = 4;
-    /** Tolerance for rounding errors of a number of pictures. */
-    private static final double ROUNDING = 1e-9;
 
     private final SimulationControl control;
 
@@ -98,7 +97,7 @@ public final class ScriptCameras {
         if (session == null || !isThere(session.getSimulation(), name)) {
             return -1;
         }
-        return (long) Math.floor(session.time() * ((Camera) session.getSimulation().getSensor(name).getParameters()).getRate() + ROUNDING);
+        return TimeStep.periods(session.time(), ((Camera) session.getSimulation().getSensor(name).getParameters()).getRate());
     }
 
     /** Returns the last picture that was due; null if no simulation with such a camera runs. */

@@ -8,6 +8,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.TimeStep;
 import org.SEAR.sensors.CameraImage;
 import org.SEAR.simulator.Simulation;
 
@@ -21,8 +22,6 @@ final class PictureKeeper {
     static final List<String> KINDS = List.of(Camera.COLOR, Camera.DEPTH, Camera.INFRARED);
     /** Maximum bytes of a picture; the largest camera's picture is smaller. */
     static final int LONGEST_PICTURE = 1 << 23;
-    /** Above the rounding error of a picture count. */
-    private static final double ROUNDING = 1e-9;
 
     private final Simulation simulation;
     private final double rate;
@@ -40,11 +39,10 @@ final class PictureKeeper {
         final int kind;
         /** Pictures per simulated second that the camera takes. */
         final double rate;
-        /**
-         * The camera's picture number when the last one was kept; {@link #number} counts pictures at the record's rate.
-         */
+        /** The camera's picture number when the last one was kept. */
         long due = -1;
-        long number = -1;
+        /** Number of the record's period from which on the next picture is kept. */
+        long next;
         double time;
         Future<byte[]> file;
 
@@ -83,13 +81,13 @@ final class PictureKeeper {
         for (Eye eye : eyes) {
             CameraImage image = (CameraImage) simulation.read(eye.name);
             double time = Math.max(0, now - (simulation.snapshot().time - image.getTime()));
-            long number = (long) Math.floor(time * rate + ROUNDING);
+            long number = TimeStep.periods(time, rate);
             // before the first due picture, each moment has an image of its own
-            long due = (long) Math.floor(image.getTime() * eye.rate + ROUNDING);
-            if (due != eye.due && number > eye.number) {
+            long due = TimeStep.periods(image.getTime(), eye.rate);
+            if (due != eye.due && number >= eye.next) {
                 put(eye);
                 eye.due = due;
-                eye.number = number;
+                eye.next = Math.max(eye.next + 1, number); // a late picture does not cost the next one
                 eye.time = time;
                 eye.file = maker.submit(() -> image.grid().file());
             }

@@ -53,7 +53,7 @@ class SearEnv(gymnasium.Env):
         self._seed = seed
         self._ready = False
         self.render_mode = render_mode
-        self.metadata = dict(self.metadata, render_fps=max(1, round(60 / self._steps)))
+        self.metadata = dict(self.metadata, render_fps=60 // self._steps if 60 % self._steps == 0 else 60 / self._steps)
         self.robot = RobotState(self._episode)
         self.observation_space = spaces.Box(self._episode.low, self._episode.high, dtype=numpy.float32)
 

@@ -34,7 +34,7 @@ public final class SimulationSession {
     private static final long READER_TIMEOUT = TimeUnit.MILLISECONDS.toNanos(50);
     private static final long READER_LOOK = TimeUnit.MICROSECONDS.toNanos(100);
     private static final long LOOK_AFTER_SLEEPERS = 1;
-    private static final int LOOKS_AFTER_SLEEPERS = 500;
+    private static final int MOST_ROUNDS = 500;
     /** Tolerance of a sum of steps against the requested time, s. */
     private static final double ROUNDING = Simulation.STEP / 1000;
     private static final long THREAD_END = TimeUnit.SECONDS.toMillis(10);
@@ -62,6 +62,8 @@ public final class SimulationSession {
     private volatile boolean lockStep;
     private volatile boolean ended;
     private boolean stopped;
+    /** Guarded by {@link #stepping}. */
+    private boolean lateReported;
     private volatile Throwable failure;
     /** Simulated end of the script's last sleep, s: {@link SimulationRunner#getAdvancedTime} not rounded to steps. */
     private volatile double scriptTime;
@@ -410,18 +412,23 @@ public final class SimulationSession {
 
     /**
      * Waits until all threads that can run at this moment, including callbacks that slept until now, wait again or have
-     * ended. The number of checks is limited, because a thread may repeat sleeps of zero length forever.
+     * ended. The number of rounds is limited, because a thread may repeat sleeps of zero length forever.
      */
     private void rest() throws InterruptedException {
         settle();
-        for (int look = 0; look < LOOKS_AFTER_SLEEPERS && !ended; look++) {
-            if (sleepers.othersAreDue(runner.getAdvancedTime())) {
-                stepping.wait(LOOK_AFTER_SLEEPERS);
-            } else if (quiescence.isDisturbed()) {
-                settle();
-            } else {
+        for (int round = 0; round < MOST_ROUNDS && !ended; round++) {
+            boolean waited = sleepers.awaitOthers(runner.getAdvancedTime(), stepping, () -> ended, this::reportLate);
+            if (!waited || !quiescence.isDisturbed()) {
                 return;
             }
+            settle();
+        }
+    }
+
+    private void reportLate() {
+        if (!lateReported) {
+            lateReported = true;
+            host.warn("a thread whose sleep has ended has not continued for a minute: lock-step goes on without it");
         }
     }
 

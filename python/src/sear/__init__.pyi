@@ -168,7 +168,7 @@ class _SEAR(JavaObject):
     def setSpin(self, name: str, x: float, y: float, z: float) -> None:
         """Sets the angular velocity about the centre of mass between two steps."""
     def hold(self, name: str, way: Sequence[Any]) -> None:
-        """Pulls an object with a spring, like the tab's mouse, with at most five times its weight. It lets go after `letGo`, or 1.5 s of real time without another call."""
+        """Pulls an object with a spring, like the tab's mouse, with at most five times its weight. It lets go after `letGo` or `reset`, or 1.5 s without another call: real time, in lock-step simulated time."""
     def letGo(self, name: str) -> None:
         """Releases what `hold` holds, if anything."""
     def getSensorNames(self) -> List[str]:

@@ -519,7 +519,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
 
     /**
      * Pulls an object with a spring, like the tab's mouse, with at most five times its weight. It lets go after
-     * {@link #letGo}, or 1.5 s of real time without another call.
+     * {@link #letGo} or {@link #reset}, or 1.5 s without another call: real time, in lock-step simulated time.
      *
      * @param name object with mass or robot
      * @param way {@code [x, y, z]}, metres along the world's axes from its position at the first call

@@ -100,7 +100,7 @@ public class PushesInRecordsTest {
         car.addComponent(gps);
         try (Simulation world = Simulation.of(Project.read(project.folder()), 7)) {
             Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
-            DragSpring hand = new DragSpring("car", () -> 0);
+            DragSpring hand = new DragSpring("car", () -> false, () -> 0);
             hand.moveTo(FORCE, 2, 5);
             world.hold(hand, "car");
             run(world, 100);

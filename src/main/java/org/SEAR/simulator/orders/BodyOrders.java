@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.TimeStep;
@@ -29,6 +30,7 @@ public final class BodyOrders {
     /** Sets the start velocities; all bodies are at their start. */
     public void restart() {
         pushes.restart();
+        release(held -> true);
         for (int i = 0; i < launched.size(); i++) {
             double[] speed = shapes.get(i).getVelocity();
             double[] spin = shapes.get(i).getSpin();
@@ -77,6 +79,15 @@ public final class BodyOrders {
         hands.put(hand, body);
     }
 
+    private void release(Predicate<Body> which) {
+        hands.forEach((hand, body) -> {
+            if (which.test(body)) {
+                hand.letGo();
+            }
+        });
+        hands.values().removeIf(which);
+    }
+
     private static void checkStrength(BodyOrder order, Body body) {
         double force = Math.sqrt(order.x * order.x + order.y * order.y + order.z * order.z);
         double most = BodyOrder.FASTEST * body.mass / TimeStep.SECONDS;
@@ -111,6 +122,6 @@ public final class BodyOrders {
     /** Ends all forces on a teleported body. */
     public void forget(Body body) {
         pushes.forget(body);
-        hands.values().removeIf(held -> held == body);
+        release(held -> held == body);
     }
 }

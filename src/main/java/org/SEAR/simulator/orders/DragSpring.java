@@ -1,6 +1,8 @@
 package org.SEAR.simulator.orders;
 
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
@@ -9,32 +11,40 @@ import org.SEAR.physics.Body;
 /**
  * A damped spring that pulls an object or robot at its centre of mass, for dragging with the mouse. Each step it
  * applies one force, recorded as any other. It releases the object after a timeout without {@link #moveTo}, so a closed
- * page holds nothing. {@code Simulation.hold} attaches it. {@link #moveTo}, {@link #letGo} and {@link #isHolding}: any
+ * page holds nothing. The timeout is real time, but simulated time in lock-step, where the computer's speed changes
+ * nothing. {@code Simulation.hold} attaches it. {@link #moveTo}, {@link #letGo} and {@link #isHolding}: any
  * thread; the rest: simulation thread.
  */
 public final class DragSpring {
     /** Strongest force, N per kg of the body: five times its weight. */
     public static final double STRONGEST = 50;
-    /** Timeout without {@link #moveTo}, real time. */
-    private static final long TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(1500);
+    /** Timeout without {@link #moveTo}, s. */
+    private static final double TIMEOUT = 1.5;
+    private static final long TIMEOUT_NANOS = (long) (TIMEOUT * TimeUnit.SECONDS.toNanos(1));
+    private static final long TIMEOUT_STEPS = Math.round(TIMEOUT / TimeStep.SECONDS);
     /** Natural frequency of the spring, rad/s; its damping is critical. */
     private static final double FREQUENCY = 10;
 
     private final String name;
+    private final BooleanSupplier lockStep;
     private final LongSupplier clock;
     /** Displacement of the target from the grab point, world frame, metres; null after the release. */
     private volatile double[] way;
     private volatile long moved;
+    /** Steps since the last {@link #moveTo}. */
+    private final AtomicLong steps = new AtomicLong();
     /** Centre of mass at the grab, world frame; null before the first step. */
     private double[] taken;
     private final double[] v = new double[6];
 
     /**
      * @param name of an object with a mass, or of a robot
+     * @param lockStep whether only scripts advance simulated time
      * @param clock nanoseconds, as {@link System#nanoTime}
      */
-    public DragSpring(String name, LongSupplier clock) {
+    public DragSpring(String name, BooleanSupplier lockStep, LongSupplier clock) {
         this.name = name;
+        this.lockStep = lockStep;
         this.clock = clock;
         moveTo(0, 0, 0);
     }
@@ -49,6 +59,7 @@ public final class DragSpring {
     public void moveTo(double x, double y, double z) {
         way = new double[] {x, y, z};
         moved = clock.getAsLong();
+        steps.set(0);
     }
 
     public void letGo() {
@@ -57,7 +68,7 @@ public final class DragSpring {
 
     /** Whether it holds the object or will from the next step on. */
     public boolean isHolding() {
-        return way != null && clock.getAsLong() - moved < TIMEOUT_NANOS;
+        return way != null && (lockStep.getAsBoolean() ? steps.get() < TIMEOUT_STEPS : clock.getAsLong() - moved < TIMEOUT_NANOS);
     }
 
     String getName() {
@@ -70,6 +81,7 @@ public final class DragSpring {
         if (to == null || !isHolding()) {
             return null;
         }
+        steps.incrementAndGet();
         double[] centre = centre(body);
         if (taken == null) {
             taken = centre;

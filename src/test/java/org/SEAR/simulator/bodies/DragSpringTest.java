@@ -26,6 +26,7 @@ public class DragSpringTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
     private long now;
+    private boolean lockStep;
 
     @Before
     public void ground() {
@@ -33,7 +34,7 @@ public class DragSpringTest {
     }
 
     private DragSpring hand(String name) {
-        return new DragSpring(name, () -> now);
+        return new DragSpring(name, () -> lockStep, () -> now);
     }
 
     @Test
@@ -87,6 +88,46 @@ public class DragSpringTest {
             assertFalse(hand.isHolding());
             Worlds.run(simulation, 2);
             assertEquals(0.15, simulation.getPose("box").y, 0.02);
+        }
+    }
+
+    @Test
+    public void inLockStepItsTimeoutIsSimulatedTime() throws Exception {
+        new Box("box", 0.3, 0.3, 0.3, 2).move(0, 0.15, 0);
+        lockStep = true;
+        try (Simulation simulation = Worlds.start(project)) {
+            DragSpring hand = hand("box");
+            hand.moveTo(0, 1, 0);
+            simulation.hold(hand, "box");
+            for (int i = 0; i < 10; i++) {
+                hand.moveTo(0, 1, 0);
+                now += TimeUnit.HOURS.toNanos(1);
+                Worlds.run(simulation, 1);
+                assertTrue(hand.isHolding());
+            }
+            assertEquals(1.15 - SAG, simulation.getPose("box").y, 0.02);
+            Worlds.run(simulation, 0.6);
+            assertFalse(hand.isHolding());
+        }
+    }
+
+    @Test
+    public void aResetAndATeleportReleaseIt() throws Exception {
+        new Box("box", 0.3, 0.3, 0.3, 2).move(0, 0.15, 0);
+        try (Simulation simulation = Worlds.start(project)) {
+            DragSpring hand = hand("box");
+            hand.moveTo(0, 1, 0);
+            simulation.hold(hand, "box");
+            Worlds.run(simulation, 0.5);
+            simulation.reset();
+            assertFalse(hand.isHolding());
+            Worlds.run(simulation, 0.5);
+            assertEquals("as after the start", 0.15, simulation.getPose("box").y, 0.01);
+            DragSpring other = hand("box");
+            simulation.hold(other, "box");
+            Worlds.run(simulation, 0.1);
+            simulation.move("box", simulation.getPose("box"), new Pose(2, 0.15, 0, 0, 0, 0, 1));
+            assertFalse(other.isHolding());
         }
     }
 

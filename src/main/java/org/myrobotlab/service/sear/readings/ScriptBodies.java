@@ -11,6 +11,7 @@ import org.SEAR.physics.solid.MassProperties;
 import org.SEAR.simulator.orders.BodyOrder;
 import org.SEAR.simulator.orders.DragSpring;
 import org.myrobotlab.service.sear.run.SimulationControl;
+import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
  * Velocities of and forces on objects and robots by call. Each takes effect between two steps, before the call returns.
@@ -20,6 +21,8 @@ public final class ScriptBodies implements ScriptSession.Acts {
     private final SimulationControl control;
     /** Drag springs by the name of the object that they hold. */
     private final Map<String, DragSpring> hands = new ConcurrentHashMap<>();
+    /** The simulation with these springs. Guarded by this. */
+    private SimulationSession holder;
 
     public ScriptBodies(SimulationControl control) {
         this.control = control;
@@ -44,24 +47,29 @@ public final class ScriptBodies implements ScriptSession.Acts {
     }
 
     /**
-     * Pulls an object or robot by a drag spring. The spring releases it 1.5 s after the last call, or on
-     * {@link #letGo}.
+     * Pulls an object or robot by a drag spring. The spring releases it 1.5 s after the last call, in lock-step 1.5
+     * simulated seconds, or on {@link #letGo}.
      *
      * @param way target, metres from its position at the first call: three numbers
      */
-    public void hold(String name, List<?> way) throws InterruptedException {
+    public synchronized void hold(String name, List<?> way) throws InterruptedException {
         double[] to = numbers("hold: way", way, "metres");
         if (!Double.isFinite(to[0] + to[1] + to[2])) {
             throw new IllegalArgumentException("hold: way is " + way + ", legal: three finite numbers");
         }
         String held = ScriptText.of(name);
+        SimulationSession session = control.session();
+        if (session != holder) {
+            holder = session;
+            hands.clear();
+        }
         DragSpring hand = hands.get(held);
         if (hand != null && hand.isHolding()) {
             hand.moveTo(to[0], to[1], to[2]);
         } else {
-            DragSpring fresh = new DragSpring(held, System::nanoTime);
+            DragSpring fresh = new DragSpring(held, session::isLockStep, System::nanoTime);
             fresh.moveTo(to[0], to[1], to[2]);
-            control.session().ask(world -> {
+            session.ask(world -> {
                 world.hold(fresh, held);
                 return true;
             });

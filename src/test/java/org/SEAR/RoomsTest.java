@@ -36,7 +36,7 @@ public class RoomsTest {
         "org.myrobotlab.service.sear.python3",
         "org.myrobotlab.service.sear.readings", "org.myrobotlab.service.sear.files",
         "org.myrobotlab.service.sear.export", "org.myrobotlab.service.sear.run", "org.myrobotlab.service.sear.lockstep",
-        "org.myrobotlab.service.sear", "org.myrobotlab.service.link", "org.myrobotlab.serial",
+        "org.myrobotlab.service.sear.tcp", "org.myrobotlab.service.sear", "org.myrobotlab.service.link", "org.myrobotlab.serial",
         "org.SEAR.view", "org.SEAR.view.hud", "org.SEAR.view.input", "org.SEAR.view.scene", "org.SEAR.view.terrain", "org.SEAR.view.process",
         "org.SEAR.view.link", "org.SEAR.view.platform",
         "org.SEAR.lessons", "org.SEAR.learning", "org.SEAR.plan", "org.SEAR.scene",

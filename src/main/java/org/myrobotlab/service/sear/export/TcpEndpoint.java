@@ -1,17 +1,15 @@
 package org.myrobotlab.service.sear.export;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.CancelledKeyException;
 import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
-import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.util.Iterator;
+import org.myrobotlab.service.sear.tcp.TcpListener;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -23,19 +21,20 @@ import org.slf4j.LoggerFactory;
 final class TcpEndpoint implements ExternalEndpoint {
     private static final Logger log = LoggerFactory.getLogger(TcpEndpoint.class);
     private static final int BUFFER = 4096;
-    private static final int HIGHEST_PORT = 65535;
+    /** Most programs that wait to be accepted; each replaces the one before. */
+    private static final int BACKLOG = 50;
 
     private final String port;
     private final TcpSession.Kind kind;
     private final Selector selector;
-    private final ServerSocketChannel server;
+    private final TcpListener server;
     private LineEnd end;
     /** Guarded by this, like the following fields; null without a program. */
     private SocketChannel client;
     private TcpSession session;
     private Outbox outbox;
 
-    private TcpEndpoint(String port, TcpSession.Kind kind, Selector selector, ServerSocketChannel server) {
+    private TcpEndpoint(String port, TcpSession.Kind kind, Selector selector, TcpListener server) {
         this.port = port;
         this.kind = kind;
         this.selector = selector;
@@ -44,25 +43,21 @@ final class TcpEndpoint implements ExternalEndpoint {
 
     /** @param number TCP port, 0 for any free one */
     static TcpEndpoint open(String port, TcpSession.Kind kind, int number) throws IOException {
-        if (number < 0 || number > HIGHEST_PORT) {
-            throw new IllegalArgumentException("TCP port is " + number + ", legal: 0 (any free one) to " + HIGHEST_PORT);
+        if (number < 0 || number > TcpListener.HIGHEST_PORT) {
+            throw new IllegalArgumentException("TCP port is " + number + ", legal: 0 (any free one) to " + TcpListener.HIGHEST_PORT);
         }
-        Selector selector = Selector.open();
-        ServerSocketChannel server = ServerSocketChannel.open();
         try {
-            server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), number));
-            server.configureBlocking(false);
-            server.register(selector, SelectionKey.OP_ACCEPT);
+            TcpListener server = TcpListener.open(number, BACKLOG);
+            Selector selector = Selector.open();
+            server.register(selector);
             return new TcpEndpoint(port, kind, selector, server);
         } catch (IOException e) {
-            server.close();
-            selector.close();
             throw new IOException("TCP port " + number + " for " + port + " can't be opened: " + e.getMessage(), e);
         }
     }
 
     int getNumber() {
-        return server.socket().getLocalPort();
+        return server.getPort();
     }
 
     @Override
@@ -86,9 +81,9 @@ final class TcpEndpoint implements ExternalEndpoint {
     private void serve() {
         try {
             ByteBuffer buffer = ByteBuffer.allocate(BUFFER);
-            while (server.isOpen()) {
-                selector.select();
-                for (Iterator<SelectionKey> keys = selector.selectedKeys().iterator(); server.isOpen() && keys.hasNext();) {
+            while (selector.isOpen()) {
+                selector.select(server.selectMillis());
+                for (Iterator<SelectionKey> keys = selector.selectedKeys().iterator(); selector.isOpen() && keys.hasNext();) {
                     SelectionKey key = keys.next();
                     keys.remove();
                     if (key.isValid() && key.isAcceptable()) {
@@ -121,7 +116,6 @@ final class TcpEndpoint implements ExternalEndpoint {
         SocketChannel accepted = server.accept();
         if (accepted != null) {
             drop(client());
-            accepted.configureBlocking(false);
             accepted.setOption(StandardSocketOptions.TCP_NODELAY, true);
             accepted.register(selector, SelectionKey.OP_READ);
             synchronized (this) {

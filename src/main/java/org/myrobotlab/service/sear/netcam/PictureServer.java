@@ -1,20 +1,18 @@
 package org.myrobotlab.service.sear.netcam;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.CancelledKeyException;
 import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
-import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.myrobotlab.service.sear.tcp.TcpListener;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -29,8 +27,6 @@ final class PictureServer {
     /** Most additional clients that get a rejection. */
     private static final int MAX_REPORTED = 32;
     private static final int BUSY = 503;
-    private static final int HIGHEST_PORT = 65535;
-    private static final byte[] LOOPBACK = {127, 0, 0, 1};
     private static final int BUFFER = 4096;
     /** Size of the system's send buffer, bytes; small, so that slow clients get recent pictures. */
     private static final int UNSENT = 1 << 16;
@@ -43,16 +39,13 @@ final class PictureServer {
     private final Demand demand;
     private final long timeout;
     private final Selector selector;
-    private final List<ServerSocketChannel> listeners;
+    private final List<TcpListener> listeners;
     private final List<CameraConnection> clients = new ArrayList<>();
-    /** Listeners after an error, such as too many open files; they accept again a little later. */
-    private final List<SelectionKey> resting = new ArrayList<>();
-    private long rested;
     private volatile int count;
     private volatile CameraConnection.Latest stream = CameraConnection.Latest.NONE;
     private volatile CameraConnection.Latest still = CameraConnection.Latest.NONE;
 
-    private PictureServer(String camera, DeviceProfile likeness, Demand demand, long patience, Selector selector, List<ServerSocketChannel> doors) {
+    private PictureServer(String camera, DeviceProfile likeness, Demand demand, long patience, Selector selector, List<TcpListener> doors) {
         this.camera = camera;
         this.profile = likeness;
         this.demand = demand;
@@ -68,32 +61,30 @@ final class PictureServer {
      * @param patience milliseconds without progress after which a client is dropped
      */
     static PictureServer open(String camera, DeviceProfile likeness, int number, Demand demand, long patience) throws IOException {
-        int highest = HIGHEST_PORT + 1 - likeness.getListeners();
+        int highest = TcpListener.HIGHEST_PORT + 1 - likeness.getListeners();
         if (number < 0 || number > highest) {
             throw new IllegalArgumentException("TCP port is " + number + ", legal: 0 (any free one) to " + highest);
         }
-        List<ServerSocketChannel> doors = listeners(camera, likeness.getListeners(), number);
+        List<TcpListener> doors = listeners(camera, likeness.getListeners(), number);
         Selector selector = Selector.open();
-        for (ServerSocketChannel door : doors) {
-            door.configureBlocking(false);
-            door.register(selector, SelectionKey.OP_ACCEPT, doors.indexOf(door));
+        for (TcpListener door : doors) {
+            door.register(selector);
         }
         return new PictureServer(camera, likeness, demand, TimeUnit.MILLISECONDS.toNanos(patience), selector, doors);
     }
 
-    private static List<ServerSocketChannel> listeners(String camera, int count, int number) throws IOException {
+    private static List<TcpListener> listeners(String camera, int count, int number) throws IOException {
         for (int tries = 0;; tries++) {
-            List<ServerSocketChannel> doors = new ArrayList<>();
+            List<TcpListener> doors = new ArrayList<>();
             int port = number;
             try {
                 while (doors.size() < count) {
-                    doors.add(ServerSocketChannel.open());
-                    port = doors.size() == 1 ? number : port(doors.get(0)) + doors.size() - 1;
-                    doors.get(doors.size() - 1).bind(new InetSocketAddress(InetAddress.getByAddress(LOOPBACK), port), MAX_CLIENTS);
+                    port = doors.isEmpty() ? number : doors.get(0).getPort() + doors.size();
+                    doors.add(TcpListener.open(port, MAX_CLIENTS));
                 }
                 return doors;
             } catch (IOException | IllegalArgumentException e) {
-                for (ServerSocketChannel door : doors) {
+                for (TcpListener door : doors) {
                     door.close();
                 }
                 if (number != 0 || tries == TRIES) {
@@ -103,13 +94,9 @@ final class PictureServer {
         }
     }
 
-    private static int port(ServerSocketChannel door) {
-        return door.socket().getLocalPort();
-    }
-
     /** Returns the first of its TCP ports. */
     int getNumber() {
-        return port(listeners.get(0));
+        return listeners.get(0).getPort();
     }
 
     /** Returns the number of clients. Any thread. */
@@ -122,14 +109,15 @@ final class PictureServer {
         ByteBuffer buffer = ByteBuffer.allocate(BUFFER);
         try {
             while (selector.isOpen()) {
-                selector.select(clients.isEmpty() && resting.isEmpty() ? 0 : LOOK_MILLIS);
+                long longest = listeners.stream().mapToLong(TcpListener::selectMillis).max().orElse(0);
+                selector.select(clients.isEmpty() ? longest : LOOK_MILLIS);
                 for (Iterator<SelectionKey> keys = selector.selectedKeys().iterator(); keys.hasNext();) {
                     SelectionKey key = keys.next();
                     keys.remove();
                     if (key.attachment() instanceof CameraConnection) {
                         ((CameraConnection) key.attachment()).ready(buffer);
                     } else if (key.isValid() && key.isAcceptable()) {
-                        accept(key);
+                        accept((TcpListener) key.attachment());
                     }
                 }
                 handle();
@@ -159,24 +147,12 @@ final class PictureServer {
             forget();
         }
         demand.setStreaming(streaming);
-        if (!resting.isEmpty() && now - rested > TimeUnit.MILLISECONDS.toNanos(LOOK_MILLIS)) {
-            resting.forEach(key -> key.interestOps(SelectionKey.OP_ACCEPT));
-            resting.clear();
-        }
     }
 
-    private void accept(SelectionKey key) {
-        ServerSocketChannel door = (ServerSocketChannel) key.channel();
-        try {
-            SocketChannel channel = door.accept();
-            if (channel != null) {
-                begin(channel, (Integer) key.attachment(), port(door));
-            }
-        } catch (IOException e) {
-            LOG.debug("network camera {} could not accept a program: {}", camera, e.toString());
-            rested = System.nanoTime();
-            resting.add(key);
-            key.interestOps(0);
+    private void accept(TcpListener door) throws IOException {
+        SocketChannel channel = door.accept();
+        if (channel != null) {
+            begin(channel, listeners.indexOf(door), door.getPort());
         }
     }
 
@@ -186,7 +162,6 @@ final class PictureServer {
             return;
         }
         try {
-            channel.configureBlocking(false);
             channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
             channel.setOption(StandardSocketOptions.SO_SNDBUF, UNSENT);
             CameraConnection client = new CameraConnection(channel, camera, profile, door, port, demand, timeout);
@@ -228,7 +203,7 @@ final class PictureServer {
     /** Closes ports and connections. Any thread. */
     void close() {
         try {
-            for (ServerSocketChannel door : listeners) {
+            for (TcpListener door : listeners) {
                 door.close();
             }
             selector.close();

@@ -1,0 +1,2 @@
+/** TCP ports that only programs of this computer reach. */
+package org.myrobotlab.service.sear.tcp;

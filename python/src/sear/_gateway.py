@@ -5,7 +5,7 @@ import numpy
 from py4j.clientserver import ClientServer, JavaParameters, PythonParameters
 from py4j.java_collections import JavaArray, JavaList, JavaMap
 from py4j.java_gateway import JavaObject as Remote
-from py4j.protocol import Py4JError, Py4JJavaError, Py4JNetworkError
+from py4j.protocol import Py4JAuthenticationError, Py4JJavaError, Py4JNetworkError
 
 from . import _errors
 from ._interrupt import interruptible
@@ -19,12 +19,17 @@ CALLS = "org.myrobotlab.service.sear.python3.GatewayCalls"
 NUMBERS = b"\0numpy"
 
 
+def path_of(port):
+    """Returns the file in which SEAR writes the token for that port."""
+    return os.path.join(os.path.expanduser("~"), ".sear", "gateway-%d" % port)
+
+
 def token_of(port):
     """Returns the token that SEAR wrote for that port.
 
     Raises FileNotFoundError with a remedy.
     """
-    path = os.path.join(os.path.expanduser("~"), ".sear", "gateway-%d" % port)
+    path = path_of(port)
     try:
         with open(path) as file:
             return file.read().strip()
@@ -50,6 +55,8 @@ class OverGateway:
             self._members = self._class(MEMBERS)
             self._calls = self._class(CALLS)
             self._members.numberType("")
+        except Py4JAuthenticationError:
+            raise ConnectionError("the SEAR at port %d refuses this token; legal: the one in the file %s" % (port, path_of(port))) from None
         except Py4JNetworkError as error:
             raise ConnectionError("no SEAR accepts Python 3 at port %d: call sear.startPython3(%s) in MyRobotLab first (%s)"
                                   % (port, "" if port == PORT else port, error)) from None

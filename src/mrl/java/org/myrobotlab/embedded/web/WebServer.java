@@ -50,6 +50,8 @@ public final class WebServer {
     /** Limit of connections that wait to be accepted. */
     private static final int BACKLOG = 1000;
     private static final int HEADERS_MILLIS = 30_000;
+    /** Most bytes of a request's head. Connections without a token hold them while the head arrives. */
+    private static final int HEAD = 1 << 14;
     private static final int IDLE_MILLIS = 60_000;
     private static final int STOP_SECONDS = 5;
 
@@ -88,6 +90,7 @@ public final class WebServer {
             .set(Options.WORKER_NAME, "web server " + port).getMap());
         http = new HttpOpenListener(new DefaultByteBufferPool(true, BUFFER), OptionMap.builder()
             .set(UndertowOptions.BUFFER_PIPELINED_DATA, true).set(UndertowOptions.MAX_ENTITY_SIZE, -1L)    // RequestBody has its own limit
+            .set(UndertowOptions.MAX_HEADER_SIZE, HEAD)
             .set(UndertowOptions.REQUEST_PARSE_TIMEOUT, HEADERS_MILLIS).set(UndertowOptions.NO_REQUEST_TIMEOUT, IDLE_MILLIS).getMap());
         Connections connections = new Connections(http);
         http.setRootHandler(connections.watching(new Guard(new Login(paths, Token.current(), names), names)));

@@ -64,6 +64,11 @@ final class CameraConnection {
         return stage == Stage.STREAMING;
     }
 
+    /** Returns whether it awaits no response: before its request, and after its last response. */
+    boolean isIdle() {
+        return stage == Stage.ASKING || stage == Stage.LEAVING;
+    }
+
     boolean isGone() {
         return stage == Stage.GONE;
     }

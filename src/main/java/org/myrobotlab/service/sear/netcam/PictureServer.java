@@ -156,7 +156,18 @@ final class PictureServer {
         }
     }
 
+    /** The longest connected client that awaits no response makes way for a new one if all places are taken. */
+    private void makeRoom() {
+        if (clients.size() >= MAX_CLIENTS) {
+            clients.stream().filter(CameraConnection::isIdle).findFirst().ifPresent(longest -> {
+                longest.close();
+                clients.remove(longest);
+            });
+        }
+    }
+
     private void begin(SocketChannel channel, int door, int port) throws IOException {
+        makeRoom();
         if (clients.size() >= MAX_CLIENTS + MAX_REPORTED) {
             channel.close();
             return;

@@ -26,7 +26,8 @@ final class Request {
     }
 
     /**
-     * Parses a head. Rejects other host names (DNS rebinding), pages of other servers, and methods other than GET.
+     * Parses a head. Rejects other host names (DNS rebinding), pages of other servers, methods other than GET, and
+     * targets other than a path: a proxy's absolute form may name another host than the header does.
      *
      * @param head up to and including its empty line
      * @param port TCP port of the connection
@@ -61,18 +62,15 @@ final class Request {
         if (!words[0].equals("GET")) {
             return refused(WRONG_METHOD, "method " + words[0] + " is not allowed, legal: GET");
         }
-        return new Request(plain(words[1]), 0, null);
+        if (!words[1].startsWith("/")) {
+            return refused(BAD, "address " + words[1] + " is not allowed, legal: a path that begins with /");
+        }
+        return new Request(words[1], 0, null);
     }
 
     private static Set<String> names(int port) {
         return port == WEB_PORT ? Set.of("localhost", "127.0.0.1", "[::1]", "localhost:80", "127.0.0.1:80", "[::1]:80")
             : Set.of("localhost:" + port, "127.0.0.1:" + port, "[::1]:" + port);
-    }
-
-    /** Removes a server name from the target. */
-    private static String plain(String target) {
-        String path = target.replaceFirst("(?i)^http://[^/?]*", "");
-        return path.startsWith("/") ? path : "/" + path;
     }
 
     /** Returns a rejected request. */

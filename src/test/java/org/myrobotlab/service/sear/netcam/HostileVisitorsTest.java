@@ -84,7 +84,7 @@ public class HostileVisitorsTest {
             answer(port, "POST /image.jpg HTTP/1.1\r\n" + host + "Content-Length: 5\r\n\r\nhello"));
         for (String own : new String[] {"LOCALHOST:", "127.0.0.1:", "[::1]:"}) {
             try (Visitor visitor = new Visitor(port, SMALL)) {
-                visitor.say("GET http://localhost/image.jpg HTTP/1.0\r\nHOST:" + own + port + "\r\n\r\n");
+                visitor.say("GET /image.jpg HTTP/1.0\r\nHOST:" + own + port + "\r\n\r\n");
                 visitor.stopTalking();
                 visitor.readHead();
                 assertEquals(own, 200, visitor.status);
@@ -116,9 +116,14 @@ public class HostileVisitorsTest {
             assertEquals(line, "400 this is not an HTTP/1.1 request", answer(port, line + end));
         }
         assertEquals("400 a line of the request's head has no name", answer(port, "GET / HTTP/1.1\r\n: x" + end));
-        for (String path : new String[] {"/../../etc/passwd", "/%2e%2e/image.jpg", "/image.jpg/", "//image.jpg", "*", "/?action=stream"}) {
+        for (String path : new String[] {"/../../etc/passwd", "/%2e%2e/image.jpg", "/image.jpg/", "//image.jpg", "/?action=stream"}) {
             String said = answer(port, "GET " + path + " HTTP/1.1" + end);
             assertTrue(said, path.startsWith("/?") ? said.startsWith("200 <!DOCTYPE") : said.startsWith("404 there is nothing at "));
+        }
+        for (String target : new String[] {"http://localhost:" + port + "/image.jpg", "HTTP://evil.example/image.jpg", "image.jpg", "*",
+            "?action=stream", "localhost:" + port}) {
+            assertEquals("400 address " + target + " is not allowed, legal: a path that begins with /",
+                answer(port, "GET " + target + " HTTP/1.1" + end));
         }
         assertEquals("431 the request's head is longer than 8192 bytes", answer(port, "GET / HTTP/1.1\r\nX: " + "x".repeat(10_000)));
         Random random = new Random(Fuzz.SEED);

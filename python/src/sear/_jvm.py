@@ -3,7 +3,7 @@ import os
 
 import numpy
 
-from . import _errors, _home
+from . import _errors, _home, _signals
 from ._interrupt import interruptible
 from ._objects import wrap
 
@@ -30,12 +30,14 @@ class InProcess:
         home = _home.find()
         self._jpype = jpype
         if not jpype.isJVMStarted():
+            signals = _signals.Handlers()
             try:
                 jpype.startJVM(*OPTIONS, *_home.class_archive(home), "-Dsear.home=" + home, *os.environ.get("JAVA_OPTS", "").split(), *options,
                                classpath=_home.jars(home), convertStrings=True, interrupt=False)
             except jpype.JVMNotFoundException as error:
                 raise FileNotFoundError("SEAR needs Java 11 or newer: install it, for example 'sudo apt-get install default-jre', or set JAVA_HOME "
                                         "(%s)" % error) from None
+            signals.restore()
         self._members = jpype.JClass(MEMBERS)
         self._list = jpype.JClass("java.util.ArrayList")
         self._map = jpype.JClass("java.util.LinkedHashMap")

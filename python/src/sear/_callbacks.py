@@ -71,6 +71,7 @@ class PythonService:
         self._ended = True
         service, self._service = self._service, None
         if service is not None:
+            service.wakeUp()
             if self._thread is not threading.current_thread():
                 self._thread.join(10)
             java_class(RUNTIME).release(service.getName())

@@ -8,8 +8,8 @@ from py4j.java_gateway import JavaObject as Remote
 from py4j.protocol import Py4JAuthenticationError, Py4JJavaError, Py4JNetworkError
 
 from . import _errors
-from ._interrupt import interruptible
 from ._objects import wrap
+from ._waiter import Waiter
 
 PORT = 25333
 MEMBERS = "org.myrobotlab.service.sear.python3.Members"
@@ -60,6 +60,7 @@ class OverGateway:
         except Py4JNetworkError as error:
             raise ConnectionError("no SEAR accepts Python 3 at port %d: call sear.startPython3(%s) in MyRobotLab first (%s)"
                                   % (port, "" if port == PORT else port, error)) from None
+        self._waiter = Waiter(self._server.jvm.java.lang.Thread)
 
     def _class(self, name):
         found = self._server.jvm
@@ -112,9 +113,8 @@ class OverGateway:
 
     def wait(self, java, name, argument):
         """Makes a waiting call that an interrupt ends in Java, so that its answer still arrives. Main thread."""
-        threads = self._server.jvm.java.lang.Thread
-        with interruptible(threads.currentThread().interrupt, threads.interrupted):
-            self._run(self._class(WAITS).call, (java, name), [argument], self._members.className(java), name)
+        kind = self._members.className(java)
+        self._waiter.run(lambda: self._run(self._class(WAITS).call, (java, name), [argument], kind, name))
 
     def _translated(self, error):
         cause = error.java_exception

@@ -4,8 +4,8 @@ import os
 import numpy
 
 from . import _errors, _home, _signals
-from ._interrupt import interruptible
 from ._objects import wrap
+from ._waiter import Waiter
 
 # Options of bin/sear, with the same log level
 OPTIONS = ("-Xlog:cds=off", "-XX:+IgnoreUnrecognizedVMOptions", "--sun-misc-unsafe-memory-access=allow", "--enable-native-access=ALL-UNNAMED",
@@ -43,6 +43,7 @@ class InProcess:
         self._map = jpype.JClass("java.util.LinkedHashMap")
         self._java_list = jpype.JClass("java.util.List")
         self._java_map = jpype.JClass("java.util.Map")
+        self._waiter = Waiter(jpype.JClass("java.lang.Thread"))
 
     def java_class(self, name):
         """Returns the java.lang.Class."""
@@ -87,10 +88,8 @@ class InProcess:
 
     def wait(self, java, name, argument):
         """Makes a waiting call that an interrupt ends. Main thread."""
-        threads = self._jpype.JClass("java.lang.Thread")
         _errors.refuse_large(name, [argument])
-        with interruptible(threads.currentThread().interrupt, threads.interrupted):
-            self.run(self._jpype.JClass(WAITS).call, java, name, self.java_list([argument]))
+        self._waiter.run(lambda: self.run(self._jpype.JClass(WAITS).call, java, name, self.java_list([argument])))
 
     def _translated(self, error):
         message = error.getMessage()

@@ -10,7 +10,7 @@ _LISTS = list, tuple, range, collections.abc.KeysView, collections.abc.ValuesVie
 _classes = {}
 SEAR = "org.myrobotlab.service.SEAR"
 # Waiting calls that an interrupt of a terminal or notebook ends, with the smallest argument for which it does
-_WAITS = {(SEAR, "simSleep"): 1, (SEAR, "step"): 60}
+_WAITS = {(SEAR, "simSleep"): 0.4, (SEAR, "step"): 24}
 # Calls whose results are pictures, or have one
 _SHOWN = frozenset(((SEAR, "getPlan"), (SEAR, "getImage"), (SEAR, "getLidarResult"), (SEAR, "getReading")))
 

@@ -104,9 +104,11 @@ public class JupyterTest {
     @Test
     public void anInterruptAbortsAWait() throws Exception {
         String said = run(List.of(JUPYTER), SCRIPTS.resolve("interrupted.py").toString());
-        for (String wait : List.of("simSleep(1000000) at speed max", "step(10000000) at speed max", "simSleep(1000000) at speed 5")) {
+        for (String wait : List.of("simSleep(1000000) at speed max", "step(10000000) at speed max", "simSleep(1000000) at speed 5",
+                "time.sleep(1000000) at speed 5")) {
             assertTrue(said, said.contains(wait + " was interrupted\n"));
         }
+        assertTrue(said, said.endsWith("SIGTERM has ended the kernel\n"));
     }
 
     @Test

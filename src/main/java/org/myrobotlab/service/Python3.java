@@ -19,16 +19,12 @@ import org.myrobotlab.service.sear.lockstep.FencePass;
 public class Python3 extends Service<Python3Config> implements CallbackService {
     private static final long serialVersionUID = 1L;
 
-<<<<<<< HEAD
+    /** Ends the wait of {@link #take}. */
+    private static final Message WAKE_UP = new Message();
     /**
      * Time for which a call waits for the program's next request until the program counts as ended, ns. A program that
      * computes for long requests late, so the time starts with the call.
      */
-=======
-    /** Ends the wait of {@link #take}. */
-    private static final Message WAKE_UP = new Message();
-    /** So long after its last question a program is taken for ended, ns. */
->>>>>>> 9e182582 (Run signal handlers while a program waits in Java)
     private static final long GONE = TimeUnit.SECONDS.toNanos(10);
 
     private final transient BlockingQueue<Message> calls = new LinkedBlockingQueue<>();
@@ -95,16 +91,12 @@ public class Python3 extends Service<Python3Config> implements CallbackService {
             message.data == null ? new Object[0] : message.data};
     }
 
-<<<<<<< HEAD
-    /** Returns the Java thread on which the program's functions call back. */
-=======
     /** Ends a wait of {@link #take} without a function to call, for the end of the program. */
     public void wakeUp() {
         calls.add(WAKE_UP);
     }
 
-    /** The thread of Java on which functions of the program call back. */
->>>>>>> 9e182582 (Run signal handlers while a program waits in Java)
+    /** Returns the Java thread on which the program's functions call back. */
     @Override
     public Thread getCallbackThread() {
         return taker;

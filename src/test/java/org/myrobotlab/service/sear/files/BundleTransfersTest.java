@@ -16,7 +16,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import org.SEAR.SearProcess;
+import org.SEAR.Slow;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Bundles in parts, to and from a panel. */
 public class BundleTransfersTest {
@@ -58,6 +60,7 @@ public class BundleTransfersTest {
 
     /** A program with 32 MB of memory that uploads and downloads 64 MB. */
     @Test
+    @Category(Slow.class)
     public void aBundleLargerThanTheMemoryIsTransferred() throws Exception {
         List<String> command = SearProcess.java("", new String[] {"-Xmx32m"});
         command.addAll(List.of("-cp", System.getProperty("java.class.path"), Large.class.getName()));

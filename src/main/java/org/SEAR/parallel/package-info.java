@@ -1,5 +1,5 @@
 /**
- * Work shared by several threads, with the same result as on one. Independent of the rest of SEAR. One thread at a time
+ * Work shared by several threads, with the same result as on one. Uses no other package of SEAR. One thread at a time
  * calls, and has all results when the call returns.
  */
 package org.SEAR.parallel;

@@ -146,7 +146,8 @@ public final class ObjectDocs {
     }
 
     private static void shared(StringBuilder out, Shared shared) {
-        out.append("\n## ").append(shared.title).append("\n\n").append(shared.type == Shape.class ? "Shared: " + SHARED.get(1).link() + ".\n\n" : "");
+        out.append("\n## ").append(shared.title).append("\n\n").append(shared.type == Shape.class
+            ? "Also have the elements and calls of " + SHARED.get(1).link() + ".\n\n" : "");
         block(out, sharedCalls(shared));
         List<String> known = SHARED.stream().takeWhile(one -> one != shared).flatMap(one -> one.names().stream()).collect(Collectors.toList());
         ParameterTable table = ParameterTable.of(shared.sample);
@@ -165,7 +166,8 @@ public final class ObjectDocs {
         if (groups.stream().anyMatch(shared -> shared.type == Shape.class)) {
             groups.removeIf(shared -> shared.type == PlacedObject.class);
         }
-        out.append("\n## ").append(type.getSimpleName()).append("\n\n").append(sentence(type)).append(groups.isEmpty() ? "" : " Shared: "
+        out.append("\n## ").append(type.getSimpleName()).append("\n\n").append(sentence(type)).append(groups.isEmpty()
+            ? "" : " Also has the elements and calls of "
             + groups.stream().map(Shared::link).collect(Collectors.joining(", ")) + ".").append("\n\n");
         block(out, calls(type));
         ParameterTable table = ParameterTable.of(type);

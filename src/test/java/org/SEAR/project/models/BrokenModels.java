@@ -125,7 +125,7 @@ public final class BrokenModels {
         put("no-such-child.gltf", gltf(nodes, "\"nodes\":[{\"children\":[7],\"mesh\":0"), "nodes[0].children is 7, legal: 0 to 0");
         put("no-such-mesh.gltf", gltf(nodes, "\"nodes\":[{\"mesh\":3"), "nodes[0].mesh is 3, legal: 0 to 0");
         put("no-such-node.gltf", gltf("\"scenes\":[{\"nodes\":[0]", "\"scenes\":[{\"nodes\":[4]"), "scenes[0].nodes is 4, legal: 0 to 0");
-        put("shown-twice.gltf", gltf("\"scenes\":[{\"nodes\":[0]", "\"scenes\":[{\"nodes\":[0,0]"), "once in all scenes");
+        put("shown-twice.gltf", gltf("\"scenes\":[{\"nodes\":[0]", "\"scenes\":[{\"nodes\":[0,0]"), "at most once in a scene");
         put("no-such-scene.gltf", gltf("\"scene\":0", "\"scene\":-1"), "scene is -1, legal: 0 to 0");
         put("nan-place.gltf", gltf("\"translation\":[1.0", "\"translation\":[\"NaN\""), "legal: a finite number");
         put("far-place.gltf", gltf("\"translation\":[1.0", "\"translation\":[1e12"), "legal: a finite number");

@@ -131,7 +131,7 @@ final class GltfCheck {
                 int number = json.index(node, what + ".nodes", parent.length);
                 if (parent[number] != 0 || shown[number]) {
                     throw FileLimits.wrong(file, what + ".nodes", number,
-                        "a node without a parent, once in all scenes");
+                        "a node without a parent, at most once in a scene");
                 }
                 shown[number] = true;
             }

@@ -113,7 +113,7 @@ public class GymnasiumTest {
             Files.writeString(blocked.resolve(module + ".py"), "");
         }
         String text = run(1, blocked + File.pathSeparator + PACKAGES, ROOT.resolve("examples/python3/learn_wall_follower.py"));
-        assertTrue(text, text.matches("(?s).* is missing\\. Install what this program needs: pip install \\./python\\[gym\\] stable-baselines3 "
+        assertTrue(text, text.matches("(?s).* is missing\\. Install the requirements: pip install \\./python\\[gym\\] stable-baselines3 "
             + "matplotlib\n"));
         assertFalse(text, text.contains("Traceback"));
     }

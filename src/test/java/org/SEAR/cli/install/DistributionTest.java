@@ -160,7 +160,7 @@ public class DistributionTest {
             Distribution.java().toString(), "-cp", distribution.home().resolve("plugin") + "/*:" + distribution.home().resolve("lib") + "/*",
             "org.SEAR.cli.SearCommand", script.toString(), "--headless", "--port", "none"));
         assertEquals(bare.toString(), 1, bare.status);
-        assertTrue(bare.toString(), bare.err.contains("with LC_ALL=C.UTF-8 in its environment"));
+        assertTrue(bare.toString(), bare.err.contains("with LC_ALL=C.UTF-8 in the environment"));
     }
 
     @Test

@@ -70,8 +70,7 @@ final class SceneTriangles {
             try {
                 addTriangles(solid);
                 addVertices(solid);
-            } catch (ClassCastException | NullPointerException | IndexOutOfBoundsException | IllegalArgumentException
-                | UnsupportedOperationException e) {
+            } catch (RuntimeException e) {    // jMonkeyEngine's meshes throw all kinds of them
                 throw FileLimits.wrong(file, "the mesh of " + name(solid), "damaged",
                     "vertices with positions, and triangles of them", e);
             }

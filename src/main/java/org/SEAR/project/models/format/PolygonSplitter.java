@@ -232,7 +232,7 @@ final class PolygonSplitter {
             }
             if (Math.abs(area) > flat) {
                 add(before[at], at, next[at]);
-                simple &= !none;
+                simple = simple && !none;
             }
             next[before[at]] = next[at];
             before[next[at]] = before[at];

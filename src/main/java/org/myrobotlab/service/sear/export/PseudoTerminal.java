@@ -399,7 +399,7 @@ final class PseudoTerminal implements ExternalEndpoint {
         }
     }
 
-    private int writeToMaster(byte[] bytes, int from, int count) {
+    private synchronized int writeToMaster(byte[] bytes, int from, int count) {
         byte[] piece = from == 0 ? bytes : Arrays.copyOfRange(bytes, from, from + count);
         int written = c.write(master, piece, new NativeLong(count)).intValue();
         unread |= written > 0;

@@ -3,16 +3,26 @@ package org.SEAR.collision;
 import org.SEAR.geometry.Placement;
 
 /**
- * Contact feature of a solid in a direction: a face with its outward normal, an edge (two points) or a corner. Filled
- * in the solid's frame, then placed in the world.
+ * Contact feature of a solid in a direction: a face with its outward normal, a line (an edge, or the line of a curved
+ * side) or a corner. Filled in the solid's frame, then placed in the world.
  */
 public final class ContactFeature {
     /** Largest number of corners, including those that clipping adds. */
     static final int MOST = 32;
+    /** Smallest cosine between contact direction and normal of a face contact (6 degrees). */
+    static final double ALIGNED = 0.995;
 
     int count;
     /** Whether it is a face with a normal. */
     boolean flat;
+    /** Whether the face's outline is a circle, which has no straight edges. */
+    private boolean circle;
+    /** Radius of curvature across a line, at its first and last corner, metres; 0: a sharp edge. */
+    private double firstRadius;
+    private double lastRadius;
+    /** Corners that begin and end the line found by {@link #findLine}. */
+    private int first;
+    private int last;
     /** Outward normal of a face. */
     public double nx;
     public double ny;
@@ -24,6 +34,9 @@ public final class ContactFeature {
     public void clear() {
         count = 0;
         flat = false;
+        circle = false;
+        firstRadius = 0;
+        lastRadius = 0;
         nx = 0;
         ny = 0;
         nz = 0;
@@ -41,6 +54,58 @@ public final class ContactFeature {
         nx = x;
         ny = y;
         nz = z;
+    }
+
+    /** Makes it a face with a round outline. */
+    void setCircle() {
+        circle = true;
+    }
+
+    /** Sets the radius of curvature across a line of two corners, at each of them, metres. */
+    void setCurvature(double atFirst, double atLast) {
+        firstRadius = atFirst;
+        lastRadius = atLast;
+    }
+
+    /**
+     * Finds the line that is furthest in a direction: the highest corner and the higher one of its neighbours.
+     * @return false if there is no straight line
+     */
+    boolean findLine(double dx, double dy, double dz) {
+        if (count < 2 || circle) {
+            return false;
+        }
+        first = 0;
+        last = 1;
+        if (count > 2) {
+            double most = Double.NEGATIVE_INFINITY;
+            for (int i = 0; i < count; i++) {
+                double next = along(i, dx, dy, dz);
+                if (next > most) {
+                    most = next;
+                    first = i;
+                }
+            }
+            int before = (first + count - 1) % count;
+            int after = (first + 1) % count;
+            last = along(before, dx, dy, dz) > along(after, dx, dy, dz) ? before : after;
+        }
+        return true;
+    }
+
+    /** Returns a corner's coordinate along a direction, metres. */
+    private double along(int i, double dx, double dy, double dz) {
+        return dx * x(i) + dy * y(i) + dz * z(i);
+    }
+
+    /** Returns a coordinate of a point of the line: axis 0 to 2, share of the line from 0 to 1. */
+    double onLine(int axis, double share) {
+        return at[3 * first + axis] + share * (at[3 * last + axis] - at[3 * first + axis]);
+    }
+
+    /** Returns the radius of curvature at a point of the line, metres. */
+    double radiusOnLine(double share) {
+        return firstRadius + share * (lastRadius - firstRadius);
     }
 
     double x(int i) {
@@ -66,6 +131,11 @@ public final class ContactFeature {
         nx = to.m00 * x + to.m01 * y + to.m02 * z;
         ny = to.m10 * x + to.m11 * y + to.m12 * z;
         nz = to.m20 * x + to.m21 * y + to.m22 * z;
+    }
+
+    /** Whether it is a face whose normal is nearly a direction. */
+    public boolean isAlong(double dx, double dy, double dz) {
+        return flat && nx * dx + ny * dy + nz * dz > ALIGNED;
     }
 
     /** Returns the height of a point above the face's plane, metres. */

@@ -88,6 +88,7 @@ public final class ConvexRound implements ConvexShape {
         if (sideways >= end) {
             into.add(bottom * ux, -half, bottom * uz);
             into.add(top * ux, half, top * uz);
+            into.setCurvature(bottom * slant / (2 * half), top * slant / (2 * half));
             return;
         }
         double radius = dy > 0 ? top : bottom;
@@ -99,6 +100,7 @@ public final class ConvexRound implements ConvexShape {
             into.add(radius * (cosine * ux - sine * uz), y, radius * (sine * ux + cosine * uz));
         }
         into.setNormal(0, Math.signum(dy), 0);
+        into.setCircle();
     }
 
     @Override

@@ -6,15 +6,13 @@ package org.SEAR.collision;
  * clipped by the side planes of the reference face (Sutherland and Hodgman, "Reentrant polygon clipping", 1974). Its
  * corners below or little above the reference face are the contact points, all in one step, so that bodies rest stably.
  * Of more than four it keeps the lowest, the one furthest from it, and those furthest to either side of their line.
- * Without a face (edge on edge) it keeps the one point.
+ * Without a face, {@link LineContact} finds the ends of a common line; otherwise it keeps the one point.
  */
 public final class ManifoldClipper {
     /** Distance at which surfaces already carry load, metres, so that all corners of a resting face are in contact. */
     public static final float SKIN = 5e-4f;
     /** Distance above which surfaces have no contact, metres. */
     public static final float BREAKING = 0.02f;
-    /** Smallest cosine between contact direction and normal of a face contact (6 degrees). */
-    private static final double ALIGNED = 0.995;
     /** Difference of cosines within which both faces are equally aligned. */
     private static final double EVEN = 1e-3;
     private static final int CORNERS = 4;
@@ -22,6 +20,7 @@ public final class ManifoldClipper {
     /** Features of both sets, in the world; filled by the caller. */
     public final ContactFeature ofA = new ContactFeature();
     public final ContactFeature ofB = new ContactFeature();
+    private final LineContact line = new LineContact();
     private final int[] chosen = new int[CORNERS];
     private double reach = BREAKING;
 
@@ -35,7 +34,7 @@ public final class ManifoldClipper {
      * @param nearest with the direction from B to A
      */
     public void find(GjkDistance nearest, ContactPoints into) {
-        if (!faces(nearest.nx, nearest.ny, nearest.nz, into)) {
+        if (!faces(nearest.nx, nearest.ny, nearest.nz, into) && !line.find(ofA, ofB, nearest, reach, into)) {
             into.add(nearest.nx, nearest.ny, nearest.nz, nearest.onB[0], nearest.onB[1], nearest.onB[2], nearest.distance);
         }
     }
@@ -48,7 +47,7 @@ public final class ManifoldClipper {
     public boolean faces(double nx, double ny, double nz, ContactPoints into) {
         double alongA = ofA.flat ? -(nx * ofA.nx + ny * ofA.ny + nz * ofA.nz) : 0;
         double alongB = ofB.flat ? nx * ofB.nx + ny * ofB.ny + nz * ofB.nz : 0;
-        if (Math.max(alongA, alongB) < ALIGNED) {
+        if (Math.max(alongA, alongB) < ContactFeature.ALIGNED) {
             return false;
         }
         boolean onB = alongB >= alongA - EVEN;

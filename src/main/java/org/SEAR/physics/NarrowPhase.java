@@ -179,9 +179,24 @@ final class NarrowPhase {
             if (touched && pair.isFlat()) {
                 gjk.keep(a, b, guess, CHANGE);
             }
-            a.feature(-gjk.nx, -gjk.ny, -gjk.nz, clipper.ofA);
-            b.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
+            setFeatures(a, b);
             clipper.find(gjk, contacts);
+        }
+    }
+
+    /**
+     * Sets the features along the contact normal. That of a curved side opposite a face is the one along the face's
+     * normal: a distance gives the direction only to its square root, which would move the line of a log sideways.
+     */
+    private void setFeatures(PlacedSolid a, PlacedSolid b) {
+        b.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
+        if (clipper.ofB.isAlong(gjk.nx, gjk.ny, gjk.nz)) {
+            a.feature(-clipper.ofB.nx, -clipper.ofB.ny, -clipper.ofB.nz, clipper.ofA);
+            return;
+        }
+        a.feature(-gjk.nx, -gjk.ny, -gjk.nz, clipper.ofA);
+        if (clipper.ofA.isAlong(-gjk.nx, -gjk.ny, -gjk.nz)) {
+            b.feature(-clipper.ofA.nx, -clipper.ofA.ny, -clipper.ofA.nz, clipper.ofB);
         }
     }
 
@@ -252,7 +267,11 @@ final class NarrowPhase {
 
     private void touch(ContactTriangle by) {
         by.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
-        solid.feature(-gjk.nx, -gjk.ny, -gjk.nz, clipper.ofA);
+        if (clipper.ofB.isAlong(gjk.nx, gjk.ny, gjk.nz)) {
+            solid.feature(-clipper.ofB.nx, -clipper.ofB.ny, -clipper.ofB.nz, clipper.ofA);
+        } else {
+            solid.feature(-gjk.nx, -gjk.ny, -gjk.nz, clipper.ofA);
+        }
         clipper.find(gjk, contacts);
     }
 

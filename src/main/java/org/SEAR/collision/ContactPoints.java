@@ -2,14 +2,12 @@ package org.SEAR.collision;
 
 import java.util.Arrays;
 
-/** Contact points of one pair in one step, and the choice of the best ones. Not thread-safe. */
+/** Contact points of one pair of solids in one search. Not thread-safe. */
 public final class ContactPoints {
-    private static final int MOST = 12;
     private static final int FIELDS = 7;
 
     private double[] found = new double[16 * FIELDS];
     private int count;
-    private final int[] chosen = new int[MOST];
 
     public void clear() {
         count = 0;
@@ -67,57 +65,28 @@ public final class ContactPoints {
         return found[FIELDS * i + 6];
     }
 
-    /** Index of a point chosen by {@link #choose}. */
-    public int chosen(int i) {
-        return chosen[i];
+    /** Compares two points by position, then by normal. */
+    int compare(int i, int k) {
+        int order = 0;
+        for (int field = 3; field < 6 && order == 0; field++) {
+            order = Double.compare(found[FIELDS * i + field], found[FIELDS * k + field]);
+        }
+        for (int field = 0; field < 3 && order == 0; field++) {
+            order = Double.compare(found[FIELDS * i + field], found[FIELDS * k + field]);
+        }
+        return order;
     }
 
-    /**
-     * Chooses the lowest point, then repeatedly the point furthest from the chosen ones; touching points first.
-     * @param most number of points wanted
-     * @return number of points chosen
-     */
-    public int choose(int most) {
-        int taken = 0;
-        while (taken < Math.min(Math.min(most, MOST), count)) {
-            int next = -1;
-            double best = Double.NEGATIVE_INFINITY;
-            for (int i = 0; i < count; i++) {
-                if (isChosen(i, taken)) {
-                    continue;
-                }
-                double worth = taken == 0 ? -height(i) : room(i, taken) - (height(i) > ManifoldClipper.SKIN ? 1e6 : 0);
-                if (worth > best) {
-                    best = worth;
-                    next = i;
-                }
-            }
-            chosen[taken++] = next;
-        }
-        return taken;
+    /** Returns the cosine of the angle between two normals. */
+    double cosine(int i, int k) {
+        return nx(i) * nx(k) + ny(i) * ny(k) + nz(i) * nz(k);
     }
 
-    private boolean isChosen(int point, int taken) {
-        for (int i = 0; i < taken; i++) {
-            if (chosen[i] == point) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Returns the squared distance to the nearest chosen point, m^2. */
-    private double room(int i, int taken) {
-        double least = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < taken; k++) {
-            int a = FIELDS * i;
-            int b = FIELDS * chosen[k];
-            double square = 0;
-            for (int axis = 3; axis < 6; axis++) {
-                square += (found[a + axis] - found[b + axis]) * (found[a + axis] - found[b + axis]);
-            }
-            least = Math.min(least, square);
-        }
-        return least;
+    /** Returns the squared distance of two points, m^2. */
+    double square(int i, int k) {
+        double x = x(i) - x(k);
+        double y = y(i) - y(k);
+        double z = z(i) - z(k);
+        return x * x + y * y + z * z;
     }
 }

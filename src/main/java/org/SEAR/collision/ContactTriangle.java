@@ -6,10 +6,17 @@ import org.SEAR.geometry.Placement;
 /** Two-sided triangle of a fixed mesh, in the world. */
 public final class ContactTriangle implements Convex {
     private static final double NOTHING = 1e-14;
+    /** Smallest cosine between its normal and the direction to a ball that is about to roll onto it (8 degrees). */
+    private static final double FLAT = 0.99;
     private final double[] at = new double[9];
     private double nx;
     private double ny;
     private double nz;
+    /** Mean of the corners, and a bound of the distance of its points from there, metres. */
+    private double mx;
+    private double my;
+    private double mz;
+    private double bound;
     private final double[] point = new double[3];
     private double lowest;
     private double highest;
@@ -44,6 +51,26 @@ public final class ContactTriangle implements Convex {
         nx = from.nx;
         ny = from.ny;
         nz = from.nz;
+        mx = (at[0] + at[3] + at[6]) / 3;
+        my = (at[1] + at[4] + at[7]) / 3;
+        mz = (at[2] + at[5] + at[8]) / 3;
+        bound = 0;
+        for (int i = 0; i < 9; i += 3) {
+            bound = Math.max(bound, Math.sqrt(square(at[i], at[i + 1], at[i + 2])));
+        }
+    }
+
+    private double square(double x, double y, double z) {
+        return (x - mx) * (x - mx) + (y - my) * (y - my) + (z - mz) * (z - mz);
+    }
+
+    /** Compares corners, coordinate by coordinate. */
+    int compare(ContactTriangle other) {
+        int order = 0;
+        for (int i = 0; i < at.length && order == 0; i++) {
+            order = Double.compare(at[i], other.at[i]);
+        }
+        return order;
     }
 
     /** Returns the cosine between a direction and the normal; negative for the back. */
@@ -52,10 +79,13 @@ public final class ContactTriangle implements Convex {
     }
 
     /**
-     * Whether a point lies on it.
+     * Whether a point lies on it, which must be a copy.
      * @param within tolerance, metres
      */
     boolean holds(double[] p, double within) {
+        if (square(p[0], p[1], p[2]) > (bound + within) * (bound + within)) {
+            return false;
+        }
         double off = nx * (p[0] - at[0]) + ny * (p[1] - at[1]) + nz * (p[2] - at[2]);
         boolean inside = Math.abs(off) <= within;
         for (int i = 0; i < 9 && inside; i += 3) {
@@ -88,12 +118,22 @@ public final class ContactTriangle implements Convex {
     /**
      * Adds a contact with its plane.
      * @param p point on the triangle
-     * @param dx vector from there to the body, metres, likewise dy and dz
+     * @param dx direction from there to the body, length 1, likewise dy and dz
+     * @param distance of the body in that direction, metres; negative: penetration
+     * @param ball radius of the body if it is a ball, metres, else 0
      */
-    void addPlane(double[] p, double dx, double dy, double dz, ContactPoints into) {
-        double height = cosine(dx, dy, dz);
-        double side = height < 0 ? -1 : 1;
-        into.add(side * nx, side * ny, side * nz, p[0], p[1], p[2], side * height);
+    void addPlane(double[] p, double dx, double dy, double dz, double distance, double ball, ContactPoints into) {
+        double cosine = cosine(dx, dy, dz);
+        double side = cosine < 0 ? -1 : 1;
+        double ux = side * nx;
+        double uy = side * ny;
+        double uz = side * nz;
+        // a ball touches the plane below its centre, where a flat triangle continues
+        double centre = ball > 0 && side * cosine > FLAT ? distance + ball : 0;
+        double above = side * cosine * centre;
+        double height = centre > 0 ? above - ball : side * cosine * distance;
+        into.add(ux, uy, uz, p[0] + centre * dx - above * ux, p[1] + centre * dy - above * uy,
+            p[2] + centre * dz - above * uz, height);
     }
 
     /** Whether a set reaches within {@code reach} metres of the triangle's plane; also measures {@link #depth}. */

@@ -14,9 +14,12 @@ public final class InnerEdges {
     private static final double FACE = 1 - 1e-6;
     /** Distance at which a point is on a triangle, metres. */
     private static final double ON = 1e-4;
+    /** Height of a corner above another triangle from which a triangle rises, metres. */
+    private static final double RISES = 1e-6;
 
     private final List<Touch> kept = new ArrayList<>();
-    private final List<ContactTriangle> faces = new ArrayList<>();
+    /** Triangles with a face contact, and those that an internal edge connects to them. */
+    private final List<Touch> faces = new ArrayList<>();
     private final List<Touch> edges = new ArrayList<>();
     private int used;
 
@@ -28,6 +31,13 @@ public final class InnerEdges {
         double ny;
         double nz;
         double distance;
+        /** Whether its plane is in contact. */
+        boolean supports;
+
+        /** Compares distances, and at equal distances corners: the order of the search does not count. */
+        boolean isBefore(Touch other) {
+            return distance < other.distance || distance == other.distance && triangle.compare(other.triangle) < 0;
+        }
     }
 
     public void clear() {
@@ -42,6 +52,7 @@ public final class InnerEdges {
         }
         Touch touch = kept.get(used++);
         touch.triangle.copy(triangle);
+        touch.supports = false;
         return touch;
     }
 
@@ -52,7 +63,9 @@ public final class InnerEdges {
 
     /** Adds a triangle with a face contact. */
     public void addFace(ContactTriangle triangle) {
-        faces.add(take(triangle).triangle);
+        Touch touch = take(triangle);
+        touch.supports = true;
+        faces.add(touch);
     }
 
     /** Adds a triangle with an edge or corner contact. */
@@ -65,7 +78,7 @@ public final class InnerEdges {
         touch.distance = nearest.distance;
         int at = edges.size();
         edges.add(touch);
-        for (; at > 0 && edges.get(at - 1).distance > touch.distance; at--) {
+        for (; at > 0 && touch.isBefore(edges.get(at - 1)); at--) {
             edges.set(at, edges.get(at - 1));
         }
         edges.set(at, touch);
@@ -81,19 +94,31 @@ public final class InnerEdges {
         return edges.get(i).triangle;
     }
 
-    /** Whether an edge contact is at an internal edge; adds a contact if the triangle rises from there. */
-    public boolean isInner(int edge, ContactPoints into) {
+    /**
+     * Whether an edge contact is at an internal edge; adds a contact if the triangle rises from all triangles there
+     * whose planes are in contact. A triangle behind one that falls away adds none: its plane would lie above the body.
+     * @param ball radius of the body if it is a ball, metres, else 0
+     */
+    public boolean isInner(int edge, double ball, ContactPoints into) {
         Touch touch = edges.get(edge);
+        boolean inner = false;
+        double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < faces.size(); i++) {
-            ContactTriangle face = faces.get(i);
-            if (face.holds(touch.p, ON)) {
-                if (touch.triangle.rise(face, touch.nx, touch.ny, touch.nz) > ON) {
-                    touch.triangle.addPlane(touch.p, touch.nx * touch.distance, touch.ny * touch.distance, touch.nz * touch.distance, into);
+            Touch face = faces.get(i);
+            if (face.triangle.holds(touch.p, ON)) {
+                inner = true;
+                if (face.supports) {
+                    least = Math.min(least, touch.triangle.rise(face.triangle, touch.nx, touch.ny, touch.nz));
                 }
-                faces.add(touch.triangle);
-                return true;
             }
         }
-        return false;
+        if (inner) {
+            faces.add(touch);
+            touch.supports = least > RISES && least < Double.POSITIVE_INFINITY;
+        }
+        if (touch.supports) {
+            touch.triangle.addPlane(touch.p, touch.nx, touch.ny, touch.nz, touch.distance, ball, into);
+        }
+        return inner;
     }
 }

@@ -12,6 +12,11 @@ final class Manifold {
     private static final int OWN = 6;
     /** Distance below which a point matches a former one, metres. */
     private static final double NEAR = 0.02;
+    /**
+     * Weight of 1 - cosine of the angle between two normals against the squared distance of their points, m^2. A ball
+     * touches several faces of a mesh in nearly the same point; the impulse of a face stays with that face.
+     */
+    private static final double OTHER_NORMAL = 1;
     /** Smallest cosine between the normals of a manifold and its former one. */
     private static final double SIMILAR = 0.9;
     /** Rotation per substep above which a body spins fast, radians. */
@@ -108,35 +113,87 @@ final class Manifold {
         count++;
     }
 
-    /** Takes over the impulses of a former manifold of the same solids, each from the nearest point (warm starting). */
-    void inherit(Manifold from) {
-        if (nx * from.nx + ny * from.ny + nz * from.nz < SIMILAR) {
+    /**
+     * Passes its impulses on to the new manifolds of the same solids (warm starting). Each point's impulse goes to the
+     * nearest new point with a similar normal, or is distributed evenly if none is near. No impulse goes to two points:
+     * together they would throw the bodies apart.
+     * @param to manifolds, of which those from {@code first} to before {@code end} are the new ones
+     */
+    void passOn(Manifold[] to, int first, int end) {
+        Manifold similar = null;
+        double most = SIMILAR;
+        for (int k = first; k < end; k++) {
+            double cosine = cosine(to[k]);
+            if (cosine >= most) {
+                most = cosine;
+                similar = to[k];
+            }
+        }
+        if (similar == null) {
             return;
         }
-        seconds = from.seconds;
-        impact = from.impact;
-        fx = from.fx;
-        fy = from.fy;
-        fz = from.fz;
-        turned = from.turned;
-        rollX = from.rollX;
-        rollY = from.rollY;
-        rollZ = from.rollZ;
+        Manifold main = similar;
+        double largest = 0;
+        double lost = 0;
         for (int i = 0; i < count; i++) {
-            Point nearest = null;
-            double least = NEAR * NEAR;
-            for (int k = 0; k < from.count; k++) {
-                double square = Math.min(square(i, from, k, 0), square(i, from, k, 3));
-                if (square < least) {
-                    least = square;
-                    nearest = from.points[k];
-                }
-            }
-            if (nearest != null) {
-                points[i].impulse = nearest.impulse;
+            double impulse = points[i].impulse;
+            Manifold taker = impulse > 0 ? passOn(i, to, first, end) : null;
+            if (taker == null) {
+                lost += impulse;
+            } else if (impulse > largest) {
+                largest = impulse;
+                main = taker;
             }
         }
-        share(from);
+        for (int i = 0; i < similar.count && lost > 0; i++) {
+            similar.points[i].impulse += lost / similar.count;
+        }
+        similar.take(this);
+        main.takeFriction(this);
+    }
+
+    /** Passes on a point's impulse to the nearest new point; returns its manifold, or null if no point is near. */
+    private Manifold passOn(int point, Manifold[] to, int first, int end) {
+        Manifold taker = null;
+        Point nearest = null;
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = first; k < end; k++) {
+            Manifold next = to[k];
+            for (int i = 0; i < next.count && cosine(next) >= SIMILAR; i++) {
+                double square = Math.min(next.square(i, this, point, 0), next.square(i, this, point, 3));
+                double score = square + OTHER_NORMAL * (1 - cosine(next));
+                if (square < NEAR * NEAR && score < least) {
+                    least = score;
+                    nearest = next.points[i];
+                    taker = next;
+                }
+            }
+        }
+        if (taker != null) {
+            nearest.impulse += points[point].impulse;
+            taker.take(this);
+        }
+        return taker;
+    }
+
+    private double cosine(Manifold other) {
+        return nx * other.nx + ny * other.ny + nz * other.nz;
+    }
+
+    private void take(Manifold from) {
+        seconds = Math.max(seconds, from.seconds);
+        impact |= from.impact;
+    }
+
+    private void takeFriction(Manifold from) {
+        take(from);
+        fx += from.fx;
+        fy += from.fy;
+        fz += from.fz;
+        turned += from.turned;
+        rollX += from.rollX;
+        rollY += from.rollY;
+        rollZ += from.rollZ;
     }
 
     /**
@@ -150,20 +207,6 @@ final class Manifold {
         double y = own[at + 1] - from.own[other + 1];
         double z = own[at + 2] - from.own[other + 2];
         return x * x + y * y + z * z;
-    }
-
-    /** Distributes impulses of lost points evenly. */
-    private void share(Manifold from) {
-        double lost = 0;
-        for (int i = 0; i < from.count; i++) {
-            lost += from.points[i].impulse;
-        }
-        for (int i = 0; i < count; i++) {
-            lost -= points[i].impulse;
-        }
-        for (int i = 0; i < count && lost > 0; i++) {
-            points[i].impulse += lost / count;
-        }
     }
 
     /** Makes the present gaps the found ones, for a step without a new search. */

@@ -11,21 +11,17 @@ import org.SEAR.collision.SegmentTriangleSweep;
 import org.SEAR.collision.GjkDistance;
 import org.SEAR.collision.InnerEdges;
 import org.SEAR.collision.ManifoldClipper;
+import org.SEAR.collision.SupportPoints;
 import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Placement;
-import org.SEAR.physics.solid.Solid;
 
 /** Finds contacts of bodies from their exact shapes in double precision. Simulation thread. */
 final class NarrowPhase {
-    /** Cosine above which normals belong to one manifold. */
-    private static final double SAME = 0.9998;
     /**
      * A former separating direction of two flat solids is kept if its distance is within this of the best, metres;
      * otherwise the contact would flicker.
      */
     private static final double CHANGE = 1e-4;
-    /** Largest number of contact points with a mesh. */
-    private static final int MESH_POINTS = 12;
     /** Distance at which a body stops before a triangle, as a share of the substep's path. */
     private static final double BEFORE = 0.01;
     /** Possible contacts above which a body counts as crowded. */
@@ -34,6 +30,7 @@ final class NarrowPhase {
     private final GjkDistance gjk = new GjkDistance();
     private final ManifoldClipper clipper = new ManifoldClipper();
     private final ContactPoints contacts = new ContactPoints();
+    private final SupportPoints support = new SupportPoints();
     private final ContactTriangle triangle = new ContactTriangle();
     private final InnerEdges inner = new InnerEdges();
     private final SegmentTriangleSweep crossing = new SegmentTriangleSweep();
@@ -153,8 +150,9 @@ final class NarrowPhase {
             high.set((float) box.maxX, (float) box.maxY, (float) box.maxZ);
             inner.clear();
             b.getTriangles().find(triangles, low, high);
+            double ball = a.solid.convex().isBall() ? a.solid.convex().skin() : 0;
             for (int i = 0; i < inner.size(); i++) {
-                if (!inner.isInner(i, contacts) && measure(solid, inner.get(i), inner.get(i), 0)) {
+                if (!inner.isInner(i, ball, contacts) && measure(solid, inner.get(i), inner.get(i), 0)) {
                     touch(inner.get(i));
                 }
             }
@@ -167,7 +165,7 @@ final class NarrowPhase {
                 clear = Math.min(clear, apart);
             }
         }
-        write(pair, a.solid, solidA, b.solid, solidB);
+        write(pair, a, solidA, b, solidB);
     }
 
     private void findConvex(PairContacts pair, PlacedSolid a, PlacedSolid b, boolean touched) {
@@ -223,7 +221,9 @@ final class NarrowPhase {
     private boolean measure(PlacedSolid a, Convex coreOfB, Convex b, double skinOfB) {
         double skins = a.solid.convex().skin() + skinOfB;
         if (!gjk.measure(a.core(), coreOfB, reach + 2 * skins, guess[0], guess[1], guess[2])) {
-            current.parted(gjk.nx, gjk.ny, gjk.nz);
+            if (!current.isOfMesh()) {
+                current.parted(gjk.nx, gjk.ny, gjk.nz);
+            }
             clear = Math.min(clear, gjk.distance - 2 * skins);
             return false;
         }
@@ -297,29 +297,37 @@ final class NarrowPhase {
         }
     }
 
-    /** Groups the points into manifolds of one normal each. */
-    private void write(PairContacts pair, Solid a, int solidA, Solid b, int solidB) {
-        int chosen = contacts.choose(b.isMesh() ? MESH_POINTS : Manifold.MAX_POINTS);
+    /** Writes the points to manifolds of one normal each; those with a mesh are too many. */
+    private void write(PairContacts pair, PlacedSolid a, int solidA, PlacedSolid b, int solidB) {
         int first = pair.size();
-        for (int i = 0; i < chosen; i++) {
-            int from = contacts.chosen(i);
-            Manifold into = null;
-            for (int k = first; k < pair.size() && into == null; k++) {
-                Manifold manifold = pair.get(k);
-                double cosine = manifold.nx * contacts.nx(from) + manifold.ny * contacts.ny(from) + manifold.nz * contacts.nz(from);
-                into = cosine > SAME && manifold.count < Manifold.MAX_POINTS ? manifold : null;
+        if (!b.isMesh()) {
+            Manifold into = contacts.size() > 0 ? add(pair, a, solidA, b, solidB, 0) : null;
+            for (int i = 0; i < contacts.size(); i++) {
+                write(i, into);
             }
-            if (into == null) {
-                into = pair.add(solidA, solidB);
-                into.nx = contacts.nx(from);
-                into.ny = contacts.ny(from);
-                into.nz = contacts.nz(from);
-                into.setSurfaces(a.getSurface(), b.getSurface());
+        } else {
+            support.choose(contacts, a.solid.convex().isBall());
+            for (int k = 0; k < support.size(); k++) {
+                Manifold into = add(pair, a, solidA, b, solidB, support.getNormal(k));
+                for (int i = 0; i < support.size(k); i++) {
+                    write(support.get(k, i), into);
+                }
             }
-            into.add(contacts.x(from), contacts.y(from), contacts.z(from), contacts.height(from));
         }
-        for (int k = first; k < pair.size(); k++) {
-            pair.inherit(pair.get(k));
-        }
+        pair.inherit(first);
+    }
+
+    /** Adds a manifold with the normal of a point. */
+    private Manifold add(PairContacts pair, PlacedSolid a, int solidA, PlacedSolid b, int solidB, int point) {
+        Manifold manifold = pair.add(solidA, solidB);
+        manifold.nx = contacts.nx(point);
+        manifold.ny = contacts.ny(point);
+        manifold.nz = contacts.nz(point);
+        manifold.setSurfaces(a.solid.getSurface(), b.solid.getSurface());
+        return manifold;
+    }
+
+    private void write(int point, Manifold into) {
+        into.add(contacts.x(point), contacts.y(point), contacts.z(point), contacts.height(point));
     }
 }

@@ -255,7 +255,7 @@ final class PairContacts {
         travelled += fast * seconds;
     }
 
-    /** Adds an empty manifold; {@link #inherit} sets its former impulses. */
+    /** Adds an empty manifold; {@link #inherit} sets the impulses. */
     Manifold add(int solidA, int solidB) {
         if (count == now.length) {
             now = Arrays.copyOf(now, 2 * count);
@@ -307,12 +307,14 @@ final class PairContacts {
         return flat && (within || !a.isSolved() || !b.isSolved());
     }
 
-    /** Copies former impulses to a new manifold. */
-    void inherit(Manifold manifold) {
-        for (int i = 0; i < countBefore; i++) {
-            Manifold old = before[i];
-            if (old.solidA == manifold.solidA && old.solidB == manifold.solidB) {
-                manifold.inherit(old);
+    /**
+     * Copies former impulses to the manifolds of two solids.
+     * @param from index of the first of them; they are the last ones
+     */
+    void inherit(int from) {
+        for (int i = 0; i < countBefore && from < count; i++) {
+            if (before[i].solidA == now[from].solidA && before[i].solidB == now[from].solidB) {
+                before[i].passOn(now, from, count);
             }
         }
     }

@@ -12,6 +12,7 @@ docs/objects.md). Readings and pictures are numpy arrays. Errors of SEAR are rai
 IllegalStateException with SEAR's message.
 """
 import atexit as _atexit
+import os as _os
 
 from . import _objects
 from ._callbacks import PythonService as _PythonService
@@ -34,7 +35,7 @@ __all__ = ["Runtime", "python", "start", "connect", "close", "sweep", "IllegalAr
            "JavaError", "NullPointerException", "UnsupportedOperationException", "JavaObject", "Record"] + list(_OBJECTS)
 
 
-def start(*options, headless=None, speed=None, seed=None, threads=None):
+def start(*options, headless=None, speed=None, seed=None, threads=None, project=None):
     """Starts Java in this process. The first use of SEAR does this with the defaults.
 
     options: of the Java machine, for example "-Xmx2g".
@@ -43,11 +44,12 @@ def start(*options, headless=None, speed=None, seed=None, threads=None):
         time. Default: 1.
     seed: seed of the sensors' random numbers.
     threads: number of threads for sensors and cameras, 1 to 256.
+    project: the project's folder. Default: SEARproject in the current folder. Only one program at a time can use it.
 
     A second call with the same arguments does nothing. Raises RuntimeError if SEAR already runs with other options.
     """
     given = {"sear.headless": None if headless is None else str(bool(headless)).lower(), "sear.speed": speed, "sear.seed": seed,
-             "sear.threads": threads}
+             "sear.threads": threads, "sear.project": None if project is None else _os.path.abspath(project)}
     asked = list(options) + ["-D%s=%s" % (key, value) for key, value in given.items() if value is not None]
     if _objects.connection.backend is not None:
         if asked == _objects.connection.options:    # a notebook cell ran again

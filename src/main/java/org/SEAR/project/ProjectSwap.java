@@ -16,6 +16,7 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.SEAR.files.AtomicFile;
+import org.SEAR.files.FolderOwner;
 
 /**
  * Replaces a project so that a crash at any moment leaves either the old or the new one.
@@ -54,12 +55,26 @@ public final class ProjectSwap implements AutoCloseable {
     }
 
     /**
+     * Makes this process the owner of the present project, on which no other process may work: they would replace each
+     * other's objects. Every change of the project and every start of its simulation claims it. Does nothing for
+     * another folder.
+     *
+     * @throws IOException if another process owns the project; names that process
+     */
+    public static void claim(Path folder) throws IOException {
+        if (folder.toAbsolutePath().normalize().equals(ProjectFolder.present())) {
+            FolderOwner.claim(folder);
+        }
+    }
+
+    /**
      * Changes files of a project. Waits while this program replaces it, and first finishes a swap that a crash
      * interrupted.
      */
     public static void change(Path folder, Change change) throws IOException {
         CHANGING.lock();
         try {
+            claim(folder);
             recover(folder);
             change.make();
         } finally {
@@ -119,6 +134,9 @@ public final class ProjectSwap implements AutoCloseable {
     }
 
     private static ProjectSwap lockFile(Path folder, boolean wait) throws IOException {
+        if (!wait) {
+            claim(folder);
+        }
         Files.createDirectories(folder.getParent());
         Path file = folder.resolveSibling("." + folder.getFileName() + ".lock");
         FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);

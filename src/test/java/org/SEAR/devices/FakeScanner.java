@@ -3,6 +3,7 @@ package org.SEAR.devices;
 import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
 import org.SEAR.POJOs.LIDAR;
+import org.SEAR.project.ProjectRule;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.LidarSource;
 import org.SEAR.sensors.Sensor;
@@ -15,7 +16,7 @@ public final class FakeScanner extends Sensor<LidarScan> implements LidarSource 
     public int scans;
 
     public FakeScanner() {
-        super(new LIDAR("lidar"), 0, 1);
+        super(ProjectRule.unread(() -> new LIDAR("lidar")), 0, 1);
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.junit.rules.TemporaryFolder;
 
@@ -28,6 +29,21 @@ public class ProjectRule extends TemporaryFolder {
             System.setProperty("sear.project", before);
         }
         super.after();
+    }
+
+    /** Makes something with objects whose files no test reads, in a project that no other test process uses. */
+    public static <T> T unread(Supplier<T> maker) {
+        String before = System.getProperty("sear.project");
+        System.setProperty("sear.project", System.getProperty("java.io.tmpdir") + "/sear-" + ProcessHandle.current().pid() + "/SEARproject");
+        try {
+            return maker.get();
+        } finally {
+            if (before == null) {
+                System.clearProperty("sear.project");
+            } else {
+                System.setProperty("sear.project", before);
+            }
+        }
     }
 
     /** Returns the SEARproject folder, which the first object creates. */

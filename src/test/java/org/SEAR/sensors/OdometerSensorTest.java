@@ -15,7 +15,7 @@ public class OdometerSensorTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    private final OdometerSensor sensor = new OdometerSensor(new Odometer("odometer"), 1);
+    private final OdometerSensor sensor = ProjectRule.unread(() -> new OdometerSensor(new Odometer("odometer"), 1));
     private final ScriptedTruth truth = new ScriptedTruth();
 
     private void drive(double metres) {

@@ -16,7 +16,8 @@ class UnsupportedOperationException(JavaError, NotImplementedError): ...
 class NullPointerException(JavaError, TypeError): ...
 
 
-def start(*options: str, headless: Optional[bool] = ..., speed: Any = ..., seed: Optional[int] = ..., threads: Optional[int] = ...) -> None:
+def start(*options: str, headless: Optional[bool] = ..., speed: Any = ..., seed: Optional[int] = ..., threads: Optional[int] = ...,
+          project: Optional[str] = ...) -> None:
     """Starts Java in this process."""
 
 

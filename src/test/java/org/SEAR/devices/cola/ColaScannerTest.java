@@ -12,6 +12,7 @@ import org.SEAR.Golden;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.devices.FakeContext;
 import org.SEAR.devices.FakeScanner;
+import org.SEAR.project.ProjectRule;
 import org.SEAR.protocol.cola.ColaDialect;
 import org.SEAR.protocol.lidar.LidarModel;
 import org.SEAR.sensors.LidarScan;
@@ -201,7 +202,7 @@ public class ColaScannerTest {
     /** Measures 10 m plus 1 cm per degree to the left of the forward axis, with as many beams as the real sensor. */
     private static final class AngleScanner extends Sensor<LidarScan> implements LidarSource {
         AngleScanner() {
-            super(new LIDAR("angles"), 0, 1);
+            super(ProjectRule.unread(() -> new LIDAR("angles")), 0, 1);
         }
 
         @Override

@@ -127,6 +127,20 @@ public class Python3PackageTest {
         assertTrue(heard, heard.matches("(19|20|21) readings, the last \\d\\.\\d\\d m\n"));
     }
 
+    @Test
+    public void oneProgramAtATimeUsesAProjectFolder() throws Exception {
+        assertEquals("", inProcessAlone("import os, subprocess, sys, sear\n"
+            + "sear.start(headless=True)\nsear.Floor('ground', 5, 5)\n"
+            + "other = 'import sear; sear.start(headless=True%s); sear.Floor(\"other\", 1, 1)'\n"
+            + "def run(options):\n"
+            + "    return subprocess.run([sys.executable, '-c', other % options], stderr=subprocess.PIPE, text=True)\n"
+            + "refused = run('')\n"
+            + "assert refused.returncode == 1 and 'in use by process %d (' % os.getpid() in refused.stderr, refused.stderr\n"
+            + "made = run(', project=\"elsewhere\"')\n"
+            + "assert made.returncode == 0 and os.listdir('elsewhere/environment') == ['other.xml'], made.stderr\n"
+            + "assert os.listdir('SEARproject/environment') == ['ground.xml']\n"));
+    }
+
     /** Runs code as a separate program. */
     private String inProcessAlone(String code) throws IOException, InterruptedException {
         Path script = Files.writeString(temporary.newFile().toPath(), code);

@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import org.SEAR.POJOs.ScriptSession;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.Project;
+import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
@@ -58,6 +59,7 @@ public final class SimulationControl {
                 throw new IOException("there is no project folder " + project.toAbsolutePath()
                     + ": create some objects first (org.SEAR.POJOs), or loadProject(\"file.sear\")");
             }
+            ProjectSwap.claim(project);
             session = SimulationSession.start(project, settings(), debugShapes, host, stepListener, startListener);
             running = this;
             session.known();

@@ -82,7 +82,7 @@ final class SearParts {
         control.setActs(bodies);
         plans = new Plans(control);
         projects = new Projects(control, host);
-        edits = new Edits(control);
+        edits = new Edits();
         exports = new Exports(host, control);
         networkCameras = new CameraExports(host, cameras);
         transfers = new BundleTransfers(projects::save, projects::load);

@@ -1,14 +1,22 @@
 package org.myrobotlab.service;
 
+import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
+import java.util.Map;
+import org.SEAR.project.ProjectRule;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.function.ThrowingRunnable;
 import org.junit.rules.TemporaryFolder;
 
 /** With two SEAR services in one MyRobotLab, the one with the running simulation reports warnings about new objects. */
@@ -75,6 +83,40 @@ public class TwoSearServicesTest {
         script("second");
         assertTrue(second.getStatuses().toString(), second.getStatuses().toString().contains("Box \"late in second\" " + LATE));
         assertFalse(first.getStatuses().toString(), first.getStatuses().toString().contains("late in second\" " + LATE));
+    }
+
+    private static void refused(String call, ThrowingRunnable work) {
+        String message = assertThrows(call, IllegalStateException.class, work).getMessage();
+        assertTrue(message, message.contains(call + " needs the simulation of service firstSear to be stopped"));
+    }
+
+    @Test
+    public void noServiceReplacesTheProjectOfTheOthersSimulation() throws Exception {
+        SEAR simulating = (SEAR) Runtime.getService("firstSear");
+        SEAR other = (SEAR) Runtime.getService("secondSear");
+        Path bundle = temporary.getRoot().toPath().resolve("copy.sear");
+        other.saveProject(bundle.toString());
+        String data = Base64.getEncoder().encodeToString(Files.readAllBytes(bundle));
+        simulating.startSimulation();
+        Map<String, String> before = ProjectRule.files(temporary.getRoot().toPath().resolve("SEARproject"));
+        refused("newProject", other::newProject);
+        refused("loadProject", () -> other.loadProject(bundle.toString()));
+        refused("importRobot", () -> other.importRobot(bundle.toString(), ""));
+        refused("importEnvironment", () -> other.importEnvironment(bundle.toString()));
+        refused("loadProject", () -> other.uploadProject("copy.sear", 0, 1, data));
+        assertEquals(before, ProjectRule.files(temporary.getRoot().toPath().resolve("SEARproject")));
+        assertTrue(simulating.isSimulating());
+        simulating.stopSimulation();
+        other.newProject();
+    }
+
+    @Test
+    public void anEditOfOneServiceMovesTheObjectInTheOthersSimulation() throws Exception {
+        SEAR simulating = (SEAR) Runtime.getService("firstSear");
+        simulating.startSimulation();
+        ((SEAR) Runtime.getService("secondSear"))
+            .edit(Map.of("do", "set", "object", "roomba", "set", Map.of("x", 1.5)));
+        assertEquals(1.5, simulating.getPose("roomba")[0], 0.01);
     }
 
     @Test

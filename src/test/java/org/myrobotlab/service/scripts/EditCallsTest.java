@@ -20,7 +20,6 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.TestWorld;
 import org.myrobotlab.service.sear.files.Edits;
-import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** Calls that edit a project, with and without a running simulation. */
 public class EditCallsTest {
@@ -78,7 +77,7 @@ public class EditCallsTest {
 
     @Test
     public void panelsGetErrorsAsAnswers() throws Exception {
-        Edits edits = new Edits(new SimulationControl(null, () -> folder));
+        Edits edits = new Edits();
         Map<String, Object> answer = edits.attempt(Map.of("do", "set", "object", "wall", "set", Map.of("mass", "heavy"), "page", "a"));
         assertEquals(false, answer.get("done"));
         assertEquals("a", answer.get("page"));

@@ -19,7 +19,8 @@ import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
  * Edits of the current project for scripts and panels: those of {@link ProjectEditor}, and {@code undo} and
- * {@code redo}. A move also moves the object in a running simulation. Any thread.
+ * {@code redo}. A move also moves the object in a running simulation, of whatever service, because all have the one
+ * project. Any thread.
  *
  * <pre>
  * {"done": true, "page": "7f3a" (copied from the edit), "words": "move crate" (empty if nothing changed),
@@ -31,13 +32,6 @@ import org.myrobotlab.service.sear.run.SimulationSession;
 public final class Edits {
     private static final String UNDO = "undo";
     private static final String REDO = "redo";
-
-    private final SimulationControl control;
-
-    /** @param control the simulation in which objects move */
-    public Edits(SimulationControl control) {
-        this.control = control;
-    }
 
     private static ProjectEditor editor() {
         return new ProjectEditor(Projects.folder());
@@ -93,7 +87,7 @@ public final class Edits {
     public Map<String, Object> apply(Map<?, ?> asked) throws IOException, ProjectException, InterruptedException {
         Map<?, ?> edit = given(asked);
         Object kind = edit.get("do");
-        SimulationSession session = control.sessionOrNull();
+        SimulationSession session = SimulationControl.sessionOfAny();
         Outcome outcome = UNDO.equals(kind) ? editor().undo() : REDO.equals(kind) ? editor().redo()
             : editor().apply(session == null ? edit : GroundSnap.of(edit, session));
         return answer(outcome, edit.get("page"), note(outcome, session, UNDO.equals(kind)));

@@ -71,17 +71,10 @@ public final class Projects {
      * @return its new folder; null if there was no project
      */
     public synchronized Path restart() throws IOException {
-        refuseWhileRunning("newProject");
+        control.refuseWhileAnyRuns("newProject");
         PortArrivals.anotherProject();
         control.scriptSession().anotherProject();
         return Bundle.newProject(folder(), new PercentProgress("replacing", folder(), host::progress));
-    }
-
-    /** Throws if a simulation runs, because the call would change its project. */
-    public void refuseWhileRunning(String what) {
-        if (control.isRunning()) {
-            throw new IllegalStateException(what + " needs the simulation to be stopped: stopSimulation() first");
-        }
     }
 
     /**
@@ -163,7 +156,7 @@ public final class Projects {
      * @param file may be an example's path without a file
      */
     public synchronized void load(Path file) throws IOException, ProjectException {
-        refuseWhileRunning("loadProject");
+        control.refuseWhileAnyRuns("loadProject");
         Path ended = Paths.get(withEnding(file.toString()));
         Path meant = !Files.exists(file) && Files.isRegularFile(ended) ? ended : file;
         ExampleBundles.with(meant, bundle -> {
@@ -185,7 +178,7 @@ public final class Projects {
      * @return its name in the project
      */
     public synchronized String importRobot(Path file, String robot) throws IOException, ProjectException {
-        refuseWhileRunning("importRobot");
+        control.refuseWhileAnyRuns("importRobot");
         Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importRobot(bundle, folder(), robot, importing(file)));
         report(renamed);
         return renamed.values().iterator().next();
@@ -197,7 +190,7 @@ public final class Projects {
      * @return the objects' names in the project
      */
     public synchronized List<String> importEnvironment(Path file) throws IOException, ProjectException {
-        refuseWhileRunning("importEnvironment");
+        control.refuseWhileAnyRuns("importEnvironment");
         Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importEnvironment(bundle, folder(), importing(file)));
         report(renamed);
         return new ArrayList<>(renamed.values());

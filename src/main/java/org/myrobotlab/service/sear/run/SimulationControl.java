@@ -19,7 +19,7 @@ import org.myrobotlab.service.sear.Host;
 
 /** Starts and ends the simulation of one SEAR service. The whole program runs one simulation at a time. Any thread. */
 public final class SimulationControl {
-    private static SimulationControl running;
+    private static volatile SimulationControl running;
 
     private final Host host;
     private final Supplier<Path> folder;
@@ -167,6 +167,27 @@ public final class SimulationControl {
                 return none;
             }
             throw e;
+        }
+    }
+
+    /** Returns the simulation that a service of this program runs; null if none runs. */
+    public static SimulationSession sessionOfAny() {
+        SimulationControl present = running;
+        return present == null ? null : present.sessionOrNull();
+    }
+
+    /**
+     * Throws if a service of this program runs a simulation. All services share one project, so a call of any of them
+     * would take the project away from under that simulation.
+     *
+     * @param call name of the call that replaces the project
+     */
+    public void refuseWhileAnyRuns(String call) {
+        SimulationControl present = running;
+        if (present != null && present.isRunning()) {
+            throw new IllegalStateException(call + (present == this ? " needs the simulation to be stopped: stopSimulation() first"
+                : " needs the simulation of service " + present.host.getName() + " to be stopped, because both have the one project: "
+                + present.host.getName() + ".stopSimulation() first"));
         }
     }
 

@@ -253,7 +253,7 @@ class _SEAR(JavaObject):
     def importEnvironment(self, path: str) -> List[str]:
         """Adds the environment of a bundle or folder, like `importRobot`."""
     def getProblems(self) -> List[Any]:
-        """Returns the project's problems: file, line, field, value and what is legal. Empty if valid."""
+        """Returns what prevents a start of the project: file, line, field, value, what is legal; empty if nothing does. Builds the world like `checkProject`."""
     def checkProject(self) -> Dict[str, Any]:
         """Checks the project like `sear check`: takes one step in a separate world."""
     def getScript(self) -> str:

@@ -970,7 +970,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Returns the project's problems: file, line, field, value and what is legal. Empty if valid.
+     * Returns what prevents a start of the project: file, line, field, value, what is legal; empty if nothing does.
+     * Builds the world like {@link #checkProject}.
      *
      * @example for problem in sear.getProblems(): print problem
      */

@@ -280,10 +280,15 @@ final class SearParts {
         return control.isRunning() ? feed.looks(wanted) : preview.looks(wanted);
     }
 
-    /** Returns the project's problems; empty if valid. */
+    /** Returns the warnings of a start of the project. */
+    private static List<String> warnings() throws ProjectException {
+        return ProjectSwap.undisturbed(() -> ProjectCheck.warnings(Project.read(Projects.folder())));
+    }
+
+    /** Returns what prevents a start of the project; empty if nothing does. */
     public List<Problem> problems() {
         try {
-            Project.read(Projects.folder());
+            warnings();
             return Collections.emptyList();
         } catch (ProjectException e) {
             return e.getProblems();
@@ -292,16 +297,11 @@ final class SearParts {
 
     /** Returns the {@code problems} that prevent a start and the {@code warnings} of a start. */
     public Map<String, Object> check() {
-        return ProjectSwap.undisturbed(() -> {
-            List<Problem> problems = Collections.emptyList();
-            List<String> warnings = Collections.emptyList();
-            try {
-                warnings = ProjectCheck.warnings(Project.read(Projects.folder()));
-            } catch (ProjectException e) {
-                problems = e.getProblems();
-            }
-            return Map.of("problems", problems, "warnings", warnings);
-        });
+        try {
+            return Map.of("problems", Collections.emptyList(), "warnings", warnings());
+        } catch (ProjectException e) {
+            return Map.of("problems", e.getProblems(), "warnings", Collections.emptyList());
+        }
     }
 
     /**

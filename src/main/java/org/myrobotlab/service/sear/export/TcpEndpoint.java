@@ -86,11 +86,7 @@ final class TcpEndpoint implements ExternalEndpoint {
                 for (Iterator<SelectionKey> keys = selector.selectedKeys().iterator(); selector.isOpen() && keys.hasNext();) {
                     SelectionKey key = keys.next();
                     keys.remove();
-                    if (key.isValid() && key.isAcceptable()) {
-                        accept();
-                    } else if (key.isValid()) {
-                        serve(key, buffer);
-                    }
+                    serve(key, buffer);
                 }
             }
         } catch (ClosedSelectorException e) {
@@ -103,28 +99,41 @@ final class TcpEndpoint implements ExternalEndpoint {
     }
 
     private void serve(SelectionKey key, ByteBuffer buffer) {
-        SocketChannel from = (SocketChannel) key.channel();
-        if (key.isWritable()) {
-            sendRest(from, key);
+        if (key.attachment() == server) {
+            SocketChannel accepted = server.accept();
+            if (accepted != null) {
+                drop(client());
+                begin(accepted);
+            }
+            return;
         }
-        if (key.isValid() && key.isReadable()) {
-            read(from, buffer);
+        SocketChannel from = (SocketChannel) key.channel();
+        try {
+            if (key.isWritable()) {
+                sendRest(from, key);
+            }
+            if (key.isReadable()) {
+                read(from, buffer);
+            }
+        } catch (CancelledKeyException e) {
+            log.debug("the device's thread has closed a connection of {}", port);
         }
     }
 
-    private void accept() throws IOException {
-        SocketChannel accepted = server.accept();
-        if (accepted != null) {
-            drop(client());
+    private void begin(SocketChannel accepted) {
+        try {
             accepted.setOption(StandardSocketOptions.TCP_NODELAY, true);
             accepted.register(selector, SelectionKey.OP_READ);
-            synchronized (this) {
-                client = accepted;
-                session = kind.begin(end, bytes -> reply(accepted, bytes));
-                outbox = new Outbox(session::encode);
-            }
-            end.opened();
+        } catch (IOException e) {
+            leave(accepted, e);
+            return;
         }
+        synchronized (this) {
+            client = accepted;
+            session = kind.begin(end, bytes -> reply(accepted, bytes));
+            outbox = new Outbox(session::encode);
+        }
+        end.opened();
     }
 
     private synchronized SocketChannel client() {

@@ -29,6 +29,7 @@ public class FileWritersTest {
         Map.entry("BundleTransfers.java", "an upload's temporary file"),
         Map.entry("BundleWriter.java", "writes the place that AtomicFile gives it"),
         Map.entry("ExampleBundles.java", "a temporary file"),
+        Map.entry("FolderOwner.java", "a lock file with the owner's process id"),
         Map.entry("Gateway.java", "a token, written aside with private permissions"),
         Map.entry("Import.java", "changes a copy that becomes the project as a whole"),
         Map.entry("InstallPlan.java", "installs aside, with a receipt and the owner of MyRobotLab's folder"),

@@ -221,7 +221,8 @@ public class SearTabTest {
     public void withShiftTheMouseDragsLooseObjects() {
         robotLab.run("from org.SEAR.POJOs import Box, Floor\nsear.newProject()\nFloor('floor', 10, 10)\n"
             + "Box('crate', 0.5, 0.5, 0.5, 2).move(1, 0.25, -1)\nBox('wall', 0.5, 0.5, 0.5, 0).move(-1, 0.25, -1)\n");
-        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().objects.length == 3"));
+        browser.until("the world", () -> tab.isTrue("world.shown() && (world.shown().objects | filter:{name: 'crate'}).length == 1"
+            + " && world.shown().objects.length == 3 && !world.shown().robots.length"));
         assertFalse("there is nothing to drive", tab.isTrue("run.whyNoDrive() === ''"));
         tab.start();
         String crate = "(world.running.objects | filter:{name: 'crate'})[0].pose";

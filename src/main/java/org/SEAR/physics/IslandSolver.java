@@ -14,8 +14,11 @@ import org.SEAR.physics.solid.Hinge;
 final class IslandSolver {
     /** Substeps of a step with contacts. */
     static final int SUBSTEPS = 8;
-    /** Passes over a robot's wheels without contacts. */
+    /** Smallest and largest number of passes over a robot's wheels without contacts. */
     private static final int PASSES_ALONE = 10;
+    private static final int MAX_PASSES_ALONE = 40;
+    /** Velocity change of the body in a pass with which its wheels count as converged, m/s and rad/s. */
+    private static final double WHEELS_CONVERGED = 1e-6;
     /** Passes over the wheels per pass over the contacts. */
     private static final int WHEEL_PASSES = 3;
     /**
@@ -63,6 +66,13 @@ final class IslandSolver {
     private static final int MAX_PASSES = 500;
     /** Limit of points, and of the cost of wheels, times substeps times passes of a calm island. */
     private static final int MAX_CALM_WORK = 10_000_000;
+    /**
+     * The same limits of an island that is not calm. With two passes, the friction of a spinning cube that lands would
+     * add energy, since it would not feel the change of the normal impulse that it causes. Friction of a single ball
+     * causes no such change.
+     */
+    private static final int MAX_IMPACT_PASSES = 6;
+    private static final int MAX_IMPACT_WORK = 3000;
     /** A remainder of the step below this fraction of a substep is dropped. */
     private static final double REST = 1e-6;
 
@@ -83,6 +93,7 @@ final class IslandSolver {
     /** Extreme inverse masses of touching bodies, 1/kg. */
     private double lightest;
     private double heaviest;
+    private final double[] before = new double[6];
     private long passes;
     /** Whether all touching bodies are slow against each other: passes go on until their contacts have converged. */
     private boolean calm;
@@ -172,15 +183,30 @@ final class IslandSolver {
         for (int i = 0; i < drives.size(); i++) {
             prepare(drives.get(i));
         }
-        for (int pass = 0; pass < PASSES_ALONE && !drives.isEmpty(); pass++) {
+        double change = drives.isEmpty() ? 0 : Double.POSITIVE_INFINITY;
+        int least = drives.isEmpty() ? 0 : PASSES_ALONE;
+        for (int pass = 0; pass < least || pass < MAX_PASSES_ALONE && change > WHEELS_CONVERGED; pass++) {
             passes++;
+            change = 0;
             for (int i = 0; i < drives.size(); i++) {
-                drives.get(i).drive.solve(drives.get(i).body.getSolver());
+                change = Math.max(change, solveWheels(drives.get(i)));
             }
         }
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().advance(gravity);
         }
+    }
+
+    /** Solves one pass over a robot's wheels; returns the largest change of its velocities, m/s and rad/s. */
+    private double solveWheels(WheelDrive wheels) {
+        double[] v = wheels.body.getSolver().v;
+        System.arraycopy(v, 0, before, 0, before.length);
+        wheels.drive.solve(wheels.body.getSolver());
+        double change = 0;
+        for (int i = 0; i < before.length; i++) {
+            change = Math.max(change, Math.abs(v[i] - before[i]));
+        }
+        return change;
     }
 
     private static void prepare(WheelDrive wheels) {
@@ -236,7 +262,9 @@ final class IslandSolver {
         int usual = Math.max(2, driven ? 2 * rounds - 1 : 2 * rounds - 2);
         leastPasses = driven ? usual : 1;
         calm = fast <= CALM && !isDeep();
-        mostPasses = calm ? (int) Math.max(usual, Math.min(MAX_PASSES, MAX_CALM_WORK / Math.max(1.0, work))) : usual;
+        boolean rolling = bodies.size() == 1 && bodies.get(0).canRoll();
+        int limit = calm ? MAX_PASSES : rolling ? usual : MAX_IMPACT_PASSES;
+        mostPasses = (int) Math.max(usual, Math.min(limit, (calm ? MAX_CALM_WORK : MAX_IMPACT_WORK) / Math.max(1.0, work)));
         return substeps;
     }
 

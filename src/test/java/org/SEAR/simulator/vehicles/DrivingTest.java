@@ -83,7 +83,7 @@ public class DrivingTest {
         for (int i = 0; i < robots.size(); i++) {
             Pose pose = robots.get(i).getPose();
             assertEquals("robot " + i, 4.9 * Math.cos(Math.toRadians(10)), pose.z - starts.get(i).z, 0.1);
-            assertEquals("robot " + i, 0, pose.x - starts.get(i).x, 2e-3);
+            assertEquals("robot " + i, 0, pose.x - starts.get(i).x, 1e-3);
         }
     }
 

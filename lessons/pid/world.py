@@ -26,6 +26,6 @@ robot = Robots.rover("robot")
 for name in ("leftMotor", "rightMotor"):
     robot.getPart(name).setNoLoadSpeed(200)    # rad/s: such a fast motor hardly brakes, so the controller needs D
 robot.addComponent(Distance("eye", "laser", 0, 0.03, 0.07, 0, 0, 0))
-y, z = place(1.4, 0.05)
+y, z = place(1.4, 0)
 robot.move(0, y, z)
 robot.rotate(-SLOPE, 0, 0)

@@ -21,7 +21,7 @@ while sear.getTime() < 100:
     elif right > 0.75:
         steer(SPEED, -SPEED / 0.45)
     else:
-        turn = 6 * (WANTED - right) - 11 * (right - before) / 0.05
+        turn = 6 * (WANTED - right) - 9 * (right - before) / 0.05
         steer(SPEED, max(-0.8, min(0.8, turn)))
     before = right
     sear.simSleep(0.05)

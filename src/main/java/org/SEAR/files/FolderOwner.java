@@ -11,8 +11,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.EnumSet;
 import java.util.Set;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 
 /**
  * The process that owns a project folder, until it ends or claims another folder. The file {@code .SEARproject.owner}
@@ -20,7 +20,7 @@ import org.slf4j.LoggerFactory;
  * end of the process in any case. A file without a lock is stale, and the next process takes it over. Any thread.
  */
 public final class FolderOwner {
-    private static final Logger LOG = LoggerFactory.getLogger(FolderOwner.class);
+    private static final Logger LOG = Logger.getLogger(FolderOwner.class.getName());
     /** Position of the locked byte, far behind the process id, which Windows would otherwise not let others read. */
     private static final long LOCKED = 1 << 20;
     private static final Set<StandardOpenOption> MODE =
@@ -64,7 +64,7 @@ public final class FolderOwner {
             opened = FileChannel.open(file, MODE);
             lock = opened.tryLock(LOCKED, 1, false);
         } catch (IOException | OverlappingFileLockException e) {
-            LOG.debug("no other process is kept out of {}: {}", project, e.toString());
+            LOG.log(Level.FINE, e, () -> "no other process is kept out of " + project);
             close(opened);
             return;
         }
@@ -83,7 +83,7 @@ public final class FolderOwner {
         try {
             channel.truncate(0).write(ByteBuffer.wrap(owner.getBytes(StandardCharsets.US_ASCII)), 0);
         } catch (IOException e) {
-            LOG.debug("the owner of {} is locked without a process id: {}", owned, e.toString());
+            LOG.log(Level.FINE, "the lock contains no process id", e);
         }
     }
 

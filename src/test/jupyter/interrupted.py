@@ -31,7 +31,7 @@ teller.start()
 
 def run(client, code, told=None):
     """Returns the reply to a cell; calls told when the cell prints "waits"."""
-    number = client.execute(code)
+    number = client.execute(code, stop_on_error=False)    # otherwise the kernel aborts cells that follow an interrupt at once
     while told:
         message = client.get_iopub_msg(timeout=SECONDS)
         if message["parent_header"].get("msg_id") == number and message["msg_type"] == "stream" and "waits" in message["content"]["text"]:

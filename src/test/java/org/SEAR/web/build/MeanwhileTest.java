@@ -79,7 +79,7 @@ public class MeanwhileTest {
         browser.until("the other one's edit", () -> tab.isTrue("edits.object.values.x == '5'"));
         assertEquals("7", x.getAttribute("value"));
         x.sendKeys("1", Keys.ENTER);
-        browser.seeText("[data-field='x'] .sear-wrong", "seen that it is 5 now");
+        browser.seeText("[data-field='x'] .sear-wrong", "since another page or a script has changed it meanwhile");
         browser.until("what is there", () -> "5".equals(x.getAttribute("value")));
         type("x", "7");
         another("set", "crate", "x", 6);
@@ -105,7 +105,7 @@ public class MeanwhileTest {
         another("set", "crate", "x", 3);
         browser.until("the other one's edit", () -> tab.isTrue("edits.object.values.x == '3'"));
         at(2.3, 0.3).release().perform();
-        browser.seeText(".sear-last", "seen that it is 3 now");
+        browser.seeText(".sear-last", "since another page or a script has changed it meanwhile");
         assertEquals("3", written("x"));
         browser.until("it is shown where it is", () -> tab.number(CRATE + "[0]") == 3);
     }

@@ -50,8 +50,9 @@ public final class SupportPoints {
     /**
      * Chooses from the points of a body.
      * @param ball whether the body is a ball: no tilt changes its contacts
+     * @param fast whether the body moves further in a substep than a resting one could
      */
-    public void choose(ContactPoints from, boolean ball) {
+    public void choose(ContactPoints from, boolean ball, boolean fast) {
         points = from;
         manifolds = 0;
         count = 0;
@@ -68,6 +69,9 @@ public final class SupportPoints {
             }
             if (isBelowAll(lowest, first)) {
                 add(lowest, lowest, first);
+            }
+            if (fast) {
+                spread(lowest, first);
             }
             end(lowest);
         }
@@ -131,6 +135,38 @@ public final class SupportPoints {
                 add(touchesFirst(u * ux + w * wx, u * uy + w * wy, u * uz + w * wz), lowest, first);
             }
         }
+    }
+
+    /**
+     * Fills a manifold with the points furthest from the chosen ones. A fast body turns so far in a substep that it
+     * would pass through the mesh beside them.
+     */
+    private void spread(int lowest, int first) {
+        while (count > first && count - first < Math.min(CORNERS, size) && manifolds < MOST) {
+            int best = -1;
+            double furthest = EQUAL * EQUAL;
+            for (int k = 0; k < size; k++) {
+                double nearest = nearestChosen(members[k], first);
+                if (nearest > furthest || best >= 0 && nearest == furthest && isLess(points.height(members[k]), members[k],
+                    points.height(best), best)) {
+                    furthest = nearest;
+                    best = members[k];
+                }
+            }
+            if (best < 0) {
+                return;
+            }
+            add(best, lowest, first);
+        }
+    }
+
+    /** Returns the squared distance to the nearest chosen point, m^2. */
+    private double nearestChosen(int point, int first) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = first; i < count; i++) {
+            least = Math.min(least, points.square(chosen[i], point));
+        }
+        return least;
     }
 
     /** Returns the lowest point of the group after a tilt, which changes heights by this much per metre. */

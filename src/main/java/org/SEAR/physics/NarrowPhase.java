@@ -22,6 +22,8 @@ final class NarrowPhase {
      * otherwise the contact would flicker.
      */
     private static final double CHANGE = 1e-4;
+    /** Largest gap of a contact point of a body that moves fast, metres: it grows with the speed. */
+    private static final double FAST = 0.01;
     /** Distance at which a body stops before a triangle, as a share of the substep's path. */
     private static final double BEFORE = 0.01;
     /** Possible contacts above which a body counts as crowded. */
@@ -306,7 +308,7 @@ final class NarrowPhase {
                 write(i, into);
             }
         } else {
-            support.choose(contacts, a.solid.convex().isBall());
+            support.choose(contacts, a.solid.convex().isBall(), margin > FAST);
             for (int k = 0; k < support.size(); k++) {
                 Manifold into = add(pair, a, solidA, b, solidB, support.getNormal(k));
                 for (int i = 0; i < support.size(k); i++) {

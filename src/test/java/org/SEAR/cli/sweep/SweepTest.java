@@ -222,7 +222,7 @@ public class SweepTest {
     @Test
     public void theExampleFindsTheCone() throws Exception {
         Path program = Files.writeString(folder.resolve("once.py"), "import sys\nsys.path.insert(0, sys.argv[1])\nimport maze_sweep\n"
-            + "made = maze_sweep.drive(2, 0.3)\nprint(made['found'], made['seconds'] < 150, sorted(made))\n");
+            + "made = maze_sweep.drive(5, 0.3)\nprint(made['found'], made['seconds'] < 150, sorted(made))\n");
         assertEquals("True True ['bumps', 'found', 'seconds']\n", python(program, ROOT.resolve("examples/python3").toString()));
     }
 }

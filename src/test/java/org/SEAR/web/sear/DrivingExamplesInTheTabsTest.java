@@ -70,7 +70,7 @@ public class DrivingExamplesInTheTabsTest {
         browser.until("the list of examples", () -> browser.texts(".python-example option").contains("maze_solver.py"));
         browser.choose(".python-example", "maze_solver.py");
         PythonTab python = new PythonTab(browser);
-        browser.until("the script", () -> python.text().startsWith("# Finds the way through the maze"));
+        browser.until("the script", () -> python.text().startsWith("# Solves the maze"));
         assertEquals("maze_solver.py", browser.see(".python-file").getAttribute("value"));
         python.type(Keys.chord(Keys.CONTROL, Keys.END), "# mine");
         browser.choose(".python-example", "wall_follower.py");

@@ -280,7 +280,7 @@ public class ProjectsInTheTabTest {
         browser.seeText(".sear-main .alert-info", "controller.py");
         assertTrue(Files.readString(robotLab.file("scripts of mine/controller.py")).contains("def "));
         browser.click(".sear-copy");
-        browser.seeText(".sear-main .alert-danger", "exists already");
+        browser.seeText(".sear-main .alert-danger", "already exists");
     }
 
     @Test

@@ -394,7 +394,7 @@ class _GPS(JavaObject):
         """Connects to the receiver's port at the configured baud rate. Default: 9600 for a NEO-M8N, 38400 for others."""
     @overload
     def connect(self, port: str, baud: int) -> None:
-        """Connects to the receiver's port. After the first sentence it queries the firmware, except for model NMEA. MediaTek firmware also sets the model."""
+        """Connects to the receiver's port and forgets all data of the previous connection. After the first sentence it queries the firmware, except for model NMEA. MediaTek firmware also sets the model, for this connection."""
     def reconnectSerial(self) -> None:
         """Reconnects to the last port. Returning simulated ports and restored configurations reconnect automatically."""
     def disconnect(self) -> None:
@@ -414,21 +414,23 @@ class _GPS(JavaObject):
     def getPortNames(self) -> List[str]:
         """Returns the sorted port names; also published to the panel."""
     def hasFix(self) -> bool:
-        """Returns whether the last GGA sentence or NAV-PVT had a position."""
+        """Returns whether the last fix had a position."""
     def getFirmware(self) -> str:
         """Returns the reported firmware, for example `"MTK3301_1.0"` or `"EXT CORE 3.01 (107900)"`; None until reported."""
     def getLastFix(self) -> Any:
-        """Returns the last GGA sentence, or NAV-PVT in its form; None before the first. Fields: latitude and longitude (decimal degrees, + north and east), altitude (m), quality (0 = no fix), satellites, utc (hhmmss.sss) and tokens."""
+        """Returns the last fix of this connection; None before the first. Fields: latitude and longitude (decimal degrees, + north and east), altitude (m), quality (0 = no fix), satellites, utc (hhmmss.sss) and tokens. A value that the receiver does not report is None, for example the altitude in RMC or GLL and the position without a fix."""
+    def getTime(self) -> str:
+        """Returns the UTC date and time of the last ZDA, NAV-PVT or RMC with a fix, for example `"2026-11-28T19:01:09.000Z"`; None until the receiver reports a date. Needs no position."""
     def getSentenceCount(self) -> int:
-        """Counts valid sentences and UBX messages since the service's creation."""
+        """Counts valid sentences and UBX messages of this connection."""
     def getDamagedCount(self) -> int:
-        """Counts dropped, damaged sentences and UBX messages."""
+        """Counts dropped, damaged sentences and UBX messages of this connection."""
     def publishGGAData(self, tokens: np.ndarray) -> np.ndarray:
-        """Publishes a GGA sentence's fields. 0: `"$GPGGA"`; 2: latitude, ddmm.mmmm; 4: longitude, dddmm.mmmm; 6: fix quality; 9: altitude, metres. South and west are negative (`"-08051.8999"`). NAV-PVT takes the same form. If both report one moment, the second is dropped."""
+        """Publishes a GGA sentence's fields. 0: `"$GPGGA"`; 2: latitude, ddmm.mmmm; 4: longitude, dddmm.mmmm; 6: fix quality; 9: altitude, metres. South and west are negative (`"-08051.8999"`). Fields that the receiver does not report are empty. NAV-PVT and, from receivers without GGA, GNS, RMC and GLL take the same form; field 0 names the sentence. Of several sentences for one moment, one is published, GGA first."""
     def publishGGADData(self, tokens: np.ndarray) -> np.ndarray:
         """Publishes the data of `publishGGAData` under the name of the dissertation's Listing 8."""
     def publishGPS(self, position: np.ndarray) -> np.ndarray:
-        """Publishes [latitude, longitude, altitude]: decimal degrees, + north and east, and metres."""
+        """Publishes [latitude, longitude, altitude] of each fix with a position: decimal degrees, + north and east, and metres. The altitude is None if the receiver does not report it."""
     def publishSentence(self, sentence: str) -> str:
         """Publishes each valid sentence from `$` to checksum."""
 

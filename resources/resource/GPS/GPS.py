@@ -2,7 +2,8 @@
 # simulated GPS, start the simulation first: choose the example "sensors" in SEAR's tab and press Start, or
 #     sear = Runtime.start("sear", "SEAR"); sear.loadProject("resource/SEAR/sensors.sear"); sear.startSimulation()
 def onGpsPosition(position):
-    print "latitude %.6f, longitude %.6f, altitude %.1f m" % (position[0], position[1], position[2])
+    altitude = "unknown" if position[2] is None else "%.1f m" % position[2]     # RMC and GLL have none
+    print "latitude %.6f, longitude %.6f, altitude %s" % (position[0], position[1], altitude)
 
 gps = Runtime.start("gps", "GPS")
 gps.addListener("publishGPS", python.getName(), "onGpsPosition")

@@ -8,15 +8,13 @@ import java.util.regex.Pattern;
 import org.SEAR.protocol.Uart;
 import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.protocol.nmea.Pmtk;
-import org.SEAR.protocol.nmea.SentenceReader;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
-import org.SEAR.protocol.ubx.UbxReader;
 import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.service.config.GPSConfig;
-import org.myrobotlab.service.gps.GgaFix;
-import org.myrobotlab.service.gps.PvtFix;
+import org.myrobotlab.service.gps.Fix;
 import org.myrobotlab.service.gps.ReceiverModel;
+import org.myrobotlab.service.gps.Reception;
 import org.myrobotlab.service.gps.UbxText;
 import org.myrobotlab.service.link.OwnConfigService;
 import org.myrobotlab.service.link.PanelFiles;
@@ -33,7 +31,8 @@ import org.myrobotlab.service.link.ServiceWarnings;
  * gps.connect("/dev/SEAR_GPS_01")
  * </pre>
  *
- * <p>Drops sentences with a wrong checksum. Warns once when it loses the fix or the data. Any thread.
+ * <p>Reads GGA, GNS, RMC and GLL of any talker (GP, GN, GL, GA, GB ...), ZDA and NAV-PVT, with or without altitude.
+ * Drops sentences with a wrong checksum. Warns once when it loses the fix or the data. Any thread.
  */
 public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     private static final long serialVersionUID = 1L;
@@ -51,20 +50,21 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         PanelFiles.install();
     }
 
-    private final transient SentenceReader reader = new SentenceReader(this::onSentence);
-    private final transient UbxReader frames = new UbxReader(this::onFrame, reader::accept);
+    private transient volatile Reception reception = new Reception(new Received());
     private transient SerialLink link;
     private transient double lastHeard;
     private transient double changeBaudAt = Double.POSITIVE_INFINITY;
     private transient int nextBaud;
-    private transient volatile GgaFix lastFix;
-    private transient boolean lastFixOfUbx;
     private transient boolean asked;
+    /** Model before the receiver reported another one; null if it did not. */
+    private transient String chosenModel;
     private String firmware;
     private boolean connected;
     private boolean silent;
     private boolean fix;
     private long sentences;
+    /** Number of connections so far; panels clear their data when it changes. */
+    private long connections;
 
     /** Called by MyRobotLab. */
     public GPS(String name, String id) {
@@ -97,8 +97,8 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Connects to the receiver's port. After the first sentence it queries the firmware, except for model NMEA.
-     * MediaTek firmware also sets the model.
+     * Connects to the receiver's port and forgets all data of the previous connection. After the first sentence it
+     * queries the firmware, except for model NMEA. MediaTek firmware also sets the model, for this connection.
      *
      * @param port port name
      * @param baud a rate of {@link #setBaud}
@@ -111,18 +111,27 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         }
         model().checkedBaud(baud);
         disconnect();
-        reader.reset();
-        frames.reset();
-        silent = false;
-        fix = false;
-        asked = false;
-        firmware = null;
+        forget();
         link.connect(port, baud);
         config.baud = baud;
         config.port = port;
         lastHeard = link.timeOutNow();
         connected = true;
         broadcastState();
+    }
+
+    /** Forgets everything about the receiver of the previous connection. */
+    private synchronized void forget() {
+        reception = new Reception(new Received());
+        changeBaudAt = Double.POSITIVE_INFINITY;
+        silent = false;
+        fix = false;
+        asked = false;
+        firmware = null;
+        sentences = 0;
+        connections++;
+        config.model = chosenModel == null ? config.model : chosenModel;
+        chosenModel = null;
     }
 
     /**
@@ -218,6 +227,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         ReceiverModel old = model();
         ReceiverModel known = ReceiverModel.of(model);
         config.model = known.getLabel();
+        chosenModel = null;
         if (!connected && config.baud == old.deliveredBaud()) {
             config.baud = known.deliveredBaud();
         }
@@ -279,7 +289,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Returns whether the last GGA sentence or NAV-PVT had a position.
+     * Returns whether the last fix had a position.
      *
      * @example print gps.hasFix()
      */
@@ -298,17 +308,28 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Returns the last GGA sentence, or NAV-PVT in its form; None before the first. Fields: latitude and longitude
-     * (decimal degrees, + north and east), altitude (m), quality (0 = no fix), satellites, utc (hhmmss.sss) and tokens.
+     * Returns the last fix of this connection; None before the first. Fields: latitude and longitude (decimal degrees,
+     * + north and east), altitude (m), quality (0 = no fix), satellites, utc (hhmmss.sss) and tokens. A value that the
+     * receiver does not report is None, for example the altitude in RMC or GLL and the position without a fix.
      *
      * @example fix = gps.getLastFix()
      */
-    public GgaFix getLastFix() {
-        return lastFix;
+    public Fix getLastFix() {
+        return reception.getLastFix();
     }
 
     /**
-     * Counts valid sentences and UBX messages since the service's creation.
+     * Returns the UTC date and time of the last ZDA, NAV-PVT or RMC with a fix, for example
+     * {@code "2026-11-28T19:01:09.000Z"}; None until the receiver reports a date. Needs no position.
+     *
+     * @example print gps.getTime()
+     */
+    public String getTime() {
+        return reception.getTime();
+    }
+
+    /**
+     * Counts valid sentences and UBX messages of this connection.
      *
      * @example print gps.getSentenceCount()
      */
@@ -317,18 +338,19 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Counts dropped, damaged sentences and UBX messages.
+     * Counts dropped, damaged sentences and UBX messages of this connection.
      *
      * @example print gps.getDamagedCount()
      */
     public long getDamagedCount() {
-        return reader.getDamaged() + frames.getDamaged();
+        return reception.getDamaged();
     }
 
     /**
      * Publishes a GGA sentence's fields. 0: {@code "$GPGGA"}; 2: latitude, ddmm.mmmm; 4: longitude, dddmm.mmmm; 6: fix
-     * quality; 9: altitude, metres. South and west are negative ({@code "-08051.8999"}). NAV-PVT takes the same form.
-     * If both report one moment, the second is dropped.
+     * quality; 9: altitude, metres. South and west are negative ({@code "-08051.8999"}). Fields that the receiver does
+     * not report are empty. NAV-PVT and, from receivers without GGA, GNS, RMC and GLL take the same form; field 0
+     * names the sentence. Of several sentences for one moment, one is published, GGA first.
      *
      * @example gps.addListener("publishGGAData", python.getName(), "onGuideGga")
      */
@@ -346,11 +368,12 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
-     * Publishes [latitude, longitude, altitude]: decimal degrees, + north and east, and metres.
+     * Publishes [latitude, longitude, altitude] of each fix with a position: decimal degrees, + north and east, and
+     * metres. The altitude is None if the receiver does not report it.
      *
      * @example gps.addListener("publishGPS", python.getName(), "onGuidePosition")
      */
-    public double[] publishGPS(double[] position) {
+    public Double[] publishGPS(Double[] position) {
         return position;
     }
 
@@ -365,44 +388,56 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
 
     @Override
     public void onBytes(byte[] bytes) {
-        frames.feed(bytes);
+        reception.feed(bytes);
     }
 
-    private void onFrame(UbxFrame frame) {
-        sentences++;
-        heard();
-        if (frame.getMessage() == UbxMessage.MON_VER) {
-            firmware = UbxText.version(frame);
-            broadcastState();
-        } else if (frame.getMessage() == UbxMessage.ACK_NAK) {
-            ServiceWarnings.publish(this, "%s refused a command: %s", getName(), UbxText.refused(frame));
-        } else if (frame.getMessage() == UbxMessage.NAV_PVT) {
-            try {
-                onGga(PvtFix.of(frame.getPayload()), true);
-            } catch (IllegalArgumentException e) {
-                ServiceWarnings.publish(this, "%s sent an invalid NAV-PVT: %s", getName(), e.getMessage());
+    /** Takes what the receiver sends. */
+    private final class Received implements Reception.Listener {
+        @Override
+        public void onUbx(UbxFrame frame) {
+            heard();
+            if (frame.getMessage() == UbxMessage.MON_VER) {
+                firmware = UbxText.version(frame);
+                broadcastState();
+            } else if (frame.getMessage() == UbxMessage.ACK_NAK) {
+                ServiceWarnings.publish(GPS.this, "%s refused a command: %s", getName(), UbxText.refused(frame));
+            }
+            if (!asked && connected) {
+                askFirmware();
             }
         }
-        if (!asked && connected) {
-            askFirmware();
-        }
-    }
 
-    private void onSentence(String sentence) {
-        sentences++;
-        heard();
-        if (sentence.startsWith(FIRMWARE)) {
-            onFirmware(sentence.substring(FIRMWARE.length()).split("[,*]", 2)[0]);
-        } else if (!asked && connected) {
-            askFirmware();
-        }
-        invoke("publishSentence", sentence);
-        if (sentence.startsWith("GGA", 3)) {
-            try {
-                onGga(new GgaFix(sentence), false);
-            } catch (IllegalArgumentException e) {
-                ServiceWarnings.publish(this, "%s sent an invalid GGA sentence: %s", getName(), sentence);
+        @Override
+        public void onSentence(String sentence) {
+            heard();
+            if (sentence.startsWith(FIRMWARE)) {
+                onFirmware(sentence.substring(FIRMWARE.length()).split("[,*]", 2)[0]);
+            } else if (!asked && connected) {
+                askFirmware();
             }
+            invoke("publishSentence", sentence);
+        }
+
+        @Override
+        public void onFix(Fix received) {
+            if (fix != received.hasFix()) {
+                fix = received.hasFix();
+                if (fix) {
+                    info("%s has a fix", getName());
+                } else {
+                    ServiceWarnings.publish(GPS.this, "%s has lost its fix", getName());
+                }
+            }
+            invoke("publishGGAData", (Object) received.tokens);
+            invoke("publishGGADData", (Object) received.tokens);
+            if (received.hasFix()) {
+                invoke("publishGPS", (Object) new Double[] {received.latitude, received.longitude, received.altitude});
+            }
+        }
+
+        @Override
+        public void onInvalid(String reason) {
+            ServiceWarnings.publish(GPS.this, "%s sent an invalid %s", getName(), reason);
         }
     }
 
@@ -420,39 +455,20 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     private void onFirmware(String release) {
         firmware = release;
         ReceiverModel named = ReceiverModel.ofRelease(release);
-        config.model = named == null ? config.model : named.getLabel();
+        if (named != null) {
+            chosenModel = chosenModel == null ? config.model : chosenModel;
+            config.model = named.getLabel();
+        }
         broadcastState();
     }
 
     private void heard() {
+        sentences = reception.getCount();
         lastHeard = link == null ? 0 : link.timeOutNow();
         if (silent) {
             silent = false;
             info("%s sends again", getName());
             broadcastState();
-        }
-    }
-
-    /** Skips the second of a sentence and a UBX message of the same moment. */
-    private void onGga(GgaFix received, boolean ofUbx) {
-        GgaFix before = lastFix;
-        if (before != null && lastFixOfUbx != ofUbx && !received.utc.isEmpty() && received.utc.equals(before.utc)) {
-            return;
-        }
-        lastFix = received;
-        lastFixOfUbx = ofUbx;
-        if (fix != received.hasFix()) {
-            fix = received.hasFix();
-            if (fix) {
-                info("%s has a fix", getName());
-            } else {
-                ServiceWarnings.publish(this, "%s has lost its fix", getName());
-            }
-        }
-        invoke("publishGGAData", (Object) received.tokens);
-        invoke("publishGGADData", (Object) received.tokens);
-        if (received.hasFix()) {
-            invoke("publishGPS", new double[] {received.latitude, received.longitude, received.altitude});
         }
     }
 

@@ -1,6 +1,7 @@
 package org.SEAR.protocol.nmea;
 
 import java.util.Locale;
+import java.util.regex.Pattern;
 
 /**
  * Frame and numbers of NMEA 0183 sentences: {@code $ ... *cs CR LF}, where cs is the exclusive or of the characters
@@ -12,6 +13,9 @@ public final class Nmea {
     /** Number of digits of a longitude's degrees. */
     public static final int LONGITUDE_DIGITS = 3;
     private static final int MINUTES = 60;
+    /** Number of digits of a coordinate's minutes before the point. */
+    private static final int MINUTE_DIGITS = 2;
+    private static final Pattern COORDINATE = Pattern.compile("[0-9]{1,5}[.][0-9]*");
     private static final int HEX = 16;
     private static final int CHECKSUM_SIZE = 3;
 
@@ -61,16 +65,17 @@ public final class Nmea {
     }
 
     /**
-     * Parses {@code ddmm.mmmm} to decimal degrees.
+     * Parses {@code ddmm.mmmm} or {@code dddmm.mmmm} to decimal degrees. The two digits before the point are minutes.
      *
-     * @param width digits of the degrees
      * @throws IllegalArgumentException if it is no coordinate
      */
-    public static double degrees(String field, int width) {
-        if (field.length() <= width) {
-            throw new IllegalArgumentException("\"" + field + "\" is no coordinate");
+    public static double degrees(String field) {
+        if (!COORDINATE.matcher(field).matches()) {
+            throw new IllegalArgumentException("\"" + field + "\" is no coordinate, legal: ddmm.mmmm or dddmm.mmmm");
         }
-        return Integer.parseInt(field.substring(0, width)) + Double.parseDouble(field.substring(width)) / MINUTES;
+        int minutes = Math.max(0, field.indexOf('.') - MINUTE_DIGITS);
+        int degrees = minutes == 0 ? 0 : Integer.parseInt(field.substring(0, minutes));
+        return degrees + Double.parseDouble(field.substring(minutes)) / MINUTES;
     }
 
     /** Formats a number with a decimal point, regardless of the computer's locale. */

@@ -2,6 +2,7 @@ package org.SEAR.protocol.nmea;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertThrows;
 
 import org.SEAR.Golden;
 import org.junit.Test;
@@ -64,13 +65,18 @@ public class NmeaTest {
         assertEquals("3336.600000", Nmea.degrees(33.61, Nmea.LATITUDE_DIGITS, 6));
         assertEquals("08051.9000", Nmea.degrees(-80.865, Nmea.LONGITUDE_DIGITS, 4));
         assertEquals("minutes never show as 60", "0800.0000", Nmea.degrees(7.99999999, Nmea.LATITUDE_DIGITS, 4));
-        assertEquals(52.21636892, Nmea.degrees("5212.982135", Nmea.LATITUDE_DIGITS), 1e-8);
-        assertEquals(80.864998, Nmea.degrees("08051.8999", Nmea.LONGITUDE_DIGITS), 1e-6);
+        assertEquals(52.21636892, Nmea.degrees("5212.982135"), 1e-8);
+        assertEquals(80.864998, Nmea.degrees("08051.8999"), 1e-6);
+        assertEquals("fewer digits of the degrees", 8.5, Nmea.degrees("830.0"), 1e-9);
+        assertEquals("on the equator", 0.5, Nmea.degrees("30.0"), 1e-9);
     }
 
-    @Test(expected = IllegalArgumentException.class)
-    public void anEmptyFieldIsNotACoordinate() {
-        Nmea.degrees("", Nmea.LATITUDE_DIGITS);
+    @Test
+    public void otherTextIsNoCoordinate() {
+        for (String field : new String[] {"", ".", "3336", "-3336.6", "123456.7", "33N36.6"}) {
+            assertEquals("\"" + field + "\" is no coordinate, legal: ddmm.mmmm or dddmm.mmmm",
+                assertThrows(field, IllegalArgumentException.class, () -> Nmea.degrees(field)).getMessage());
+        }
     }
 
     @Test

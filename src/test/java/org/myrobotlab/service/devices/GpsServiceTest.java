@@ -3,6 +3,7 @@ package org.myrobotlab.service.devices;
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
@@ -55,6 +56,10 @@ public class GpsServiceTest {
         receiver.send(text.getBytes(StandardCharsets.US_ASCII));
     }
 
+    private static void assertPosition(double[] expected, Object position, double tolerance) {
+        assertArrayEquals(expected, Arrays.stream((Double[]) position).mapToDouble(Double::doubleValue).toArray(), tolerance);
+    }
+
     @Test
     public void theFieldsAreThoseOfTheDissertation() throws Exception {
         gps.addListener("publishGGAData", "positions", "onValue");
@@ -72,9 +77,58 @@ public class GpsServiceTest {
         gps.addListener("publishGPS", "positions", "onValue");
         gps.connect(PORT, 38400);
         say("garbage\u0001$GPGGA,1200" + SOUTH_CAROLINA);
-        double[] position = (double[]) heard.await(1).get(0);
-        assertArrayEquals(new double[] {33.61, -80.86499833, 182.5}, position, 1e-8);
+        Object position = heard.await(1).get(0);
+        assertPosition(new double[] {33.61, -80.86499833, 182.5}, position, 1e-8);
         assertEquals(1, gps.getDamagedCount());
+    }
+
+    /** Sentences of a marine receiver: 14 fields, without altitude. */
+    @Test
+    public void aMissingAltitudeIsNone() throws Exception {
+        gps.addListener("publishGPS", "positions", "onValue");
+        gps.connect(PORT);
+        say(Nmea.sentence("IIGGA,071500,3336.6,N,08051.9,W,1,7,1.4,,M,,M,"));
+        Double[] position = (Double[]) heard.await(1).get(0);
+        assertEquals(33.61, position[0], 1e-9);
+        assertEquals(-80.865, position[1], 1e-9);
+        assertNull(position[2]);
+        assertNull(gps.getLastFix().altitude);
+    }
+
+    @Test
+    public void aReceiverWithoutGgaHasPositionsAndTime() throws Exception {
+        gps.addListener("publishGGAData", "positions", "onValue");
+        gps.connect(PORT);
+        say(Nmea.sentence("GNRMC,071500.00,A,3336.6,N,08051.9,W,0.1,0.0,040526,,,A"));
+        say(Nmea.sentence("GNRMC,071501.00,A,3336.6,N,08051.9,W,0.1,0.0,040526,,,A"));
+        String[] tokens = (String[]) heard.await(2).get(1);
+        assertEquals("$GNRMC", tokens[0]);
+        assertEquals("-08051.9", tokens[4]);
+        assertEquals("2026-05-04T07:15:01.00Z", gps.getTime());
+        assertTrue(gps.hasFix());
+    }
+
+    /** Another receiver may be at the other end. */
+    @Test
+    public void aNewConnectionKnowsNothingOfTheFormer() throws Exception {
+        gps.addListener("publishSentence", "positions", "onValue");
+        gps.connect(PORT);
+        say("$GPGGA,1*00\r\n" + Nmea.sentence("PMTK705,AXN_1.30,0000,20090609,") + Nmea.sentence("GPZDA,071500,04,05,2026,00,00") + SOUTH_CAROLINA);
+        heard.await(3);
+        assertTrue(heard.awaitStatus("has a fix"));
+        assertEquals("MT3329", gps.getConfig().model);
+        gps.setBaud(9600);
+        gps.connect(PORT, 38400);
+        assertNull(gps.getLastFix());
+        assertNull(gps.getTime());
+        assertNull(gps.getFirmware());
+        assertFalse(gps.hasFix());
+        assertEquals(0, gps.getSentenceCount());
+        assertEquals(0, gps.getDamagedCount());
+        assertEquals("the model that was set", "FV-M8", gps.getConfig().model);
+        say(SOUTH_CAROLINA);
+        heard.await(4);
+        assertEquals("asked again", 3, receiver.await(3).size());
     }
 
     @Test
@@ -206,8 +260,8 @@ public class GpsServiceTest {
         receiver.send(Bytes.bytes(UbxTest.PVT));
         say(Nmea.sentence("GNGGA,085000.80,3454.37358,S,13836.48718,E,1,14,1.45,28.9,M,-3.5,M,,"));
         say(Nmea.sentence("GNGGA,085001.80,3454.37358,S,13836.48718,E,1,14,1.45,28.9,M,-3.5,M,,"));
-        assertArrayEquals(new double[] {-34.9062263, 138.6081197, 28.895}, (double[]) heard.await(1).get(0), 1e-9);
-        assertArrayEquals(new double[] {-34.906226333, 138.608119667, 28.9}, (double[]) heard.await(2).get(1), 1e-9);
+        assertPosition(new double[] {-34.9062263, 138.6081197, 28.895}, heard.await(1).get(0), 1e-9);
+        assertPosition(new double[] {-34.906226333, 138.608119667, 28.9}, heard.await(2).get(1), 1e-9);
         assertEquals(2, heard.await(2).size());
     }
 
@@ -274,6 +328,6 @@ public class GpsServiceTest {
         gps.onBytes(new byte[UbxFrame.MOST + UbxFrame.OVERHEAD]);
         gps.addListener("publishGPS", "positions", "onValue");
         say(SOUTH_CAROLINA);
-        assertTrue("seed " + Fuzz.SEED, heard.awaitValue(position -> ((double[]) position)[2] == 182.5));
+        assertTrue("seed " + Fuzz.SEED, heard.awaitValue(position -> ((Double[]) position)[2] == 182.5));
     }
 }

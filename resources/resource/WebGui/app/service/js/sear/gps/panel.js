@@ -40,12 +40,13 @@ export function open(controller, $scope, $timeout) {
     $scope.track = []
     var start = null
     var counting = false        // whether the number of sentences was requested
+    var connections             // the service's number of connections; undefined before the first state
 
     /** Takes the last fix before the page opened. A sentence received since then is newer. */
     function onLastFix(fix) {
         if (fix && !$scope.tokens) {
             $scope.tokens = fix.tokens
-            if (Number(fix.tokens[QUALITY]) > 0) {
+            if (fix.latitude !== null) {
                 onPosition([fix.latitude, fix.longitude, fix.altitude])
             }
         }
@@ -125,10 +126,22 @@ export function open(controller, $scope, $timeout) {
         start = null
     }
 
+    /** Forgets the data of the previous connection. @param number of connections so far */
+    function followConnection(number) {
+        if (connections !== undefined && connections !== number) {
+            $scope.tokens = null
+            $scope.position = null
+            $scope.sentences = []
+            $scope.clearTrack()
+        }
+        connections = number
+    }
+
     panel.hear(['publishGGAData', 'publishGPS', 'publishSentence', 'publishStatus', 'getSentenceCount'], ['getPortNames', 'getLastFix'],
         angular.extend({
             onState: function(service) {
                 $scope.service = service
+                followConnection(service.connections)
                 $scope.received = service.sentences || 0
                 counting = false
                 $scope.form.model = port.follow(service) && service.config.model || $scope.form.model

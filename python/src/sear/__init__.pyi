@@ -425,6 +425,30 @@ class _GPS(JavaObject):
         """Counts valid sentences and UBX messages of this connection."""
     def getDamagedCount(self) -> int:
         """Counts dropped, damaged sentences and UBX messages of this connection."""
+    def setPoint(self, latitude: float, longitude: float) -> Any:
+        """Returns a point for the calls below."""
+    @overload
+    def calculateDistance(self, latitude1: float, longitude1: float, latitude2: float, longitude2: float) -> float:
+        """Returns the distance between two places on the WGS84 ellipsoid, metres."""
+    @overload
+    def calculateDistance(self, from_: Any, to: Any) -> float:
+        """Returns the distance between two points, metres."""
+    @overload
+    def setPointGeoFence(self, latitude: float, longitude: float, radius: float) -> Any:
+        """Returns a circular geofence for `checkInside`."""
+    @overload
+    def setPointGeoFence(self, centre: Any, radius: float) -> Any:
+        """Returns a circular geofence around a point."""
+    def setPolygonGeoFence(self, points: Sequence[Any]) -> Any:
+        """Returns a geofence with straight edges in latitude and longitude. The last corner is connected to the first."""
+    @overload
+    def checkInside(self, fence: Any, latitude: float, longitude: float) -> bool:
+        """Returns whether a place is inside a geofence."""
+    @overload
+    def checkInside(self, fence: Any, point: Any) -> bool:
+        """Returns whether a point is inside a geofence."""
+    def convertNMEAToDegrees(self, nmea: str) -> float:
+        """Returns the decimal degrees of a coordinate in `publishGGAData`. A minus at its beginning is kept."""
     def publishGGAData(self, tokens: np.ndarray) -> np.ndarray:
         """Publishes a GGA sentence's fields. 0: `"$GPGGA"`; 2: latitude, ddmm.mmmm; 4: longitude, dddmm.mmmm; 6: fix quality; 9: altitude, metres. South and west are negative (`"-08051.8999"`). Fields that the receiver does not report are empty. NAV-PVT and, from receivers without GGA, GNS, RMC and GLL take the same form; field 0 names the sentence. Of several sentences for one moment, one is published, GGA first."""
     def publishGGADData(self, tokens: np.ndarray) -> np.ndarray:

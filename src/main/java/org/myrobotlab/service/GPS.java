@@ -7,12 +7,13 @@ import java.util.List;
 import java.util.regex.Pattern;
 import org.SEAR.protocol.Uart;
 import org.SEAR.protocol.nmea.Nmea;
-import org.SEAR.protocol.nmea.Pmtk;
-import org.SEAR.protocol.ubx.UbxFrame;
-import org.SEAR.protocol.ubx.UbxMessage;
 import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.service.config.GPSConfig;
+import org.myrobotlab.service.gps.CircleFence;
 import org.myrobotlab.service.gps.Fix;
+import org.myrobotlab.service.gps.GeoFence;
+import org.myrobotlab.service.gps.GeoPoint;
+import org.myrobotlab.service.gps.PolygonFence;
 import org.myrobotlab.service.gps.ReceiverModel;
 import org.myrobotlab.service.gps.Reception;
 import org.myrobotlab.service.gps.UbxText;
@@ -39,8 +40,6 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     private static final String PEER = "serial";
     /** Characters allowed in a sentence between {@code $} and {@code *}. */
     private static final Pattern COMMAND = Pattern.compile("[ -~&&[^$*]]+");
-    /** Start of the reply to the firmware query. */
-    private static final String FIRMWARE = "$" + Pmtk.RELEASE.body() + ",";
     /** Seconds without a good sentence after which data counts as lost; receivers send once per second. */
     private static final double SILENCE = 5;
     /** Pause between the baud rate command and the change, beyond the command's own transmission time, seconds. */
@@ -50,12 +49,11 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         PanelFiles.install();
     }
 
-    private transient volatile Reception reception = new Reception(new Received());
+    private transient volatile Reception reception = new Reception(new GpsEvents(this));
     private transient SerialLink link;
     private transient double lastHeard;
     private transient double changeBaudAt = Double.POSITIVE_INFINITY;
     private transient int nextBaud;
-    private transient boolean asked;
     /** Model before the receiver reported another one; null if it did not. */
     private transient String chosenModel;
     private String firmware;
@@ -122,11 +120,10 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
 
     /** Forgets everything about the receiver of the previous connection. */
     private synchronized void forget() {
-        reception = new Reception(new Received());
+        reception = new Reception(new GpsEvents(this));
         changeBaudAt = Double.POSITIVE_INFINITY;
         silent = false;
         fix = false;
-        asked = false;
         firmware = null;
         sentences = 0;
         connections++;
@@ -347,6 +344,114 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /**
+     * Returns a point for the calls below.
+     *
+     * @param latitude degrees, + north
+     * @param longitude degrees, + east
+     * @throws IllegalArgumentException latitude outside [-90, 90] or longitude outside [-180, 180]
+     * @example home = gps.setPoint(33.61, -80.865); print home.getLat(), home.getLon()
+     */
+    public GeoPoint setPoint(double latitude, double longitude) {
+        return new GeoPoint(latitude, longitude);
+    }
+
+    /**
+     * Returns the distance between two places on the WGS84 ellipsoid, metres.
+     *
+     * @param latitude1 degrees, + north
+     * @param longitude1 degrees, + east
+     * @param latitude2 degrees, + north
+     * @param longitude2 degrees, + east
+     * @throws IllegalArgumentException value out of range, see {@link #setPoint}
+     * @example print "%.2f m" % gps.calculateDistance(33.61, -80.865, 33.61, -80.864)
+     */
+    public double calculateDistance(double latitude1, double longitude1, double latitude2, double longitude2) {
+        return calculateDistance(setPoint(latitude1, longitude1), setPoint(latitude2, longitude2));
+    }
+
+    /**
+     * Returns the distance between two points, metres.
+     *
+     * @param from of {@link #setPoint}
+     * @param to of {@link #setPoint}
+     * @example print "%.2f m" % gps.calculateDistance(gps.setPoint(33.61, -80.865), gps.setPoint(33.62, -80.865))
+     */
+    public double calculateDistance(GeoPoint from, GeoPoint to) {
+        return from.distanceTo(to);
+    }
+
+    /**
+     * Returns a circular geofence for {@link #checkInside}.
+     *
+     * @param latitude degrees, + north
+     * @param longitude degrees, + east
+     * @param radius metres, &gt; 0
+     * @throws IllegalArgumentException illegal value
+     * @example fence = gps.setPointGeoFence(33.61, -80.865, 50)
+     */
+    public CircleFence setPointGeoFence(double latitude, double longitude, double radius) {
+        return setPointGeoFence(setPoint(latitude, longitude), radius);
+    }
+
+    /**
+     * Returns a circular geofence around a point.
+     *
+     * @param centre of {@link #setPoint}
+     * @param radius metres, &gt; 0
+     * @throws IllegalArgumentException illegal radius
+     * @example fence = gps.setPointGeoFence(gps.setPoint(33.61, -80.865), 50)
+     */
+    public CircleFence setPointGeoFence(GeoPoint centre, double radius) {
+        return new CircleFence(centre, radius);
+    }
+
+    /**
+     * Returns a geofence with straight edges in latitude and longitude. The last corner is connected to the first.
+     *
+     * @param points corners, at least three points of {@link #setPoint}
+     * @throws IllegalArgumentException too few corners, or values that are no points
+     * @example field = gps.setPolygonGeoFence([gps.setPoint(33.6, -80.9), gps.setPoint(33.7, -80.9), gps.setPoint(33.6, -80.8)])
+     */
+    public PolygonFence setPolygonGeoFence(List<?> points) {
+        return new PolygonFence(points);
+    }
+
+    /**
+     * Returns whether a place is inside a geofence.
+     *
+     * @param fence of {@link #setPointGeoFence} or {@link #setPolygonGeoFence}
+     * @param latitude degrees, + north
+     * @param longitude degrees, + east
+     * @throws IllegalArgumentException value out of range, see {@link #setPoint}
+     * @example print gps.checkInside(gps.setPointGeoFence(33.61, -80.865, 50), 33.6101, -80.865)
+     */
+    public boolean checkInside(GeoFence fence, double latitude, double longitude) {
+        return checkInside(fence, setPoint(latitude, longitude));
+    }
+
+    /**
+     * Returns whether a point is inside a geofence.
+     *
+     * @param fence of {@link #setPointGeoFence} or {@link #setPolygonGeoFence}
+     * @param point of {@link #setPoint}
+     * @example print gps.checkInside(gps.setPointGeoFence(33.61, -80.865, 50), gps.setPoint(33.6101, -80.865))
+     */
+    public boolean checkInside(GeoFence fence, GeoPoint point) {
+        return fence.contains(point);
+    }
+
+    /**
+     * Returns the decimal degrees of a coordinate in {@link #publishGGAData}. A minus at its beginning is kept.
+     *
+     * @param nmea ddmm.mmmm or dddmm.mmmm
+     * @throws IllegalArgumentException if it is no coordinate
+     * @example print gps.convertNMEAToDegrees("-08051.9000")
+     */
+    public double convertNMEAToDegrees(String nmea) {
+        return nmea.startsWith("-") ? -Nmea.degrees(nmea.substring(1)) : Nmea.degrees(nmea);
+    }
+
+    /**
      * Publishes a GGA sentence's fields. 0: {@code "$GPGGA"}; 2: latitude, ddmm.mmmm; 4: longitude, dddmm.mmmm; 6: fix
      * quality; 9: altitude, metres. South and west are negative ({@code "-08051.8999"}). Fields that the receiver does
      * not report are empty. NAV-PVT and, from receivers without GGA, GNS, RMC and GLL take the same form; field 0
@@ -391,59 +496,9 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         reception.feed(bytes);
     }
 
-    /** Takes what the receiver sends. */
-    private final class Received implements Reception.Listener {
-        @Override
-        public void onUbx(UbxFrame frame) {
-            heard();
-            if (frame.getMessage() == UbxMessage.MON_VER) {
-                firmware = UbxText.version(frame);
-                broadcastState();
-            } else if (frame.getMessage() == UbxMessage.ACK_NAK) {
-                ServiceWarnings.publish(GPS.this, "%s refused a command: %s", getName(), UbxText.refused(frame));
-            }
-            if (!asked && connected) {
-                askFirmware();
-            }
-        }
-
-        @Override
-        public void onSentence(String sentence) {
-            heard();
-            if (sentence.startsWith(FIRMWARE)) {
-                onFirmware(sentence.substring(FIRMWARE.length()).split("[,*]", 2)[0]);
-            } else if (!asked && connected) {
-                askFirmware();
-            }
-            invoke("publishSentence", sentence);
-        }
-
-        @Override
-        public void onFix(Fix received) {
-            if (fix != received.hasFix()) {
-                fix = received.hasFix();
-                if (fix) {
-                    info("%s has a fix", getName());
-                } else {
-                    ServiceWarnings.publish(GPS.this, "%s has lost its fix", getName());
-                }
-            }
-            invoke("publishGGAData", (Object) received.tokens);
-            invoke("publishGGADData", (Object) received.tokens);
-            if (received.hasFix()) {
-                invoke("publishGPS", (Object) new Double[] {received.latitude, received.longitude, received.altitude});
-            }
-        }
-
-        @Override
-        public void onInvalid(String reason) {
-            ServiceWarnings.publish(GPS.this, "%s sent an invalid %s", getName(), reason);
-        }
-    }
-
-    private void askFirmware() {
-        asked = true;
-        if (model().takesCommands()) {
+    /** Queries the firmware of a receiver that takes commands. */
+    void askFirmware() {
+        if (connected && model().takesCommands()) {
             try {
                 send(model().firmwareQuestion());
             } catch (IllegalStateException e) {
@@ -452,9 +507,13 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         }
     }
 
-    private void onFirmware(String release) {
+    /**
+     * Takes the firmware that the receiver reports.
+     *
+     * @param named its model; null if unknown
+     */
+    void onFirmware(String release, ReceiverModel named) {
         firmware = release;
-        ReceiverModel named = ReceiverModel.ofRelease(release);
         if (named != null) {
             chosenModel = chosenModel == null ? config.model : chosenModel;
             config.model = named.getLabel();
@@ -462,7 +521,15 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         broadcastState();
     }
 
-    private void heard() {
+    /** Sets whether there is a fix; returns whether this is a change. */
+    boolean changeFix(boolean has) {
+        boolean changed = fix != has;
+        fix = has;
+        return changed;
+    }
+
+    /** Notes that a valid sentence or message has arrived. */
+    void heard() {
         sentences = reception.getCount();
         lastHeard = link == null ? 0 : link.timeOutNow();
         if (silent) {

@@ -82,7 +82,7 @@ public final class Fix {
     }
 
     /** Puts a minus before a coordinate in the south or west. The hemisphere follows the coordinate. */
-    static void sign(String[] tokens, int token, String negative) {
+    private static void sign(String[] tokens, int token, String negative) {
         if (negative.equals(tokens[token + 1]) && !tokens[token].isEmpty()) {
             tokens[token] = "-" + tokens[token];
         }

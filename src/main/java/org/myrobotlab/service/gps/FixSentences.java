@@ -31,7 +31,6 @@ final class FixSentences {
     /** Mode indicators in the order of GGA's qualities from 1. */
     private static final String MODES = "ADPRFEMS";
     private static final int COORDINATES = 4;
-    private static final int LONGITUDE_OFFSET = 2;
     /** Most fields of the sentences above; missing ones are read as empty. */
     private static final int MOST = 15;
 
@@ -134,16 +133,5 @@ final class FixSentences {
             }
         }
         return "0";
-    }
-
-    /** Returns the fields with the signs of south and west, as scripts get them. */
-    static String[] signed(String sentence) {
-        String[] tokens = sentence.split(",", -1);
-        int latitude = "RMC".equals(type(sentence)) ? RMC_LATITUDE : "GLL".equals(type(sentence)) ? 1 : 0;
-        if (latitude > 0 && tokens.length > latitude + COORDINATES) {
-            Fix.sign(tokens, latitude, "S");
-            Fix.sign(tokens, latitude + LONGITUDE_OFFSET, "W");
-        }
-        return tokens;
     }
 }

@@ -1,5 +1,6 @@
 /**
- * Fixes and receiver models of the GPS service. Uses {@link org.SEAR.protocol.nmea} and {@link org.SEAR.protocol.ubx},
- * and what these use. Immutable.
+ * Fixes, geofences and receiver models of the GPS service. Uses {@link org.SEAR.protocol.nmea},
+ * {@link org.SEAR.protocol.ubx} and {@link org.SEAR.geometry}, and what these use. Immutable, except for a connection's
+ * {@link Reception}.
  */
 package org.myrobotlab.service.gps;

@@ -108,6 +108,18 @@ public class GpsServiceTest {
         assertTrue(gps.hasFix());
     }
 
+    /** The calls of MyRobotLab's Gps. */
+    @Test
+    public void fencesAndDistancesNeedNoReceiver() {
+        assertTrue(gps.checkInside(gps.setPointGeoFence(33.61, -80.865, 50), 33.6104, -80.865));
+        assertFalse(gps.checkInside(gps.setPointGeoFence(gps.setPoint(33.61, -80.865), 50), gps.setPoint(33.6106, -80.865)));
+        assertTrue(gps.checkInside(gps.setPolygonGeoFence(Arrays.asList(gps.setPoint(0, 0), gps.setPoint(10, 0), gps.setPoint(0, 10))), 1, 1));
+        assertEquals(111319.49, gps.calculateDistance(0, 10, 0, 11), 0.01);
+        assertEquals(111319.49, gps.calculateDistance(gps.setPoint(0, 10), gps.setPoint(0, 11)), 0.01);
+        assertEquals(-80.865, gps.convertNMEAToDegrees("-08051.9000"), 1e-9);
+        assertEquals(33.61, gps.convertNMEAToDegrees("3336.6"), 1e-9);
+    }
+
     /** Another receiver may be at the other end. */
     @Test
     public void aNewConnectionKnowsNothingOfTheFormer() throws Exception {

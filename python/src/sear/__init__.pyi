@@ -342,7 +342,7 @@ class _LIDAR(JavaObject):
         """Connects to the LIDAR's port at the configured baud rate. Default: the model's power-on rate, 9600 for an LMS200. If the device answers at another rate, the port follows."""
     @overload
     def connect(self, port: str, baud: int) -> None:
-        """Connects to the LIDAR's port and queries unit and modes. If it answers at another rate, the port follows."""
+        """Connects to the LIDAR's port, forgets all data of the previous connection and queries unit and modes. If it answers at another rate, the port follows."""
     def reconnectSerial(self) -> None:
         """Reconnects to the last port. Returning simulated ports and restored configurations reconnect automatically."""
     def disconnect(self) -> None:
@@ -384,7 +384,7 @@ class _LIDAR(JavaObject):
     def getResolution(self) -> float:
         """Returns the reported degrees between beams; 0 until reported."""
     def getScanCount(self) -> int:
-        """Counts scans since the service's creation."""
+        """Counts scans of this connection."""
 
 
 class _GPS(JavaObject):

@@ -99,7 +99,8 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Connects to the LIDAR's port and queries unit and modes. If it answers at another rate, the port follows.
+     * Connects to the LIDAR's port, forgets all data of the previous connection and queries unit and modes. If it
+     * answers at another rate, the port follows.
      *
      * @param port port name
      * @param baud a rate of {@link #setBaud}
@@ -112,6 +113,8 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
         }
         LidarModels.checkedBaud(config.model, baud);
         disconnect();
+        driven = null;
+        scans = 0;
         takeDriver();
         link.connect(port, baud);
         config.baud = baud;
@@ -427,7 +430,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     /**
-     * Counts scans since the service's creation.
+     * Counts scans of this connection.
      *
      * @example print lidar.getScanCount()
      */

@@ -3,6 +3,7 @@ package org.myrobotlab.service.devices;
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
 
@@ -70,6 +71,20 @@ public class LidarServiceTest {
         assertEquals(1.0, lidar.getLastScan().metres[2], 0);
         assertTrue(lidar.getLastScan().toString(), lidar.getLastScan().toString().startsWith("scan of "));
         assertEquals(PORT, lidar.getConfig().port);
+    }
+
+    /** Another scanner may be at the other end. */
+    @Test
+    public void aNewConnectionKnowsNothingOfTheFormer() throws Exception {
+        lidar.connect(PORT);
+        lidar.singleScan();
+        raw.await(1);
+        answers.clear();
+        lidar.connect(PORT);
+        assertNull(lidar.getLastScan());
+        assertEquals(0, lidar.getScanCount());
+        assertEquals(0, lidar.getSpread(), 0);
+        assertEquals(0, lidar.getResolution(), 0);
     }
 
     @Test

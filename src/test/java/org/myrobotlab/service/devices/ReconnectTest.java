@@ -85,11 +85,14 @@ public class ReconnectTest {
     }
 
     private void assertBothMeasure() {
+        long deadline = System.nanoTime() + PATIENCE;
+        while (!(lidar.isConnected() && gps.isConnected()) && System.nanoTime() < deadline) {
+            sear.simSleep(0.1);
+        }
         long sentences = gps.getSentenceCount();
         long scans = lidar.getScanCount();
         sear.simSleep(3);
         lidar.singleScan();
-        long deadline = System.nanoTime() + PATIENCE;
         do {
             sear.simSleep(1); // by the clock the bytes also take real time
         } while ((lidar.getScanCount() == scans || gps.getSentenceCount() == sentences) && System.nanoTime() < deadline);

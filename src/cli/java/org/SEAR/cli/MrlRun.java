@@ -138,7 +138,7 @@ final class MrlRun {
             engine.finishThreads(CALLBACK_MILLIS);
         }
         release();
-        return status == ExitCode.OK && engine.hasCallFailed() ? ExitCode.SOFTWARE : status;
+        return status == ExitCode.OK && engine.getFailure() != null ? ExitCode.SOFTWARE : status;
     }
 
     /**

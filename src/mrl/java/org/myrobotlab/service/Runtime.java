@@ -13,7 +13,8 @@ import org.myrobotlab.embedded.ErrorReasons;
 import org.myrobotlab.embedded.Registry;
 import org.myrobotlab.embedded.Shutdown;
 import org.myrobotlab.embedded.StartOptions;
-import org.myrobotlab.embedded.python.DidYouMean;
+import org.myrobotlab.embedded.python.PythonEngine;
+import org.myrobotlab.embedded.python.ServiceTypes;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Peer;
 import org.myrobotlab.framework.Plan;
@@ -191,8 +192,9 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
             ServiceConfig config = runtime.readServiceConfig(shortName);
             String given = type != null ? type : config == null ? null : config.type;
             if (given == null) {
-                throw new IllegalArgumentException("its type is missing, and there is no configuration file of that name:"
-                    + " write Runtime.start(\"name\", \"" + shortName + "\") with a name and a type");
+                throw new IllegalArgumentException("its type is missing, and there is no configuration file of that name: write "
+                    + (ServiceTypes.isKnown(shortName) ? "Runtime.start(\"name\", \"" + shortName + "\")"
+                        : "Runtime.start(\"" + shortName + "\", \"SEAR\")") + " with a name and a type");
             }
             Service<?> service = instantiate(shortName, given, runtime.getId());
             service.setOrder(++runtime.creationCount);
@@ -225,8 +227,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         } catch (ClassNotFoundException | NoClassDefFoundError e) {
             String wanted = CodecUtils.makeFullTypeName(type);
             if (String.valueOf(e.getMessage()).replace('/', '.').contains(wanted)) {
-                String simple = CodecUtils.getSimpleName(type);
-                throw new IllegalArgumentException("there is no service type " + simple + DidYouMean.service(simple), e);
+                throw new IllegalArgumentException(ServiceTypes.missing(CodecUtils.getSimpleName(type)), e);
             }
             throw e;
         }
@@ -241,9 +242,12 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         service.apply((C) config);
     }
 
+    /** Reports why a service can't start. A script that asked for it continues, and ends with status 1. */
     private static void refuse(String name, String type, Throwable why) {
         log.debug("{} {}", name, type, why);
-        getInstance().error("can't start " + name + (type == null ? "" : " as " + CodecUtils.getSimpleName(type)) + ": " + ErrorReasons.of(why));
+        String reason = "can't start " + name + (type == null ? "" : " as " + CodecUtils.getSimpleName(type)) + ": " + ErrorReasons.of(why);
+        getInstance().error(reason);
+        PythonEngine.failHere(reason);
     }
 
     // ---- the registry -------------------------------------------------------------------------------------------------

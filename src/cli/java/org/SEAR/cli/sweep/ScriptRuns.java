@@ -53,7 +53,7 @@ public final class ScriptRuns {
             if (engine.getLastResult().getExitCode() != 0) {
                 return "exit status " + engine.getLastResult().getExitCode();
             }
-            return !engine.hasCallFailed() ? "" : errors.isEmpty() ? "a callback has failed" : errors.get(0);
+            return engine.getFailure() == null ? "" : errors.isEmpty() ? engine.getFailure() : errors.get(0);
         } finally {
             release();
         }

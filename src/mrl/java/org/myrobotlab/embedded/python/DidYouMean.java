@@ -1,6 +1,5 @@
 package org.myrobotlab.embedded.python;
 
-import java.io.IOException;
 import java.lang.reflect.Method;
 import java.util.Arrays;
 import java.util.Locale;
@@ -21,20 +20,6 @@ public final class DidYouMean {
     private static final String SERVICES = "org.myrobotlab.service";
 
     private DidYouMean() {
-    }
-
-    /** Returns "; did you mean LIDAR?" for a service type in other letter case; else empty. */
-    public static String service(String type) {
-        try {
-            for (String known : PackageClasses.of(SERVICES, DidYouMean.class.getClassLoader())) {
-                if (known.equalsIgnoreCase(type)) {
-                    return "; did you mean " + known + "?";
-                }
-            }
-            return "";
-        } catch (IOException e) {
-            return "";
-        }
     }
 
     /** Returns a hint line for an undefined name; else empty. */

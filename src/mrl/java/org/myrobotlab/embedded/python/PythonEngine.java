@@ -42,7 +42,8 @@ public final class PythonEngine {
     private volatile ScriptResult last = ScriptResult.GOOD;
     private volatile List<String> arguments = List.of();
     private volatile Consumer<String> warned = text -> { };
-    private volatile boolean callFailed;
+    /** Why the last script or a callback has failed without a result of its own; null if neither has. */
+    private volatile String failure;
     private volatile boolean finishing;
     private volatile Consumer<String> failed = text -> { };
     private final ScriptThreads threads = new ScriptThreads(this);
@@ -168,7 +169,7 @@ public final class PythonEngine {
         boolean ends = run.isStopped || finishing && e.value.__tojava__(IllegalStateException.class) instanceof IllegalStateException;
         String error = ends ? null : ScriptThreads.failed(e, threadName);
         if (error != null) {
-            callFailed = true;
+            failure = error;
             failed.accept(error);
         } else if (ends && finishing && !daemon) {
             warned.accept(ScriptThreads.outlived(e, threadName));
@@ -200,20 +201,33 @@ public final class PythonEngine {
             }
             callable.__call__(converted);
         });
-        callFailed |= result.getTraceback() != null;
-        return result;
+        return noted(result);
     }
 
     /** Returns the error for a callback to a function that the script doesn't have. */
     public String missing(String publisher, String function) {
-        callFailed = true;
-        return publisher + " calls back " + function + ", but the script has no function of that name"
+        failure = publisher + " calls back " + function + ", but the script has no function of that name"
             + DidYouMean.function(function, interpreter.getLocals());
+        return failure;
     }
 
-    /** Returns whether a called function has raised. */
-    public boolean hasCallFailed() {
-        return callFailed;
+    private ScriptResult noted(ScriptResult result) {
+        failure = result.getTraceback() == null ? failure : result.getTraceback();
+        return result;
+    }
+
+    /** Marks the scripts and callbacks that run on this thread as failed, for the status at their end. */
+    public static void failHere(String reason) {
+        for (PythonEngine engine : ENGINES.values()) {
+            synchronized (engine.running) {
+                engine.failure = engine.running.containsKey(Thread.currentThread()) ? reason : engine.failure;
+            }
+        }
+    }
+
+    /** Returns why a callback or a call without an exception has failed; null if none has. */
+    public String getFailure() {
+        return failure;
     }
 
     /**
@@ -239,8 +253,7 @@ public final class PythonEngine {
             Py.setSystemState(interpreter.getSystemState());
             Py.exec(code, interpreter.getLocals(), interpreter.getLocals());
         });
-        callFailed |= result.getTraceback() != null;
-        return result;
+        return noted(result);
     }
 
     /** Bypasses the interpreter's compile, after which it would reject scripts that declare an encoding. */

@@ -61,7 +61,8 @@ final class WrongNames {
         Matcher module = NO_MODULE.matcher(message);
         Matcher name = NOTHING_IN_IT.matcher(message);
         if (name.find()) {
-            return objectsOf(name.group(1));
+            String other = line.contains(SERVICES) ? ServiceTypes.hint(name.group(1)) : "";
+            return other.isEmpty() ? objectsOf(name.group(1)) : "\n" + other;
         }
         if (!module.find()) {
             return "";

@@ -347,6 +347,9 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         if (current == null) {
             return;
         }
+        if (!current.has(msg.method) && isOptional(msg, current)) {
+            return;
+        }
         if (!current.has(msg.method)) {
             String missing = current.missing(CodecUtils.getShortName(msg.sender) + "." + msg.sendingMethod, msg.method);
             if (callbackErrors.isNew(missing)) {
@@ -356,6 +359,17 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         }
         String publisher = "msg_" + CodecUtils.getSafeReferenceName(msg.sender) + "_" + msg.sendingMethod;
         current.occupied(() -> reportOnce(current.callBack(publisher, msg.method, msg.data == null ? new Object[0] : msg.data)));
+    }
+
+    /**
+     * Returns whether a script may lack the function: addByteListener names four, of which a script needs onByte or
+     * onBytes.
+     */
+    private boolean isOptional(Message msg, PythonEngine current) {
+        ServiceInterface sender = Runtime.getService(msg.sender);
+        return sender instanceof Serial && ((Serial) sender).isByteListener(getName())
+            && ("onConnect".equals(msg.method) || "onDisconnect".equals(msg.method)
+                || "onByte".equals(msg.method) && current.has("onBytes") || "onBytes".equals(msg.method) && current.has("onByte"));
     }
 
     @Override

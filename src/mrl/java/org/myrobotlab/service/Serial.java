@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
@@ -68,6 +69,8 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     transient volatile Port port;
     final transient Map<String, Port> connectedPorts = new ConcurrentHashMap<>();
     transient Map<String, SerialDataListener> listeners = new ConcurrentHashMap<>();
+    /** Names of the services that get the bytes by messages. */
+    private final transient Set<String> byteListeners = ConcurrentHashMap.newKeySet();
     private final transient ByteRecord recordRx = new ByteRecord(this::error);
     private final transient ByteRecord recordTx = new ByteRecord(this::error);
 
@@ -365,8 +368,8 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     }
 
     /**
-     * Sends all bytes to a service, from the next connect on: by onBytes if it is a {@link SerialDataListener}, else
-     * one by one by onByte.
+     * Sends all bytes to a service, from the next connect on: to a {@link SerialDataListener} by onBytes, to any other
+     * service one by one by onByte and in chunks by onBytes. A script needs only one of the two functions.
      */
     public void addByteListener(String name) {
         ServiceInterface service = Runtime.getService(name);
@@ -376,7 +379,9 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
             listeners.put(service.getName(), (SerialDataListener) service);
         } else {
             addListener("publishRX", name, "onByte");
+            addListener("publishBytes", name, "onBytes");
             addPortListener(name);
+            byteListeners.add(CodecUtils.getShortName(name));
         }
     }
 
@@ -386,7 +391,9 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
 
     public void removeByteListener(String name) {
         listeners.remove(CodecUtils.getShortName(name));
+        byteListeners.remove(CodecUtils.getShortName(name));
         removeListener("publishRX", name, "onByte");
+        removeListener("publishBytes", name, "onBytes");
         removeListener("publishConnect", name, "onConnect");
         removeListener("publishDisconnect", name, "onDisconnect");
     }
@@ -394,6 +401,11 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     public void addPortListener(String name) {
         addListener("publishConnect", name, "onConnect");
         addListener("publishDisconnect", name, "onDisconnect");
+    }
+
+    /** Returns whether {@link #addByteListener} has added the service, by messages. */
+    boolean isByteListener(String name) {
+        return byteListeners.contains(name);
     }
 
     public Map<String, SerialDataListener> getListeners() {

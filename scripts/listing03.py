@@ -10,7 +10,7 @@ roomba = Runtime.create("robot_Dynamics1", "Roomba")
 roomba.connect( "/dev/SEAR_Robot_01" )
 roomba.startService()
 line = Runtime.getService("serial")    # SEAR: added; MyRobotLab Nixie's Roomba closes its port and talks through the service named "serial"
-if line is not None and not line.isConnected():    # SEAR: added, see above; SEAR's embedded MyRobotLab does not need it
+if line is not None and not line.isConnected():    # SEAR: added, see above
     line.connect("/dev/SEAR_Robot_01", 57600, 8, 1, 0)    # SEAR: added, see above
 roomba.startup()
 roomba.control()

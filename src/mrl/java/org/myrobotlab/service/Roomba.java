@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.List;
 import java.util.TreeSet;
 import org.myrobotlab.framework.Service;
-import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.logging.LoggerFactory;
 import org.myrobotlab.service.config.RoombaConfig;
 import org.slf4j.Logger;
@@ -35,8 +34,9 @@ public class Roomba extends Service<RoombaConfig> {
     private static final int DEFAULT_SPEED = 200;
     private static final int MAX_SPEED = 500;
     private static final int ROOMBA_BAUD = 57600;
-    private static final int CREATE_BAUD = 19200;
+    private static final int LATER_BAUD = 115200;
     private static final String OLD_PROTOCOL = "SCI";
+    private static final String LATER_PROTOCOL = "OI";
     private static final int NOTE_SONG = 15;
     private static final int POWER_ORANGE = 128;
     private static final int FULL = 255;
@@ -51,41 +51,56 @@ public class Roomba extends Service<RoombaConfig> {
     private static final double MILLIS = 1000;
     /** Distance between the wheels, mm. */
     private static final double WHEEL_BASE = 258;
+    /** The service through which all Roomba services talk, as in the real MyRobotLab. */
     private static final String SERIAL = "serial";
 
     private int speed = DEFAULT_SPEED;
     private String protocol = OLD_PROTOCOL;
     private String portName;
-    private transient volatile Serial serial;
+    private final transient Serial serial;
 
     public Roomba(String name, String id) {
         super(name, id);
+        serial = (Serial) Runtime.start(SERIAL, "Serial");
     }
 
     // ---- connection ---------------------------------------------------------------------------------------------------
 
-    /** Opens a port at 57600 baud (OI: 19200), 8 data bits, 1 stop bit, no parity. */
+    /**
+     * Opens the port by the service named "serial", at 57600 baud (protocol OI: 115200), 8 data bits, 1 stop bit, no
+     * parity, and closes it immediately, as the real MyRobotLab does since 2016. Connect the service named "serial"
+     * afterwards.
+     */
     public void connect(String port) {
-        connect(port, OLD_PROTOCOL.equals(protocol) ? ROOMBA_BAUD : CREATE_BAUD, Byte.SIZE, 1, 0);
-    }
-
-    /** @return whether the port is open */
-    public boolean connect(String port, int baud, int dataBits, int stopBits, int parity) {
-        ServiceInterface own = startPeer(SERIAL);
-        if (!(own instanceof Serial)) {
-            return false;
-        }
-        Serial chosen = (Serial) own;
+        portName = port;
         try {
-            chosen.connect(port, baud, dataBits, stopBits, parity);
+            serial.open(port, rate(), Byte.SIZE, 1, 0);
+            serial.disconnect();
         } catch (IOException | IllegalStateException | IllegalArgumentException e) {
-            TreeSet<String> known = new TreeSet<>(chosen.getPortNames());
+            TreeSet<String> known = new TreeSet<>(serial.getPortNames());
             known.remove(port);
             error("can't connect: %s; the ports are %s%s", e.getMessage(), known, notStarted());
         }
-        serial = chosen;
+    }
+
+    /**
+     * Does nothing, as in the real MyRobotLab.
+     *
+     * @return false
+     */
+    public boolean connect(String port, int baud, int dataBits, int stopBits, int parity) {
         portName = port;
-        return port.equals(chosen.getPortName());
+        error("connect with five arguments does nothing, as in every MyRobotLab; %s", remedy(baud));
+        return false;
+    }
+
+    /** Returns the baud rate of the protocol. */
+    private int rate() {
+        return protocol.equals(LATER_PROTOCOL) ? LATER_BAUD : ROOMBA_BAUD;
+    }
+
+    private String remedy(int baud) {
+        return "write Runtime.getService(\"" + SERIAL + "\").connect(\"" + (portName == null ? "PORT" : portName) + "\", " + baud + ", 8, 1, 0)";
     }
 
     /** Returns a hint if a SEAR service has not started its simulation, which creates the ports; else empty. */
@@ -94,27 +109,19 @@ public class Roomba extends Service<RoombaConfig> {
             .map(one -> "; no simulation is running: " + one.getName() + ".startSimulation() creates its ports").findFirst().orElse("");
     }
 
-    private Serial serial() {
-        ServiceInterface own = serial == null ? getPeer(SERIAL) : serial;
-        return own instanceof Serial ? (Serial) own : null;
-    }
-
+    /** @return false, as in the real MyRobotLab; the service named "serial" knows */
     public boolean connected() {
-        Serial chosen = serial();
-        return chosen != null && chosen.isConnected();
+        return false;
     }
 
     /**
-     * Closes the port.
+     * Closes the port of the service named "serial".
      *
-     * @return whether it was open
+     * @return true
      */
     public boolean disconnect() {
-        boolean was = connected();
-        if (was) {
-            serial().disconnect();
-        }
-        return was;
+        serial.disconnect();
+        return true;
     }
 
     public List<String> getPortNames() {
@@ -137,22 +144,24 @@ public class Roomba extends Service<RoombaConfig> {
         return protocol;
     }
 
-    /**
-     * Selects the protocol, which sets the baud rate of the next connection: SCI for early Roombas, OI for later ones
-     * and the Create.
-     */
+    /** @param newProtocol SCI for early Roombas, OI for later ones; sets the baud rate of the next connection */
     public void setProtocol(String newProtocol) {
         protocol = newProtocol;
     }
 
-    /** @return whether the bytes were sent */
+    /**
+     * Sends bytes by the service named "serial".
+     *
+     * @return whether the bytes were sent
+     */
     public boolean send(byte[] bytes) {
         try {
-            if (!connected()) {
-                error("is not connected: call connect(port) first");
+            if (!serial.isConnected()) {
+                error("is not connected: %s%s", portName == null ? "call connect(port) first, then "
+                    : "MyRobotLab's Roomba closes its port after connect(port). After it, ", remedy(rate()));
                 return false;
             }
-            serial().write(bytes);
+            serial.write(bytes);
             return true;
         } catch (Exception e) {
             error("can't send: %s", e.getMessage());
@@ -171,15 +180,6 @@ public class Roomba extends Service<RoombaConfig> {
             bytes[i] = (byte) values[i];
         }
         send(bytes);
-    }
-
-    @Override
-    public void releaseService() {
-        Serial chosen = serial;
-        if (chosen != null && chosen.isConnected() && chosen.getPortName().equals(portName)) {
-            chosen.disconnect();
-        }
-        super.releaseService();
     }
 
     // ---- modes --------------------------------------------------------------------------------------------------------

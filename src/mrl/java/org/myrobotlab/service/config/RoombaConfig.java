@@ -2,7 +2,7 @@ package org.myrobotlab.service.config;
 
 import org.myrobotlab.framework.Plan;
 
-/** Configuration of Roomba. Its Serial is called {@code NAME.serial}, so that scripts can use the name "serial". */
+/** Configuration of Roomba. Its peer {@code NAME.serial} starts with it, but is not used, as in the real MyRobotLab. */
 public class RoombaConfig extends ServiceConfig {
     @Override
     public Plan getDefault(Plan plan, String name) {

@@ -2,8 +2,6 @@ package org.myrobotlab.service.devices;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
-import static org.junit.Assert.assertNull;
-import static org.junit.Assert.assertTrue;
 
 import org.junit.After;
 import org.junit.Before;
@@ -23,6 +21,11 @@ public class RoombaTest {
         uart = Serial.connectVirtualUart("/dev/roomba");
         uart.setTimeout(60_000);
         roomba.connect("/dev/roomba");
+        serial().connect("/dev/roomba", 57600, 8, 1, 0);
+    }
+
+    private static Serial serial() {
+        return (Serial) Runtime.getService("serial");
     }
 
     @After
@@ -39,14 +42,27 @@ public class RoombaTest {
         assertEquals(0, uart.available());
     }
 
+    /** As in the real MyRobotLab: only the service named "serial" brings commands to the port. */
     @Test
-    public void connectOpensThePortAt57600() {
-        assertTrue(roomba.connected());
-        Serial serial = (Serial) Runtime.getService("roomba.serial");
-        assertEquals("/dev/roomba", serial.getPortName());
-        assertEquals(57600, serial.getRate());
-        roomba.disconnect();
+    public void connectClosesItsPortAndTheErrorNamesTheRemedy() throws Exception {
+        roomba.connect("/dev/roomba");
+        assertFalse(serial().isConnected());
         assertFalse(roomba.connected());
+        roomba.goForward();
+        assertEquals("is not connected: MyRobotLab's Roomba closes its port after connect(port). After it, write "
+            + "Runtime.getService(\"serial\").connect(\"/dev/roomba\", 57600, 8, 1, 0)", roomba.getLastError().key);
+        serial().connect("/dev/roomba", 57600, 8, 1, 0);
+        roomba.goForward();
+        sends("89 00 C8 80 00");
+    }
+
+    @Test
+    public void connectWithFiveArgumentsDoesNothing() {
+        serial().disconnect();
+        assertFalse(roomba.connect("/dev/roomba", 115200, 8, 1, 0));
+        assertFalse(serial().isConnected());
+        assertEquals("connect with five arguments does nothing, as in every MyRobotLab; write "
+            + "Runtime.getService(\"serial\").connect(\"/dev/roomba\", 115200, 8, 1, 0)", roomba.getLastError().key);
     }
 
     @Test
@@ -82,29 +98,11 @@ public class RoombaTest {
     }
 
     @Test
-    public void theNameSerialIsLeftToTheUser() throws Exception {
-        assertNull(Runtime.getService("serial"));
-        Serial.connectVirtualUart("/dev/controller");
-        Serial own = (Serial) Runtime.start("serial", "Serial");
-        own.connect("/dev/controller", 9600, 8, 1, 0);
-        roomba.startup();
-        sends("80");
-        assertEquals("/dev/controller", own.getPortName());
-    }
-
-    @Test
-    public void aSecondRoombaHasItsOwnSerialService() throws Exception {
-        Serial.connectVirtualUart("/dev/second");
-        Roomba second = (Roomba) Runtime.start("second", "Roomba");
-        assertTrue(second.connect("/dev/second", 57600, 8, 1, 0));
-        assertEquals("/dev/second", ((Serial) Runtime.getService("second.serial")).getPortName());
-        assertEquals("/dev/roomba", ((Serial) Runtime.getService("roomba.serial")).getPortName());
-    }
-
-    @Test
     public void withoutAPortCommandsAreErrors() {
         roomba.disconnect();
-        roomba.goForward();
-        assertEquals("is not connected: call connect(port) first", roomba.getLastError().key);
+        Roomba other = (Roomba) Runtime.start("other", "Roomba");
+        other.goForward();
+        assertEquals("is not connected: call connect(port) first, then write Runtime.getService(\"serial\").connect(\"PORT\", 57600, 8, 1, 0)",
+            other.getLastError().key);
     }
 }

@@ -163,8 +163,8 @@ final class UartLine implements ExternalLine {
 
     /** Returns the call that sets the baud rate of a robot's drive. */
     private String remedy(int baud) {
-        return isDrive() ? ", as roomba.connect(\"" + user.getName() + "\", " + line.getDeviceBaud() + ", 8, 1, 0), or robot.getPart(\""
-            + line.getObjectName() + "\").setBaud(" + baud + ") before the start" : "";
+        return isDrive() ? ", as Runtime.getService(\"serial\").connect(\"" + user.getName() + "\", " + line.getDeviceBaud()
+            + ", 8, 1, 0), or robot.getPart(\"" + line.getObjectName() + "\").setBaud(" + baud + ") before the start" : "";
     }
 
     /** Takes bytes from the device on the simulation thread. Bytes of a lock-step step wait for the port's turn. */

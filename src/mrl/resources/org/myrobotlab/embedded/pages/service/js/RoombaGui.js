@@ -1,7 +1,7 @@
 // Panel of the Roomba service: port, mode, drive buttons and sensor readings.
 angular.module('mrlapp.service.RoombaGui', []).controller('RoombaGuiCtrl', ['$scope', '$interval', '$timeout', 'mrl', function($scope, $interval, $timeout, mrl) {
     var msg = this.msg
-    var SERIAL = msg.name + '.serial'   // the service's own serial port
+    var SERIAL = 'serial'       // the service through which all Roomba services talk
     var TOPICS = ['publishRX', 'publishState']  // the port's own panel subscribes to publishBytes
     var ALL = 0                 // packet with bumpers, cliffs, wheels, distance and battery
     var MODE = 35
@@ -38,7 +38,7 @@ angular.module('mrlapp.service.RoombaGui', []).controller('RoombaGuiCtrl', ['$sc
         })
     }
     $scope.connect = function() {
-        msg.send('connect', $scope.form.port, $scope.form.baud, 8, 1, 0)
+        mrl.sendTo(SERIAL, 'connect', $scope.form.port, $scope.form.baud, 8, 1, 0)
     }
     $scope.setMode = function(name) {
         WAYS[name].forEach(function(command, i) {

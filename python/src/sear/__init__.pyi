@@ -46,7 +46,7 @@ class Record:
     def __getitem__(self, name: str) -> np.ndarray: ...
     def plot(self, *names: str) -> Any:
         """Returns a plot of these values over time, with one box per unit. Default: a speed and a sensor."""
-    def save(self, picture: Any, *names: str) -> None:
+    def save(self, picture: Any, *names: str) -> str:
         """Saves the plot as a file, whose name ends in .png or .svg."""
 
 
@@ -214,7 +214,7 @@ class _SEAR(JavaObject):
         """Returns these points in the camera or world frame."""
     def getBlobs(self, name: str, color: str) -> List[Any]:
         """Finds regions of a colour's hue in the last picture, largest first, like a Pixy. Each is [x, y, width, height, area]: box centre from the top left, box size and area, in pixels. Brightness hardly matters."""
-    def saveImage(self, name: str, path: str) -> None:
+    def saveImage(self, name: str, path: str) -> str:
         """Writes the picture of `getImage` to a file and creates its folders."""
     def getPose(self, name: str) -> np.ndarray:
         """Returns [x, y, z, rx, ry, rz] in the world: metres north, up and east, and degrees about these axes. Heading is 90 - ry when upright."""
@@ -228,7 +228,7 @@ class _SEAR(JavaObject):
     @overload
     def getPlan(self, beams: bool) -> str:
         """Returns the plan with or without beams."""
-    def savePlan(self, picture: str) -> None:
+    def savePlan(self, picture: str) -> str:
         """Writes the plan to a file."""
     def publishReading(self, reading: Any) -> Any:
         """Publishes each reading: its name, time (simulated seconds) and value, as `getReading` returns it."""
@@ -241,10 +241,10 @@ class _SEAR(JavaObject):
     def newProject(self) -> str:
         """Begins an empty project and backs up the present one."""
     @overload
-    def saveProject(self, path: str) -> None:
+    def saveProject(self, path: str) -> str:
         """Saves the project as a bundle, overwriting an existing file."""
     @overload
-    def saveProject(self, path: str, cutTerrain: bool) -> None:
+    def saveProject(self, path: str, cutTerrain: bool) -> str:
         """Saves a bundle, optionally with only the used area of elevation maps. The project stays unchanged."""
     def loadProject(self, path: str) -> None:
         """Backs up the project and replaces it with a valid bundle or folder."""
@@ -281,15 +281,15 @@ class _SEAR(JavaObject):
         """Returns the names of a record's values: poses, speeds, positions, readings, commands, byte counts."""
     def getRecordValues(self, path: str, names: Sequence[str]) -> Dict[str, Any]:
         """Returns a record's values over time, at most 30 per second and 4000 in all."""
-    def saveRecordCsv(self, path: str, names: Sequence[str], csv: str) -> None:
+    def saveRecordCsv(self, path: str, names: Sequence[str], csv: str) -> str:
         """Writes a record's values as a table, 30 lines per second, at most 200000."""
-    def saveRecordPlot(self, path: str, names: Sequence[str], picture: str) -> None:
+    def saveRecordPlot(self, path: str, names: Sequence[str], picture: str) -> str:
         """Plots a record's values over time; values of one unit share an axis."""
     @overload
-    def savePlot(self, picture: str, xTitle: str, xs: Sequence[Any], yTitle: str, ys: Sequence[Any]) -> None:
+    def savePlot(self, picture: str, xTitle: str, xs: Sequence[Any], yTitle: str, ys: Sequence[Any]) -> str:
         """Plots one list of numbers over another. Axis titles end in a unit in brackets. Needs no simulation."""
     @overload
-    def savePlot(self, picture: str, xTitle: str, xs: Sequence[Any], lines: Dict[str, Any]) -> None:
+    def savePlot(self, picture: str, xTitle: str, xs: Sequence[Any], lines: Dict[str, Any]) -> str:
         """Plots several lines; those with the same unit share an axis."""
     @overload
     def exportPort(self, userPort: str) -> str:

@@ -8,6 +8,10 @@ from ._objects import java_class
 RUNTIME = "org.myrobotlab.service.Runtime"
 TYPE = "Python3"
 PATIENCE = 500  # ms that one poll waits in Java
+# Functions that Serial.addByteListener names: by which publisher, and other functions of which a script needs one
+BYTES = "onByte", "onBytes"
+UNNEEDED = {"onByte": (".publishRX", BYTES), "onBytes": (".publishBytes", BYTES), "onConnect": (".publishConnect", BYTES),
+            "onDisconnect": (".publishDisconnect", BYTES)}
 
 
 class PythonService:
@@ -53,8 +57,11 @@ class PythonService:
                 self._carry_out(*call)
 
     def _carry_out(self, publisher, name, arguments):
-        function = getattr(sys.modules["__main__"], name, None)
+        main = sys.modules["__main__"]
+        function = getattr(main, name, None)
         if function is None:
+            if name in UNNEEDED and publisher.endswith(UNNEEDED[name][0]) and any(hasattr(main, one) for one in UNNEEDED[name][1]):
+                return
             self._tell("%s calls back %s, but the script has no function of that name" % (publisher, name))
             return
         try:

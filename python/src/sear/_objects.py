@@ -2,6 +2,7 @@
 import builtins
 import collections.abc
 import difflib
+import os
 import threading
 
 _PLAIN = frozenset((float, int, str, bool, type(None), bytes))
@@ -9,8 +10,17 @@ _PLAIN = frozenset((float, int, str, bool, type(None), bytes))
 _LISTS = list, tuple, range, collections.abc.KeysView, collections.abc.ValuesView
 _classes = {}
 SEAR = "org.myrobotlab.service.SEAR"
+RUNTIME = "org.myrobotlab.service.Runtime"
+FOLDER = "org.SEAR.grammar.ScriptFolder"
 # Waiting calls that an interrupt of a terminal or notebook ends, with the smallest argument for which it does
 _WAITS = {(SEAR, "simSleep"): 0.4, (SEAR, "step"): 24}
+# Calls that take paths, or depend on the working folder
+_FILED = frozenset((SEAR, name) for name in (
+    "saveImage", "savePlan", "saveProject", "saveProjectAs", "loadProject", "importRobot", "importEnvironment", "copyTemplate", "recordRun",
+    "rerunRecord", "getRecords", "getRecordNames", "getRecordValues", "getRecordFrames", "getRecordPicture", "getRecordMotion", "saveRecordCsv",
+    "saveRecordPlot", "savePlot", "exportPort"))
+# Calls that create a service
+_STARTS = frozenset((RUNTIME, name) for name in ("start", "create", "createAndStart", "loadAndStart"))
 # Calls whose results are pictures, or have one
 _SHOWN = frozenset(((SEAR, "getPlan"), (SEAR, "getImage"), (SEAR, "getLidarResult"), (SEAR, "getReading")))
 
@@ -48,6 +58,8 @@ def to_java(value):
         return backend().java_list([to_java(one) for one in value])
     if isinstance(value, dict):
         return backend().java_map({key: to_java(one) for key, one in value.items()})
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
     return value
 
 
@@ -89,6 +101,32 @@ class _Wait(_Call):
         return connection.backend.wait(self.owner.__dict__["java"], self.name, arguments[0])
 
 
+class _Filed(_Call):
+    """A method whose relative paths refer to this program's working folder."""
+
+    __slots__ = ("owner",)
+
+    def __call__(self, *arguments, **named):
+        java_class(FOLDER).set(os.getcwd())
+        return super().__call__(*arguments, **named)
+
+
+class _Start(_Call):
+    """A method that creates a service. MyRobotLab answers nothing if it can't, with the reason in its last error."""
+
+    __slots__ = ()
+
+    def __call__(self, *arguments, **named):
+        service = super().__call__(*arguments, **named)
+        if service is None:
+            from ._errors import IllegalArgumentException
+            error = java_class(RUNTIME).getInstance().getLastError()
+            reason = "" if error is None else str(error.key)
+            name = " as ".join(str(one) for one in arguments)
+            raise IllegalArgumentException(reason if reason.startswith("can't start ") else "MyRobotLab can't start %s: its log has the reason" % name)
+        return service
+
+
 class _Shown(_Call):
     """A method whose result a notebook displays."""
 
@@ -101,7 +139,7 @@ class _Shown(_Call):
 
 def _method(owner, method, class_name, name):
     key = class_name, name
-    kind = _Wait if key in _WAITS else _Shown if key in _SHOWN else _Call
+    kind = _Wait if key in _WAITS else _Shown if key in _SHOWN else _Filed if key in _FILED else _Call
     call = kind(method, class_name, name)
     if kind is not _Call:
         call.owner = owner
@@ -121,7 +159,7 @@ class _Statics(type):
             raise AttributeError(name)
         kind, value = backend().static(cls.java_name, name)
         if kind == "method":
-            call = _Call(value, cls.java_name, name)
+            call = (_Start if (cls.java_name, name) in _STARTS else _Call)(value, cls.java_name, name)
             setattr(cls, name, call)
             return call
         if kind is None:

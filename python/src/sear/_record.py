@@ -17,7 +17,7 @@ class Record:
 
     def __init__(self, path):
         self._sear = java_class(RUNTIME).start("sear", "SEAR")
-        given = os.fspath(path)
+        given = os.path.abspath(path)
         self.path = given if given.endswith(".searlog") else given + ".searlog"
         self.names = list(self._sear.getRecordNames(self.path))
 
@@ -52,8 +52,8 @@ class Record:
                 return Svg(file.read())
 
     def save(self, picture, *names):
-        """Saves the plot as a file, whose name ends in .png or .svg."""
-        self._sear.saveRecordPlot(self.path, list(names) or self._chosen(), os.path.abspath(os.fspath(picture)))
+        """Saves the plot as a file, whose name ends in .png or .svg. Returns its absolute path."""
+        return self._sear.saveRecordPlot(self.path, list(names) or self._chosen(), os.path.abspath(os.fspath(picture)))
 
     def __repr__(self):
         return "<Record %s>" % self.path

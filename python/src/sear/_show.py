@@ -1,6 +1,7 @@
 """Notebook display of objects and readings. Display never fails and never waits long: a problem appears as text."""
 import html
 import math
+import os
 import threading
 
 import numpy
@@ -22,9 +23,10 @@ class Svg(str):
     """A picture: the text of an SVG file, displayed by notebooks."""
 
     def save(self, path):
-        """Writes the file."""
+        """Writes the file. Returns its absolute path."""
         with whole(path) as aside, open(aside, "w", encoding="utf-8") as file:
             file.write(self)
+        return os.path.abspath(path)
 
     def _repr_svg_(self):
         return str(self)
@@ -37,9 +39,10 @@ class Png(bytes):
     """A picture: the bytes of a PNG file, displayed by notebooks."""
 
     def save(self, path):
-        """Writes the file."""
+        """Writes the file. Returns its absolute path."""
         with whole(path) as aside, open(aside, "wb") as file:
             file.write(self)
+        return os.path.abspath(path)
 
     def _repr_png_(self):
         return bytes(self)

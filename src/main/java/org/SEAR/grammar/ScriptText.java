@@ -34,14 +34,14 @@ public final class ScriptText {
     }
 
     /**
-     * Parses a path.
+     * Parses a path. A relative path of a Python 3 program refers to its working folder, see {@link ScriptFolder}.
      *
      * @param text not null
      * @throws IllegalArgumentException if the text is no valid path on this system
      */
     public static Path path(String text) {
         try {
-            return Paths.get(of(text));
+            return ScriptFolder.resolve(Paths.get(of(text)));
         } catch (InvalidPathException e) {
             throw new IllegalArgumentException("the path is \"" + of(text).replaceAll("\\p{Cntrl}", "?") + "\", legal: a valid file name"
                 + " on this system (" + e.getReason() + ")", e);

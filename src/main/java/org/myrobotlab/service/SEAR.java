@@ -764,13 +764,14 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * Writes the picture of {@link #getImage} to a file and creates its folders.
      *
      * @param name camera
-     * @param path {@code .png} file, relative to MyRobotLab's working folder
+     * @param path {@code .png} file, relative to the working folder
+     * @return the file's absolute path
      * @throws IllegalArgumentException unknown camera
      * @throws IllegalStateException file cannot be written
      * @example sear.saveImage("eye", "eye.png")
      */
-    public void saveImage(String name, String path) {
-        calls.act(() -> parts.cameras().save(name, path));
+    public String saveImage(String name, String path) {
+        return calls.attempt(() -> text(parts.cameras().save(name, path)));
     }
 
     // ---- poses and plans --------------------------------------------------------------------------------------------
@@ -840,11 +841,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * Writes the plan to a file.
      *
      * @param picture .png or .svg file, overwritten
+     * @return the file's absolute path
      * @throws IllegalStateException invalid project
      * @example sear.savePlan("plan.png")
      */
-    public void savePlan(String picture) {
-        calls.act(() -> parts.plans().save(picture));
+    public String savePlan(String picture) {
+        return calls.attempt(() -> text(parts.plans().save(picture)));
     }
 
     // ---- published readings -----------------------------------------------------------------------------------------
@@ -907,11 +909,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * Saves the project as a bundle, overwriting an existing file.
      *
      * @param path like {@code "robot.sear"}; ending optional; the folder must exist
+     * @return the bundle's absolute path
      * @throws IllegalStateException file cannot be written
-     * @example sear.saveProject("mine.sear")
+     * @example print sear.saveProject("mine.sear")
      */
-    public void saveProject(String path) {
-        calls.act(() -> parts.projects().save(bundle(path)));
+    public String saveProject(String path) {
+        return calls.attempt(() -> text(parts.projects().save(bundle(path))));
     }
 
     /**
@@ -919,17 +922,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      *
      * @param path as above
      * @param cutTerrain True: only setArea's area, as one GeoTIFF; False: whole maps
+     * @return the bundle's absolute path
      * @throws IllegalStateException file cannot be written
      * @example sear.saveProject("mountain.sear", True)
      */
-    public void saveProject(String path, boolean cutTerrain) {
-        calls.act(() -> {
-            if (cutTerrain) {
-                parts.projects().saveCut(bundle(path));
-            } else {
-                parts.projects().save(bundle(path));
-            }
-        });
+    public String saveProject(String path, boolean cutTerrain) {
+        return calls.attempt(() -> text(cutTerrain ? parts.projects().saveCut(bundle(path)) : parts.projects().save(bundle(path))));
     }
 
     /**
@@ -1005,7 +1003,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      *
      * @param name {@code controller.py}, {@code userCode.py} or {@code arduino.py}
      * @param folder created if missing
-     * @return the copy's path
+     * @return the copy's absolute path
      * @throws IllegalStateException file exists
      * @example print sear.copyTemplate("controller.py", "SEARproject")
      */
@@ -1040,7 +1038,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * simulation it begins at the next start. Only a record from a start or reset can be rerun.
      *
      * @param path like {@code "run.searlog"}; ending optional; replaces only records
-     * @return the path with its ending
+     * @return the absolute path, with its ending
      * @throws IllegalStateException file cannot be written, or another record in progress
      * @example sear.recordRun("run.searlog"); sear.endRecord()
      */
@@ -1130,11 +1128,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @param path record
      * @param names from {@link #getRecordNames}
      * @param csv new file, or .csv file, overwritten
+     * @return the table's absolute path
      * @throws IllegalArgumentException unknown value
      * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordCsv("run.searlog", ["myRoomba.x"], "run.csv")
      */
-    public void saveRecordCsv(String path, List<String> names, String csv) {
-        calls.act(() -> parts.records().saveCsv(path, names, csv));
+    public String saveRecordCsv(String path, List<String> names, String csv) {
+        return calls.attempt(() -> text(parts.records().saveCsv(path, names, csv)));
     }
 
     /**
@@ -1143,11 +1142,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @param path record
      * @param names from {@link #getRecordNames}, up to 16
      * @param picture .png or .svg file, overwritten
+     * @return the picture's absolute path
      * @throws IllegalArgumentException unknown value
      * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordPlot("run.searlog", ["myRoomba.x"], "run.png")
      */
-    public void saveRecordPlot(String path, List<String> names, String picture) {
-        calls.act(() -> parts.savePlot(path, names, picture));
+    public String saveRecordPlot(String path, List<String> names, String picture) {
+        return calls.attempt(() -> text(parts.savePlot(path, names, picture)));
     }
 
     /**
@@ -1158,11 +1158,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @param xs its numbers
      * @param yTitle vertical axis title
      * @param ys equally many numbers; None leaves a gap
+     * @return the picture's absolute path
      * @throws IllegalArgumentException different lengths, or other values than numbers
      * @example sear.savePlot("run.png", "time (s)", [0, 1, 2], "distance (m)", [1.2, 0.9, 0.7])
      */
-    public void savePlot(String picture, String xTitle, List<?> xs, String yTitle, List<?> ys) {
-        calls.act(() -> Plots.save(picture, xTitle, xs, Collections.singletonMap(yTitle == null ? "" : yTitle, ys)));
+    public String savePlot(String picture, String xTitle, List<?> xs, String yTitle, List<?> ys) {
+        return calls.attempt(() -> text(Plots.save(picture, xTitle, xs, Collections.singletonMap(yTitle == null ? "" : yTitle, ys))));
     }
 
     /**
@@ -1172,11 +1173,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @param xTitle horizontal axis title
      * @param xs its numbers
      * @param lines up to 16 equally long lists by name
+     * @return the picture's absolute path
      * @throws IllegalArgumentException different lengths, or other values than numbers
      * @example sear.savePlot("run.svg", "time (s)", [0, 1, 2], {"left (m)": [1, 2, 2.5], "right (m)": [1, 1.5, 3], "speed (m/s)": [0, 0.3, 0.3]})
      */
-    public void savePlot(String picture, String xTitle, List<?> xs, Map<String, ?> lines) {
-        calls.act(() -> Plots.save(picture, xTitle, xs, lines));
+    public String savePlot(String picture, String xTitle, List<?> xs, Map<String, ?> lines) {
+        return calls.attempt(() -> text(Plots.save(picture, xTitle, xs, lines)));
     }
 
     // ---- ports for other programs -----------------------------------------------------------------------------------

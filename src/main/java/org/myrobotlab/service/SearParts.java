@@ -1,6 +1,7 @@
 package org.myrobotlab.service;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -234,8 +235,8 @@ final class SearParts {
      * Plots values of a record, see {@link Plots}. Units are those of the running world's sensors, otherwise of the
      * project's.
      */
-    public void savePlot(String path, List<String> names, String picture) throws InterruptedException, IOException {
-        Plots.saveRecord(path, names, picture, ofWorld(Plots::units));
+    public Path savePlot(String path, List<String> names, String picture) throws InterruptedException, IOException {
+        return Plots.saveRecord(path, names, picture, ofWorld(Plots::units));
     }
 
     /**

@@ -46,7 +46,7 @@ class Record:
     def __getitem__(self, name: str) -> np.ndarray: ...
     def plot(self, *names: str) -> Any:
         """Returns a plot of these values over time, with one box per unit. Default: a speed and a sensor."""
-    def save(self, picture: Any, *names: str) -> None:
+    def save(self, picture: Any, *names: str) -> str:
         """Saves the plot as a file, whose name ends in .png or .svg."""
 
 

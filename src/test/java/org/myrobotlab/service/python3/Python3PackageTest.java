@@ -82,6 +82,15 @@ public class Python3PackageTest {
     }
 
     @Test
+    public void relativePathsFollowTheWorkingFolderBothWays() throws Exception {
+        Path script = ROOT.resolve("src/test/python3/folders.py");
+        String here = inProcess(script);
+        assertTrue(here, here.endsWith("folders follow\n"));
+        String there = run(sear(script, "--python3"), ROOT.resolve("python/src").toString(), LIBRARIES);
+        assertTrue(there, there.endsWith("folders follow\n"));
+    }
+
+    @Test
     public void itStartsFromTheClassArchive() throws Exception {
         String classes = run(List.of("python3", "-c", "import os; os.environ['JAVA_OPTS'] += ' -Xlog:class+load'; import sear; "
             + "sear.start(headless=True, speed='max'); sear.Runtime.start('sear', 'SEAR')"), ROOT.resolve("python/src").toString(), LIBRARIES);

@@ -3,7 +3,6 @@ package org.myrobotlab.service.sear.export;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,6 +11,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
 import org.SEAR.grammar.ExportTarget;
+import org.SEAR.grammar.ScriptText;
 import org.myrobotlab.serial.Port;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
@@ -64,7 +64,7 @@ public final class Exports {
      *     pseudo-terminals
      */
     public synchronized String terminal(String port, String link) throws IOException {
-        return terminal(port, link == null ? null : Paths.get(link), false);
+        return terminal(port, link == null ? null : ScriptText.path(link), false);
     }
 
     private String terminal(String port, Path link, boolean ofProject) throws IOException {

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.SEAR.grammar.ScriptFolder;
 import org.SEAR.project.problems.ProjectException;
 
 /**
@@ -64,7 +65,7 @@ public final class ExampleBundles {
     }
 
     private static String name(Path path) {
-        return path.toString().replace('\\', '/');
+        return ScriptFolder.shorten(path).toString().replace('\\', '/');
     }
 
     /** Runs an action on the bundle file of a path, or on the example of this path if no file exists. */

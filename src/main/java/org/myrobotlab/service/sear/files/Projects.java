@@ -81,18 +81,21 @@ public final class Projects {
      * Saves the project as a bundle.
      *
      * @param file gets the ending .sear if it has none; its folder must exist
+     * @return the absolute path of the bundle
      */
-    public synchronized void save(Path file) throws IOException, ProjectException {
+    public synchronized Path save(Path file) throws IOException, ProjectException {
         Path bundle = bundle(file);
         Bundle.save(folder(), bundle, new PercentProgress("saving", bundle, host::progress));
+        return bundle.toAbsolutePath().normalize();
     }
 
     /** Saves the project like {@link #save}, but only the used area of the terrain's maps. */
-    public synchronized void saveCut(Path file) throws IOException, ProjectException {
+    public synchronized Path saveCut(Path file) throws IOException, ProjectException {
         Path bundle = bundle(file);
         if (!Bundle.saveCut(folder(), bundle, new PercentProgress("saving", bundle, host::progress))) {
             host.progress(bundle + " contains everything: the project has no Terrain with a setArea in a map that SEAR can cut");
         }
+        return bundle.toAbsolutePath().normalize();
     }
 
     /** Returns the file to write after checking that it can be written. */
@@ -217,7 +220,7 @@ public final class Projects {
     /**
      * Copies a template into a folder.
      *
-     * @return the copy
+     * @return the absolute path of the copy
      * @throws IOException if the file exists
      */
     public Path copyTemplate(String name, String folder) throws IOException {
@@ -227,7 +230,7 @@ public final class Projects {
         if (folder == null) {
             throw new IllegalArgumentException("the folder is missing (None), legal: the path of a folder, such as \"SEARproject\"");
         }
-        Path copy = Paths.get(folder).resolve(name);
+        Path copy = ScriptText.path(folder).resolve(name).toAbsolutePath().normalize();
         if (Files.exists(copy)) {
             throw new IOException(copy + " already exists: delete or rename it to get a new copy");
         }
@@ -235,7 +238,7 @@ public final class Projects {
             if (in == null) {
                 throw new IOException("this sear.jar has no templates/" + name);
             }
-            Files.createDirectories(copy.toAbsolutePath().getParent());
+            Files.createDirectories(copy.getParent());
             AtomicFile.write(copy, place -> Files.copy(in, place, StandardCopyOption.REPLACE_EXISTING));
         }
         return copy;

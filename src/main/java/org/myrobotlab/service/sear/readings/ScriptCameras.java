@@ -158,16 +158,21 @@ public final class ScriptCameras {
         return blobs;
     }
 
-    /** Writes a PNG file; creates missing folders. */
-    public void save(String name, String path) throws InterruptedException, IOException {
+    /**
+     * Writes a PNG file; creates missing folders.
+     *
+     * @return its absolute path
+     */
+    public Path save(String name, String path) throws InterruptedException, IOException {
         String text = ScriptText.of(path);
         if (text == null || !text.toLowerCase(Locale.ROOT).endsWith(ENDING)) {
             throw new IllegalArgumentException("the path is " + (text == null ? "missing (None)" : "\"" + text + "\"")
                 + ", legal: a file that ends with " + ENDING);
         }
         byte[] file = png(name);
-        Path to = ScriptText.path(text).toAbsolutePath();
+        Path to = ScriptText.path(text).toAbsolutePath().normalize();
         Files.createDirectories(to.getParent());
         AtomicFile.write(to, file);
+        return to;
     }
 }

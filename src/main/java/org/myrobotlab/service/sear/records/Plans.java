@@ -3,7 +3,6 @@ package org.myrobotlab.service.sear.records;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.plan.Plan;
 import org.SEAR.plan.PlanDrawing;
@@ -27,15 +26,20 @@ public final class Plans {
         return DrawingFiles.svg(new PlanDrawing(plan(beams)));
     }
 
-    /** Writes a PNG or SVG file. */
-    public void save(String picture) throws InterruptedException, IOException, ProjectException {
+    /**
+     * Writes a PNG or SVG file.
+     *
+     * @return its absolute path
+     */
+    public Path save(String picture) throws InterruptedException, IOException, ProjectException {
         String text = ScriptText.of(picture);
         if (text == null) {
             throw new IllegalArgumentException("the path of the picture is missing (None), legal: a text such as \"plan.png\"");
         }
-        Path file = Paths.get(text);
+        Path file = ScriptText.path(text).toAbsolutePath().normalize();
         DrawingFiles.check(file);
         DrawingFiles.save(new PlanDrawing(plan(true)), file);
+        return file;
     }
 
     private Plan plan(boolean beams) throws InterruptedException, IOException, ProjectException {

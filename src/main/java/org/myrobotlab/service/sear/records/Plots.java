@@ -2,7 +2,6 @@ package org.myrobotlab.service.sear.records;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -33,7 +32,7 @@ public final class Plots {
      *
      * @param lines values by name; the name may end with a unit in brackets
      */
-    public static void save(String picture, String xTitle, List<?> xs, Map<String, ?> lines) throws IOException {
+    public static Path save(String picture, String xTitle, List<?> xs, Map<String, ?> lines) throws IOException {
         String title = given(xTitle, "the title of the axis");
         Plot plot = new Plot(title, numbers(title, xs));
         for (Map.Entry<String, ?> line : new TreeMap<>(lines).entrySet()) {
@@ -45,7 +44,7 @@ public final class Plots {
             boolean has = unit.matches();
             plot.add(has ? unit.group(1) : name, has ? unit.group(2) : "", numbers(name, (List<?>) line.getValue()));
         }
-        plot.save(path(picture));
+        return saved(plot, picture);
     }
 
     private static String given(String text, String what) {
@@ -55,8 +54,10 @@ public final class Plots {
         return ScriptText.of(text);
     }
 
-    private static Path path(String picture) {
-        return Paths.get(given(picture, "the path of the picture"));
+    private static Path saved(Plot plot, String picture) throws IOException {
+        Path file = ScriptText.path(given(picture, "the path of the picture")).toAbsolutePath().normalize();
+        plot.save(file);
+        return file;
     }
 
     private static double[] numbers(String name, List<?> list) {
@@ -79,8 +80,9 @@ public final class Plots {
      * Draws values of a record over time to a file.
      *
      * @param sensors their units, see {@link #units}
+     * @return the absolute path of the picture
      */
-    public static void saveRecord(String path, List<String> names, String picture, Map<String, String> sensors) throws IOException {
+    public static Path saveRecord(String path, List<String> names, String picture, Map<String, String> sensors) throws IOException {
         RunRecord record = Records.open(given(path, "the path of the record"));
         Series series = Series.of(record, names, MAX_POINTS);
         Plot plot = new Plot("time (s)", series.times);
@@ -88,7 +90,7 @@ public final class Plots {
             String name = series.names.get(i);
             plot.add(name, unit(name, record.getHeader(), sensors), series.values[i]);
         }
-        plot.save(path(picture));
+        return saved(plot, picture);
     }
 
     private static String unit(String name, RecordHeader header, Map<String, String> sensors) {

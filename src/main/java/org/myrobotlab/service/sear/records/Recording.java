@@ -48,7 +48,7 @@ public final class Recording {
      * @param path gets the ending .searlog if it has none; its folder must exist
      * @param megabytes size at which the record ends
      * @param pictures pictures of each camera per simulated second, 0 for none
-     * @return the path with its ending
+     * @return the absolute path with its ending
      */
     public synchronized String begin(String path, double megabytes, double pictures) throws IOException, InterruptedException {
         if (path == null || path.isEmpty()) {
@@ -63,8 +63,8 @@ public final class Recording {
         if (wanted != null) {
             throw new IllegalStateException("a record is being written to " + wanted + " already: call endRecord() first");
         }
-        Path file = ScriptText.path(path.endsWith(ENDING) ? path : path + ENDING);
-        Path parent = file.toAbsolutePath().getParent();
+        Path file = ScriptText.path(path.endsWith(ENDING) ? path : path + ENDING).toAbsolutePath().normalize();
+        Path parent = file.getParent();
         if (parent == null || !Files.isDirectory(parent)) {
             throw new IOException(file + " can't be written: there is no folder " + parent + "; create it, or choose another");
         }

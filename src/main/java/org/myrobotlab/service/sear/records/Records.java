@@ -77,7 +77,7 @@ public final class Records {
     /** Returns the records in the working folder, sorted by name. */
     public static List<String> list() throws IOException {
         TreeSet<String> names = new TreeSet<>();
-        try (DirectoryStream<Path> files = Files.newDirectoryStream(Paths.get(""), "*.searlog")) {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(ScriptText.path(""), "*.searlog")) {
             for (Path file : files) {
                 names.add(file.getFileName().toString());
                 if (names.size() > MAX_LISTED) {
@@ -106,12 +106,16 @@ public final class Records {
         return answer;
     }
 
-    /** Writes values of a record as a table. */
-    public void saveCsv(String path, List<String> names, String csv) throws IOException {
+    /**
+     * Writes values of a record as a table.
+     *
+     * @return the absolute path of the table
+     */
+    public Path saveCsv(String path, List<String> names, String csv) throws IOException {
         if (csv == null) {
             throw new IllegalArgumentException("the path of the table is missing (None), legal: such as \"run.csv\"");
         }
-        Path file = ScriptText.path(csv);
+        Path file = ScriptText.path(csv).toAbsolutePath().normalize();
         if (Files.exists(file) && !csv.endsWith(".csv")) {
             throw new IOException(file + " already exists and is not a .csv file: choose another name");
         }
@@ -119,6 +123,7 @@ public final class Records {
         Series series = Series.of(record, names, MAX_ROWS);
         report(record, series.whole);
         AtomicFile.write(file, series.csv().getBytes(StandardCharsets.UTF_8));
+        return file;
     }
 
     /** Returns {@code {"path": .., "names": [..], "times": [..], "values": [[.., null, ..], ..]}}. */

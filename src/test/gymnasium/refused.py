@@ -21,8 +21,8 @@ def refused(kind, message, call, *given, **more):
 refused(FileNotFoundError, "project nowhere.sear does not exist; legal: a .sear file, or a folder SEARproject", SearEnv, "nowhere.sear")
 refused(ValueError, "robot is \"rover\", legal: office Roomba", SearEnv, OFFICE, robot="rover")
 refused(ValueError, "no sensor is called \"sonar\", legal: leftFrontPing, myLidar, rightFrontPing", SearEnv, OFFICE, sensors=["sonar"])
-refused(ValueError, "sensor eye can't be observed, it takes pictures; legal: leftLine, middleLine, rightLine", SearEnv, "examples/line.sear",
-        sensors=["eye"])
+refused(ValueError, "robot office Roomba observes nothing: sensors and things are empty, legal: sensors of myLidar, leftFrontPing, rightFrontPing, "
+        "or names of objects in things", SearEnv, OFFICE, sensors=[])
 refused(ValueError, "actions is an empty list, legal: one or more (left, right)", SearEnv, OFFICE, actions=[])
 refused(ValueError, "action 1 is (1,), legal: the speeds of the left and the right wheels, m/s, for example (0.2, 0.2)", SearEnv, OFFICE,
         actions=[(0, 0), (1,)])

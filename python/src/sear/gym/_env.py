@@ -20,7 +20,7 @@ class SearEnv(gymnasium.Env):
 
     project: a .sear file or a folder SEARproject.
     robot: its name; optional if there is only one.
-    sensors: names of the observed sensors. Default: all except cameras.
+    sensors: names of the observed sensors. Default: all except cameras, or the cameras if there are no others.
     things: names of objects whose poses are observed, too.
     actions: a list of wheel speeds (left, right), m/s, from which the learner chooses; or a number: the learner chooses
         both speeds, up to that number.
@@ -55,7 +55,27 @@ class SearEnv(gymnasium.Env):
         self.render_mode = render_mode
         self.metadata = dict(self.metadata, render_fps=60 // self._steps if 60 % self._steps == 0 else 60 / self._steps)
         self.robot = RobotState(self._episode)
-        self.observation_space = spaces.Box(self._episode.low, self._episode.high, dtype=numpy.float32)
+        self.observation_space = self._space()
+
+    def _space(self):
+        """Returns a vector for numbers, a picture for a single camera, else a dictionary by name."""
+        episode = self._episode
+        pictures = {name: spaces.Box(0, 255, picture.shape, numpy.uint8) for name, picture in episode.pictures.items()}
+        if not pictures:
+            return spaces.Box(episode.low, episode.high, dtype=numpy.float32)
+        if len(pictures) == 1 and not episode.slices:
+            return next(iter(pictures.values()))
+        return spaces.Dict({**{name: spaces.Box(episode.low[part], episode.high[part], dtype=numpy.float32) for name, part in episode.slices.items()},
+                            **pictures})
+
+    def _observation(self):
+        episode = self._episode
+        if not episode.pictures:
+            return episode.numbers.copy()
+        pictures = {name: picture.copy() for name, picture in episode.pictures.items()}
+        if not isinstance(self.observation_space, spaces.Dict):
+            return next(iter(pictures.values()))
+        return {**{name: episode.numbers[part].copy() for name, part in episode.slices.items()}, **pictures}
 
     def _set_actions(self, actions):
         if hasattr(actions, "__iter__"):
@@ -90,7 +110,7 @@ class SearEnv(gymnasium.Env):
         self._episode.reset(noise, start)
         self.robot._begin()
         self._ready = True
-        return self._episode.numbers.copy(), {}
+        return self._observation(), {}
 
     def step(self, action):
         """Performs an action. Raises ValueError for an illegal one."""
@@ -106,7 +126,7 @@ class SearEnv(gymnasium.Env):
         reward = _legal.reward(self._reward(robot))
         ended = bool(self._done(robot))
         late = self._limit is not None and robot.time >= self._limit - SECONDS / 2
-        return self._episode.numbers.copy(), reward, ended, late, {}
+        return self._observation(), reward, ended, late, {}
 
     def render(self):
         """Returns a picture from above as an array of height, width and colour; None without a render_mode."""
@@ -121,7 +141,11 @@ class SearEnv(gymnasium.Env):
         self._ready = False
 
     def parts(self, observation):
-        """Splits an observation by the names of sensors and objects: views of the array."""
+        """Splits an observation by the names of sensors and objects: views of the arrays."""
+        if isinstance(observation, dict):
+            return dict(observation)
+        if self._episode.pictures:
+            return {name: observation for name in self._episode.pictures}
         return {name: observation[part] for name, part in self._episode.slices.items()}
 
 

@@ -84,7 +84,7 @@ def project(path):
 
 
 class Episode:
-    """A restartable world whose numbers are in numpy arrays, which each step updates."""
+    """A restartable world whose numbers and pictures are in numpy arrays, which each step updates."""
 
     def __init__(self, path, robot, sensors, things, fastest, seed):
         self._java = backend()
@@ -94,7 +94,7 @@ class Episode:
         memory, buffer = self._java.shared(self._episode.getBytes())
         self._episode.setMemory(buffer)
         self.state = numpy.frombuffer(memory, numpy.float64, self._episode.getStateBytes() // 8)
-        self.numbers = numpy.frombuffer(memory, numpy.float32, offset=self._episode.getStateBytes())
+        self.numbers = numpy.frombuffer(memory, numpy.float32, self._episode.getCount(), self._episode.getStateBytes())
         self.robot = str(self._episode.getRobot())
         sizes = [int(size) for size in self._episode.getSizes()]
         self.low = numpy.repeat(numpy.array(self._episode.getLows(), numpy.float32), sizes)
@@ -103,6 +103,13 @@ class Episode:
         at = 0
         for name, size in zip(self._episode.getNames(), sizes):
             self.slices[str(name)] = slice(at, at + size)
+            at += size
+        self.pictures = {}
+        at = self._episode.getStateBytes() + self.numbers.nbytes
+        shapes = numpy.array(self._episode.getPictureSizes(), int).reshape(-1, 2)
+        for name, (width, height) in zip(self._episode.getPictureNames(), shapes.tolist()):
+            size = width * height * 3
+            self.pictures[str(name)] = numpy.frombuffer(memory, numpy.uint8, size, at).reshape(height, width, 3)
             at += size
         self._step = self._episode.step
 

@@ -17,7 +17,8 @@ def _truth(at, text):
 
 class RobotState:
     """The robot after an action. robot["frontEye"] is a reading: a number, or a numpy array of a LIDAR's beams from right
-    to left. For an object it is a numpy array: metres ahead, metres to the left, and cosine and sine of the angle to its
+    to left, of a GPS's metres north, up and east of the world's origin, or of a camera's rows, columns and red, green and
+    blue. For an object it is a numpy array: metres ahead, metres to the left, and cosine and sine of the angle to its
     forward axis.
 
     The arrays change with the next action; copy values to keep them.
@@ -41,22 +42,25 @@ class RobotState:
         self._state = episode.state
         self._numbers = episode.numbers
         self._slices = episode.slices
+        self._pictures = episode.pictures
         self.memory = {}
         self.action = None
         self.moved = 0.0
         self._last = 0.0
 
     def __getitem__(self, name):
+        if name in self._pictures:
+            return self._pictures[name]
         try:
             part = self._slices[name]
         except KeyError:
-            raise KeyError("%s is not observed, legal: %s" % (name, ", ".join(self._slices))) from None
+            raise KeyError("%s is not observed, legal: %s" % (name, ", ".join(self))) from None
         if part.stop - part.start == 1:
             return float(self._numbers[part.start])
         return self._numbers[part]
 
     def __iter__(self):
-        return iter(self._slices)
+        return iter([*self._slices, *self._pictures])
 
     @property
     def bumped(self):

@@ -18,7 +18,7 @@ import org.SEAR.simulator.Simulation;
  * writes state and observation into a buffer. Public because Python calls it. Only the thread that created it.
  */
 public final class Episode implements AutoCloseable {
-    /** Count of the state's numbers, doubles; the observation's floats follow. */
+    /** Count of the state's numbers, doubles; the observation's floats and pictures follow. */
     private static final int STATE = 13;
     private static final int STATE_BYTES = STATE * Double.BYTES;
     private static final long MAX_STEPS = 216_000;
@@ -38,7 +38,8 @@ public final class Episode implements AutoCloseable {
      * Builds the world of a project.
      *
      * @param name robot name; empty if there is only one
-     * @param sensors sensors to observe, in this order; null: all of the robot's sensors except cameras
+     * @param sensors sensors to observe, in this order; null: all of the robot's sensors except cameras, or its cameras
+     *     if it has no others
      * @param things objects whose poses are observed, too
      * @param fastest highest wheel speed over ground, m/s
      * @param seed random seed of the sensors
@@ -51,7 +52,7 @@ public final class Episode implements AutoCloseable {
         number = simulation.getRobots().indexOf(robot);
         start = robot.getStart();
         this.fastest = fastest;
-        observation = new Observation(simulation, robot, sensors == null ? Observation.numeric(robot) : sensors, things);
+        observation = new Observation(simulation, robot, sensors == null ? Observation.usual(robot) : sensors, things);
         setMemory(ByteBuffer.allocate(getBytes()));
     }
 
@@ -70,7 +71,22 @@ public final class Episode implements AutoCloseable {
 
     /** Returns the size of state and observation in bytes. */
     public int getBytes() {
-        return STATE_BYTES + observation.size() * Float.BYTES;
+        return STATE_BYTES + observation.bytes();
+    }
+
+    /** Returns the count of the observation's numbers, floats; the pictures follow. */
+    public int getCount() {
+        return observation.size();
+    }
+
+    /** Returns the observed cameras. */
+    public List<String> getPictureNames() {
+        return observation.pictureNames();
+    }
+
+    /** Returns width and height of each observed camera's picture, pixels. */
+    public int[] getPictureSizes() {
+        return observation.pictureSizes();
     }
 
     /** Returns the size of the state in bytes; the observation follows. */

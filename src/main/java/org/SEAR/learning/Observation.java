@@ -3,13 +3,18 @@ package org.SEAR.learning;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.SEAR.POJOs.LineSensor;
 import org.SEAR.geometry.Pose;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.ColorReading;
 import org.SEAR.sensors.DistanceReading;
+import org.SEAR.sensors.GpsFix;
+import org.SEAR.sensors.GpsSensor;
 import org.SEAR.sensors.LidarScan;
+import org.SEAR.sensors.Picture;
 import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Switch;
@@ -18,11 +23,15 @@ import org.SEAR.simulator.Simulation;
 
 /**
  * Observation of a learner after a step: the readings of sensors, then the relative poses of objects, as from a beacon.
- * A LIDAR contributes each beam, right to left. Each number is a float of four bytes. Simulation thread.
+ * A LIDAR contributes each beam, right to left; a GPS metres north, up and east of the world's origin, because degrees
+ * don't fit into a float. Each number is a float of four bytes. The pictures of cameras follow the numbers: red, green
+ * and blue of each pixel, a byte each, row by row from the top left. Simulation thread.
  */
 final class Observation {
     private static final double PERCENT = 100;
     private static final double FULL = 255;
+    /** Red, green and blue. */
+    private static final int CHANNELS = 3;
     /**
      * Numbers of an object: metres ahead and to the left; cosine and sine of the angle from the robot's forward axis to
      * the object's, + left.
@@ -32,7 +41,26 @@ final class Observation {
     private final Simulation simulation;
     private final Robot robot;
     private final List<Part> parts = new ArrayList<>();
+    private final List<Camera> cameras = new ArrayList<>();
     private final int size;
+    private int pictureBytes;
+
+    /** A camera, and the byte of its picture behind the numbers. */
+    private static final class Camera {
+        final Sensor<?> sensor;
+        final Truth truth;
+        final int at;
+        final int width;
+        final int height;
+
+        Camera(Sensor<?> sensor, Truth truth, int at, Picture picture) {
+            this.sensor = sensor;
+            this.truth = truth;
+            this.at = at;
+            width = picture.getWidth();
+            height = picture.getHeight();
+        }
+    }
 
     /** The numbers of one sensor or object. */
     private static final class Part {
@@ -56,10 +84,16 @@ final class Observation {
         }
     }
 
-    /** @throws IllegalArgumentException for an unknown sensor or object, or a camera */
+    /** @throws IllegalArgumentException for an unknown sensor or object, or without any */
     Observation(Simulation simulation, Robot robot, List<String> sensors, List<String> things) {
         this.simulation = simulation;
         this.robot = robot;
+        if (sensors.isEmpty() && things.isEmpty()) {
+            String names = robot.getSensors().stream().map(Sensor::getName).collect(Collectors.joining(", "));
+            throw new IllegalArgumentException("robot " + robot.getObject().getName() + " observes nothing: sensors and things are empty, legal: "
+                + (names.isEmpty() ? "names of objects in things, because the robot has no sensors" : "sensors of " + names
+                    + ", or names of objects in things"));
+        }
         int at = 0;
         for (String name : sensors) {
             at += add(simulation.getSensor(name), name, at);
@@ -75,9 +109,11 @@ final class Observation {
     private int add(Sensor<?> sensor, String name, int at) {
         Robot carrier = simulation.getRobots().stream().filter(one -> one.getSensors().contains(sensor)).findFirst().orElseThrow();
         Reading reading = sensor.read(carrier.getTruth());
-        if (reading.picture() != null) {
-            throw new IllegalArgumentException("sensor " + name + " can't be observed, it takes pictures; legal: "
-                + String.join(", ", numeric(carrier)));
+        Picture picture = reading.picture();
+        if (picture != null) {
+            cameras.add(new Camera(sensor, carrier.getTruth(), pictureBytes, picture));
+            pictureBytes += picture.getWidth() * picture.getHeight() * CHANNELS;
+            return 0;
         }
         double[] range = range(sensor, reading);
         parts.add(new Part(name, at, reading.scan() == null ? reading.numbers().length : reading.scan().size(), range[0], range[1], sensor,
@@ -85,10 +121,11 @@ final class Observation {
         return parts.get(parts.size() - 1).size;
     }
 
-    /** Returns the names of a robot's sensors that can be observed, in the order of its components. */
-    static List<String> numeric(Robot robot) {
-        return robot.getSensors().stream().filter(one -> one.read(robot.getTruth()).picture() == null).map(Sensor::getName)
-            .collect(Collectors.toList());
+    /** Returns the names of a robot's sensors except cameras, or of its cameras if it has no others. */
+    static List<String> usual(Robot robot) {
+        Map<Boolean, List<String>> names = robot.getSensors().stream().collect(Collectors.partitioningBy(
+            one -> one.read(robot.getTruth()).picture() == null, Collectors.mapping(Sensor::getName, Collectors.toList())));
+        return names.get(names.get(true).isEmpty() ? Boolean.FALSE : Boolean.TRUE);
     }
 
     /** Returns the lowest and highest reading of a sensor. */
@@ -106,8 +143,23 @@ final class Observation {
             : new double[] {Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY};
     }
 
+    /** Returns the size of all numbers and pictures in bytes. */
+    int bytes() {
+        return size * Float.BYTES + pictureBytes;
+    }
+
+    /** Returns the count of the numbers. */
     int size() {
         return size;
+    }
+
+    List<String> pictureNames() {
+        return cameras.stream().map(one -> one.sensor.getName()).collect(Collectors.toList());
+    }
+
+    /** Returns width and height of each camera's picture, pixels. */
+    int[] pictureSizes() {
+        return cameras.stream().flatMapToInt(one -> IntStream.of(one.width, one.height)).toArray();
     }
 
     List<String> names() {
@@ -143,6 +195,7 @@ final class Observation {
      * @param start the byte of the first number
      */
     void write(ByteBuffer to, int start) {
+        writePictures(to, start + size * Float.BYTES);
         for (int i = 0; i < parts.size(); i++) {
             Part part = parts.get(i);
             if (part.sensor == null) {
@@ -152,7 +205,8 @@ final class Observation {
             Reading reading = part.sensor.read(part.truth);
             LidarScan scan = reading.scan();
             if (scan == null) {
-                double[] numbers = reading.numbers();
+                double[] numbers = part.sensor instanceof GpsSensor ? ((GpsSensor) part.sensor).metres((GpsFix) reading, part.truth)
+                    : reading.numbers();
                 for (int k = 0; k < part.size; k++) {
                     put(to, start, part.at + k, numbers[k]);
                 }
@@ -160,6 +214,17 @@ final class Observation {
                 for (int beam = 0; beam < part.size; beam++) {
                     put(to, start, part.at + beam, Math.min(scan.range(beam), part.high));
                 }
+            }
+        }
+    }
+
+    private void writePictures(ByteBuffer to, int start) {
+        for (Camera camera : cameras) {
+            int at = start + camera.at;
+            for (int pixel : camera.sensor.read(camera.truth).picture().getPixels()) {
+                to.put(at++, (byte) (pixel >> 16));
+                to.put(at++, (byte) (pixel >> 8));
+                to.put(at++, (byte) pixel);
             }
         }
     }

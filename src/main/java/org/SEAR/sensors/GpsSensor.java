@@ -56,6 +56,19 @@ public final class GpsSensor extends Sensor<GpsFix> {
         return new GpsFix(place.latitude, place.longitude, place.altitude, speed, course, climb, time);
     }
 
+    /**
+     * Returns where a fix of this sensor is in the world: metres north, up and east of the world's origin; NaN without
+     * a position.
+     */
+    public double[] metres(GpsFix fix, Truth truth) {
+        if (!fix.isValid()) {
+            return new double[] {Double.NaN, Double.NaN, Double.NaN};
+        }
+        GeoOrigin from = origin == null ? truth.earth().getOrigin() : origin;
+        double[] place = from.to(fix.getLatitude(), fix.getLongitude());
+        return new double[] {place[0], fix.getAltitude() - from.getAltitude(), place[1]};
+    }
+
     /** Returns the same angle in [0, 360). */
     private static double course(double degrees) {
         double turned = degrees - 360 * Math.floor(degrees / 360);

@@ -90,6 +90,11 @@ public class GymnasiumTest {
     }
 
     @Test
+    public void camerasArePicturesAndGpsReceiversMetres() throws Exception {
+        assertTrue(script("pictures.py").endsWith("pictures and metres\n"));
+    }
+
+    @Test
     public void rewardsGetTheirArguments() throws Exception {
         assertEquals("rewards as they are to be\n", script("rewards.py"));
     }

@@ -15,11 +15,13 @@ import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.sensors.CameraImage;
 import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
@@ -107,6 +109,33 @@ public class EpisodeTest {
     }
 
     @Test
+    public void aCameraGivesItsPictureBehindTheNumbers() throws Exception {
+        SEARrobot robot = room();
+        Camera eye = new Camera("eye", 0, 0.2, 0.1);
+        eye.setSize(8, 6);
+        robot.addComponent(eye);
+        assertEquals("the only sensor", List.of("eye"), episode(null, "wall").getPictureNames());
+        robot.addComponent(new Bumper("bumper"));
+        Episode episode = episode(List.of("eye", "bumper"));
+        assertArrayEquals(new int[] {8, 6}, episode.getPictureSizes());
+        assertEquals(List.of("bumper"), episode.getNames());
+        assertEquals(episode.getStateBytes() + Float.BYTES + 8 * 6 * 3, episode.getBytes());
+        int[] seen = ((CameraImage) episode.getSimulation().read("eye")).picture().getPixels();
+        int at = episode.getStateBytes() + Float.BYTES + 3 * 20;
+        assertEquals(seen[20] & 0xffffff, (memory.get(at) & 0xff) << 16 | (memory.get(at + 1) & 0xff) << 8 | memory.get(at + 2) & 0xff);
+    }
+
+    @Test
+    public void aGpsGivesMetresFromTheOrigin() throws Exception {
+        room().addComponent(new GPS("gps", 47.5, 300, 11.25, 0, 0.2, 0.1));
+        Episode episode = episode(null);
+        assertArrayEquals(new int[] {3}, episode.getSizes());
+        assertEquals("north", 0, seen(episode, 0), 1e-3);
+        assertEquals("up, above the axle", 0.3, seen(episode, 1), 0.01);
+        assertEquals("east", 0.1, seen(episode, 2), 1e-3);
+    }
+
+    @Test
     public void anObjectIsWhereABeaconWouldReportIt() throws Exception {
         room();
         Box dock = new Box("dock", 0.2, 0.2, 0.2, 0);
@@ -123,7 +152,7 @@ public class EpisodeTest {
     @Test
     public void anActionLastsItsNumberOfSteps() throws Exception {
         room();
-        Episode episode = episode(null);
+        Episode episode = episode(null, "floor");
         episode.step(0.5, 0.5, 60);
         assertEquals(1, state(TIME), 1e-9);
         assertEquals("east", 0.45, state(Z), 0.06);
@@ -140,7 +169,7 @@ public class EpisodeTest {
     @Test
     public void aBumpDuringAnActionIsReported() throws Exception {
         room();
-        Episode episode = episode(null);
+        Episode episode = episode(null, "floor");
         episode.step(0.5, 0.5, 180);
         assertEquals(0, state(LEFT) + state(RIGHT), 0);
         episode.step(0.5, 0.5, 60);
@@ -198,7 +227,7 @@ public class EpisodeTest {
         Box hill = new Box("hill", 2, 2, 0.2, 0);
         hill.move(-3, 0.1, -3);
         hill.setMass(0);
-        Episode episode = episode(null);
+        Episode episode = episode(null, "floor");
         double level = memory.getDouble(2 * Double.BYTES);
         episode.reset(1, 1, -2, 30);
         assertEquals(1, state(X), 1e-6);
@@ -245,7 +274,8 @@ public class EpisodeTest {
         Project read = Project.read(project.folder());
         assertRefused("robot is \"rover\", legal: roomba", () -> new Episode(read, "rover", null, List.of(), 1, 1));
         assertRefused("no sensor is called \"ping\", legal: bumper, eye", () -> new Episode(read, "", List.of("ping"), List.of(), 1, 1));
-        assertRefused("sensor eye can't be observed, it takes pictures; legal: bumper", () -> new Episode(read, "", List.of("eye"), List.of(), 1, 1));
+        assertRefused("robot roomba observes nothing: sensors and things are empty, legal: sensors of eye, bumper, or names of objects in things",
+            () -> new Episode(read, "", List.of(), List.of(), 1, 1));
         Episode episode = new Episode(read, "roomba", null, List.of(), 0.5, 1);
         assertRefused("robot roomba: wheel speeds are 0.6 and NaN m/s, legal: -0.5 to 0.5", () -> episode.step(0.6, Double.NaN, 1));
         assertRefused("steps of an action are 0, legal: 1 to 216000", () -> episode.step(0.1, 0.1, 0));
@@ -263,7 +293,7 @@ public class EpisodeTest {
         Worlds.roomba("two", 2, 0, 0);
         Project two = Project.read(project.folder());
         assertRefused("robot is not given, legal: one, two", () -> new Episode(two, "", null, List.of(), 1, 1));
-        assertEquals("two", new Episode(two, "two", null, List.of(), 1, 1).getRobot());
+        assertEquals("two", new Episode(two, "two", null, List.of("floor"), 1, 1).getRobot());
     }
 
     @Test
@@ -276,7 +306,7 @@ public class EpisodeTest {
         blue.setColor("#0000ff");
         blue.move(0, 0.5, 3);
         Worlds.roomba("roomba", 0, 0, 0);
-        Episode episode = episode(null);
+        Episode episode = episode(null, "floor");
         byte[] pixels = episode.draw(100, 100);
         assertEquals(3 * 100 * 100, pixels.length);
         assertEquals("in the north", 0xff0000, color(pixels, 50, 22));

@@ -217,6 +217,23 @@ public class Python3PackageTest {
         assertTrue(said, said.contains("stopped\n"));
     }
 
+    /** The sources stay as they are: nothing is written to them, so any number of builds can run. */
+    @Test
+    public void pipBuildsTwiceAtTheSameTimeFromSourcesThatStayAsTheyAre() throws Exception {
+        Path sources = temporary.newFolder().toPath();
+        copy(ROOT.resolve("python"), sources.resolve("python"));
+        Files.copy(ROOT.resolve("gradle.properties"), sources.resolve("gradle.properties"));
+        Files.createDirectories(sources.resolve("build/install"));
+        Files.createSymbolicLink(sources.resolve("build/install/sear"), Path.of(HOME));
+        String list = "find python | sort";
+        String said = run(List.of("sh", "-e", "-c", "cd " + sources + "\nchmod -R a-w python\n" + list + " >before\n"
+            + "pip3 wheel -v --no-deps --disable-pip-version-check -w one ./python >one.log 2>&1 & first=$!\n"
+            + "pip3 wheel -q --no-deps --disable-pip-version-check -w two ./python\nwait $first\n" + list + " >after\n"
+            + "cmp before after\ncmp " + ROOT.resolve("LICENSE") + " python/LICENSE\n"
+            + "ls one/sear-*.whl two/sear-*.whl | wc -l\n! grep -i deprecat one.log\nchmod -R u+w python"));
+        assertEquals("2", said.trim());
+    }
+
     /**
      * Runs the page's commands in a folder with SEAR's sources, then the page's first program with the installed
      * package.

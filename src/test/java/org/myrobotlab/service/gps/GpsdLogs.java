@@ -1,9 +1,5 @@
 package org.myrobotlab.service.gps;
 
-import static org.junit.Assert.assertEquals;
-import static org.junit.Assert.assertTrue;
-import static org.junit.Assume.assumeTrue;
-
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -18,14 +14,12 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.SEAR.protocol.ubx.UbxFrame;
-import org.junit.Test;
 
 /**
- * Compares positions with those of gpsd in its regression logs, which are not part of SEAR:
- * {@code ./gradlew unitTest --tests '*GpsdLogsTest' -Dsear.gpsdLogs=gpsd/test/daemon}. Skipped without that property.
- * gpsd may leave out the first or last moment of a log while it learns the receiver's cycle.
+ * Tool that compares positions with those of gpsd in its regression logs, which are not part of SEAR:
+ * {@code ./gradlew gpsdLogs -PgpsdLogs=gpsd/test/daemon}. gpsd may leave out the first or last moment of a log while it learns the receiver's cycle.
  */
-public class GpsdLogsTest {
+public final class GpsdLogs {
     private static final Pattern VALUE = Pattern.compile("\"(time|lat|lon)\":\"?([^,\"}]*)");
     /** Sentences and messages of one moment differ by their last digits. Degrees. */
     private static final double CLOSE = 1e-6;
@@ -57,6 +51,9 @@ public class GpsdLogsTest {
         DIFFERENT.put("ublox-glo", "gpsd takes NAV-PVT without the flag gnssFixOK, for which u-blox' GGA has quality 0");
         DIFFERENT.put("ublox-neo-m8l", "HNR-PVT");
         DIFFERENT.put("ublox-neo-m8u-hnr", "HNR-PVT");
+    }
+
+    private GpsdLogs() {
     }
 
     /** Time of day as seconds or null, latitude and longitude in degrees. */
@@ -143,12 +140,10 @@ public class GpsdLogsTest {
         return places.stream().filter(place -> others.stream().noneMatch(place::is)).collect(Collectors.toList());
     }
 
-    @Test
-    public void positionsAreThoseOfGpsd() throws IOException {
-        String folder = System.getProperty("sear.gpsdLogs");
-        assumeTrue(folder != null);
+    /** @param folder the folder of logs with their {@code .chk} files; throws at a difference that is not listed */
+    public static void main(String[] folder) throws IOException {
         List<Path> logs;
-        try (Stream<Path> files = Files.list(Path.of(folder))) {
+        try (Stream<Path> files = Files.list(Path.of(folder[0]))) {
             logs = files.filter(file -> file.toString().endsWith(".log") && Files.exists(Path.of(file + ".chk"))).sorted()
                 .collect(Collectors.toList());
         }
@@ -173,9 +168,10 @@ public class GpsdLogsTest {
         }
         System.out.printf("%d logs: %d equal, %d different, %d only in other protocols, the rest without positions%n", logs.size(), equal,
             different.size(), other);
-        assertTrue(folder, equal > 0);
         different.removeAll(DIFFERENT.keySet());
-        assertEquals("unexpected differences", new ArrayList<>(), different);
+        if (equal == 0 || !different.isEmpty()) {
+            throw new IllegalStateException("unexpected differences: " + different);
+        }
     }
 
     /** Returns whether only the last place of a log is left over, or the first. */

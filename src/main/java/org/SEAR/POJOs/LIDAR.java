@@ -19,6 +19,9 @@ public class LIDAR extends SensorObject implements SerialObject {
     private double spread = 180;
     @Param(doc = "angle between two beams", unit = "deg", min = 0.01, max = 360)
     private double resolution = 1;
+    @Param(doc = "duration of a turn in which a reading's beams are measured one after another, 0: all at one instant; a device at ports has its own",
+        unit = "s", max = 1)
+    private double scanTime;
     @Included
     private final SerialParameters serial = new SerialParameters(this, 9600);
     @Param(doc = "device at the ports", text = TextRule.LIDAR_MODEL)
@@ -83,6 +86,10 @@ public class LIDAR extends SensorObject implements SerialObject {
 
     public double getResolution() {
         return resolution;
+    }
+
+    public double getScanTime() {
+        return scanTime;
     }
 
     @Override
@@ -202,6 +209,18 @@ public class LIDAR extends SensorObject implements SerialObject {
     public void setResolution(double degrees) {
         resolution = checked("resolution", degrees);
         fanChanged();
+    }
+
+    /**
+     * Lets the beams of a reading be measured one after another, from right to left, as by a rotating mirror. The
+     * leftmost is of the time of the reading, each other one earlier by the time in which the mirror turns between them.
+     * The device at ports measures at its model's speed instead.
+     *
+     * @param seconds duration of a turn of 360 degrees, 0 to 1; 0, the default: all beams at one instant
+     */
+    public void setScanTime(double seconds) {
+        scanTime = checked("scanTime", seconds);
+        changed();
     }
 
     /** @param newLms 1 for a device of its {@link #setModel model} at the ports, 0 for none */

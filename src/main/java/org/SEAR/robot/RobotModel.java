@@ -131,6 +131,7 @@ public final class RobotModel implements Robot, RobotHardware {
         physics.move(body, start, to);
         truth.touches().clear();
         truth.moved();
+        sensors.forEach(Sensor::moved);
         unsettled = SETTLING;
         mirror();
     }

@@ -3,7 +3,7 @@ package org.SEAR.sensors;
 import java.util.Arrays;
 
 /**
- * Ranges of a plane of beams in one step. The first range is the rightmost beam's, the last the leftmost's; the middle
+ * Ranges of a plane of beams. The first range is the rightmost beam's, the last the leftmost's; the middle
  * beam points along the sensor's forward axis. Immutable; any thread.
  */
 public final class LidarScan implements Reading {
@@ -13,18 +13,32 @@ public final class LidarScan implements Reading {
     private final double resolution;
     private final double range;
     private final double[] ranges;
+    private final long step;
 
     /**
+     * A scan of step 0.
+     *
      * @param spread degrees from the rightmost to the leftmost beam
      * @param resolution degrees between two beams
      * @param range maximum range of a beam, metres
      * @param ranges metres, right to left, +infinity without a hit; not copied
      */
     public LidarScan(double spread, double resolution, double range, double[] ranges) {
+        this(spread, resolution, range, ranges, 0);
+    }
+
+    /** @param step of the simulation that measured the scan */
+    LidarScan(double spread, double resolution, double range, double[] ranges, long step) {
         this.spread = spread;
         this.resolution = resolution;
         this.range = range;
         this.ranges = ranges;
+        this.step = step;
+    }
+
+    /** Returns the step of the simulation that measured the scan. */
+    long step() {
+        return step;
     }
 
     /** Returns degrees from the rightmost to the leftmost beam. */

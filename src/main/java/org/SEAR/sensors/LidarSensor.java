@@ -9,12 +9,14 @@ import org.SEAR.raycast.BeamScene;
 /**
  * A plane of beams: range i = distance from the sensor's origin to the nearest surface in the direction (sin a, 0, cos
  * a) of its frame, a = i * resolution - spread / 2, + left; +infinity beyond the range. All beams of a scan have the
- * same instant. Parts of the sensor's own robot are invisible unless the object says otherwise. Each beam has its own
- * white error and drop-out, which is a missing return. All beams share bias and drift.
+ * same instant unless the object has a scan time; devices measure {@link #range each beam at its time}. Parts of the
+ * sensor's own robot are invisible unless the object says otherwise. Each beam has its own white error and drop-out,
+ * which is a missing return. All beams share bias and drift.
  */
 public final class LidarSensor extends Sensor<LidarScan> implements LidarSource {
     /** Fraction of a step by which a spread may miss a whole number of steps. */
     private static final double ROUNDING = 1e-9;
+    private static final double CIRCLE = 360;
 
     private final LIDAR lidar;
     /** Time and parameters of the expected scan. */
@@ -24,6 +26,7 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
     /** The scan measured before its request, and the sensor's mount at that time; null if there is none. */
     private LidarScan ahead;
     private Pose aheadMount;
+    private final PoseHistory history = new PoseHistory();
 
     /** @param seed random seed of the simulation */
     public LidarSensor(LIDAR parameters, long seed) {
@@ -33,7 +36,7 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
 
     @Override
     public List<String> warnings(Truth truth) {
-        GroundCheck check = new GroundCheck(truth, lidar.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner(), pose(truth));
+        GroundCheck check = new GroundCheck(truth, ignored(truth), pose(truth));
         for (int i = 0; i < beamsAside(); i++) {
             double angle = Math.toRadians(i * lidar.getResolution() - lidar.getSpread() / 2);
             check.look(Math.sin(angle), 0, Math.cos(angle), lidar.getRange());
@@ -43,7 +46,46 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
 
     @Override
     protected LidarScan measure(Truth truth) {
-        return make(truth, lidar.getSpread(), lidar.getResolution());
+        LidarScan scan = make(truth, lidar.getSpread(), lidar.getResolution());
+        return lidar.getScanTime() > 0 ? roll(truth, scan) : scan;
+    }
+
+    /** Measures one beam after the other, the leftmost now. */
+    private LidarScan roll(Truth truth, LidarScan scan) {
+        double perBeam = lidar.getScanTime() * scan.getResolution() / CIRCLE;
+        double[] ranges = new double[scan.size()];
+        for (int beam = 0; beam < ranges.length; beam++) {
+            ranges[beam] = range(truth, scan, beam, truth.time() - (ranges.length - 1 - beam) * perBeam);
+        }
+        return new LidarScan(scan.getSpread(), scan.getResolution(), scan.getMaxRange(), ranges, scan.step());
+    }
+
+    @Override
+    public double range(Truth truth, LidarScan scan, int beam, double time) {
+        double at = time / truth.stepLength();
+        if (history.isAtRest(at, scan.step(), truth.step())) {
+            return scan.range(beam);
+        }
+        history.find(at);
+        double angle = Math.toRadians(scan.angle(beam));
+        history.aim(Math.sin(angle), Math.cos(angle));
+        double range = truth.scene().cast(history.x, history.y, history.z, history.dx, history.dy, history.dz, lidar.getRange(), ignored(truth), null);
+        return errors.isNone() ? range : disturbed(range, scan.step(), beam);
+    }
+
+    private int ignored(Truth truth) {
+        return lidar.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner();
+    }
+
+    @Override
+    public void track(Truth truth) {
+        super.track(truth);
+        history.add(truth.step(), truth.body(), getMount());
+    }
+
+    @Override
+    public void moved() {
+        history.clear(false);
     }
 
     @Override
@@ -56,6 +98,7 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
         super.reset();
         expectedAt = Double.POSITIVE_INFINITY;
         ahead = null;
+        history.clear(true);
     }
 
     @Override
@@ -102,21 +145,20 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
         double[] ranges = new double[beams(spreadDegrees, resolutionDegrees)];
         Pose pose = pose(truth);
         truth.scene().castFan(pose, Math.toRadians(-spreadDegrees / 2), Math.toRadians(resolutionDegrees), ranges.length, lidar.getRange(),
-            lidar.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner(), ranges, null);
+            ignored(truth), ranges, null);
         if (!errors.isNone()) {
-            disturb(truth.step(), ranges);
-        }
-        return new LidarScan(spreadDegrees, resolutionDegrees, lidar.getRange(), ranges);
-    }
-
-    private void disturb(long step, double[] ranges) {
-        for (int beam = 0; beam < ranges.length; beam++) {
-            if (errors.drops(step, beam)) {
-                ranges[beam] = Double.POSITIVE_INFINITY;
-            } else if (ranges[beam] != Double.POSITIVE_INFINITY) {
-                ranges[beam] = Math.max(0, Math.min(lidar.getRange(), errors.apply(ranges[beam], step, 0, beam)));
+            for (int beam = 0; beam < ranges.length; beam++) {
+                ranges[beam] = disturbed(ranges[beam], truth.step(), beam);
             }
         }
+        return new LidarScan(spreadDegrees, resolutionDegrees, lidar.getRange(), ranges, truth.step());
+    }
+
+    private double disturbed(double range, long step, int beam) {
+        if (errors.drops(step, beam)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return range == Double.POSITIVE_INFINITY ? range : Math.max(0, Math.min(lidar.getRange(), errors.apply(range, step, 0, beam)));
     }
 
     /** Registry entry. */

@@ -16,6 +16,21 @@ public interface LidarSource {
     LidarScan scan(Truth truth, double spreadDegrees, double resolutionDegrees);
 
     /**
+     * Returns the range of a beam of a scan at the time at which the scanner measures that beam. It differs from the
+     * scan's range only if the sensor has moved between that time and the scan. The sensor's pose at the time is
+     * interpolated between steps; at most one step after the current one it continues at the same speed. Obstacles are
+     * those of the current step.
+     *
+     * @param scan of the last two seconds
+     * @param beam 0 (rightmost) to scan.size() - 1
+     * @param time simulated seconds, within the last two seconds
+     * @return metres along the beam, +infinity without a hit
+     */
+    default double range(Truth truth, LidarScan scan, int beam, double time) {
+        return scan.range(beam);
+    }
+
+    /**
      * Announces the next {@link #scan}, so that it can be measured in parallel with others. The announcement does not
      * affect readings.
      *

@@ -93,6 +93,10 @@ public abstract class Sensor<R extends Reading> {
         errors.track(truth);
     }
 
+    /** Notes that the robot was teleported. Sensors that remember earlier poses override it. */
+    public void moved() {
+    }
+
     /** Returns warnings for the user about this sensor in this world; called once after start and reset. */
     public List<String> warnings(Truth truth) {
         return Collections.emptyList();

@@ -26,6 +26,7 @@ public final class ColaScanner extends ScannerFirmware {
     private static final double SPIN_UP = 8;
     /** Tolerance for rounding errors in a number of scans. */
     private static final double SLACK = 1e-9;
+    private static final double CIRCLE = 360;
 
     /** States as in STlms. */
     enum State {
@@ -226,7 +227,7 @@ public final class ColaScanner extends ScannerFirmware {
         double up = upTime(time);
         long number = (long) Math.floor(up * settings.rate.hertz() + SLACK);
         if (newest == null || newest.getNumber() != number) {
-            newest = new ScanTelegram(model, settings, measure(), number, time);
+            newest = new ScanTelegram(model, settings, measure(poweredAt + number / settings.rate.hertz()), number, time);
         }
         return newest.encode(dialect, verb, telegrams++, number / settings.rate.hertz(), up, context.epochMillis());
     }
@@ -234,13 +235,16 @@ public final class ColaScanner extends ScannerFirmware {
     /**
      * Measures the ranges of the settings, right to left, metres: takes a scan symmetric about the forward axis and
      * cuts it.
+     *
+     * @param end time at which the mirror passes the leftmost beam of the model, simulated seconds
      */
-    private double[] measure() {
+    private double[] measure(double end) {
         int skipped = skipped();
         LidarScan scan = source.scan(context.truth(), spread(skipped), settings.rate.degrees());
         double[] ranges = new double[settings.beams()];
         for (int i = 0; i < ranges.length; i++) {
-            ranges[i] = scan.range(skipped + i);
+            double early = (model.lidar.getWidestSpread() / 2 - scan.angle(skipped + i)) / CIRCLE / settings.rate.hertz();
+            ranges[i] = source.range(context.truth(), scan, skipped + i, end - early);
         }
         return ranges;
     }

@@ -2,6 +2,7 @@ package org.SEAR.devices.lms;
 
 import java.util.Arrays;
 import java.util.function.DoubleConsumer;
+import java.util.function.IntToDoubleFunction;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.RequestQueue;
 import org.SEAR.devices.ScannerFirmware;
@@ -27,6 +28,7 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
     /** Baud telegrams of MyRobotLab's old driver; both have the checksum of 9600 baud. */
     private static final byte[] OLD_DRIVER_19200 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x41, 0x52, 0x08};
     private static final byte[] OLD_DRIVER_38400 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x40, 0x52, 0x08};
+    private static final double CIRCLE = 360;
 
     private final PowerOnSettings powerOn;
     private final RequestQueue<Telegram> requests = new RequestQueue<>(events, time -> time + Timing.ACKNOWLEDGE, this::answer);
@@ -229,7 +231,7 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
     private void collect(ScanFormat format, ScanReply reply, Variant variant, double time, MeasureListener listener) {
         expect(variant, time);
         events.at(time, t -> {
-            if (reply.add(scan(variant))) {
+            if (reply.add(scan(format, variant, t))) {
                 int turn = (int) ((long) (t / Variant.TURN) & 0xFF);
                 listener.measured(reply.toBytes(partial++ & 0xFF, turn, telegramIndex++ & 0xFF, StatusByte.OK), t);
             } else {
@@ -238,8 +240,16 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
         });
     }
 
-    private LidarScan scan(Variant variant) {
-        return source.scan(context.truth(), variant.getSpread(), degrees(variant));
+    /**
+     * Ranges of a scan that ends at a time, in which the mirror passes the leftmost beam. It measures a beam per degree
+     * in each turn: of half degrees, those between whole degrees in the second turn, and likewise quarters.
+     */
+    private IntToDoubleFunction scan(ScanFormat format, Variant variant, double end) {
+        LidarScan scan = source.scan(context.truth(), variant.getSpread(), degrees(variant));
+        int turns = (int) Math.round(format.scanTime(variant) / Variant.TURN);
+        double perBeam = Variant.TURN * degrees(variant) / CIRCLE;
+        int last = scan.size() - 1;
+        return beam -> source.range(context.truth(), scan, beam, end - (turns - 1 - beam % turns) * Variant.TURN - (last - beam) * perBeam);
     }
 
     private void expect(Variant variant, double time) {

@@ -1,11 +1,11 @@
 package org.SEAR.devices.lms;
 
+import java.util.function.IntToDoubleFunction;
 import org.SEAR.protocol.lms.Configuration;
 import org.SEAR.protocol.lms.CountWord;
 import org.SEAR.protocol.lms.LmsCommand;
 import org.SEAR.protocol.lms.LmsPayload;
 import org.SEAR.protocol.lms.Variant;
-import org.SEAR.sensors.LidarScan;
 
 /**
  * Telegrams with measured values: B0h, B6h, B7h, BFh, for example {@code B0 B5 00 | 181 words | 10}. Collects the scans
@@ -34,12 +34,13 @@ final class ScanReply {
     /**
      * Adds a scan with the variant's angles.
      *
+     * @param ranges metres by the number of the beam, from the right
      * @return whether it was the last one
      */
-    boolean add(LidarScan scan) {
+    boolean add(IntToDoubleFunction ranges) {
         double limit = (configuration.getMode().getBeyondRange() - 1.0) / configuration.getUnitsPerMetre();
         for (int i = 0; i < sums.length; i++) {
-            double range = scan.range(i);
+            double range = ranges.applyAsDouble(i);
             if (range > limit + 0.5 / configuration.getUnitsPerMetre()) {
                 beyond[i] += Double.isInfinite(range) ? 0 : 1;
             } else if (!Double.isNaN(range)) {

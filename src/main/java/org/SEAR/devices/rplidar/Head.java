@@ -8,7 +8,7 @@ import org.SEAR.sensors.LidarSource;
 
 /**
  * The rotating head. It takes 2000 samples per second, 4000 in express scans, clockwise from straight ahead. The
- * motor's speed sets the samples per turn. All distances of a turn are of the instant at which it begins.
+ * motor's speed sets the samples per turn. Each sample is of its own time; obstacles are those of the time of its block.
  */
 final class Head {
     /** Duration, seconds, of the samples sent together: 16 nodes, or the 32 samples of a capsule. */
@@ -63,38 +63,38 @@ final class Head {
 
     /** Returns the next block of a scan, measured by {@code time}: nodes or a capsule. */
     byte[] block(boolean express, boolean first, double time) {
-        byte[] bytes = express ? capsule(first) : nodes();
+        byte[] bytes = express ? capsule(first, time) : nodes(time);
         expectTurn(time + BLOCK_SECONDS, express ? Capsule.SAMPLES : NODES);
         return bytes;
     }
 
-    private byte[] nodes() {
+    private byte[] nodes(double end) {
         byte[] bytes = new byte[NODES * Node.SIZE];
         for (int i = 0; i < NODES; i++) {
             boolean first = sample == 0;
             double angle = sample * CIRCLE / perTurn;
-            double distance = next();
+            double distance = next(end - (NODES - i) * BLOCK_SECONDS / NODES);
             System.arraycopy(Node.of(first, distance > 0 ? QUALITY : 0, angle, distance).toBytes(), 0, bytes, i * Node.SIZE, Node.SIZE);
         }
         return bytes;
     }
 
     /** @param first whether it is the first capsule after the request */
-    private byte[] capsule(boolean first) {
+    private byte[] capsule(boolean first, double end) {
         double start = sample * CIRCLE / perTurn;
         int[] distances = new int[Capsule.SAMPLES];
         for (int i = 0; i < distances.length; i++) {
-            distances[i] = (int) Math.round(next());
+            distances[i] = (int) Math.round(next(end - (distances.length - i) * BLOCK_SECONDS / distances.length));
         }
         return Capsule.of(first, start, distances).toBytes();
     }
 
-    /** Returns the next sample in millimetres; 0 without a return. */
-    private double next() {
+    /** Returns the next sample, taken at a time, in millimetres; 0 without a return. */
+    private double next(double time) {
         if (sample == 0) {
             turn = source.scan(context.truth(), CIRCLE, CIRCLE / perTurn);
         }
-        double range = turn.range(Math.floorMod(perTurn / 2 - sample, perTurn));
+        double range = source.range(context.truth(), turn, Math.floorMod(perTurn / 2 - sample, perTurn), time);
         sample = (sample + 1) % perTurn;
         return range < nearest || Double.isInfinite(range) || Double.isNaN(range) ? 0 : range * MILLIMETRES;
     }

@@ -1,5 +1,6 @@
 package org.SEAR.devices.scip;
 
+import java.util.function.IntToDoubleFunction;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.EventQueue;
 import org.SEAR.protocol.scip.HokuyoModel;
@@ -10,7 +11,8 @@ import org.SEAR.sensors.LidarSource;
 
 /**
  * The rotating mirror: when each step is measured, and with which value. Turn k begins, with step 0 at the rear, at k
- * times the scan time. All distances of a turn are of the instant at which it looks ahead.
+ * times the scan time, and each step is of its own time. Obstacles after the front are those of the end of the turn, if
+ * the robot moves; otherwise they are those of the instant at which it looks ahead.
  */
 final class Scanner {
     private static final double MILLIMETRES = 1000;
@@ -73,36 +75,40 @@ final class Scanner {
         double turn = Math.ceil(time / scanTime - ahead - SLACK);
         source.expect((turn + ahead) * scanTime, 2 * half * model.getStepAngle(), model.getStepAngle());
         events.at((turn + ahead) * scanTime, t -> {
-            Scan scan = new Scan(clock(turn * scanTime), measure(command), command.getCharacters());
-            events.at((turn + (model.getLast() + 1.0) / model.getSteps()) * scanTime, end -> listener.measured(scan, end));
+            long stamp = clock(turn * scanTime);
+            LidarScan still = source.scan(context.truth(), 2 * half * model.getStepAngle(), model.getStepAngle());
+            IntToDoubleFunction ranges = step -> source.range(context.truth(), still, step - model.getFront() + half,
+                (turn + (double) step / model.getSteps()) * scanTime);
+            events.at((turn + (model.getLast() + 1.0) / model.getSteps()) * scanTime,
+                end -> listener.measured(new Scan(stamp, values(command, ranges), command.getCharacters()), end));
         });
     }
 
-    private int[] measure(ScanCommand command) {
-        LidarScan scan = source.scan(context.truth(), 2 * half * model.getStepAngle(), model.getStepAngle());
+    /** @param ranges metres by step */
+    private int[] values(ScanCommand command, IntToDoubleFunction ranges) {
         int[] values = new int[command.getValues()];
         for (int i = 0; i < values.length; i++) {
-            values[i] = nearest(scan, command.getStart() + i * command.getCluster(), command.getCluster());
+            values[i] = nearest(ranges, command.getStart() + i * command.getCluster(), command.getCluster());
         }
         return values;
     }
 
     /** Shortest distance of some steps; the code of the first step if none has a distance. */
-    private int nearest(LidarScan scan, int from, int count) {
-        int code = value(scan, from);
+    private int nearest(IntToDoubleFunction ranges, int from, int count) {
+        int code = value(ranges, from);
         int least = Integer.MAX_VALUE;
         for (int step = from; step < from + count && step <= model.getLastAsked(); step++) {
-            int value = value(scan, step);
+            int value = value(ranges, step);
             least = value < model.getLeast() ? least : Math.min(least, value);
         }
         return least == Integer.MAX_VALUE ? code : least;
     }
 
-    private int value(LidarScan scan, int step) {
+    private int value(IntToDoubleFunction ranges, int step) {
         if (step < model.getFirst() || step > model.getLast()) {
             return model.getNotMeasured();
         }
-        double millimetres = scan.range(step - model.getFront() + half) * MILLIMETRES;
+        double millimetres = ranges.applyAsDouble(step) * MILLIMETRES;
         if (!(millimetres < model.getGreatest() + 0.5)) {
             return model.getNothing();
         }

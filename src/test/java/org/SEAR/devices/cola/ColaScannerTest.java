@@ -75,6 +75,20 @@ public class ColaScannerTest {
             String.join(" ", Arrays.copyOfRange(scan, 15, FIRST_VALUE)));
     }
 
+    /** The mirror turns 50 times per second: 0.5 degrees in 27.8 us. A scan's end is a multiple of 20 ms. */
+    @Test
+    public void beamsAreMeasuredOneAfterAnother() {
+        ask(LOGIN);
+        line.pass(0.1);
+        ask(COLA.get("ask for a scan"));
+        double last = scanner.times.get(540).get(0);
+        assertEquals(0, Math.IEEEremainder(last, 0.02), 1e-9);
+        assertTrue(last <= line.now && last > line.now - 0.04);
+        for (int beam = 0; beam <= 540; beam++) {
+            assertEquals("beam " + beam, last - (540 - beam) * 0.02 / 720, scanner.times.get(beam).get(0), 1e-9);
+        }
+    }
+
     @Test
     public void mrptsConversation() {
         assertEquals(COLA.get("logged in"), ask(LOGIN));

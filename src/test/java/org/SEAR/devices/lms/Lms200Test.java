@@ -61,6 +61,19 @@ public class Lms200Test {
         }
     }
 
+    /** The mirror turns 75 times per second, one degree in 37 us, and measures half degrees in the second turn. */
+    @Test
+    public void beamsAreMeasuredOneAfterAnother() {
+        ask(LMS.get("100 degrees, each half"));
+        ask(LMS.get("ask for a scan"));
+        double last = scanner.times.get(200).get(0) + Variant.TURN;
+        assertEquals("a scan ends with a pair of turns", 0, Math.IEEEremainder(last, 2 * Variant.TURN), 1e-9);
+        for (int beam = 0; beam <= 200; beam++) {
+            double expected = last - (beam % 2 == 0 ? Variant.TURN : 0) - (200 - beam) * Variant.TURN / 720;
+            assertEquals("beam " + beam, expected, scanner.times.get(beam).get(0), 1e-9);
+        }
+    }
+
     @Test
     public void wrongBaudTelegramsOfTheOldDriverWorkOnlyIfLenient() {
         assertEquals("15", ask(LMS.get("19200 baud of the old driver, with a wrong checksum")));

@@ -92,6 +92,21 @@ public class RplidarA1Test {
         assertEquals("[]", line.warnings.toString());
     }
 
+    /** Sample n of a turn, n degrees to the right, is taken n half milliseconds after the turn's start. */
+    @Test
+    public void samplesAreTakenOneAfterAnother() {
+        nodes(RPLIDAR.get("ask for a scan"), 0.5);
+        double start = scanner.times.get(180).get(0);
+        for (int sample = 0; sample < 360; sample++) {
+            int beam = Math.floorMod(180 - sample, 360);
+            assertEquals("sample " + sample, start + sample * 0.0005, scanner.times.get(beam).get(0), 1e-9);
+            assertEquals("next turn", start + 0.18 + sample * 0.0005, scanner.times.get(beam).get(1), 1e-9);
+        }
+        scanner.times.clear();
+        ask(EXPRESS);
+        assertEquals("4000 a second in an express scan", 0.00025, scanner.times.get(359).get(0) - scanner.times.get(360).get(0), 1e-9);
+    }
+
     private static void assertNode(Node node, double angle, double distance, int quality) {
         assertEquals(angle, node.getAngle(), 0);
         assertEquals(distance, node.getDistance(), 0);

@@ -74,6 +74,16 @@ public class HokuyoTest {
         assertTrue(ask("II").contains("|SBPS:USB only;n|"));
     }
 
+    /** Step s of a turn of 100 ms is measured s / 1024 turns after step 0, at which the time stamp is taken. */
+    @Test
+    public void stepsAreMeasuredOneAfterAnother() {
+        List<Reply> replies = replies("MD0044072501001", 1);
+        int stamp = replies.get(1).time();
+        for (int step = 44; step <= 725; step++) {
+            assertEquals("step " + step, stamp / 1000.0 + step * 0.1 / 1024, scanner.times.get(step - 384 + 341).get(0), 1e-9);
+        }
+    }
+
     @Test
     public void theLaserIsOffUntilItIsSwitchedOn() {
         assertEquals(SCIP.get("a scan by GD while the laser is off"), ask("GD0384038601"));

@@ -6,6 +6,8 @@ public final class FakeHardware implements RobotHardware {
     public double left;
     public double right;
     public double base = 0.258;
+    public double radius = 0.036;
+    /** Rotation of the wheels in addition to that of {@link #path} and {@link #turned}. */
     public double leftAngle;
     public double rightAngle;
     public double load;
@@ -50,17 +52,17 @@ public final class FakeHardware implements RobotHardware {
 
     @Override
     public double getLeftWheelAngle() {
-        return leftAngle;
+        return leftAngle + (path - turned * base / 2) / radius;
     }
 
     @Override
     public double getRightWheelAngle() {
-        return rightAngle;
+        return rightAngle + (path + turned * base / 2) / radius;
     }
 
     @Override
     public double getWheelRadius() {
-        return 0.036;
+        return radius;
     }
 
     @Override

@@ -61,12 +61,15 @@ final class SensorPackets {
         return angle.peek(angleTotal());
     }
 
+    /** Mean of both wheels' encoders, millimetres, for wheels of nominal size. */
     private double distanceTotal() {
-        return hardware.getPath() * MILLIMETRES;
+        return (hardware.getLeftWheelAngle() + hardware.getRightWheelAngle()) / 2 * hardware.getWheelRadius() * MILLIMETRES;
     }
 
+    /** Difference of both wheels' encoders, for wheels of nominal size at their nominal distance; 0 for a single wheel. */
     private double angleTotal() {
-        double turned = hardware.getTurned();
+        double lead = (hardware.getRightWheelAngle() - hardware.getLeftWheelAngle()) * hardware.getWheelRadius();
+        double turned = hardware.getWheelBase() > 0 ? lead / hardware.getWheelBase() : 0;
         return model.isAngleInMillimetres() ? turned * ROOMBA400_HALF_BASE : Math.toDegrees(turned);
     }
 

@@ -19,6 +19,7 @@ OBJECTS = (
     "Cylinder",
     "Distance",
     "Draft",
+    "DriveErrors",
     "Dynamics",
     "Floor",
     "GPS",

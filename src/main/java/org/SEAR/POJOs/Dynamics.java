@@ -37,6 +37,8 @@ public class Dynamics extends SearObject implements SerialObject {
     @Param(doc = "whether the checksum of a sensor stream covers header byte 19: true as in the Create 2 document, "
         + "false as in the Create's")
     private boolean streamHeaderSummed = true;
+    @Param(doc = "errors of wheels, encoders and steering; default none")
+    private DriveErrors errors;
 
     /** For reading from a file. */
     protected Dynamics() {
@@ -142,5 +144,26 @@ public class Dynamics extends SearObject implements SerialObject {
     public void setStreamHeaderSummed(boolean summed) {
         streamHeaderSummed = checked("streamHeaderSummed", summed);
         changed();
+    }
+
+    /** Returns the errors of wheels, encoders and steering; null for none. */
+    public DriveErrors getErrors() {
+        return errors;
+    }
+
+    /** @param newErrors errors of wheels, encoders and steering; null for none */
+    public void setErrors(DriveErrors newErrors) {
+        checkChangeable();
+        errors = newErrors;
+        changed();
+    }
+
+    /**
+     * Sets the typical errors of a ready robot.
+     *
+     * @param preset see {@link DriveErrors#of}
+     */
+    public void setErrors(String preset) {
+        setErrors(DriveErrors.of(preset));
     }
 }

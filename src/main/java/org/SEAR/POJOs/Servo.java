@@ -33,6 +33,10 @@ public class Servo extends SearObject implements Wirable {
     @Param(doc = "stall torque; weight on the servo slows it: torque = stallTorque (power - speed / no-load speed)",
         unit = "N m", min = 1e-6, max = 1e6)
     private double stallTorque = STALL_TORQUE;
+    @Param(doc = "play of the gear: angle that the motor turns before the parts follow", unit = "deg", max = 90)
+    private double play;
+    @Param(doc = "dead time of commands", unit = "s", max = 1)
+    private double delay;
     @Param(doc = "name of a component of the same robot that it turns: " + TURNABLE,
         element = "part", text = TextRule.NAME, names = SearObject.class, maxEntries = MAX_PARTS)
     private List<String> partNames = new ArrayList<>();
@@ -168,6 +172,26 @@ public class Servo extends SearObject implements Wirable {
     /** @param newTorque N m */
     public void setStallTorque(double newTorque) {
         stallTorque = checked("stallTorque", newTorque);
+        changed();
+    }
+
+    public double getPlay() {
+        return play;
+    }
+
+    /** @param degrees that the motor turns before the parts follow, 0 to 90; small plastic gears have about 1 */
+    public void setPlay(double degrees) {
+        play = checked("play", degrees);
+        changed();
+    }
+
+    public double getDelay() {
+        return delay;
+    }
+
+    /** @param seconds between a command and its start, 0 to 1, rounded to 1/60 s; hobby servos take a pulse every 0.02 s */
+    public void setDelay(double seconds) {
+        delay = checked("delay", seconds);
         changed();
     }
 }

@@ -34,16 +34,16 @@ public interface RobotHardware {
      */
     LightHardware getLight(String name);
 
-    /** Distance between the left and right driven wheels, metres. */
+    /** Nominal distance between the left and right driven wheels, metres. */
     double getWheelBase();
 
-    /** Rotation of the left driven wheels since start or reset, radians, + forward. */
+    /** Rotation of the left driven wheels since start or reset by their encoders, radians, + forward. */
     double getLeftWheelAngle();
 
-    /** Rotation of the right driven wheels since start or reset, radians, + forward. */
+    /** Rotation of the right driven wheels since start or reset by their encoders, radians, + forward. */
     double getRightWheelAngle();
 
-    /** Radius of the driven wheels, metres. */
+    /** Nominal radius of the driven wheels, metres. */
     double getWheelRadius();
 
     /** Force that the left wheel needs now, as a share of the motor's maximum, 0 to 1 (1: stalled). */

@@ -19,6 +19,7 @@ import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.BoardWire;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.DriveErrors;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.OpenInterfaceBody;
@@ -137,7 +138,7 @@ public final class ObjectDocs {
                 .append(Parameter.format(farthest)).append(" m | ").append(Parameter.format(beam.getMinRange())).append(" m | ")
                 .append(beam.getDescription()).append(" |\n");
         }
-        for (Class<?> type : List.of(Beam.class, BeamCone.class, VoltagePoint.class, Noise.class, BoardWire.class)) {
+        for (Class<?> type : List.of(Beam.class, BeamCone.class, VoltagePoint.class, Noise.class, DriveErrors.class, BoardWire.class)) {
             section(out, type);
         }
         out.append("\n## Texts\n\n| text | legal |\n|---|---|\n");

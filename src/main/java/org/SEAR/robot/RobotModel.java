@@ -23,6 +23,7 @@ import org.SEAR.robot.wheel.MotorDrive;
 import org.SEAR.robot.wheel.Obstacle;
 import org.SEAR.robot.wheel.RaycastWheel;
 import org.SEAR.robot.wheel.Spring;
+import org.SEAR.robot.wheel.WheelErrors;
 import org.SEAR.sensors.Sensor;
 
 /** Robot of the world, and its hardware as firmware sees it. Simulation thread. */
@@ -108,9 +109,13 @@ public final class RobotModel implements Robot, RobotHardware {
         turrets.restart();
     }
 
-    /** Moves everything to its start, in a new physics world. */
-    public void restart(PhysicsWorld physics) {
-        train = new DriveTrain(body, object.getWheels(), springs, motors, turrets::find, number, reported);
+    /**
+     * Moves everything to its start, in a new physics world.
+     * @param seed random seed of the simulation
+     */
+    public void restart(PhysicsWorld physics, long seed) {
+        WheelErrors errors = new WheelErrors(dynamics.getErrors(), seed, object.getName());
+        train = new DriveTrain(body, object.getWheels(), springs, motors, errors, turrets::find, number, reported);
         if (!train.getWheels().isEmpty()) {
             physics.add(body, train);
         }
@@ -121,6 +126,7 @@ public final class RobotModel implements Robot, RobotHardware {
         steersToDrive = false;
         unsettled = SETTLING;
         truth.restart();
+        truth.setEncoders(errors.hasOdometry() ? () -> (getLeftWheelAngle() + getRightWheelAngle()) / 2 * getWheelRadius() : null);
     }
 
     /**
@@ -416,7 +422,7 @@ public final class RobotModel implements Robot, RobotHardware {
         for (int i = 0; i < train.getWheels().size(); i++) {
             RaycastWheel wheel = train.getWheels().get(i);
             if (wheel.isDriven() && wheel.x * side >= 0) {
-                sum += angle ? wheel.getAngle() : Math.abs(wheel.getLoad());
+                sum += angle ? wheel.getEncoder() : Math.abs(wheel.getLoad());
                 count++;
             }
         }

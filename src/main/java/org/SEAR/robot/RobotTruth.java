@@ -1,6 +1,7 @@
 package org.SEAR.robot;
 
 import java.util.Arrays;
+import java.util.function.DoubleSupplier;
 import org.SEAR.camera.Appearances;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
@@ -37,6 +38,7 @@ public final class RobotTruth implements Truth {
     private double turned;
     private Pose anchor;
     private double heading;
+    private DoubleSupplier encoders;
 
     public RobotTruth(RobotBuilder from, RaycastScenes scenes, SurfaceColors colors, int owner, Earth earth, long epochMillis, WorkerPool workers) {
         this.body = from.body;
@@ -149,6 +151,16 @@ public final class RobotTruth implements Truth {
     @Override
     public double path() {
         return path;
+    }
+
+    @Override
+    public double odometry() {
+        return encoders == null ? path : encoders.getAsDouble();
+    }
+
+    /** @param newEncoders distance by the encoders, metres; null for that of the body */
+    void setEncoders(DoubleSupplier newEncoders) {
+        encoders = newEncoders;
     }
 
     @Override

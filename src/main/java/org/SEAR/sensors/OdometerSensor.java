@@ -4,8 +4,9 @@ import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.SearObject;
 
 /**
- * Signed distance of the body's origin since the count was last reset, whole millimetres, 16 bit. Like a Roomba's
- * packet 19 it stops at 32767 or -32768 until it is taken. Fractions of a millimetre carry over to the next reading.
+ * Signed distance of the body's origin since the count was last reset, whole millimetres, 16 bit; by the encoders if
+ * the drive has errors. Like a Roomba's packet 19 it stops at 32767 or -32768 until it is taken. Fractions of a
+ * millimetre carry over to the next reading.
  *
  * <p>{@link #read} only reads, so that a window may show the count. {@link #take} reads and resets the count, like a
  * robot's program.
@@ -14,7 +15,7 @@ public final class OdometerSensor extends Sensor<OdometerReading> {
     private static final double MILLIMETRES = 1000;
 
     private double count;
-    private double pathBefore;
+    private double before;
 
     /** @param seed random seed of the simulation */
     public OdometerSensor(Odometer parameters, long seed) {
@@ -34,15 +35,15 @@ public final class OdometerSensor extends Sensor<OdometerReading> {
     @Override
     public void track(Truth truth) {
         super.track(truth);
-        count = Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, count + (truth.path() - pathBefore) * MILLIMETRES));
-        pathBefore = truth.path();
+        count = Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, count + (truth.odometry() - before) * MILLIMETRES));
+        before = truth.odometry();
     }
 
     @Override
     public void reset() {
         super.reset();
         count = 0;
-        pathBefore = 0;
+        before = 0;
     }
 
     @Override

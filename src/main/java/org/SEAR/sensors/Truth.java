@@ -39,6 +39,14 @@ public interface Truth {
      */
     double path();
 
+    /**
+     * Returns the distance since start or reset that a program computes from the encoders of the driven wheels and their
+     * nominal radius, metres, if the drive has errors; otherwise {@link #path}.
+     */
+    default double odometry() {
+        return path();
+    }
+
     /** Returns the gravitational acceleration, m/s^2 along the world's -y; default 9.81. */
     double gravity();
 

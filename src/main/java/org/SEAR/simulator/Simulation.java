@@ -72,7 +72,7 @@ public final class Simulation implements AutoCloseable {
     private Simulation(Project project, long seed, long epochMillis, boolean groundVisible) throws ProjectException {
         this.project = project;
         origin = new RunOrigin(seed, epochMillis, groundVisible);
-        world = new World(project, epochMillis, groundVisible, warnings::add);
+        world = new World(project, seed, epochMillis, groundVisible, warnings::add);
         instruments = new Instruments(world.getRobots(), seed, world.getWorkers(), warnings::count);
         places = new PoseLookup(project, world);
         actuators = new Actuators(world.getRobots());
@@ -287,6 +287,7 @@ public final class Simulation implements AutoCloseable {
     /** Sets the seed of random numbers from the next {@link #reset} on. Not while a listener is attached. */
     public void reseed(long seed) {
         origin = new RunOrigin(seed, origin.epochMillis, origin.groundVisible);
+        world.reseed(seed);
         instruments.reseed(seed);
     }
 

@@ -61,6 +61,7 @@ final class World implements PhysicsWorld.Touches {
     private List<Pose> poses;
     private final List<double[]> contacts = new ArrayList<>();
     private boolean wantsContacts;
+    private long seed;
 
     /** Measuring threads of this world; helper threads start on demand. */
     private final WorkerPool workers = new WorkerPool(WorkerPool.threadsOfMachine());
@@ -75,7 +76,8 @@ final class World implements PhysicsWorld.Touches {
      *     hit no ground
      * @param reported receives warnings during the run
      */
-    World(Project project, long epochMillis, boolean groundVisible, Consumer<String> reported) throws ProjectException {
+    World(Project project, long seed, long epochMillis, boolean groundVisible, Consumer<String> reported) throws ProjectException {
+        this.seed = seed;
         scenes = new RaycastScenes(!groundVisible || hasInvisible(project));
         virtualWalls = new VirtualWalls(scenes);
         SurfaceColors colors = new SurfaceColors(project.getAssets(), reported);
@@ -206,6 +208,11 @@ final class World implements PhysicsWorld.Touches {
             ObjectPose.of(object));
     }
 
+    /** Sets the seed of drive errors from the next restart on. */
+    void reseed(long newSeed) {
+        seed = newSeed;
+    }
+
     /** Puts everything back to its start. */
     void restart() {
         robots.forEach(RobotModel::rewind);
@@ -219,7 +226,7 @@ final class World implements PhysicsWorld.Touches {
             }
         }
         for (RobotModel robot : robots) {
-            robot.restart(physics);
+            robot.restart(physics, seed);
             robot.mirror();
         }
         scenes.commit();

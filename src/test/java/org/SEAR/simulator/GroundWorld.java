@@ -60,7 +60,7 @@ public final class GroundWorld {
         body.mirror(scenes);
         bodies.forEach(one -> one.mirror(scenes));
         if (robot != null) {
-            robot.restart(physics);
+            robot.restart(physics, 1);
             robot.mirror();
         }
         scenes.commit();

@@ -1,5 +1,5 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
+from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
     Led, LineSensor, Marker, Model, Motor, Noise, Odometer, Picture, SEARrobot, Servo, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
@@ -63,6 +63,8 @@ dynamics.setBaud(19200)
 dynamics.setExport("rfc2217:5002")
 dynamics.setModel("create2")
 dynamics.setStreamHeaderSummed(False)
+dynamics.setErrors("car")
+dynamics.setErrors(DriveErrors(1, 0.1, 2, 0.5, 0.01, 3, 0.1, 0.2))
 robot.addComponent(dynamics)
 
 def add(sensor):
@@ -94,6 +96,7 @@ lidar.setPorts("/dev/c", "/dev/d")
 lidar.setBaud(38400)
 lidar.setExport("ttySICK")
 lidar.LMS(1)
+lidar.setScanTime(0.1)
 lidar.setLenient(True)
 lidar.setSeesOwnRobot(True)
 lidar.setNoise(Noise().setWhite(0.1).setBias(-1).setDrift(0.1).setQuantisation(0.01).setDropout(0.1))
@@ -176,6 +179,8 @@ motor.setEncoderCounts(48)
 add(Servo(name()))
 add(Servo(name(), *pose[:3]))
 servo = add(Servo(name(), *pose))
+servo.setPlay(2)
+servo.setDelay(0.02)
 servo.setRange(-45, 120.5)
 servo.setSpeed(300)
 servo.mount(distance)

@@ -193,7 +193,7 @@ public final class EntrantSear {
                     return ((OdometerSensor) sensor).take(entrant.robot().getTruth()).getMetres();
                 }
             }
-            return entrant.robot().getHardware().getPath();
+            return entrant.robot().getTruth().odometry();
         });
     }
 }

@@ -34,8 +34,14 @@ public final class ServoDrive implements ServoHardware {
     private final ServoLoad load = new ServoLoad();
     private final Hinge hinge;
     private final Rotation rotation = new Rotation();
+    private final DeadTime delay;
+    /** Last command, and the one that takes effect, degrees. */
+    private double commanded;
+    private double due;
     private double wanted;
     private double angle;
+    /** Angle of the parts, which follow the motor with play, degrees. */
+    private double horn;
     /** Speed of a servo with load, rad/s. */
     private double spin;
     /** Angle when the step began, degrees, and whether it turns in the step. */
@@ -52,6 +58,7 @@ public final class ServoDrive implements ServoHardware {
         this.reported = told;
         this.axis = ObjectPose.of(object);
         hinge = new Hinge();
+        delay = new DeadTime(object.getDelay());
         restart();
     }
 
@@ -59,6 +66,10 @@ public final class ServoDrive implements ServoHardware {
     public void restart() {
         wanted = Math.max(object.getMinAngle(), Math.min(object.getMaxAngle(), 0));
         angle = wanted;
+        horn = wanted;
+        commanded = wanted;
+        due = wanted;
+        delay.restart(wanted);
         spin = 0;
         turns = false;
         held = 0;
@@ -82,7 +93,10 @@ public final class ServoDrive implements ServoHardware {
             throw new IllegalArgumentException("servo " + object.getName() + " of robot " + robot + ": angle is " + degrees + ", legal: "
                 + Parameter.format(object.getMinAngle()) + " to " + Parameter.format(object.getMaxAngle()) + " deg");
         }
-        wanted = degrees;
+        commanded = degrees;
+        if (!delay.isUsed()) {
+            wanted = degrees;
+        }
     }
 
     /**
@@ -94,6 +108,8 @@ public final class ServoDrive implements ServoHardware {
      */
     public boolean step(Pose body, double gravity, Pose at) {
         before = angle;
+        double hornBefore = horn;
+        command();
         held = hinge.ahead() == 0 ? 0 : held;
         double was = spin;
         double moment = 0;
@@ -104,9 +120,10 @@ public final class ServoDrive implements ServoHardware {
             double most = object.getSpeed() * TimeStep.SECONDS;
             angle = Math.abs(wanted - angle) <= most ? wanted : angle + Math.copySign(most, wanted - angle);
         }
-        turns = angle != before;
+        follow();
+        turns = horn != hornBefore;
         if (turns) {
-            double turning = Math.toRadians(angle - before);
+            double turning = Math.toRadians(horn - hornBefore);
             double fastest = Math.toRadians(object.getSpeed());
             double accelerating = load.isEmpty() ? 0 : load.inertia() * (spin - was) / TimeStep.SECONDS;
             hinge.plan(at, object.getStallTorque(), fastest, load.inertia(), turning,
@@ -115,12 +132,26 @@ public final class ServoDrive implements ServoHardware {
         return turns;
     }
 
+    private void command() {
+        double now = delay.isUsed() ? delay.pass(commanded) : due;
+        if (now != due) {
+            due = now;
+            wanted = now;
+        }
+    }
+
+    /** Moves the parts with the motor. */
+    private void follow() {
+        horn = Math.max(angle - object.getPlay() / 2, Math.min(angle + object.getPlay() / 2, horn));
+    }
+
     /** Corrects the angle if a contact stopped this servo in the step. */
     public void giveWay() {
         if (hinge.ahead() == 0) {
             return;
         }
         double to = angle + Math.toDegrees(hinge.ahead());
+        horn += Math.toDegrees(hinge.ahead());
         held = Math.abs(to - wanted) > DEAD_BAND && Math.abs(to - before) < HELD * Math.abs(angle - before) ? held + 1 : 0;
         if (held == HELD_FOR && !complained) {
             complained = true;
@@ -134,6 +165,7 @@ public final class ServoDrive implements ServoHardware {
             wanted = angle;
             spin = 0;
         }
+        follow();
     }
 
     /** Its hinge if it turns in this step; else null. */
@@ -211,7 +243,7 @@ public final class ServoDrive implements ServoHardware {
 
     /** Returns its rotation about its axis, in the frame of its own mount. */
     public Pose turn() {
-        double half = Math.toRadians(angle) / 2;
+        double half = Math.toRadians(horn) / 2;
         double[] along = axis.rotate(0, Math.sin(half), 0);
         Pose turned = new Pose(0, 0, 0, along[0], along[1], along[2], Math.cos(half));
         double[] moved = turned.rotate(axis.x, axis.y, axis.z);
@@ -221,6 +253,11 @@ public final class ServoDrive implements ServoHardware {
     @Override
     public double getAngle() {
         return angle;
+    }
+
+    /** Angle of the parts that it turns, degrees. */
+    public double getHornAngle() {
+        return horn;
     }
 
     @Override

@@ -35,6 +35,8 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private final int owner;
     private final double frontAxle;
     private final double[] mounts;
+    /** Speed of the body's middle at the start of the last step, m/s, + forward. */
+    private double speed;
     private final List<Body> pushed = new ArrayList<>();
     private final double[] v = new double[6];
     private final Vec3 ahead = new Vec3();
@@ -45,16 +47,17 @@ public final class DriveTrain implements PhysicsWorld.Drive {
      * Drive train of a restarted robot.
      * @param springs of its wheels
      * @param motors of the robot, which get their wheels here
+     * @param errors of wheels, encoders and steering
      * @param servos by their names
      * @param reported takes warnings during the run
      */
-    public DriveTrain(Body body, List<Wheel> objects, Spring[] springs, List<MotorDrive> motors, Function<String, ServoDrive> servos, int owner,
-            Consumer<String> reported) {
+    public DriveTrain(Body body, List<Wheel> objects, Spring[] springs, List<MotorDrive> motors, WheelErrors errors,
+            Function<String, ServoDrive> servos, int owner, Consumer<String> reported) {
         this.body = body;
         this.motors = motors;
         this.owner = owner;
         for (int i = 0; i < springs.length; i++) {
-            wheels.add(new RaycastWheel(objects.get(i), springs[i]));
+            wheels.add(new RaycastWheel(objects.get(i), springs[i], errors, i));
         }
         motors.forEach(motor -> motor.restart(wheels));
         for (RaycastWheel wheel : wheels) {
@@ -64,7 +67,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
             }
         }
         mounts = WheelPoses.mounts(wheels);
-        steering = Steering.of(wheels, servos, body.name);
+        steering = Steering.of(wheels, servos, body.name, errors.get());
         swivels = wheels.stream().anyMatch(wheel -> wheel.getSwivel() != null);
         centre = steering != null ? steering.getCentre() : wheels.stream().filter(RaycastWheel::isDriven).mapToDouble(wheel -> wheel.z).average()
             .orElse(0);
@@ -117,7 +120,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         double turn = orders.turn();
         double curvature = 0;
         if (steering != null) {
-            steering.step();
+            steering.step(speed);
             curvature = steering.curvature();
             turn += orders.middle() * curvature;
         }
@@ -144,7 +147,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
             aim();
         }
         body.velocities(v);
-        double speed = v[0] * ahead.x + v[1] * ahead.y + v[2] * ahead.z;
+        speed = v[0] * ahead.x + v[1] * ahead.y + v[2] * ahead.z;
         double coasting = Math.abs(speed) > MIN_SPEED ? speed : 0;
         boolean carried = false;
         boolean free = body.isFree();

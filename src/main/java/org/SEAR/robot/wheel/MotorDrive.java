@@ -138,7 +138,7 @@ public final class MotorDrive implements MotorHardware {
     public long getCounts() {
         double sum = 0;
         for (RaycastWheel wheel : wheels) {
-            sum += wheel.getAngle();
+            sum += wheel.getEncoder();
         }
         return (long) Math.floor(sum / wheels.size() * object.getGearRatio() * object.getEncoderCounts() / (2 * Math.PI));
     }

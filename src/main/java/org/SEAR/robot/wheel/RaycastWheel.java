@@ -37,15 +37,29 @@ public final class RaycastWheel {
     private double rolled;
     private double seconds;
     private double pending;
+    private final WheelErrors errors;
+    private final int number;
+    /** Ratio of its radius to the nominal one. */
+    private final double size;
+    /** x of its centre with the true track, metres. */
+    private final double aside;
+    /** Rotation that its encoder has counted, radians, and number of counted steps. */
+    private double counted;
+    private long steps;
 
-    RaycastWheel(Wheel wheel, Spring spring) {
+    /** @param number of the wheel on its robot */
+    RaycastWheel(Wheel wheel, Spring spring, WheelErrors errors, int number) {
         object = wheel;
+        this.errors = errors;
+        this.number = number;
+        size = wheel.isDriven() ? errors.size(number) : 1;
         radius = wheel.getRadius() * wheel.getScaleY();
         x = wheel.getX();
         y = wheel.getY();
         z = wheel.getZ();
         swivel = Swivel.of(wheel);
-        reach = swivel == null ? radius : radius * swivel.share();
+        aside = wheel.isDriven() ? x * errors.track() : x;
+        reach = size * (swivel == null ? radius : radius * swivel.share());
         suspension = new Suspension(spring);
         grip = new Grip(wheel, wheel.getType() != Wheel.IDLER && (swivel == null || !swivel.isSliding()), spring.carried);
         length = spring.rest;
@@ -66,13 +80,13 @@ public final class RaycastWheel {
 
     /**
      * Sets the target of a drive command.
-     * @param speed over the ground, m/s, unless its motor has its own command
+     * @param speed over the ground of a wheel of nominal size, m/s, unless its motor has its own command
      * @param part ratio of its speed to that of the robot's middle, as steered
      */
     void follow(double speed, double part) {
         reported = speed;
         if (motor != null) {
-            motor.follow(speed, part);
+            motor.follow(size * speed, part);
         }
     }
 
@@ -162,6 +176,7 @@ public final class RaycastWheel {
         if (seconds > 0) {
             spin = rolled / seconds / reach;
             angle += rolled / reach;
+            counted += errors.counted(number, ++steps) * (rolled / reach);
             if (swivel != null && ground.touches()) {
                 swivel.trail(grip.sliding(), grip.rolling());
             }
@@ -189,6 +204,11 @@ public final class RaycastWheel {
         return angle;
     }
 
+    /** Rotation since the start by its encoder, radians, + forward. */
+    public double getEncoder() {
+        return counted + errors.noise(number, steps);
+    }
+
     /** Angular velocity, rad/s, + forward. */
     double getSpin() {
         return spin;
@@ -210,7 +230,7 @@ public final class RaycastWheel {
     }
 
     private double centreX() {
-        return swivel == null ? x : swivel.x();
+        return swivel == null ? aside : swivel.x();
     }
 
     private double centreZ() {

@@ -3,9 +3,11 @@ package org.SEAR.robot.wheel;
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.SEAR.POJOs.DriveErrors;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.grammar.Parameter;
+import org.SEAR.robot.servo.DeadTime;
 import org.SEAR.robot.servo.ServoDrive;
 
 /**
@@ -22,10 +24,19 @@ final class Steering {
     private final double most;
     private final double centre;
     private final double length;
+    /** Backlash, radians, dead time, and understeer, rad s^2/m. */
+    private final double play;
+    private final DeadTime delay;
+    private final double understeer;
     private double wanted;
+    /** Command that takes effect, and angle of the steering, radians. */
+    private double due;
     private double angle;
+    /** Angle of the wheels, which follow the steering with play; and their curvature at the present speed. */
+    private double followed;
+    private double curvature;
 
-    private Steering(List<RaycastWheel> wheels, List<RaycastWheel> steered, ServoDrive servo, String robot) {
+    private Steering(List<RaycastWheel> wheels, List<RaycastWheel> steered, ServoDrive servo, String robot, DriveErrors errors) {
         this.steered = steered;
         this.servo = servo;
         this.robot = robot;
@@ -34,13 +45,17 @@ final class Steering {
         List<Wheel> objects = wheels.stream().map(wheel -> wheel.object).collect(Collectors.toList());
         centre = Wheel.turningLine(objects);
         length = Wheel.steeringLength(objects);
+        play = Math.toRadians(errors.getSteeringPlay());
+        delay = new DeadTime(errors.getSteeringDelay());
+        understeer = Math.toRadians(errors.getUndersteer());
         point();
     }
 
     /** Returns the steering of a robot; null if it has no steered wheels. */
-    static Steering of(List<RaycastWheel> wheels, Function<String, ServoDrive> servos, String robot) {
+    static Steering of(List<RaycastWheel> wheels, Function<String, ServoDrive> servos, String robot, DriveErrors errors) {
         List<RaycastWheel> steered = wheels.stream().filter(wheel -> wheel.object.isSteered()).collect(Collectors.toList());
-        return steered.isEmpty() ? null : new Steering(wheels, steered, servos.apply(steered.get(0).object.getSteeringServo()), robot);
+        return steered.isEmpty() ? null : new Steering(wheels, steered, servos.apply(steered.get(0).object.getSteeringServo()), robot,
+            errors);
     }
 
     /**
@@ -92,18 +107,25 @@ final class Steering {
 
     /** Whether it has not reached its angle. */
     boolean isMoving() {
-        return angle != (servo == null ? wanted : Math.toRadians(servo.getAngle()));
+        return angle != (servo == null ? due : Math.toRadians(servo.getHornAngle())) || due != wanted && servo == null || delay.isPending();
     }
 
-    /** Turns the wheels for one step. */
-    void step() {
-        if (isMoving()) {
-            if (servo != null) {
-                angle = Math.toRadians(servo.getAngle());
-            } else {
-                double step = SPEED * TimeStep.SECONDS;
-                angle = Math.abs(wanted - angle) <= step ? wanted : angle + Math.copySign(step, wanted - angle);
-            }
+    /**
+     * Turns the wheels for one step.
+     * @param speed of the robot's middle, m/s
+     */
+    void step(double speed) {
+        due = delay.pass(wanted);
+        if (servo != null) {
+            angle = Math.toRadians(servo.getHornAngle());
+        } else {
+            double step = SPEED * TimeStep.SECONDS;
+            angle = Math.abs(due - angle) <= step ? due : angle + Math.copySign(step, due - angle);
+        }
+        followed = Math.max(angle - play / 2, Math.min(angle + play / 2, followed));
+        double now = Math.tan(followed) / (length + understeer * speed * speed);
+        if (now != curvature) {
+            curvature = now;
             point();
         }
     }
@@ -118,7 +140,7 @@ final class Steering {
 
     /** Returns the curvature of its middle's path, 1/m, + to the left. */
     double curvature() {
-        return Math.tan(angle) / length;
+        return curvature;
     }
 
     /** z of its turning line in the body frame, metres. */

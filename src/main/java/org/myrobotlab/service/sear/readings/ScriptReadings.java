@@ -127,7 +127,7 @@ public final class ScriptReadings {
                     return ((OdometerSensor) sensor).take(asked.getTruth()).getMetres();
                 }
             }
-            return asked.getHardware().getPath();
+            return asked.getTruth().odometry();
         });
     }
 

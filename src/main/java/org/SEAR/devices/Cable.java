@@ -264,26 +264,36 @@ public final class Cable implements SerialLine {
     }
 
     /**
-     * Carries bytes in both directions between two steps, if there are any or the host has written lately. A reply goes
-     * out when its last byte has left the line, or at the step's end: each further piece would wake two programs on a
+     * Carries bytes in both directions between two steps, if there are any, the host has written lately, or the device's
+     * next action is due. A reply goes out when its last byte has left the line, or at the step's end: each further piece would wake two programs on a
      * busy processor. Simulation thread.
      *
      * @param time simulated seconds, never decreasing
      * @return simulated time of the next service, s; infinity if there was nothing to do
      */
     public double serviceDevice(double time) {
-        if (!hasIncoming && toDeviceFrom == toDeviceEnd && time >= heardAt + CONVERSATION) {
+        boolean talks = hasIncoming || toDeviceFrom < toDeviceEnd || time < heardAt + CONVERSATION;
+        if (!talks && nextAction() > time) {
             return Double.POSITIVE_INFINITY;
         }
         accept(time);
         run(time);
-        double next = time + LOOK;
+        double next = talks ? time + LOOK : Double.POSITIVE_INFINITY;
         if (toHostFrom < toHostEnd && toHostTimes[toHostEnd - 1] <= time) {
             deliver(time);
         } else if (toHostFrom < toHostEnd && toHostTimes[toHostEnd - 1] < time + SHORT) {
             next = toHostTimes[toHostEnd - 1];
         }
         return toDeviceFrom < toDeviceEnd ? Math.min(next, toDeviceTime + Uart.seconds(toDeviceEnd - toDeviceFrom, speedOfHost())) : next;
+    }
+
+    /**
+     * Time at which the device acts next, or its waiting messages have left the line, see
+     * {@link SerialDevice#nextAction}; simulated seconds, infinity without any.
+     */
+    public double nextAction() {
+        double next = powered ? device.nextAction() : Double.POSITIVE_INFINITY;
+        return next < Double.POSITIVE_INFINITY && toHostFrom < toHostEnd ? Math.min(next, toHostTimes[toHostEnd - 1]) : next;
     }
 
     /** Whether the device answers at once and has input, or will have it. Any thread. */

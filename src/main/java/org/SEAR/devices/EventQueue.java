@@ -25,6 +25,11 @@ public final class EventQueue {
         }
     }
 
+    /** Time of the next action, simulated seconds; infinity without any. */
+    public double next() {
+        return entries.isEmpty() ? Double.POSITIVE_INFINITY : entries.peek().time;
+    }
+
     /** Removes all actions. */
     public void clear() {
         entries.clear();

@@ -39,6 +39,11 @@ public abstract class ScannerFirmware implements SerialDevice {
     }
 
     @Override
+    public final double nextAction() {
+        return events.next();
+    }
+
+    @Override
     public final void powerOff() {
         events.clear();
     }

@@ -74,6 +74,14 @@ public interface SerialDevice {
     /** Runs the device's timers up to a time. */
     void advance(double time);
 
+    /**
+     * Time of its next timed action that must not wait for the end of the step in real time, because hosts note when its
+     * output arrives; simulated seconds. Infinity, the default, for devices whose timed output may wait.
+     */
+    default double nextAction() {
+        return Double.POSITIVE_INFINITY;
+    }
+
     /** Sets the state of a simulation's start: factory settings, on for a long time. */
     void reset();
 

@@ -69,7 +69,8 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
         history.find(at);
         double angle = Math.toRadians(scan.angle(beam));
         history.aim(Math.sin(angle), Math.cos(angle));
-        double range = truth.scene().cast(history.x, history.y, history.z, history.dx, history.dy, history.dz, lidar.getRange(), ignored(truth), null);
+        double range = truth.scene().cast(history.x, history.y, history.z, history.dx, history.dy, history.dz, lidar.getRange(), ignored(truth),
+            null);
         return errors.isNone() ? range : disturbed(range, scan.step(), beam);
     }
 

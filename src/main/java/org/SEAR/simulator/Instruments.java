@@ -188,6 +188,15 @@ final class Instruments {
         return next;
     }
 
+    /** Simulated time at which a device acts next by itself, s; infinity if all may wait for the step. */
+    double nextAction() {
+        double next = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < ports.size(); i++) {
+            next = Math.min(next, ports.get(i).getCable().nextAction());
+        }
+        return next;
+    }
+
     /** Whether a device that answers at once has a query. Any thread. */
     boolean hasQueries() {
         for (int i = 0; i < ports.size(); i++) {

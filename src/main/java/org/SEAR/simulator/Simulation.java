@@ -160,7 +160,7 @@ public final class Simulation implements AutoCloseable {
      *
      * @param newPart elapsed parts of the next step, 1 to 255 of {@link #PARTS}; never counts less than an earlier
      *     value
-     * @return part of the next service; {@link #PARTS} if the next step is early enough or there was nothing to do
+     * @return part of the next service; {@link #PARTS} if the next step is early enough
      */
     public int serviceDevices(int newPart) {
         thread = Thread.currentThread();
@@ -175,10 +175,11 @@ public final class Simulation implements AutoCloseable {
         }
         if (next == Double.POSITIVE_INFINITY) {
             part = before;
-            return PARTS;
+        } else {
+            devicesServiced(part);
         }
-        devicesServiced(part);
-        return (int) Math.min(PARTS, Math.max(part + 1, Math.ceil((next - getTime()) / STEP * PARTS)));
+        double due = (Math.min(next, instruments.nextAction()) - getTime()) / STEP * PARTS;
+        return (int) Math.min(PARTS, Math.max(Math.max(part, newPart) + 1, Math.ceil(due)));
     }
 
     /** Whether {@link #answer} has work or is doing it. Any thread. */
@@ -191,10 +192,7 @@ public final class Simulation implements AutoCloseable {
         return instruments.areOpening();
     }
 
-    /**
-     * Lets devices with {@link org.SEAR.devices.SerialDevice#answersAtOnce} process their input while time stands
-     * still.
-     */
+    /** Lets devices with {@code SerialDevice.answersAtOnce} process their input while time stands still. */
     public void answer() {
         if (!hasQueries()) {
             return;
@@ -279,7 +277,7 @@ public final class Simulation implements AutoCloseable {
         if (listener != null) {
             listener.reset();
         }
-        world.restart();
+        world.restart(origin.seed);
         instruments.restart();
         start();
     }
@@ -287,7 +285,6 @@ public final class Simulation implements AutoCloseable {
     /** Sets the seed of random numbers from the next {@link #reset} on. Not while a listener is attached. */
     public void reseed(long seed) {
         origin = new RunOrigin(seed, origin.epochMillis, origin.groundVisible);
-        world.reseed(seed);
         instruments.reseed(seed);
     }
 

@@ -61,7 +61,6 @@ final class World implements PhysicsWorld.Touches {
     private List<Pose> poses;
     private final List<double[]> contacts = new ArrayList<>();
     private boolean wantsContacts;
-    private long seed;
 
     /** Measuring threads of this world; helper threads start on demand. */
     private final WorkerPool workers = new WorkerPool(WorkerPool.threadsOfMachine());
@@ -77,7 +76,6 @@ final class World implements PhysicsWorld.Touches {
      * @param reported receives warnings during the run
      */
     World(Project project, long seed, long epochMillis, boolean groundVisible, Consumer<String> reported) throws ProjectException {
-        this.seed = seed;
         scenes = new RaycastScenes(!groundVisible || hasInvisible(project));
         virtualWalls = new VirtualWalls(scenes);
         SurfaceColors colors = new SurfaceColors(project.getAssets(), reported);
@@ -140,7 +138,7 @@ final class World implements PhysicsWorld.Touches {
         SizeCheck.report(physics.getBodies(), scenes.grounds(), warnings);
         fallen = new KillPlane(physics.getBodies(), reported);
         moves = new Teleports(this);
-        restart();
+        restart(seed);
         robots.forEach(robot -> StartChecks.check(robot, scenes, warnings));
     }
 
@@ -208,13 +206,12 @@ final class World implements PhysicsWorld.Touches {
             ObjectPose.of(object));
     }
 
-    /** Sets the seed of drive errors from the next restart on. */
-    void reseed(long newSeed) {
-        seed = newSeed;
-    }
-
-    /** Puts everything back to its start. */
-    void restart() {
+    /**
+     * Puts everything back to its start.
+     *
+     * @param seed chooses the errors of drives
+     */
+    void restart(long seed) {
         robots.forEach(RobotModel::rewind);
         physics.restart();
         orders.restart();

@@ -6,13 +6,16 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import org.SEAR.Bytes;
 import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.devices.SerialLine;
@@ -33,6 +36,8 @@ public class BetweenStepsTest {
     private static final String DIGITAL_WRITE = "AA 03 1B 0D 01";
     /** Length of the board's first line of text, characters. */
     private static final int HELLO = 63;
+    /** Length of an LMS200's telegram with 181 values, bytes. */
+    private static final int TELEGRAM = 372;
     private static final String ACK = "AA 02 09 1B";
 
     @Rule
@@ -112,6 +117,45 @@ public class BetweenStepsTest {
         assertTrue(world.serviceDevices(20) < Simulation.PARTS);
         Worlds.run(world, 0.2);
         assertEquals(Simulation.PARTS, world.serviceDevices(10));
+    }
+
+    /** A real LMS200's telegrams come within 1 ms of a constant interval; a step has 16.7 ms. */
+    @Test
+    public void byTheClockScansLeaveAtTheirTimesNotAtSteps() throws Exception {
+        LIDAR lidar = new LIDAR("lidar");
+        lidar.setBaud(500000);
+        lidar.setPorts("lidarUart", "lidarUser");
+        SEARrobot other = Robots.create2("other");
+        other.placeAt(2, 0);
+        other.addComponent(lidar);
+        world = Worlds.start(project);
+        SerialLine scanner = line("LIDAR");
+        List<Double> arrivals = new ArrayList<>();
+        int[] part = {0};
+        int[] length = {0};
+        scanner.setSink((bytes, starts) -> {
+            List<Integer> begins = Arrays.stream(starts).boxed().collect(Collectors.toList());
+            for (int i = 0; i < bytes.length; i++) {
+                length[0] = begins.contains(i) ? 1 : length[0] + 1;
+                if (length[0] == TELEGRAM) {
+                    arrivals.add((world.getStep() + part[0] / (double) Simulation.PARTS) * Simulation.STEP);
+                }
+            }
+        });
+        scanner.write(Bytes.bytes("02 00 02 00 20 24 34 08"));
+        Worlds.run(world, 0.5);
+        arrivals.clear();
+        for (int step = 0; step < 60; step++) {
+            for (part[0] = world.serviceDevices(1); part[0] < Simulation.PARTS;) {
+                part[0] = world.serviceDevices(part[0]);
+            }
+            part[0] = 0;
+            world.step();
+        }
+        assertEquals("75 a second: " + arrivals, 75, arrivals.size(), 1);
+        for (int i = 1; i < arrivals.size(); i++) {
+            assertEquals("scan " + i, 0.01332, arrivals.get(i) - arrivals.get(i - 1), 0.0002);
+        }
     }
 
     @Test

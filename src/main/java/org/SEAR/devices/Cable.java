@@ -265,8 +265,8 @@ public final class Cable implements SerialLine {
 
     /**
      * Carries bytes in both directions between two steps, if there are any, the host has written lately, or the device's
-     * next action is due. A reply goes out when its last byte has left the line, or at the step's end: each further piece would wake two programs on a
-     * busy processor. Simulation thread.
+     * next action is due. A reply goes out when its last byte has left the line, or at the step's end: each further
+     * piece would wake two programs on a busy processor. Simulation thread.
      *
      * @param time simulated seconds, never decreasing
      * @return simulated time of the next service, s; infinity if there was nothing to do

@@ -58,6 +58,9 @@ public interface RobotHardware {
      */
     double getPath();
 
+    /** Speed of the body's middle along its forward axis, m/s. */
+    double getSpeed();
+
     /** Heading turned since start or reset, radians, + counter-clockwise seen from above; not wrapped. */
     double getTurned();
 

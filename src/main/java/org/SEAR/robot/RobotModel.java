@@ -445,6 +445,13 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     @Override
+    public double getSpeed() {
+        double[] ahead = body.getPose().rotate(0, 0, 1);
+        double[] v = truth.velocity();
+        return v[0] * ahead[0] + v[1] * ahead[1] + v[2] * ahead[2];
+    }
+
+    @Override
     public double getTurned() {
         return truth.turned();
     }

@@ -81,6 +81,11 @@ public final class FakeHardware implements RobotHardware {
     }
 
     @Override
+    public double getSpeed() {
+        return (left + right) / 2;
+    }
+
+    @Override
     public double getTurned() {
         return turned;
     }

@@ -8,6 +8,8 @@ final class SensorPackets {
     private static final int ROOM_TEMPERATURE = 25;
     private static final double ENCODER_COUNTS_PER_TURN = 508.8;
     private static final double STALLED = 0.99;
+    /** Speed above which the front caster's sensor sees progress, m/s. */
+    private static final double PROGRESS = 0.005;
     private static final double ROOMBA400_HALF_BASE = 129;
     private static final double MILLIMETRES = 1000;
 
@@ -184,7 +186,7 @@ final class SensorPackets {
             case RIGHT_MOTOR_CURRENT:
                 return (int) Math.round(hardware.getRightLoad() * Battery.STALLED_WHEEL);
             case STASIS:
-                return bit(roomba.getDrive().isForward(), 0);
+                return bit(roomba.getDrive().isForward() && hardware.getSpeed() > PROGRESS, 0);
             default:
                 return 0;
         }

@@ -167,10 +167,11 @@ public class DriveErrorsTest {
             simulation.step();
         }
         assertEquals("stands", 0, simulation.getRobots().get(0).getHardware().getPath(), 0.01);
-        line.write(Bytes.bytes("8E 13"));
+        line.write(Bytes.bytes("8E 3A 8E 13"));
         simulation.step();
         simulation.step();
         byte[] answer = answers.toByteArray();
+        assertEquals("no progress", 0, answer[answer.length - 3]);
         assertEquals("200 mm/s for 2 s", 400, answer[answer.length - 2] << 8 | answer[answer.length - 1] & 0xFF, 30);
     }
 

@@ -31,6 +31,8 @@ public class GPS extends SensorObject implements SerialObject {
     private double rate = 1;
     @Param(doc = "simulated time without a fix after power-on or a cold start", unit = "s", max = 1e6)
     private double timeToFix;
+    @Param(doc = "time between a fix and the start of its output", unit = "s", max = 1)
+    private double latency;
 
     /** For reading from a file. */
     protected GPS() {
@@ -162,6 +164,20 @@ public class GPS extends SensorObject implements SerialObject {
 
     public void setTimeToFix(double seconds) {
         timeToFix = checked("timeToFix", seconds);
+        changed();
+    }
+
+    public double getLatency() {
+        return latency;
+    }
+
+    /**
+     * Sets the time that the receiver computes before it sends a fix; the fix keeps its own time and place.
+     *
+     * @param seconds 0 to 1; real receivers take some 0.05 to 0.2
+     */
+    public void setLatency(double seconds) {
+        latency = checked("latency", seconds);
         changed();
     }
 }

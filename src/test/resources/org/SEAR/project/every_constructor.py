@@ -110,6 +110,7 @@ gps.setExport(5003)
 gps.setModel("MT3301")
 gps.setRate(5)
 gps.setTimeToFix(30)
+gps.setLatency(0.1)
 gps.setNoise(Noise(2))
 
 add(Compass(name()))

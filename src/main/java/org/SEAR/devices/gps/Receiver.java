@@ -21,12 +21,19 @@ abstract class Receiver implements SerialDevice {
     private int baud;
     private int nextBaud;
     private double switchAt;
+    private double latency;
 
     /** @param timeToFix seconds without a fix after power-on */
     Receiver(GpsModel model, double timeToFix, DeviceContext context) {
         this.model = model;
         this.timeToFix = Math.round(timeToFix * MILLIS);
         this.context = context;
+    }
+
+    /** @param seconds between a fix and the start of its output; default 0 */
+    final Receiver withLatency(double seconds) {
+        latency = seconds;
+        return this;
     }
 
     /**
@@ -138,13 +145,13 @@ abstract class Receiver implements SerialDevice {
     /** Sends the output of a fix; skips the fix while earlier output is still on the line. */
     private void fix(long millis) {
         double time = millis / MILLIS;
-        if (context.lineFreeAt() > time) {
+        if (context.lineFreeAt() > time + latency) {
             return;
         }
         byte[] bytes = output(fixAt(millis), context.epochMillis() + millis, fixNumber);
         fixNumber++;
         if (bytes.length > 0) {
-            context.send(bytes, time);
+            context.send(bytes, time + latency);
         }
     }
 

@@ -68,6 +68,16 @@ public class Mt3301Test {
         assertEquals(NMEA.get("it has restarted") + "\r\n", Nmea.sentence("PMTK010,001"));
     }
 
+    /** The sentences of each fix leave after the latency and keep the time of the fix. */
+    @Test
+    public void aFixIsSentAfterItsLatency() {
+        gps.withLatency(0.15);
+        line.pass(2.7);
+        assertEquals(1.15, line.messages.get(0), 1e-9);
+        assertEquals(2.15, line.messages.get(1), 1e-9);
+        assertTrue(line.takeText().startsWith("$GPGGA,120001.000"));
+    }
+
     @Test
     public void checksumsBothWays() {
         for (String command : COMMANDS) {

@@ -16,6 +16,7 @@ import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Servo;
+import org.SEAR.Slow;
 import org.SEAR.devices.RobotHardware;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
@@ -25,6 +26,7 @@ import org.SEAR.sensors.OdometerReading;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Dead reckoning of robots whose wheels and encoders are not perfect. */
 public class DriveErrorsTest {
@@ -95,6 +97,7 @@ public class DriveErrorsTest {
     }
 
     /** Without errors the computed end is true to a millimetre for each seed. */
+    @Category(Slow.class)
     @Test
     public void deadReckoningMissesOneToTwoPercentByTheSeed() throws Exception {
         new Floor("floor", 50, 50);

@@ -230,7 +230,7 @@ public final class Projects {
         if (folder == null) {
             throw new IllegalArgumentException("the folder is missing (None), legal: the path of a folder, such as \"SEARproject\"");
         }
-        Path copy = ScriptText.path(folder).resolve(name).toAbsolutePath().normalize();
+        Path copy = ScriptText.path(folder).resolve(name);
         if (Files.exists(copy)) {
             throw new IOException(copy + " already exists: delete or rename it to get a new copy");
         }
@@ -238,9 +238,9 @@ public final class Projects {
             if (in == null) {
                 throw new IOException("this sear.jar has no templates/" + name);
             }
-            Files.createDirectories(copy.getParent());
+            Files.createDirectories(copy.toAbsolutePath().getParent());
             AtomicFile.write(copy, place -> Files.copy(in, place, StandardCopyOption.REPLACE_EXISTING));
         }
-        return copy;
+        return copy.toAbsolutePath().normalize();
     }
 }

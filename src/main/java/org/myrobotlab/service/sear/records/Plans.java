@@ -36,10 +36,10 @@ public final class Plans {
         if (text == null) {
             throw new IllegalArgumentException("the path of the picture is missing (None), legal: a text such as \"plan.png\"");
         }
-        Path file = ScriptText.path(text).toAbsolutePath().normalize();
+        Path file = ScriptText.path(text);
         DrawingFiles.check(file);
         DrawingFiles.save(new PlanDrawing(plan(true)), file);
-        return file;
+        return file.toAbsolutePath().normalize();
     }
 
     private Plan plan(boolean beams) throws InterruptedException, IOException, ProjectException {

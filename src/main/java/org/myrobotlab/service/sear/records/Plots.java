@@ -55,9 +55,9 @@ public final class Plots {
     }
 
     private static Path saved(Plot plot, String picture) throws IOException {
-        Path file = ScriptText.path(given(picture, "the path of the picture")).toAbsolutePath().normalize();
+        Path file = ScriptText.path(given(picture, "the path of the picture"));
         plot.save(file);
-        return file;
+        return file.toAbsolutePath().normalize();
     }
 
     private static double[] numbers(String name, List<?> list) {

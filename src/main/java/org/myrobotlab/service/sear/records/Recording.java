@@ -63,8 +63,8 @@ public final class Recording {
         if (wanted != null) {
             throw new IllegalStateException("a record is being written to " + wanted + " already: call endRecord() first");
         }
-        Path file = ScriptText.path(path.endsWith(ENDING) ? path : path + ENDING).toAbsolutePath().normalize();
-        Path parent = file.getParent();
+        Path file = ScriptText.path(path.endsWith(ENDING) ? path : path + ENDING);
+        Path parent = file.toAbsolutePath().getParent();
         if (parent == null || !Files.isDirectory(parent)) {
             throw new IOException(file + " can't be written: there is no folder " + parent + "; create it, or choose another");
         }
@@ -77,7 +77,7 @@ public final class Recording {
         limit = most;
         rate = pictures;
         wanted = file;
-        return file.toString();
+        return file.toAbsolutePath().normalize().toString();
     }
 
     /** Creates the recorder; throws IOException of the file as IllegalStateException. */

@@ -115,7 +115,7 @@ public final class Records {
         if (csv == null) {
             throw new IllegalArgumentException("the path of the table is missing (None), legal: such as \"run.csv\"");
         }
-        Path file = ScriptText.path(csv).toAbsolutePath().normalize();
+        Path file = ScriptText.path(csv);
         if (Files.exists(file) && !csv.endsWith(".csv")) {
             throw new IOException(file + " already exists and is not a .csv file: choose another name");
         }
@@ -123,7 +123,7 @@ public final class Records {
         Series series = Series.of(record, names, MAX_ROWS);
         report(record, series.whole);
         AtomicFile.write(file, series.csv().getBytes(StandardCharsets.UTF_8));
-        return file;
+        return file.toAbsolutePath().normalize();
     }
 
     /** Returns {@code {"path": .., "names": [..], "times": [..], "values": [[.., null, ..], ..]}}. */

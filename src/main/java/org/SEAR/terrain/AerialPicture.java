@@ -56,7 +56,7 @@ public final class AerialPicture {
      */
     public static AerialPicture load(Assets assets, String path, GeoOrigin origin, double... rectangle) throws IOException {
         try (MapBytes bytes = MapBytes.open(assets, path); TiffPicture picture = TiffPicture.open(bytes)) {
-            MapSystem system = new MapSystem(path, picture.place.system);
+            MapSystem system = MapSystem.at(path, picture.place.system, origin.getLatitude(), origin.getLongitude());
             double middle = picture.place.x(picture.columns / 2.0, picture.rows / 2.0);
             MapPlane plane = MapPlane.onEarth(origin, system, picture.place, middle);
             int[] part = part(picture, plane, rectangle);

@@ -49,9 +49,11 @@ final class GroundBuilder {
         if (wanted.size != null) {
             throw FileLimits.wrong(file, "the size", "given", "no setSize for a georeferenced map: use setArea to choose a part");
         }
-        MapSystem system = new MapSystem(file, mosaic.place.system);
         double middleX = mosaic.place.x((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0);
-        double[] middle = system.toEarth(middleX, mosaic.place.y((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0));
+        double middleY = mosaic.place.y((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0);
+        MapSystem system = area == null ? MapSystem.over(file, mosaic.place.system, middleX, middleY)
+            : MapSystem.at(file, mosaic.place.system, area.latitude, area.longitude);
+        double[] middle = system.toEarth(middleX, middleY);
         if (!(Math.abs(middle[0]) <= 90) || !(Math.abs(middle[1]) <= 720)) {
             throw FileLimits.wrong(file, "the centre of the map", "latitude " + middle[0] + ", longitude " + middle[1],
                 "a place on Earth (is the coordinate system " + mosaic.place.system + " correct?)");

@@ -35,7 +35,7 @@ public final class MapCut {
 
     private static byte[] cut(Mosaic mosaic, TerrainArea wanted) throws IOException {
         TerrainArea.Area area = wanted.area;
-        MapSystem system = new MapSystem(mosaic.first().name, mosaic.place.system);
+        MapSystem system = MapSystem.at(mosaic.first().name, mosaic.place.system, area.latitude, area.longitude);
         double middle = mosaic.place.x((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0);
         MapPlane plane = MapPlane.onEarth(new GeoOrigin(area.latitude, 0, area.longitude), system, mosaic.place, middle);
         double[] box = new MapExtent(mosaic, plane).box(area.northSouth, area.eastWest, HALF_CELL);
@@ -51,6 +51,6 @@ public final class MapCut {
         }
         MapRaster raster = mosaic.read(top, left, bottom - top + 1, right - left + 1);
         Georeference place = mosaic.place.from(left, top);
-        return GeoTiffWriter.bytes(place, system.degrees, raster.rows, raster.columns, raster.heights);
+        return GeoTiffWriter.bytes(place, system.geographic, raster.rows, raster.columns, raster.heights);
     }
 }

@@ -22,9 +22,7 @@ final class MapHeights {
     synchronized double height(double latitude, double longitude) {
         double[] map = new double[2];
         system.toMap(latitude, longitude, map);
-        if (system.degrees) {
-            map[0] += 360 * Math.rint((middle - map[0]) / 360);
-        }
+        map[0] = system.turned(map[0], middle);
         return raster.applyAsDouble(place.column(map[0], map[1]), place.row(map[0], map[1]));
     }
 }

@@ -21,9 +21,7 @@ abstract class MapPlane {
             void toMap(double x, double z, double[] into) {
                 GeoOrigin.GeoPoint point = origin.at(x, 0, z);
                 system.toMap(point.latitude, point.longitude, into);
-                if (system.degrees) {
-                    into[0] += 360 * Math.rint((middle - into[0]) / 360);
-                }
+                into[0] = system.turned(into[0], middle);
             }
         };
     }

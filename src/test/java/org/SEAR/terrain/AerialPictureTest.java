@@ -45,7 +45,7 @@ public class AerialPictureTest {
     }
 
     private static GeoOrigin origin() throws IOException {
-        double[] place = new MapSystem("map", "EPSG:32632").toEarth(500000, 5_200_000);
+        double[] place = MapSystem.at("map", "EPSG:32632", 47, 9).toEarth(500000, 5_200_000);
         return new GeoOrigin(place[0], 400, place[1]);
     }
 

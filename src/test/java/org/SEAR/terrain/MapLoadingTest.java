@@ -233,7 +233,8 @@ public class MapLoadingTest {
         refused(all("a.tif", "utm.tif"), "utm.tif: the coordinate system is EPSG:32632, legal: EPSG:4326 as in a.tif");
         keys[11] = 9999;
         write("unknown.tif", TiffMaker.heights(3, 3, 500000, 5200000, 30, 1, 2, 3, 4, 5, 6, 7, 8, 9).with(34735, keys).bytes());
-        refused(all("unknown.tif"), "unknown.tif: the coordinate system is EPSG:9999 (");
+        refused(all("unknown.tif"), "unknown.tif: the coordinate system is EPSG:9999, legal: a horizontal system of the EPSG register: "
+            + "convert the map by gdalwarp -t_srs EPSG:4326 unknown.tif");
         write("wrong.tif", TiffMaker.heights(3, 3, 500000, 5200000, 30, 1, 2, 3, 4, 5, 6, 7, 8, 9).bytes());
         refused(all("wrong.tif"), "wrong.tif: the centre of the map is latitude ");
     }

@@ -10,7 +10,7 @@ import org.junit.Test;
 /** The interpolated conversion from world to map, exact at a few grid points, stays near the exact one everywhere. */
 public class PlaneLatticeTest {
     private static void within(double metres, String system, Georeference place, GeoOrigin origin, double size, double spacing) throws IOException {
-        MapPlane plane = MapPlane.onEarth(origin, new MapSystem("map", system), place, place.x0);
+        MapPlane plane = MapPlane.onEarth(origin, MapSystem.over("map", system, place.x0, place.y0), place, place.x0);
         double[] zero = new double[2];
         double[] one = new double[2];
         plane.at(0, 0, zero);

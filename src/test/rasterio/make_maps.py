@@ -88,6 +88,8 @@ write('sparse', 'int16', SPARSE_OK=True, hole=-32768, **TILES)
 
 write('utm', 'float32', crs='EPSG:32632', affine=Affine(30, 0, 447000, 0, -30, 5161000))
 write('utm_turned', 'float32', crs='EPSG:32632', affine=Affine.translation(447000, 5161000) * Affine.rotation(17) * Affine.scale(30, -25))
+write('utm_sheared', 'float32', crs='EPSG:32632', affine=Affine(30, 7, 447000, -4, -25, 5161000))
+write('paris_grads', 'int16', crs='EPSG:4807', affine=Affine(0.001, 0, 3, 0, -0.001, 50))
 write('utm_south', 'int16', crs='EPSG:32719', affine=Affine(90, 0, 400000, 0, -90, 6500000))
 write('laea_europe', 'float32', crs='EPSG:3035', affine=Affine(25, 0, 4150000, 0, -25, 2600000))
 write('lambert_france', 'float32', crs='EPSG:2154', affine=Affine(25, 0, 960000, 0, -25, 6520000))

@@ -248,6 +248,11 @@ public class MapLoadingTest {
             write("map.tif", kind[0]);
             refused(all("map.tif"), "map.tif: the file is " + kind[1] + ", legal: SRTM (.hgt, .hgt.zip), GeoTIFF (.tif)");
         }
+        write("n36.dt2", "UHL1");
+        refused(all("n36.dt2"), "n36.dt2: the file is a DTED, legal: SRTM (.hgt, .hgt.zip), GeoTIFF (.tif), ESRI ASCII grid (.asc) or a grey picture "
+            + "(.png, .jpg, .bmp): convert other elevation maps by gdal_translate n36.dt2 n36_converted.tif");
+        write("utah.dem", "UTAH     ");
+        refused(all("utah.dem"), "utah.dem: the file is a USGS DEM, legal: SRTM (.hgt, .hgt.zip), GeoTIFF (.tif)");
         write("map.tif", "");
         refused(all("map.tif"), "map.tif: the file's size is 0, legal: 1 to 4294967296");
         refused(all("none.tif"), "no asset \"none.tif\": save the file as ");

@@ -29,7 +29,7 @@ import org.junit.rules.TemporaryFolder;
 /** Maps that GDAL writes, in many encodings and projections, compared with GDAL's own values. */
 @Category(Slow.class)
 public class RasterioTest {
-    private static final int MAPS = 34;
+    private static final int MAPS = 36;
     private static final long SEED = Long.getLong("sear.fuzzSeed", 1);
 
     @ClassRule

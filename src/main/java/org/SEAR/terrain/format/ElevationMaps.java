@@ -80,7 +80,14 @@ public final class ElevationMaps {
         if (isGrid(bytes)) {
             return AsciiGrid.open(bytes, systemBeside(assets, bytes.getName()));
         }
-        throw FileLimits.wrong(bytes.getName(), "the file", kind, LEGAL);
+        throw FileLimits.wrong(bytes.getName(), "the file", kind.equals(FileKind.UNKNOWN) && lower.endsWith(".dem") ? "a USGS DEM" : kind,
+            LEGAL + ": convert other elevation maps by " + translation(bytes.getName()));
+    }
+
+    /** Returns the command of GDAL that converts a map. */
+    private static String translation(String path) {
+        String name = FileLimits.printable(path.substring(path.lastIndexOf('/') + 1));
+        return "gdal_translate " + name + ' ' + (name.contains(".") ? name.substring(0, name.lastIndexOf('.')) : name) + "_converted.tif";
     }
 
     private static String systemBeside(Assets assets, String path) throws IOException {

@@ -3,6 +3,7 @@ package org.SEAR.terrain.format;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Set;
 import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.TiffFile;
 
@@ -22,6 +23,10 @@ final class GeoKeys {
     private static final int VERTICAL_UNITS = 4099;
     private static final int USER_DEFINED = 32767;
     private static final int DEGREE = 9102;
+    private static final int GRAD = 9105;
+    /** Geographic systems of the Paris meridian, whose coordinates are grads. */
+    private static final Set<Integer> IN_GRADS = Set.of(4807, 4810, 4811, 4816, 4819, 4821, 4901, 4902);
+    private static final String WARP = "gdalwarp -t_srs EPSG:4326 ";
     private static final int PIXEL_IS_POINT = 2;
     private static final int GEOCENTRIC = 3;
     private static final Map<Integer, Double> METRES = Map.of(9001, 1.0, 9002, 0.3048, 9003, 1200 / 3937.0);
@@ -70,7 +75,7 @@ final class GeoKeys {
             corner = new Georeference(system(), matrix[3], matrix[7], matrix[0], matrix[4], matrix[1], matrix[5]);
         } else if (ties != null && ties.length > 6) {
             throw FileLimits.wrong(file.name, "the place", ties.length / 6 + " control points", "ModelPixelScale and ModelTiepoint, or "
-                + "ModelTransformation: warp it first, for example by gdalwarp");
+                + "ModelTransformation: convert the map by " + warp());
         } else {
             return null;
         }
@@ -79,6 +84,11 @@ final class GeoKeys {
                 + corner.yRow, "finite numbers, steps other than 0");
         }
         return keys.getOrDefault(RASTER_TYPE, 1) == PIXEL_IS_POINT ? corner : corner.from(0.5, 0.5);
+    }
+
+    /** Returns the command of GDAL that converts the map. */
+    private String warp() {
+        return WARP + FileLimits.printable(file.name.substring(file.name.lastIndexOf('/') + 1)) + " wgs84.tif";
     }
 
     private String system() throws IOException {
@@ -91,10 +101,12 @@ final class GeoKeys {
         boolean geocentric = keys.getOrDefault(MODEL_TYPE, 0) == GEOCENTRIC;
         if (geocentric || projected == USER_DEFINED || projected == 0 && geographic == USER_DEFINED) {
             throw FileLimits.wrong(file.name, "the coordinate system", geocentric ? "geocentric" : "defined by user",
-                "one with an EPSG number: convert it, for example by gdalwarp -t_srs EPSG:4326");
+                "one with an EPSG number: convert it, for example by " + warp());
         }
-        if (projected == 0 && geographic != 0 && keys.getOrDefault(ANGULAR_UNITS, DEGREE) != DEGREE) {
-            throw FileLimits.wrong(file.name, "the unit of angles", "EPSG " + keys.get(ANGULAR_UNITS), DEGREE + " (degree)");
+        int expected = IN_GRADS.contains(geographic) ? GRAD : DEGREE;
+        if (projected == 0 && geographic != 0 && keys.getOrDefault(ANGULAR_UNITS, expected) != expected) {
+            throw FileLimits.wrong(file.name, "the unit of angles", "EPSG " + keys.get(ANGULAR_UNITS),
+                expected + (expected == GRAD ? " (grad)" : " (degree)") + " for EPSG:" + geographic);
         }
         int number = projected != 0 ? projected : geographic;
         return number == 0 ? null : "EPSG:" + number;

@@ -144,6 +144,7 @@ def projection(crs):
     if words[0].split('=')[1] not in METHODS or '+R_A' in crs.to_proj4() or crs.coordinate_operation.method_name.startswith(('Hyperbolic', 'Modified', 'Guam')):
         return None
     kept = [word for word in words[1:] if word.split('=')[0] not in DROPPED and word not in DEFAULTS]
+    kept = ['to_meter=0.201168' if word == 'units=link' else word for word in kept]       # a unit that Proj4J lacks
     ellipsoid = crs.geodetic_crs.ellipsoid
     if f'b={number(ellipsoid.semi_minor_metre)}' in kept or any(word.startswith('a=') for word in kept) and 'nadgrids=@null' not in kept:
         kept = [word for word in kept if word[:2] not in ('a=', 'b=')]
@@ -156,6 +157,8 @@ def projection(crs):
         e2 = 1 - (ellipsoid.semi_minor_metre / ellipsoid.semi_major_metre) ** 2
         kept = [word for word in kept if not word.startswith('lat_ts=')]
         kept.append(f'k_0={number(math.cos(latitude) / math.sqrt(1 - e2 * math.sin(latitude) ** 2))}')
+    if method == 'omerc' and 'no_uoff' not in kept and given['alpha'] != given['gamma']:     # Proj4J is kilometres off
+        return None
     if method == 'stere' and 'lat_ts' not in given:
         kept.append(f'lat_ts={given["lat_0"]}')
     return ' '.join([method, *kept])

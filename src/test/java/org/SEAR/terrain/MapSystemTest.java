@@ -88,6 +88,7 @@ public class MapSystemTest {
             + "that is more certain than 14 m");
         assertRefused("EPSG:3821", "(TWD67), legal: one with a datum shift within 5 m; this one has none without grid files: ");
         assertRefused("EPSG:5880", "American Polyconic");
+        assertRefused("EPSG:29873", "Hotine Oblique Mercator (variant B)");
         assertRefused("EPSG:2218", "Lambert Conic Conformal (West Orientated)");
         assertRefused("EPSG:4979", "legal: a horizontal system of the EPSG register");
         assertRefused("EPSG:0", "legal: a horizontal system of the EPSG register");

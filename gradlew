@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # Builds with the Gradle on the PATH. On Debian or Ubuntu, as root or with password-free sudo, it first installs missing
 # programs: Gradle and a JDK, and for tests a virtual display, a browser and third-party drivers. On other systems it prints
 # what to install. Ends a test run with the line "N passed, N failed, N skipped".

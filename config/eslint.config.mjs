@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that MyRobotLab loads are scripts for AngularJS 1.5, files that they load are modules. No semicolons. Browsers provide the globals.
 import js from '@eslint/js'
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Takes the version from gradle.properties, and adds SEAR as built by `./gradlew installDist` to the package.
 
 Writes into temporary folders only, so that several builds can run at the same time, also from a read-only checkout.

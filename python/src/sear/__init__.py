@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SEAR, the Simulation Environment for Autonomous Robots, from Python 3.
 
     from sear import *

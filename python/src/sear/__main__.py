@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs a script like `sear SCRIPT.py`: python3 -m sear SCRIPT.py [ARGUMENT ...].
 
 The script can use Runtime, python and sleep without an import, and import Java's packages, as in MyRobotLab.

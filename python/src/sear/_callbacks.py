@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Callbacks: a Python thread polls the service Python3 for calls from MyRobotLab and runs them one by one."""
 import sys
 import threading

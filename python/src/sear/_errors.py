@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SEAR's exceptions: messages from Java, types that are also Python's, so that `except ValueError` works."""
 import os
 import traceback

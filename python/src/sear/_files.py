@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Writing of files, whole or not at all."""
 import contextlib
 import os

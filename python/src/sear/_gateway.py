@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Java in another process of this machine, through Py4J: a running SEAR after startPython3()."""
 import os
 

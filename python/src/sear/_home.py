@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Location of SEAR's Java part."""
 import os
 import re

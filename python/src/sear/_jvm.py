@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Java in this process, through JPype."""
 import os
 

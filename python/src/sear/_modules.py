@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Java's packages as Python modules, for scripts of MyRobotLab with imports like `from org.SEAR.POJOs import Box`."""
 import importlib.machinery
 import sys

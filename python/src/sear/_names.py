@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The classes of the object grammar. Written by `gradle pythonStubs`; do not edit."""
 
 OBJECTS = (

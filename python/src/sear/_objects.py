@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Java's objects in Python. The backends _jvm and _gateway implement the access to Java."""
 import builtins
 import collections.abc

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Records of runs, as arrays and plots."""
 import os
 import tempfile

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Notebook display of objects and readings. Display never fails and never waits long: a problem appears as text."""
 import html
 import math

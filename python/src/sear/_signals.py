@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Signals that end a program: Java in the process must not change what they do."""
 import ctypes
 import os

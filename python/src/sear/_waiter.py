@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Long calls of Java that signals interrupt, as they interrupt Python's own waits."""
 import os
 import queue

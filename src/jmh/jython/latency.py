@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Measures a script's view in the embedded MyRobotLab, in real time: start, scan by method call, scan through the LIDAR
 # service, memory. scripts/benchmark runs it with "sear" in a folder with a SEARproject that has a LIDAR. An environment
 # variable names the output file for the JSON.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The whole benchmark in one run: SEAR and other engines in the same worlds, in turns. scripts/benchmark runs it; --help
 lists the options."""
 import argparse

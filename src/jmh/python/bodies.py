@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Scenes of bodies that end at rest, in several engines: processor time, and its validity: deepest overlap below 1 mm, no
 movement."""
 import json

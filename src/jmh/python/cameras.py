@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Camera pictures: the same worlds from the same places in SEAR and in the software renderers of MuJoCo and pybullet, in
 turns in one run."""
 import array

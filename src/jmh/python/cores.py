@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Tables of several cores and many robots, which org.SEAR.benchmark.Cores measures."""
 GOALS = {"speedup": 1.7, "growth": 1.3, "realtime": 1}
 FLEETS = ["1x1", "10x1", "50x1", "1x0", "50x0", "200x0"]

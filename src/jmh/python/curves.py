@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Draws curves on logarithmic axes as SVG."""
 import math
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The beam worlds of the benchmark in Embree, which knows only triangles: a box is twelve of them. Default settings;
 one thread."""
 from importlib.metadata import version

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Environment steps per second, from Python, with a LIDAR of 181 beams: sear.gym, and Gymnasium's MuJoCo and pybullet, in one
 process, in turns.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Goals of the measurements, and why some are missed."""
 
 GOALS = {

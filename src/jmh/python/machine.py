@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Describes the machine of a measurement: processor, cores, memory, system, versions. No host name."""
 import os
 import platform

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A scene of bodies in MuJoCo, at 1/60 s with default settings except for the friction: mujoco_bodies.py SCENE.json
 OUT.json."""
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The worlds of the benchmark in MuJoCo: default settings except for the step of 1/60 s, and the implicitfast
 integrator, which such a long step needs."""
 import mujoco

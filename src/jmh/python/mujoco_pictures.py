@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Camera pictures in MuJoCo, with mujoco.Renderer. "fast" omits antialiasing and uses a shadow map of 1024 pixels
 instead of 4096."""
 import mujoco

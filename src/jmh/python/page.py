@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Writes the measured part of docs/performance.md, and its curves, from the JSON of a run."""
 import os
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs one world of the benchmark in another engine on request: peer.py ENGINE WORLD.json OUT.json. ENGINE is mujoco,
 pybullet or embree.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Takes pictures of one world in another engine on request: picture_peer.py ENGINE WORLD.json. ENGINE is mujoco, mujoco-fast
 or pybullet.
 

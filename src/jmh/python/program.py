@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A program that measures on request, so that several can go in turns: it reads lines, and answers each with one
 line."""
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The worlds of the benchmark in pybullet: default settings except for the step of 1/60 s; one thread."""
 import os
 import tempfile

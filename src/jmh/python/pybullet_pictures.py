@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Camera pictures in pybullet, with getCameraImage and its single-threaded TinyRenderer."""
 import os
 import tempfile

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Measures the other engines, each in the same way: wall time, and the process's share of a core."""
 import resource
 import time

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """SEAR's worlds as Gymnasium environments for machine learning.
 
     import gymnasium

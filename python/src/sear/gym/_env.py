@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A project as a Gymnasium environment."""
 from numbers import Real
 

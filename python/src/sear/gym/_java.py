@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The Java part: org.SEAR.learning.Episode, in this process."""
 import os
 import shutil

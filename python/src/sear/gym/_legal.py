@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Checks of an environment's arguments: the ValueError names the argument, its value and what is legal."""
 from math import isfinite
 from operator import index

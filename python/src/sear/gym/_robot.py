@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The argument of reward functions."""
 
 (TIME, X, Y, Z, HEADING, TILT, SPEED, TURN_RATE, PATH, TURNED, LEFT, RIGHT, TOUCHED) = range(13)

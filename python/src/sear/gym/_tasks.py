@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The registered environments: example projects, each with a reward. Arguments of SearEnv override the values set
 here."""
 from math import hypot

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Many runs of a function or a script, on many processes or computers, with Dask Distributed: docs/sweeps.md."""
 import hashlib
 import importlib.util

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The command: python3 -m sear.sweeps SCRIPT.py, started by `sear sweep`."""
 import argparse
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A process that performs runs one by one. Requests arrive on its standard input, answers go to its standard output.
 
 Java starts once. Output of scripts goes to standard error, which the parent redirects to a file. The process ends when

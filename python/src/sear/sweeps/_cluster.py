@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Dask workers on this computer, in their own process: python3 -m sear.sweeps._cluster NUMBER. It ends when its
 standard input is closed.
 

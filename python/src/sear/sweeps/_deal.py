@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Distributes runs to Dask workers and collects their answers."""
 import contextlib
 import itertools

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The folder of a sweep: its plan (sweep.json), each finished row (journal.jsonl), and the tables (rows.csv,
 rows.parquet)."""
 import csv

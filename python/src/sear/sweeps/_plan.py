@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The plan of a sweep: seeds, values of parameters, and the order of rows."""
 import hashlib
 import itertools

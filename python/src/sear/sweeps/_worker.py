@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Code of a Dask worker: passes runs to child processes, which are reused, and kills those that exceed their time or
 memory."""
 import json

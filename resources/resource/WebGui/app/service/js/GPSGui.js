@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Panel of the GPS service. MyRobotLab loads this script by its name. The panel's code is in modules loaded later.
 angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', '$timeout', function($scope, $timeout) {
     var self = this

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Panel of the LIDAR service. MyRobotLab loads this script by its name. The panel's code is in modules loaded later.
 angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scope', '$timeout', function($scope, $timeout) {
     var self = this

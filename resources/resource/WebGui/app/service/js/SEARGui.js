@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Panel of the SEAR service. MyRobotLab loads this script by its name. The panel's code is in modules loaded later.
 angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope', '$timeout', '$interval', function($scope, $timeout, $interval) {
     var self = this

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.assets;
 
 /** Smooth tileable noise from integer hashes; identical on every machine. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.assets;
 
 /** SEAR's bundled textures as functions of position. All are tileable except the Roomba's top and the track. */

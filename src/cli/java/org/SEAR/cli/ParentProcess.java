@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.cli;
 
 /** The program that started and supervises this one, such as {@code sear class}; this program ends with it. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.POJOs;
 
 /** Dimensions that drivers assume for a robot with an Open Interface. Immutable, any thread. */

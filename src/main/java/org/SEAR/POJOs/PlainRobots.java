@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.POJOs;
 
 /** Generic ready robots of {@link Robots}: small vehicles with motors as a base for the user's own. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.camera;
 
 /** Appearance of an unknown shape: one colour, lit as if it faced the camera. Immutable, any thread. */

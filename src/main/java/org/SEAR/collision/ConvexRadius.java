@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.collision;
 
 /** Convex radius: thickness of a shape's layer around its core, see {@link ConvexShape#coreSupport}. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.devices;
 
 /** A light of a robot, for firmware and scripts. Simulation thread only. */

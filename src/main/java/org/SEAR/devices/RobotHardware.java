@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.devices;
 
 /** Motors and contact sensors of one robot, for its firmware, at the current step. Simulation thread only. */

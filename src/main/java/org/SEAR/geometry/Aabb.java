@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.geometry;
 
 /** Axis-aligned bounding box, metres, mutable so that a step allocates none. Not thread-safe. */

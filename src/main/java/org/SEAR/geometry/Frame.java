@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.geometry;
 
 /** Mutable pose: the same arithmetic as {@link Pose#times}, without allocation. Simulation thread. */

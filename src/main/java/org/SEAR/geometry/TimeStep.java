@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.geometry;
 
 /** Time step of the simulation; physics, devices and the loop all use it. */

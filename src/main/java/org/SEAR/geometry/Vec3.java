@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.geometry;
 
 /** Mutable vector, so that a step allocates none. Not thread-safe. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.grammar;
 
 /** Collects the problems of an object that the legal range of a single parameter does not cover. */

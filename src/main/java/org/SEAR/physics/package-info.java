@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Rigid bodies, their contacts and the contact solver. Uses {@link org.SEAR.physics.solid}. Simulation thread.
  *

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.plot;
 
 /** Drawing surface: points from the upper left corner, y down; colours as #rrggbb. One thread. */

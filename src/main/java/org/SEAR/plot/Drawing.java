@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.plot;
 
 /** Something that can be drawn as a picture. One thread. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.raycast;
 
 /** Hit of a ray. Mutable so that casting allocates nothing; belongs to the caller. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.record;
 
 /** The events of a record: each is one byte with this number, followed by its data. docs/records.md has the table. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.scene;
 
 /** Displayed colour of a light. A light that is off still shows some of its colour. Any thread. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Drawing data that the window and the tab share: the scene at one moment, interpolation between steps, sensor beams,
  * camera cones, text of readings, colours of lights. Uses {@link org.SEAR.simulator} and its dependencies. Any thread;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.sensors;
 
 /** The colour that a sensor sees: red, green and blue, 0 to 255 (sRGB); NaN after a drop-out. Immutable; any thread. */

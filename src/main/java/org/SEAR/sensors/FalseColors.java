@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.sensors;
 
 /** False colours: a rainbow from the lowest to the highest number of a picture. Any thread. */

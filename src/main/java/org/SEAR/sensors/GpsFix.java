@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.sensors;
 
 /** Position and motion of a GPS sensor on WGS84. Immutable; any thread. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.sensors;
 
 /** Count of an odometer since its last reset. Immutable. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.sensors;
 
 /** A reading of one number, in the unit of its sensor type; NaN after a drop-out. Immutable; any thread. */

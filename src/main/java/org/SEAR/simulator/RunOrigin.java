@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.simulator;
 
 /** Settings that determine a run together with the project and the commands. Immutable, any thread. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.view;
 
 /** Detects a machine that draws too slowly for full shadow updates. Window thread only. */

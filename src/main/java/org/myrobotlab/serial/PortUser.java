@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.myrobotlab.serial;
 
 /** A service that waits for reconnection. Immutable; any thread. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * The services SEAR, LIDAR, GPS and Python3, which MyRobotLab finds by name. Scripts, panels and MyRobotLab's inbox
  * threads call their methods. No type of jMonkeyEngine appears in a signature or a field. Uses

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.myrobotlab.embedded;
 
 /** Ends the program when a script or a user shuts MyRobotLab down. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.myrobotlab.framework;
 
 /** A service that belongs to another one, such as the Serial of a Roomba. */

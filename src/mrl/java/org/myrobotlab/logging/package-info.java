@@ -1,2 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
 /** MyRobotLab's logger factory. Any thread. */
 package org.myrobotlab.logging;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.cli.install;
 
 /** Explains why nothing was installed or removed, and what to do. */

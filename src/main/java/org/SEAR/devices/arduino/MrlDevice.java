@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.devices.arduino;
 
 /** A device that a MyRobotLab service has attached to MrlComm. */

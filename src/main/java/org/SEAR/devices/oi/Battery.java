@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.devices.oi;
 
 /** A rechargeable battery. The drawn current drains it, and its voltage falls with its charge. */

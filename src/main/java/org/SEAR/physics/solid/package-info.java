@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Solids of the grammar's objects for contacts, rays and drawing: geometry, surface, and triangles, which jbullet
  * finds. {@link org.SEAR.physics.solid.Solids} lists the kinds. Uses {@link org.SEAR.collision},

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Start poses of bodies: out of each other and on the ground. Uses {@link org.SEAR.physics}. Any thread, before the
  * world starts.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.protocol.arduino;
 
 /** Purpose of the wire between a pin and a component. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.protocol.cola;
 
 /** Error codes of a scanner, sent as {@code sFA code}. Source: SICK's telegram listing and {@code sick_scan_xd}. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.protocol.firmata;
 
 /** Messages of the encoder feature: up to {@link #ENCODERS} encoders, positions of 28 bits and a sign. */

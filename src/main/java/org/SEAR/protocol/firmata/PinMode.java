@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.protocol.firmata;
 
 /** Pin modes with their code and their resolution in bits, as in the capability response. */

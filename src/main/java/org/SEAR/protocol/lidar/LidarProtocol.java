@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.protocol.lidar;
 
 /** Protocols of LIDARs; each has one firmware for all its models. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.protocol.lms;
 
 /** Baud rates of the LMS200. Source: SICK telegram listing, tables 6-2 and 7-33. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.protocol.lms;
 
 /** Requests to an LMS2xx: first byte of a telegram's payload. Source: SICK telegram listing, chapter 7. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.protocol.rplidar;
 
 /** Health of a device in 3 bytes: state, then an error code. Immutable. */

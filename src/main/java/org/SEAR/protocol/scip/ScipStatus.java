@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.protocol.scip;
 
 /** Two-character status of a sensor's reply. Source: SCIP 2.0 specification, chapters 8 to 12. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.raycast.solid;
 
 /** An ellipsoid with its axes along x, y and z; a sphere if they are equal. Immutable. */

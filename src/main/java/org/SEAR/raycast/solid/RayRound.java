@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.raycast.solid;
 
 /** A solid of revolution about the y axis whose radius is r + slope * y for |y| &lt;= h. Immutable. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.raycast.solid;
 
 /** Intersection of a ray with one triangle of a mesh or height field. */

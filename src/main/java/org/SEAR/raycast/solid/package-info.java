@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Intersections of rays with convex solids, triangles and height fields, one class per kind, and the memory layout of a
  * model's triangles. Uses {@link org.SEAR.geometry}, {@link org.SEAR.raycast.tree} and their dependencies. Casting

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.robot.surface;
 
 /** Colours on the surface of one object. Simulation thread. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.terrain.relief;
 
 /** Colour ramp: linear between stops in ascending order; red, green and blue from 0 to 1. Immutable, any thread. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.terrain.relief;
 
 /** Deterministic smooth noise on the plane: random values at whole numbers, interpolated between. Any thread. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.view.input;
 
 /** Speed set by the keys: each press in the same direction increases it. Window thread only. */

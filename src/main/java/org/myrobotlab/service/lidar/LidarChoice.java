@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.myrobotlab.service.lidar;
 
 /** A scanner model and its options, for selection in a panel. JSON-friendly; callers must not change the arrays. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Drivers of real and simulated scanners, one per protocol behind {@link org.myrobotlab.service.lidar.LidarDevice}.
  * Uses {@link org.SEAR.protocol.lms}, {@link org.SEAR.protocol.rplidar}, {@link org.SEAR.protocol.scip} and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * The interface between the SEAR service and its parts, and the form of a published reading. Each package below holds
  * one part and may use this package and {@link org.SEAR.simulator} with its subpackages. Uses no other package of SEAR.

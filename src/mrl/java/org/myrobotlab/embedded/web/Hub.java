@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.myrobotlab.embedded.web;
 
 import io.undertow.websockets.core.AbstractReceiveListener;

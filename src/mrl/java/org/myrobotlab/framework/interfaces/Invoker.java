@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.myrobotlab.framework.interfaces;
 
 /** Calls its own methods by name and publishes the results. */

@@ -1,2 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Interfaces between MyRobotLab's services. Names and signatures are those of the real MyRobotLab. */
 package org.myrobotlab.service.interfaces;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.web.build;
 
 import static org.junit.Assert.assertEquals;
@@ -46,9 +47,7 @@ public class BuildingTest {
         "copy = Box('box6', 0.25, 0.25, 0.25, 4)",
         "copy.move(2.05, 0.375, 2.5)",
         "copy.rotate(0, 15, 0)");
-    private static final String ROBOT = String.join("\n",
-        "robot = Robots.create2('create2')",
-        "robot.move(0, 0, 1)");
+    private static final String ROBOT = "robot = Robots.create2('create2')\nrobot.move(0, 0, 1)";
     private static final String SENSORS = String.join("\n",
         "robot.addComponent(Compass('compass1'))",
         "lidar = LIDAR('lidar1')",

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Centre of mass and support polygon of the selected robot in the SEAR panel's views. The world message contains the
 // numbers.
 import * as geometry from '../shared/geometry.js'

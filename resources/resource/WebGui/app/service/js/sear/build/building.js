@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mouse and keyboard control that selects, places, moves, turns and resizes objects in the SEAR panel's views.
 import * as balance from './balance.js'
 import * as geometry from '../shared/geometry.js'

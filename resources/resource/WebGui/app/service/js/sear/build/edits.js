@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Edits of the project, done by the service, and the selected object.
 import {plain} from './places.js'
 import {makeEvent} from '../shared/event.js'

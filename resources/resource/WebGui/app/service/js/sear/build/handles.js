@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Marks of the selected object in the SEAR panel's views: a frame around it, and handles that turn and resize it.
 import * as geometry from '../shared/geometry.js'
 import * as pointing from '../world/pointing.js'

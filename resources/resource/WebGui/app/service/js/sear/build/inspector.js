@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The inspector of the SEAR panel: each parameter of the selected object with its unit, valid values and meaning from
 // the grammar.
 import {robotOf} from './balance.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The palette's entry of each kind of object: a word, a picture drawn by the view, and a group.
 
 export var GROUPS = ['Things', 'Robots', 'Drives', 'Sensors', 'Boards']

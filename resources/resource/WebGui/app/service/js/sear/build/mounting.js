@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Initial positions of robots and their parts.
 import {plain} from './places.js'
 

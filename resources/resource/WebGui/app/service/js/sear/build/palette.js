@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The palette of the SEAR panel: all kinds of objects, placed by a click in the view.
 import {mounted, tilted, withGround} from './mounting.js'
 import * as making from './kinds.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where an object is, in the numbers of its file: those written there, or, once a running simulation has moved it,
 // those that would start it at its present place.
 import * as geometry from '../shared/geometry.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 import * as pointing from '../world/pointing.js'
 
 var NOTHING = {objects: [], robots: [], sensors: []}

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Positions of new wheels on robots, and which wheels motors can turn.
 import {contains, extent, top} from '../world/pointing.js'
 import {plain} from './places.js'

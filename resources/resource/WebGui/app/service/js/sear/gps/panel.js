@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Panel of the GPS service: table of the last fix, track in metres, raw sentences.
 import '../shared/style.js'
 import {makeMessages} from '../shared/messages.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Panel of the LIDAR service: live polar plot of the last scan, device settings, scan as a table and as a CSV file.
 import '../shared/style.js'
 import {makeMessages} from '../shared/messages.js'

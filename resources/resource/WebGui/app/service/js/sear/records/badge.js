@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Badge above the SEAR panel's view while it shows a record, with a button back to the present.
 
 /** Makes the badge of one panel. */

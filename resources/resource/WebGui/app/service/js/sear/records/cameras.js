@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Camera pictures in the SEAR panel, of the running world or of a record. The page requests a camera's pictures one by
 // one while the camera is visible.
 var LOOK_MILLIS = 100       // interval of checks for wanted pictures

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Time plots in the SEAR panel, drawn by uPlot: dragging selects a range, the wheel zooms, a double click shows all.
 import uPlot from '../lib/uPlot.esm.js'
 import {isNumber} from './table.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Readings at one moment of a record, in the form of the running world.
 /**
  * Returns the sensors with their readings at a frame.

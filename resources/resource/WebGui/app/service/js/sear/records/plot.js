@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots in the SEAR panel: values over time, live and from records.
 import {Curves, colors} from './curves.js'
 import {csv, valueAt} from './table.js'

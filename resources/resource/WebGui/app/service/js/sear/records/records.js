@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recording runs into files, and the list of these files.
 import {makeEvent} from '../shared/event.js'
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replay of a record in the views.
 import {makeEvent} from '../shared/event.js'
 import * as frames from './frames.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plotted lines as numbers: a line's value at a time, and lines as a table.
 
 /** Returns the insertion index of a time in sorted times. */

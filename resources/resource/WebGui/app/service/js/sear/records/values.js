@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plottable values of a world, by name, and their units.
 import {frame, rotate} from '../shared/geometry.js'
 

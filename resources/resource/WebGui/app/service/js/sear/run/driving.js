@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Driving in the SEAR panel with held keys (WASD, arrows) or a gamepad. The robot stops on release.
 var SPEED = 0.2             // m/s with keys, as with the buttons
 var FASTEST = 0.4           // m/s with a gamepad stick at its end

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drag spring in the SEAR panel: with the Shift key, the mouse pulls a loose object of a running world. The service
 // simulates the spring.
 import * as geometry from '../shared/geometry.js'

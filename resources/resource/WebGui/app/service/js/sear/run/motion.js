@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Motion that a shared run adds to its record: wheel and servo rotations and sensor readings, in the form of the Java
 // class RecordMotion.
 import * as geometry from '../shared/geometry.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SEAR panel: creates its parts, each of which knows only earlier ones, and subscribes them to the service.
 import '../shared/style.js'
 import {makeBadge} from '../records/badge.js'

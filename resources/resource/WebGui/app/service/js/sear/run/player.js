@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plays the record of a shared run in its own page, without SEAR. share.js writes that page.
 import * as geometry from '../shared/geometry.js'
 import {makeMotion} from './motion.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Opening, saving, uploading and downloading projects in the SEAR panel.
 import {makeEvent} from '../shared/event.js'
 import {recallJson, remember} from '../shared/page.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Simulation controls of the SEAR panel: start, stop, speed, driving.
 import {drive, isFixed} from './steering.js'
 import {makeEvent} from '../shared/event.js'

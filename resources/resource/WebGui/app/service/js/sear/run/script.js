@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // "Show as Python" in the SEAR panel: the script that makes the project, to read, copy and save.
 import * as words from '../shared/words.js'
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Saves a record as one HTML file that plays it anywhere, without SEAR and network. The file contains poses, models,
 // pictures, three.js, and this panel's drawing modules.
 import {fileName, saveText} from '../shared/words.js'

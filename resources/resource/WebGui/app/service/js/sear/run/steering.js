@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Service calls of a robot that the user drives with keys, buttons or a gamepad, depending on its steering.
 var RADIUS = 0.3            // metres: narrowest arc of a differential drive while it drives on
 

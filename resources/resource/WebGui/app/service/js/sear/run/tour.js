@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tour of the SEAR panel: from empty ground to a driving robot with a sensor. A step ends as soon as the user has
 // done it. Uses driver.js, which the build copies to lib. docs/first-robot.md has the same content.
 import {driver} from '../lib/driver.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Records the SEAR panel's view as a video with the browser's recorder.
 import {saveBlob} from '../shared/words.js'
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Start tiles that the SEAR panel shows in an empty view.
 
 var TILES = '../tiles/'

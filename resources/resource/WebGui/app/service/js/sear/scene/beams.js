@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sensor beams in the SEAR panel's 3D view: scan planes of LIDARs, cones and hits of distance sensors, fields of view
 // of cameras.
 var HIT = '#d9534f'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Makes the mouse, wheel and touch control of the views, and the text about the point under the mouse. */
 export function makePointed(panel, world, ground, view) {
     var pointed = {text: ''}

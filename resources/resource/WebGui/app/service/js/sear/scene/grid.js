@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ground of the 3D view while building: a metre grid, and axes with labels.
 
 var HALF = 10               // metres to each side

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Object in the SEAR panel's 3D view: a holder with content that moves smoothly from pose to pose.
 import * as geometry from '../shared/geometry.js'
 

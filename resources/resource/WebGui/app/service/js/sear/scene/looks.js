@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models and pictures of shapes for the SEAR panel's 3D view, each requested when first needed. The Java class LookTable
 // documents the data format.
 var KEYS_AT_ONCE = 60

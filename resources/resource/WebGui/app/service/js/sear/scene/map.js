@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SEAR panel's map, from above: north (+x) up, east (+z) to the right. It works without WebGL.
 import * as geometry from '../shared/geometry.js'
 import {penOf} from '../shared/page.js'

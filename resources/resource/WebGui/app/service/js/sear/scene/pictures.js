@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Floor pictures for the SEAR panel's map, each requested when first needed.
 import * as geometry from '../shared/geometry.js'
 

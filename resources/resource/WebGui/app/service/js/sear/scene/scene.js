@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SEAR panel's 3D view, with MyRobotLab's three.js (release 73; 71 works, too). World frame: x north, y up, z east.
 import {show as showBeams} from './beams.js'
 import * as geometry from '../shared/geometry.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes made by the SEAR panel's 3D view: the ground from its elevation, and boxes around objects without a model.
 var MOST_POSTS = 255        // maximum grid posts per side of the terrain: indices have 16 bits
 

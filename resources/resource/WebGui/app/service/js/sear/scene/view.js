@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The view of the SEAR panel: 3D if the browser supports it, else the map.
 import * as geometry from '../shared/geometry.js'
 import * as map from './map.js'

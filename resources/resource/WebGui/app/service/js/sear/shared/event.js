@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Makes an event: hear(listener) adds a listener, tell(what) calls all of them. */
 export function makeEvent() {
     var listeners = []

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Poses and outlines of a world's objects, as pure functions. Metres; degrees at the interfaces.
 var GROUND = 'rgba(128, 128, 128, 0.12)'
 var ROBOT = 'rgba(51, 122, 183, 0.55)'

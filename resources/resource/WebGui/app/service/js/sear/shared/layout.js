@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SEAR panel's workspace: how it fills the window, and which parts are folded.
 import {isLight} from './geometry.js'
 import {recallJson, remember} from './page.js'

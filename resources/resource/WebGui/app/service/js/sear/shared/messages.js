@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A panel's messages to the user, newest first.
 var MOST = 100
 var REPEATED = 'could not invoke '      // start of MyRobotLab's second message about a failed call

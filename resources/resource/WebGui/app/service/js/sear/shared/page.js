@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The browser's page for all panels: local storage, frames, theme.
 
 /** Returns a stored text; null if there is none, or if the browser stores nothing. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A panel of MyRobotLab's WebGui: its scope, its service, and the service's messages.
 
 /**

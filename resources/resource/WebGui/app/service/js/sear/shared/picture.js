@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 import {makeEvent} from './event.js'
 import {oncePerPicture} from './page.js'
 

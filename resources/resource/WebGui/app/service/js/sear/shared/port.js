@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /** Makes the serial port fields of a device: the service's settings; before the user connects, the user's input. */
 export function makePort(panel, baud) {
     var touched = false

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Style sheet of all panels, loaded before the first panel shows.
 var link = document.createElement('link')
 link.rel = 'stylesheet'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts of the SEAR panel, and files that it saves in the browser.
 export function count(number, thing) {
     return number + ' ' + thing + (number === 1 ? '' : 's')

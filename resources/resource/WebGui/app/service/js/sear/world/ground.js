@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 import {Terrain} from './terrain.js'
 
 var PATIENCE_MILLIS = 10000 // timeout: requests the terrain again

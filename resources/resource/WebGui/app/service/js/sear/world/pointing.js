@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Picking for building, the same for the 3D view and the map.
 import * as geometry from '../shared/geometry.js'
 

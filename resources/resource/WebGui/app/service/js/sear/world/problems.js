@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 import * as words from '../shared/words.js'
 
 /** Makes the list of the project's problems: those of the last call, else those of the preview. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scans in the form of the Java class ScanRanges: 16 bits per beam.
 var NOTHING = 65535         // a beam without a hit
 var TENTHS = 10000          // tenths of a millimetre per metre

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The terrain in the SEAR panel: shaded picture, contour lines, elevation and place of a point. The Java class
 // TerrainJson documents the data format.
 var CONTOUR_PIXELS = 6      // distance of the elevation samples for contours, pixels

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The world in the SEAR panel: the running one, updated by the service, else the project as it would start.
 import {makeEvent} from '../shared/event.js'
 import {unpackRanges} from './ranges.js'

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.SEAR.project.models.format;
 
 import com.jme3.material.Material;

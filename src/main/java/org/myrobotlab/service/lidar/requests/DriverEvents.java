@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.myrobotlab.service.lidar.requests;
 
 /** Receives events of the line to a device, on the port's reader thread. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 /**
  * Saving, loading and importing projects, and transferring them to and from a browser. Uses
  * {@link org.SEAR.project.bundle}, {@link org.SEAR.project.edit}, {@link org.SEAR.project.script} and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 package org.myrobotlab.service.sear.python3;
 
 import java.io.IOException;

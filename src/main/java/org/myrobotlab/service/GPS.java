@@ -59,7 +59,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     private transient String chosenModel;
     private String firmware;
     private boolean connected;
-    private boolean silent;
+    private volatile boolean silent;
     private boolean fix;
     private long sentences;
     /** Number of connections so far; panels clear their data when it changes. */

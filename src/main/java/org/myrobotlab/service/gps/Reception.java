@@ -2,6 +2,7 @@
 package org.myrobotlab.service.gps;
 
 import java.util.Locale;
+import java.util.concurrent.atomic.AtomicLong;
 import org.SEAR.protocol.nmea.SentenceReader;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
@@ -25,7 +26,7 @@ public final class Reception {
     private final SentenceReader reader = new SentenceReader(this::onSentence);
     private final UbxReader frames = new UbxReader(this::onFrame, reader::accept);
     private final FixMerger merger;
-    private volatile long count;
+    private final AtomicLong count = new AtomicLong();
     private volatile String time;
     private volatile Fix lastFix;
 
@@ -56,7 +57,7 @@ public final class Reception {
 
     /** Returns the number of valid sentences and UBX messages. */
     public long getCount() {
-        return count;
+        return count.get();
     }
 
     /** Returns the number of dropped, damaged sentences and UBX messages. */
@@ -80,7 +81,7 @@ public final class Reception {
     }
 
     private void onFrame(UbxFrame frame) {
-        count++;
+        count.incrementAndGet();
         listener.onUbx(frame);
         if (frame.getMessage() == UbxMessage.NAV_PVT) {
             try {
@@ -95,7 +96,7 @@ public final class Reception {
     }
 
     private void onSentence(String sentence) {
-        count++;
+        count.incrementAndGet();
         listener.onSentence(sentence);
         try {
             onDate(FixSentences.type(sentence), FixSentences.fields(sentence));

@@ -56,7 +56,7 @@ public final class AtomicFile {
             content.writeTo(file);
             return;
         }
-        if (exists && !Files.isWritable(file)) {
+        if (exists && !file.toFile().canWrite()) {
             throw new AccessDeniedException(file.toString());
         }
         Path temporary = create(file);

@@ -66,7 +66,7 @@ public final class PythonStubs {
 
     /** Returns the module of names. */
     String names() throws IOException {
-        return "\"\"\"The classes of the object grammar. " + WRITTEN + "\"\"\"\n\nOBJECTS = (\n"
+        return "# SPDX-License-Identifier: Apache-2.0\n\"\"\"The classes of the object grammar. " + WRITTEN + "\"\"\"\n\nOBJECTS = (\n"
             + objects().stream().map(type -> "    \"" + type.getSimpleName() + "\",\n").collect(Collectors.joining()) + ")\n";
     }
 

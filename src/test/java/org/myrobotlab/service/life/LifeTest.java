@@ -91,7 +91,7 @@ public class LifeTest {
     @Test
     public void shutDownWithAServerForOtherProgramsOpen() throws Exception {
         Process process = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-Dsear.headless=true", "-Dsear.speed=1", "-cp",
-            System.getProperty("java.class.path"), ShutDownProbe.class.getName(), temporary.getRoot().getPath()).redirectErrorStream(true).start();
+            System.getProperty("java.class.path"), ShutDownProbe.class.getName(), temporary.newFolder().getPath()).redirectErrorStream(true).start();
         StringBuilder log = new StringBuilder();
         try (BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream()))) {
             int number = Integer.parseInt(lineThatBegins(ShutDownProbe.LISTENS, lines, log));

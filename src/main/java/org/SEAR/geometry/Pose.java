@@ -30,8 +30,8 @@ public final class Pose {
 
     /**
      * Returns the pose of move(x, y, z) and rotate(rx, ry, rz), with the rotation of jME's
-     * {@code Quaternion.fromAngles}: first about z, then x, then y (matrix Ry Rz Rx applied to the object, in jME's
-     * convention), computed in double precision.
+     * {@code Quaternion.fromAngles} in double precision: matrix Ry Rz Rx, which turns the object about the parent's
+     * axes, first x, then z, then y (docs/conventions.md).
      * @param rx degrees about x, likewise ry, rz
      */
     public static Pose ofDegrees(double x, double y, double z, double rx, double ry, double rz) {

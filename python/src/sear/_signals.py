@@ -3,6 +3,7 @@
 import ctypes
 import os
 import signal
+import threading
 
 # Signals whose handlers Java replaces at its start, by which it would end below the running Python
 ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
@@ -27,13 +28,26 @@ class Handlers:
             _set(number, handler)
 
 
+_forking = threading.local()    # mask: the thread's blocked signals before its fork
+
+
+def _hold():
+    """Blocks the signals until the forked process has its handlers."""
+    _forking.mask = signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
+
+
+def _release():
+    signal.pthread_sigmask(signal.SIG_SETMASK, _forking.mask)
+
+
 def _forget_java():
     """Restores the default action in a forked process. SEAR's exports may have set a handler of Java, which doesn't run
     there."""
     for number in ENDING:
         if signal.getsignal(number) == signal.SIG_DFL and _get(number) != _DEFAULT:
             _set(number, _DEFAULT)
+    _release()
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_forget_java)
+    os.register_at_fork(before=_hold, after_in_parent=_release, after_in_child=_forget_java)

@@ -65,41 +65,75 @@ final class EpsgSystem {
         String code = system.startsWith(EPSG) ? system.substring(EPSG.length()) : system;
         try (InputStream in = EpsgSystem.class.getResourceAsStream(FILE);
             BufferedReader lines = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8))) {
-            String[] datum = null;
-            List<double[]> shifts = new ArrayList<>();
-            String missing = null;
-            String projection = null;
-            boolean found = false;
-            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                char kind = line.charAt(0);
-                if (kind == 'D' && found) {
-                    break;
-                } else if (kind == 'D') {
-                    datum = line.split(" ", NAME + 1);
-                    shifts.clear();
-                    missing = null;
-                    found = datum[1].equals(code);
-                } else if (kind == 'S') {
-                    shifts.add(numbers(line));
-                } else if (kind == 'N') {
-                    missing = line.substring(2);
-                } else if ((kind == 'P' || kind == 'X') && line.startsWith(code + ' ', 2)) {
-                    projection = line.substring(3 + code.length());
-                    if (kind == 'X') {
-                        throw unsupported(file, system + ", " + projection, "one with a projection that docs/terrain.md lists");
-                    }
-                    found = true;
-                    break;
-                }
+            Search search = new Search(code);
+            String line = lines.readLine();
+            while (line != null && search.reads(line)) {
+                line = lines.readLine();
             }
-            if (!found) {
+            if (!search.found) {
                 throw unsupported(file, system, "a horizontal system of the EPSG register");
             }
-            if (missing != null) {
-                throw unsupported(file, EPSG + code + " (" + datum[NAME] + ")", "one with a datum shift within 5 m; this one has none without grid "
-                    + "files" + (missing.equals("0") ? "" : " that is more certain than " + missing + " m"));
+            if (search.unsupported) {
+                throw unsupported(file, system + ", " + search.projection, "one with a projection that docs/terrain.md lists");
             }
-            return new EpsgSystem(file, code, datum, shifts, projection);
+            if (search.missing != null) {
+                throw unsupported(file, EPSG + code + " (" + search.datum[NAME] + ")", "one with a datum shift within 5 m; this one has none without "
+                    + "grid files" + (search.missing.equals("0") ? "" : " that is more certain than " + search.missing + " m"));
+            }
+            return new EpsgSystem(file, code, search.datum, search.shifts, search.projection);
+        }
+    }
+
+    /** Search for a system in the list, line by line: a datum, its shifts, and the projected systems on it. */
+    private static final class Search {
+        final String code;
+        final List<double[]> shifts = new ArrayList<>();
+        String[] datum;
+        /** Uncertainty of the best shift if none is certain enough, metres; null if one is. */
+        String missing;
+        String projection;
+        /** Whether SEAR lacks the projection. */
+        boolean unsupported;
+        boolean found;
+
+        Search(String code) {
+            this.code = code;
+        }
+
+        /** Reads the next line. Returns whether the search goes on: a geographic system's shifts follow it. */
+        boolean reads(String line) {
+            switch (line.charAt(0)) {
+                case 'D':
+                    return !found && begin(line.split(" ", NAME + 1));
+                case 'S':
+                    shifts.add(numbers(line));
+                    return true;
+                case 'N':
+                    missing = line.substring(2);
+                    return true;
+                default:
+                    return !ends(line);
+            }
+        }
+
+        private boolean begin(String... words) {
+            datum = words;
+            shifts.clear();
+            missing = null;
+            found = words[1].equals(code);
+            return true;
+        }
+
+        /** Returns whether the line is that of the projected system. */
+        private boolean ends(String line) {
+            char kind = line.charAt(0);
+            if (kind != 'P' && kind != 'X' || !line.startsWith(code + ' ', 2)) {
+                return false;
+            }
+            projection = line.substring(3 + code.length());
+            unsupported = kind == 'X';
+            found = true;
+            return true;
         }
     }
 

@@ -378,6 +378,8 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
      * @example print "%.2f m" % gps.calculateDistance(gps.setPoint(33.61, -80.865), gps.setPoint(33.62, -80.865))
      */
     public double calculateDistance(GeoPoint from, GeoPoint to) {
+        given("the first point", from, "one of setPoint");
+        given("the second point", to, "one of setPoint");
         return from.distanceTo(to);
     }
 
@@ -438,7 +440,15 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
      * @example print gps.checkInside(gps.setPointGeoFence(33.61, -80.865, 50), gps.setPoint(33.6101, -80.865))
      */
     public boolean checkInside(GeoFence fence, GeoPoint point) {
+        given("the geofence", fence, "one of setPointGeoFence or setPolygonGeoFence");
+        given("the point", point, "one of setPoint");
         return fence.contains(point);
+    }
+
+    private static void given(String what, Object value, String legal) {
+        if (value == null) {
+            throw new IllegalArgumentException(what + " is None, legal: " + legal);
+        }
     }
 
     /**
@@ -449,6 +459,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
      * @example print gps.convertNMEAToDegrees("-08051.9000")
      */
     public double convertNMEAToDegrees(String nmea) {
+        given("the coordinate", nmea, "text as ddmm.mmmm");
         return nmea.startsWith("-") ? -Nmea.degrees(nmea.substring(1)) : Nmea.degrees(nmea);
     }
 

@@ -117,6 +117,10 @@ public class GpsServiceTest {
         assertTrue(gps.checkInside(gps.setPolygonGeoFence(Arrays.asList(gps.setPoint(0, 0), gps.setPoint(10, 0), gps.setPoint(0, 10))), 1, 1));
         assertEquals(111319.49, gps.calculateDistance(0, 10, 0, 11), 0.01);
         assertEquals(111319.49, gps.calculateDistance(gps.setPoint(0, 10), gps.setPoint(0, 11)), 0.01);
+        assertEquals("the second point is None, legal: one of setPoint",
+            assertThrows(IllegalArgumentException.class, () -> gps.calculateDistance(gps.setPoint(0, 0), null)).getMessage());
+        assertThrows(IllegalArgumentException.class, () -> gps.checkInside(null, 1, 1));
+        assertThrows(IllegalArgumentException.class, () -> gps.convertNMEAToDegrees(null));
         assertEquals(-80.865, gps.convertNMEAToDegrees("-08051.9000"), 1e-9);
         assertEquals(33.61, gps.convertNMEAToDegrees("3336.6"), 1e-9);
     }

@@ -58,7 +58,8 @@ public class SignalsTest {
     private int end(String signal, String... words) throws IOException, InterruptedException {
         folder = temporary.newFolder().toPath();
         File errors = folder.resolve("errors.txt").toFile();
-        List<String> command = new ArrayList<>(List.of("env", "--default-signal=INT,TERM,HUP", "python3"));    // a shell ignores some in the background
+        // a shell starts background commands with SIGINT ignored, and nohup ignores SIGHUP
+        List<String> command = new ArrayList<>(List.of("env", "--default-signal=INT,TERM,HUP", "python3"));
         command.addAll(List.of(words));
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectError(errors);
         builder.environment().put("PYTHONPATH", PACKAGES);

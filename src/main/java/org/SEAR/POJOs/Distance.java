@@ -37,12 +37,15 @@ public class Distance extends SensorObject implements Wirable {
     protected Distance() {
     }
 
-    /** Uses the beam of the sensor's name if there is one, otherwise a plain ultrasonic beam. */
+    /**
+     * Uses the beam that the sensor's name contains, as "Sharp GP2Y0A21" or "left PING", otherwise a plain ultrasonic
+     * beam. A message names the beam, unless the name is exactly a beam's.
+     */
     public Distance(String name) {
-        this(name, ObjectStores.get().beamNames().contains(name) ? name : DEFAULT_BEAM);
+        this(name, ofName(name));
     }
 
-    /** @param beam for example PING))), LV-EZ1, GP2Y0A21, ultrasonic, SONAR, RADAR, infrared, laser */
+    /** @param beam for example PING))), LV-EZ1, GP2Y0A21, ultrasonic, SONAR, RADAR, infrared, laser; or a text with such a name */
     public Distance(String name, String beam) {
         this(name, beam, 0, 0, 0, 0, 0, 0);
     }
@@ -50,9 +53,9 @@ public class Distance extends SensorObject implements Wirable {
     /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees. */
     public Distance(String name, String beam, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
-        this.beam = beam;
+        this.beam = chosen(beam);
         pose(x, y, z, rx, ry, rz);
-        this.shape = named(beam);
+        this.shape = named(this.beam);
         created(Distance.class);
     }
 
@@ -79,6 +82,28 @@ public class Distance extends SensorObject implements Wirable {
         created(Distance.class);
     }
 
+    private static String ofName(String name) {
+        List<String> names = ObjectStores.get().beamNames();
+        String found = names.contains(name) ? name : name == null ? null : BeamNames.in(name, names);
+        String beam = found == null ? DEFAULT_BEAM : found;
+        if (!beam.equals(name) && !ObjectStores.isRedirected()) {
+            Notices.say("Distance \"" + name + "\" gets the beam " + beam + (found == null ? ", as its name contains no beam's" : " of its name")
+                + ": Distance(name, beam) chooses another");
+        }
+        return beam;
+    }
+
+    /** Returns a beam's name as given, or the beam's name that a longer text contains, with a message. */
+    private String chosen(String wanted) {
+        List<String> names = ObjectStores.get().beamNames();
+        String found = wanted == null || names.stream().anyMatch(wanted::equalsIgnoreCase) ? wanted : BeamNames.in(wanted, names);
+        if (found == null || found.equals(wanted)) {
+            return wanted;
+        }
+        Notices.say(label() + ": beam \"" + wanted + "\" is taken as " + found);
+        return found;
+    }
+
     private Beam named(String wanted) {
         try {
             return ObjectStores.get().beam(wanted);
@@ -101,6 +126,7 @@ public class Distance extends SensorObject implements Wirable {
     @Override
     void valuesSet() {
         super.valuesSet();
+        beam = chosen(beam);
         shape = beam == null ? null : named(beam);
     }
 
@@ -162,9 +188,9 @@ public class Distance extends SensorObject implements Wirable {
         changed();
     }
 
-    /** @param newBeam name of a beam; replaces the present beam or cones */
+    /** @param newBeam name of a beam, or a text with such a name; replaces the present beam or cones */
     public void setBeam(String newBeam) {
-        String legal = checked("beam", newBeam);
+        String legal = chosen(checked("beam", newBeam));
         shape = named(legal);
         beam = legal;
         cones = new ArrayList<>();

@@ -41,7 +41,7 @@ public class SameNamesTest {
         "    for side, where in (('left', 0.12), ('right', -0.12)):",
         "        robot.addWheel(Wheel(side, 0.05, 0.02, 1, where, 0.05, 0))",
         "    if name != 'tug':",
-        "        ping = Distance('ping')",
+        "        ping = Distance('ping', 'PING')",
         "        robot.addComponent(ping)",
         "        ping.move(0, 0.5, 0.1 if x else 0.2)",
         "");
@@ -194,7 +194,7 @@ public class SameNamesTest {
 
     @Test
     public void replacedPartsAreReported() throws Exception {
-        run("from org.SEAR.POJOs import Distance\nDistance('ping')\nDistance('ping')\n");
+        run("from org.SEAR.POJOs import Distance\nDistance('ping', 'PING')\nDistance('ping', 'PING')\n");
         assertEquals(said.toString(), 1, said.size());
         assertTrue(said.get(0), said.get(0).startsWith("Distance \"ping\" has the name of an object that this script has made already, and"));
     }

@@ -130,10 +130,10 @@ class _SEAR(JavaObject):
         """Turns a robot in place until the next command."""
     @overload
     def setWheelSpeeds(self, left: float, right: float) -> None:
-        """Sets the wheel speeds of the first robot until the next command."""
+        """Sets the wheel speeds of the first robot until the next command. Steered wheels follow the circle of different speeds."""
     @overload
     def setWheelSpeeds(self, robot: str, left: float, right: float) -> None:
-        """Sets the wheel speeds of a robot until the next command."""
+        """Sets the wheel speeds of a robot until the next command. Steered wheels follow the circle of different speeds."""
     @overload
     def drive(self, speed: float, radius: float) -> None:
         """Drives the first robot along a circle until the next command. Steered wheels follow the circle, at radius 0 to their limit."""

@@ -4,7 +4,8 @@ package org.SEAR.devices;
 /** Motors and contact sensors of one robot, for its firmware, at the current step. Simulation thread only. */
 public interface RobotHardware {
     /**
-     * Sets the speeds of the left and right driven wheels over ground, m/s; a servo with limited force reaches them.
+     * Sets the speeds of the left and right driven wheels over ground, m/s; a servo with limited force reaches them. A
+     * robot with steered wheels steers to the circle of different speeds, or as far as it can, unless a servo steers.
      */
     void setWheelSpeeds(double left, double right);
 

@@ -2,6 +2,7 @@
 package org.SEAR.robot;
 
 import java.util.Arrays;
+import org.SEAR.POJOs.Wheel;
 
 /**
  * Checked drive command of a script: {@code driveStraight}, {@code spin}, {@code setWheelSpeeds} or {@code drive}.
@@ -13,6 +14,8 @@ public final class DriveOrder {
     /** Largest turn rate of a robot, degrees per second. */
     private static final double MAX_SPIN = 3600;
     private static final String SPIN = "spin";
+    private static final String ALL_IN_THE_MIDDLE = ": all its driven wheels are in the middle. Move them apart with wheel.move(x, y, z):"
+        + " x > 0 is left, x < 0 is right";
 
     /** Name of the call, and its values as text. */
     public final String call;
@@ -77,18 +80,41 @@ public final class DriveOrder {
      */
     public double getFirst(Robot driven) {
         String name = driven.getObject().getName();
-        if (driven.getHardware().getWheelRadius() == 0) {
-            throw new IllegalArgumentException("robot " + name + " has no driven wheels: robot.addWheel(Wheel(name, radius, width, 1)) adds one");
-        }
+        checkWheels(driven, wheels ? first : 0, wheels ? second : 0);
         if (!call.equals(SPIN)) {
             return first;
         }
         double base = driven.getHardware().getWheelBase();
         if (base == 0) {
-            throw new IllegalArgumentException("robot " + name + " can't turn in place: all its driven wheels are in the middle."
-                + " Move them apart with wheel.move(x, y, z): x > 0 is left, x < 0 is right");
+            throw new IllegalArgumentException("robot " + name + " can't turn in place" + ALL_IN_THE_MIDDLE);
         }
         return Math.toRadians(first) * base / 2;
+    }
+
+    /**
+     * Checks whether a robot's driven wheels can have these speeds.
+     *
+     * @param left m/s, likewise right
+     * @throws IllegalArgumentException without driven wheels, or for different speeds if all are in the middle or a servo
+     *     steers; the message has the remedy
+     */
+    public static void checkWheels(Robot driven, double left, double right) {
+        String name = driven.getObject().getName();
+        if (driven.getHardware().getWheelRadius() == 0) {
+            throw new IllegalArgumentException("robot " + name + " has no driven wheels: robot.addWheel(Wheel(name, radius, width, 1)) adds one");
+        }
+        if (left == right) {
+            return;
+        }
+        String refused = "robot " + name + " can't turn by wheel speeds " + left + " and " + right + " m/s";
+        if (driven.getHardware().getWheelBase() == 0) {
+            throw new IllegalArgumentException(refused + ALL_IN_THE_MIDDLE);
+        }
+        for (Wheel wheel : driven.getObject().getWheels()) {
+            if (wheel.getSteeringServo() != null) {
+                throw new IllegalArgumentException(refused + ": its servo " + wheel.getSteeringServo() + " steers it. Turn that servo instead");
+            }
+        }
     }
 
     /** Returns the speed of the right side, m/s, or the radius of the circle, metres. */

@@ -315,14 +315,14 @@ public final class RobotModel implements Robot, RobotHardware {
     @Override
     public void drive(double speed, double radius) {
         if (speed == 0 && radius == 0) {    // no circle to steer to
-            setWheelSpeeds(0, 0);
+            train.setSpeeds(0, 0);
             return;
         }
         if (train.canSteer() && (steersToDrive || Double.isFinite(radius))) {
             steersToDrive = Double.isFinite(radius);
             train.steerTo(steersToDrive ? radius : Double.POSITIVE_INFINITY, speed);
             double along = radius == 0 ? Math.abs(speed) : speed;
-            setWheelSpeeds(along, along);
+            train.setSpeeds(along, along);
             return;
         }
         if (Double.isFinite(radius) && speed != 0) {
@@ -330,11 +330,11 @@ public final class RobotModel implements Robot, RobotHardware {
         }
         double half = getWheelBase() / 2;
         if (Double.isInfinite(radius)) {
-            setWheelSpeeds(speed, speed);
+            train.setSpeeds(speed, speed);
         } else if (radius == 0) {
-            setWheelSpeeds(-speed, speed);
+            train.setSpeeds(-speed, speed);
         } else {
-            setWheelSpeeds(speed * (1 - half / radius), speed * (1 + half / radius));
+            train.setSpeeds(speed * (1 - half / radius), speed * (1 + half / radius));
         }
     }
 
@@ -360,7 +360,16 @@ public final class RobotModel implements Robot, RobotHardware {
             throw new IllegalArgumentException("robot " + object.getName() + ": wheel speeds are " + left + " and " + right
                 + " m/s, legal: finite numbers");
         }
-        train.setSpeeds(left, right);
+        double along = (left + right) / 2;
+        if (left == right && (along == 0 || !steersToDrive)) {
+            train.setSpeeds(left, right);
+        } else if (train.canSteer() && getWheelBase() > 0) {
+            double radius = left == right ? Double.POSITIVE_INFINITY : along * getWheelBase() / (right - left);
+            drive(radius == 0 ? right : along, radius);
+        } else {
+            train.turnBySpeeds();
+            train.setSpeeds(left, right);
+        }
     }
 
     @Override

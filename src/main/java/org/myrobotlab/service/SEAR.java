@@ -308,7 +308,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Sets the wheel speeds of the first robot until the next command.
+     * Sets the wheel speeds of the first robot until the next command. Steered wheels follow the circle of different
+     * speeds.
      *
      * @param left left ground speed, m/s, + forward, -100 to 100
      * @param right right ground speed
@@ -319,12 +320,13 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Sets the wheel speeds of a robot until the next command.
+     * Sets the wheel speeds of a robot until the next command. Steered wheels follow the circle of different speeds.
      *
      * @param robot name
      * @param left left ground speed, m/s, + forward, -100 to 100
      * @param right right ground speed
-     * @throws IllegalArgumentException unknown robot or illegal speed
+     * @throws IllegalArgumentException unknown robot, illegal speed, or different speeds without driven wheels at both
+     *     sides or with a steering servo
      * @example sear.setWheelSpeeds("myRoomba", 0, 0)
      */
     public void setWheelSpeeds(String robot, double left, double right) {

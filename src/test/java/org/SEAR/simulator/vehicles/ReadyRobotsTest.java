@@ -135,6 +135,26 @@ public class ReadyRobotsTest {
         assertSteering(simulation, 12);
     }
 
+    /** Different wheel speeds steer a car to their circle; equal ones straighten its wheels, but manual steering stays. */
+    @Test
+    public void aCarSteersByWheelSpeeds() throws Exception {
+        Simulation simulation = make("car");
+        Robot car = simulation.getRobots().get(0);
+        double track = car.getHardware().getWheelBase();
+        double wheelbase = 0.3;
+        car.getHardware().setWheelSpeeds(0.2, 0.25);
+        assertSteering(simulation, Math.toDegrees(Math.atan(wheelbase * 0.05 / 0.225 / track)));
+        car.getHardware().setWheelSpeeds(0.3, 0.3);
+        assertSteering(simulation, 0);
+        car.getHardware().setWheelSpeeds(0.3, -0.3);
+        assertSteering(simulation, -30);
+        car.getHardware().setWheelSpeeds(0, 0);
+        assertSteering(simulation, -30);
+        car.steer(12);
+        car.getHardware().setWheelSpeeds(0.3, 0.3);
+        assertSteering(simulation, 12);
+    }
+
     private static void assertSteering(Simulation simulation, double degrees) {
         Worlds.run(simulation, 0.5);
         assertEquals(degrees, simulation.getRobots().get(0).getSteering(), 1e-9);

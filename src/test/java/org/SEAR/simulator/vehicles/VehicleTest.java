@@ -21,6 +21,8 @@ import org.SEAR.physics.solid.TerrainSolid;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.robot.DriveOrder;
+import org.SEAR.robot.Robot;
 import org.SEAR.simulator.GroundWorld;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.Worlds;
@@ -182,6 +184,12 @@ public class VehicleTest {
         double expected = BASE / Math.tan(Math.toRadians(15));
         assertEquals(expected, circle(simulation, "axle"), SHARE * expected);
         said("robot car is steered by its servo steering: turn that servo instead", () -> simulation.getRobots().get(0).steer(3));
+        said("robot car can't turn by wheel speeds 0.2 and 0.3 m/s: its servo steering steers it. Turn that servo instead",
+            () -> DriveOrder.wheels(0.2, 0.3).getFirst(simulation.getRobots().get(0)));
+        simulation.getRobots().get(0).getHardware().setWheelSpeeds(0.2, 0.3);
+        simulation.step();
+        assertEquals("[robot car can't obey the command to drive on a circle, because its servo steering steers it: it drives where the servo points."
+            + " Turn it with sear.setServo(\"steering\", degrees)]", simulation.snapshot().warnings.toString());
     }
 
     /** The motor's line and the steering also hold up a slope and over a curb. */
@@ -387,5 +395,19 @@ public class VehicleTest {
 
     private static void said(String message, ThrowingRunnable wrong) {
         assertEquals(message, assertThrows(IllegalArgumentException.class, wrong).getMessage());
+    }
+
+    @Test
+    public void wheelSpeedsOfARobotDrivenInTheMiddleAreRefused() throws Exception {
+        SEARrobot robot = chassis(4);
+        new Floor("floor", 60, 60);
+        motor(robot, "engine", wheel(robot, "rear", 1, 0, -BASE / 2));
+        wheel(robot, "frontLeft", 2, TRACK / 2, BASE / 2);
+        wheel(robot, "frontRight", 2, -TRACK / 2, BASE / 2);
+        Simulation simulation = Worlds.start(project);
+        Robot driven = simulation.getRobots().get(0);
+        DriveOrder.wheels(0.2, 0.2).getFirst(driven);
+        said("robot car can't turn by wheel speeds 0.2 and 0.3 m/s: all its driven wheels are in the middle. Move them apart with"
+            + " wheel.move(x, y, z): x > 0 is left, x < 0 is right", () -> DriveOrder.wheels(0.2, 0.3).getFirst(driven));
     }
 }

@@ -27,7 +27,8 @@ refused(ValueError, "actions is an empty list, legal: one or more (left, right)"
 refused(ValueError, "action 1 is (1,), legal: the speeds of the left and the right wheels, m/s, for example (0.2, 0.2)", SearEnv, OFFICE,
         actions=[(0, 0), (1,)])
 refused(ValueError, "action 0 is (0, 11), legal: -10 to 10 m/s", SearEnv, OFFICE, actions=[(0, 11)])
-refused(ValueError, "actions is -1, legal: a list of (left, right), or the highest speed of the wheels, above 0 to 10 m/s", SearEnv, OFFICE,
+refused(ValueError, "actions is -1, legal: a list of (left, right), the highest speed of the wheels, above 0 to 10 m/s, or a dictionary of "
+        "the controls' ranges", SearEnv, OFFICE,
         actions=-1)
 refused(ValueError, "steps_per_action is 0, legal: a whole number from 1 to 216000", SearEnv, OFFICE, steps_per_action=0)
 refused(ValueError, "max_seconds is 0, legal: above 0, or None", SearEnv, OFFICE, max_seconds=0)
@@ -36,7 +37,8 @@ refused(ValueError, "start is an empty list, legal: None, a list of (x, z, headi
 refused(ValueError, "start 0 is 0, legal: x and z in metres and heading in degrees", SearEnv, OFFICE, start=(0, 1, 90))
 refused(ValueError, "steps_per_action is 1099511627776, legal: a whole number from 1 to 216000", SearEnv, OFFICE, steps_per_action=2 ** 40)
 refused(ValueError, "max_seconds is 'a', legal: above 0, or None", SearEnv, OFFICE, max_seconds="a")
-refused(ValueError, "actions is None, legal: a list of (left, right), or the highest speed of the wheels, above 0 to 10 m/s", SearEnv, OFFICE,
+refused(ValueError, "actions is None, legal: a list of (left, right), the highest speed of the wheels, above 0 to 10 m/s, or a dictionary of "
+        "the controls' ranges", SearEnv, OFFICE,
         actions=None)
 refused(ValueError, "sensors is 'myLidar', legal: a list of names", SearEnv, OFFICE, sensors="myLidar")
 refused(ValueError, "sensors is ['myLidar', 'myLidar'], legal: each name once", SearEnv, OFFICE, sensors=["myLidar", "myLidar"])
@@ -58,6 +60,16 @@ refused(ValueError, "start is (1, 2), legal: x and z in metres and heading in de
 for number in (None, "left", [0], 0.5, numpy.array([0])):
     refused(ValueError, "action is %r, legal: a whole number from 0 to 0" % (number,), env.step, number)
 assert env.step(numpy.int64(0))[4] == env.step(numpy.array(0))[4] == {}
+refused(ValueError, "actions is an empty dictionary, legal: a range for one or more controls", SearEnv, OFFICE, actions={})
+refused(ValueError, "actions has 'speed': (1, 0), legal: the name of a control, and its lowest and highest value", SearEnv, OFFICE,
+        actions={"speed": (1, 0)})
+refused(ValueError, "action 1 is {'speed': 1}, legal: a number for each of left, right", SearEnv, OFFICE,
+        actions=[{"left": 0, "right": 0}, {"speed": 1}])
+refused(ValueError, "robot office Roomba has no motor or servo \"arm\" for actions, legal: left and right, speed, steering", SearEnv, OFFICE,
+        actions={"arm": (0, 1)})
+refused(ValueError, "robot office Roomba: actions set left, legal: left and right, or speed alone", SearEnv, OFFICE, actions={"left": (0, 1)})
+refused(ValueError, "robot office Roomba: speed is 11, legal: -10 to 10", SearEnv, OFFICE, actions={"speed": (0, 11)})
+refused(ValueError, "robot office Roomba has no steered wheels: wheel.setSteering(30) makes one", SearEnv, OFFICE, actions=[{"steering": 1}])
 for answer in (None, float("nan"), "much"):
     odd = SearEnv(OFFICE, reward=lambda robot: answer, steps_per_action=numpy.int64(1))
     odd.reset(seed=1)
@@ -69,6 +81,10 @@ for pair in (None, 0.1, [0.1], [0.1, 0.1, 0.1], "ab", [float("nan"), 0]):
     refused(ValueError, "action is %s, legal: two speeds from -0.5 to 0.5 m/s" % (pair,), free.step, pair)
 refused(RuntimeError, "SEAR has already been started or connected with other options: restart the program or the notebook's kernel",
         sear.connect)
+quick = SearEnv(OFFICE, actions={"speed": (0, 0.3)})
+quick.reset(seed=1)
+refused(ValueError, "action is [0.4], legal: speed from 0 to 0.3", quick.step, [0.4])
+assert quick.step(quick.action_space.high)[1] > 0, "0.3 as a float32 is more than 0.3"
 free.close()
 refused(RuntimeError, "call reset() before step()", free.step, numpy.array([0.1, 0]))
 refused(RuntimeError, "the environment is closed: make another one", free.reset)

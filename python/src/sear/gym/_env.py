@@ -24,7 +24,9 @@ class SearEnv(gymnasium.Env):
     sensors: names of the observed sensors. Default: all except cameras, or the cameras if there are no others.
     things: names of objects whose poses are observed, too.
     actions: a list of wheel speeds (left, right), m/s, from which the learner chooses; or a number: the learner chooses
-        both speeds, up to that number.
+        both speeds, up to that number. For other controls a dictionary of their ranges, as {"speed": (0, 1),
+        "steering": (-30, 30)}, or a list of dictionaries of values. A key is a motor (power, -1 to 1) or servo (degrees)
+        of the robot, else "left" and "right" or "speed" (wheels, m/s), or "steering" (degrees, + left).
     reward: a function of the RobotState after an action. Default: distance moved forward, less 1 for a bump.
     done: a function that returns whether the episode has ended. Default: the robot has bumped, lies on its side or has
         fallen off the floor.
@@ -51,6 +53,8 @@ class SearEnv(gymnasium.Env):
         self._set_actions(actions)
         self._episode = Episode(project, robot, None if sensors is None else _legal.names("sensors", sensors), _legal.names("things", things), FASTEST,
                                 0)
+        if self._controls:
+            self._episode.set_controls(self._controls, self._choices or self._limits)
         self._seed = seed
         self._ready = False
         self.render_mode = render_mode
@@ -79,17 +83,12 @@ class SearEnv(gymnasium.Env):
         return {**{name: episode.numbers[part].copy() for name, part in episode.slices.items()}, **pictures}
 
     def _set_actions(self, actions):
-        if hasattr(actions, "__iter__"):
-            self._choices = [_legal.wheels("action %d" % number, pair, FASTEST) for number, pair in enumerate(actions)]
-            if not self._choices:
-                raise ValueError("actions is an empty list, legal: one or more (left, right)")
+        self._controls, self._choices, self._limits = _legal.actions(actions, FASTEST)
+        if self._choices:
             self.action_space = spaces.Discrete(len(self._choices))
         else:
-            if isinstance(actions, bool) or not isinstance(actions, Real) or not 0 < actions <= FASTEST:
-                raise ValueError("actions is %r, legal: a list of (left, right), or the highest speed of the wheels, above 0 to %g m/s"
-                                 % (actions, FASTEST))
-            self._choices = None
-            self.action_space = spaces.Box(-float(actions), float(actions), (2,), numpy.float32)
+            low, high = (numpy.array(limit, numpy.float32) for limit in self._limits)
+            self.action_space = spaces.Box(low, high, dtype=numpy.float32)
 
     def _place(self):
         if self._start is None or callable(self._start):
@@ -117,11 +116,16 @@ class SearEnv(gymnasium.Env):
         """Performs an action. Raises ValueError for an illegal one."""
         if not self._ready:
             raise RuntimeError("call reset() before step()")
-        if self._choices is None:
-            left, right = _legal.speeds(action, float(self.action_space.high[0]))
+        if self._choices:
+            values = self._choices[_legal.whole("action", action, 0, len(self._choices) - 1)]
+        elif self._controls:
+            values = _legal.values(action, self._controls, *self._limits)
         else:
-            left, right = self._choices[_legal.whole("action", action, 0, len(self._choices) - 1)]
-        self._episode.step(left, right, self._steps)
+            values = _legal.speeds(action, float(self.action_space.high[0]))
+        if self._controls:
+            self._episode.act(values, self._steps)
+        else:
+            self._episode.step(*values, self._steps)
         robot = self.robot
         robot._acted(action)
         reward = _legal.reward(self._reward(robot))

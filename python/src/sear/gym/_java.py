@@ -130,6 +130,16 @@ class Episode:
         except Exception as error:
             raise self._java.translated(error) from None
 
+    def set_controls(self, names, actions):
+        """Chooses what act sets; raises ValueError if the robot can't do one of the actions."""
+        self._java.run(self._open().setControls, self._java.java_list(names))
+        for values in actions:
+            self._java.run(self._episode.check, values)
+
+    def act(self, values, steps):
+        """Sets the controls for a number of steps."""
+        self._java.run(self._open().act, values, steps)
+
     def draw(self, width, height):
         """Returns a picture from above, as an array of height, width and colour."""
         pixels = self._java.run(self._open().draw, width, height)

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks of an environment's arguments: the ValueError names the argument, its value and what is legal."""
+from collections.abc import Mapping
 from math import isfinite
+from numbers import Real
 from operator import index
+
+from numpy import float32
 
 
 def whole(what, value, least, most):
@@ -70,6 +74,59 @@ def wheels(what, pair, most):
     if not (abs(left) <= most and abs(right) <= most):
         raise ValueError("%s is %r, legal: -%g to %g m/s" % (what, pair, most, most))
     return left, right
+
+
+def actions(given, fastest):
+    """Returns names of controls, choices, and lowest and highest values. No names: left and right wheel speeds, m/s."""
+    if isinstance(given, Mapping):
+        limits = [span(name, given[name]) for name in given]
+        if not limits:
+            raise ValueError("actions is an empty dictionary, legal: a range for one or more controls")
+        return list(given), None, tuple(zip(*limits))
+    if hasattr(given, "__iter__"):
+        choices = list(given)
+        if not choices:
+            raise ValueError("actions is an empty list, legal: one or more (left, right)")
+        if isinstance(choices[0], Mapping):
+            controls = list(choices[0])
+            return controls, [chosen("action %d" % number, one, controls) for number, one in enumerate(choices)], None
+        return None, [wheels("action %d" % number, pair, fastest) for number, pair in enumerate(choices)], None
+    if isinstance(given, bool) or not isinstance(given, Real) or not 0 < given <= fastest:
+        raise ValueError("actions is %r, legal: a list of (left, right), the highest speed of the wheels, above 0 to %g m/s, or a dictionary of the "
+                         "controls' ranges" % (given, fastest))
+    return None, None, ((-float(given),) * 2, (float(given),) * 2)
+
+
+def span(name, value):
+    """Returns the lowest and the highest value of a control."""
+    try:
+        low, high = (float(one) for one in value)
+        if isinstance(name, str) and low < high and isfinite(high - low):
+            return low, high
+    except (TypeError, ValueError):
+        pass
+    raise ValueError("actions has %r: %r, legal: the name of a control, and its lowest and highest value" % (name, value))
+
+
+def chosen(what, values, controls):
+    """Returns the values of an action in the order of the controls."""
+    try:
+        if not controls or set(values) != set(controls):
+            raise ValueError
+        return tuple(float(values[name]) for name in controls)
+    except (TypeError, ValueError):
+        raise ValueError("%s is %r, legal: a number for each of %s" % (what, values, ", ".join(map(str, controls)) or "the controls")) from None
+
+
+def values(action, controls, low, high):
+    """Returns an action of a number for each control; float32 may exceed a limit by its rounding."""
+    try:
+        numbers = [float(one) for one in action]
+        if len(numbers) == len(low) and all(float32(least) <= one <= float32(most) for one, least, most in zip(numbers, low, high)):
+            return [min(max(one, least), most) for one, least, most in zip(numbers, low, high)]
+    except (TypeError, ValueError):
+        pass
+    raise ValueError("action is %s, legal: %s" % (action, ", ".join("%s from %g to %g" % one for one in zip(controls, low, high))))
 
 
 def speeds(action, most):

@@ -9,6 +9,7 @@ import org.SEAR.devices.RobotHardware;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.robot.DriveOrder;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.Truth;
 import org.SEAR.simulator.DriveCommand;
@@ -30,6 +31,7 @@ public final class Episode implements AutoCloseable {
     private final Pose start;
     private final Observation observation;
     private final double fastest;
+    private Controls controls;
     private ByteBuffer memory;
     private boolean bumpedLeft;
     private boolean bumpedRight;
@@ -176,10 +178,54 @@ public final class Episode implements AutoCloseable {
         if (!(Math.abs(left) <= fastest && Math.abs(right) <= fastest)) {
             throw new IllegalArgumentException("robot " + getRobot() + ": wheel speeds are " + left + " and " + right + " m/s, legal: -" + fastest
                 + " to " + fastest);
-        } else if (steps < 1 || steps > MAX_STEPS) {
-            throw new IllegalArgumentException("steps of an action are " + steps + ", legal: 1 to " + MAX_STEPS);
+        }
+        checkSteps(steps);
+        if (left != 0 || right != 0) {
+            DriveOrder.checkWheels(robot, left, right);
         }
         simulation.post(DriveCommand.wheels(number, left, right));
+        run(steps);
+    }
+
+    /**
+     * Chooses what the actions of {@link #act} set.
+     *
+     * @param names each a motor (power, -1 to 1) or servo (degrees) of the robot, else "left", "right" or "speed" (wheel
+     *     speeds, m/s; "speed" for both), or "steering" (degrees, + left)
+     * @throws IllegalArgumentException with the legal names
+     */
+    public void setControls(List<String> names) {
+        controls = new Controls(robot, number, fastest, names);
+    }
+
+    /**
+     * Checks an action of {@link #act}.
+     *
+     * @throws IllegalArgumentException with the name, the value and the legal range
+     */
+    public void check(double... values) {
+        controls.check(values);
+    }
+
+    /**
+     * Sets the controls for a number of steps of 1/60 s.
+     *
+     * @param values one for each of {@link #setControls}
+     */
+    public void act(double[] values, int steps) {
+        checkSteps(steps);
+        controls.check(values);
+        controls.give(simulation, values);
+        run(steps);
+    }
+
+    private static void checkSteps(int steps) {
+        if (steps < 1 || steps > MAX_STEPS) {
+            throw new IllegalArgumentException("steps of an action are " + steps + ", legal: 1 to " + MAX_STEPS);
+        }
+    }
+
+    private void run(int steps) {
         RobotHardware hardware = robot.getHardware();
         Truth truth = robot.getTruth();
         bumpedLeft = false;

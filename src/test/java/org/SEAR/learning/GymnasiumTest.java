@@ -96,6 +96,11 @@ public class GymnasiumTest {
     }
 
     @Test
+    public void steeringServosAndMotorsAreActions() throws Exception {
+        assertTrue(script("controls.py").endsWith("controls\n"));
+    }
+
+    @Test
     public void rewardsGetTheirArguments() throws Exception {
         assertEquals("rewards as they are to be\n", script("rewards.py"));
     }
@@ -143,11 +148,12 @@ public class GymnasiumTest {
 
     @Test
     public void thePagesProgramsRun() throws Exception {
-        assertEquals("each has its line here", 5, blocks().size());
+        assertEquals("each has its line here", 6, blocks().size());
         assertTrue("by chance it crashes", number(block(0), "return (-?[0-9.]+)") < 0);
         assertTrue("it drives in a circle", number(block(1), "driven ([0-9.]+) m") > 1);
-        assertEquals("it keeps away from the wall", 0.5, number(block(2), "on average ([0-9.]+) m"), 0.3);
-        assertEquals("360 rows of 480 pixels\n", block(3));
-        assertEquals("four worlds", 4, number(block(4), "(\\d+) worlds"), 0);
+        assertTrue("it steers", number(block(2), "turned left by (-?[0-9]+) degrees") > 90);
+        assertEquals("it keeps away from the wall", 0.5, number(block(3), "on average ([0-9.]+) m"), 0.3);
+        assertEquals("360 rows of 480 pixels\n", block(4));
+        assertEquals("four worlds", 4, number(block(5), "(\\d+) worlds"), 0);
     }
 }

@@ -68,7 +68,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         super.startService();
         if (parts == null) {
             try {
-                parts = new SearParts(new SearHost(this));
+                parts = new SearParts(new SearHost(this, calls));
             } catch (LinkageError e) {
                 error("%s", SearCalls.missing(e));
             }

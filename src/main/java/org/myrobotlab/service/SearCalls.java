@@ -2,6 +2,7 @@
 package org.myrobotlab.service;
 
 import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.LongAdder;
 import org.SEAR.grammar.ScriptLine;
 import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.problems.ProjectException;
@@ -13,6 +14,7 @@ import org.myrobotlab.framework.Status;
  */
 final class SearCalls {
     private final SEAR service;
+    private final LongAdder count = new LongAdder();
 
     SearCalls(SEAR service) {
         this.service = service;
@@ -30,7 +32,13 @@ final class SearCalls {
         });
     }
 
+    /** Returns the number of calls so far. */
+    long count() {
+        return count.sum();
+    }
+
     <T> T attempt(Callable<T> work) {
+        count.increment();
         try {
             if (!service.isWhole()) {
                 throw new IllegalStateException(service.getName() + " is not started: Runtime.start(\"" + service.getName() + "\", \"SEAR\")");

@@ -21,9 +21,16 @@ final class SearHost implements Host {
     private static final String IMAGE = "publishImage";
 
     private final SEAR service;
+    private final SearCalls calls;
 
-    SearHost(SEAR service) {
+    SearHost(SEAR service, SearCalls calls) {
         this.service = service;
+        this.calls = calls;
+    }
+
+    @Override
+    public long queries() {
+        return calls.count();
     }
 
     @Override

@@ -41,7 +41,7 @@ public class SearHostTest {
         SEARConfig config = new SEARConfig();
         config.closingWindowStops = true;
         sear.apply(config);
-        new SearHost(sear).windowClosed();
+        new SearHost(sear, new SearCalls(sear)).windowClosed();
         assertEquals(sear.getThisThread(), sear.stoppers.take());
         sear.releaseService();    // the registry does not know it
     }

@@ -18,6 +18,11 @@ public interface Host {
     /** Called when the user has closed the simulator window. */
     void windowClosed();
 
+    /** Returns the number of calls of the service so far. */
+    default long queries() {
+        return 0;
+    }
+
     /** Returns whether published readings have a subscriber. */
     default boolean isReadingHeard() {
         return false;

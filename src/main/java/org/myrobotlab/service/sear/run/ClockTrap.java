@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.myrobotlab.service.sear.run;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.SEAR.grammar.ScriptLine;
 import org.myrobotlab.service.sear.Host;
 
 /**
  * Detects a script that waits in lock-step while simulated time stands still, in a sleep by the computer's clock or in
- * a loop. Warns once: the awaited event will not happen. Publisher's thread.
+ * a {@link WaitingLoop loop}. Warns once: the awaited event will not happen. Publisher's thread.
  */
 final class ClockTrap {
     /** Number of top stack frames to search for the script's code above a sleep. */
@@ -26,19 +26,13 @@ final class ClockTrap {
         "newProject", "rerunRecord");
     private static final String REMEDY =
         ": in lock-step (--speed max, setLockStep(True)) it advances only in sear.simSleep(seconds) and sear.step(n), not ";
-    /** Real time a script may be busy while simulated time stands still, ns. */
-    private static final long LOOP_NANOS = TimeUnit.SECONDS.toNanos(2);
-    /** Most distinct lines of a loop; a script that computes much shows more. */
-    private static final int LOOP_LINES = 12;
-    private static final int LOOP_LOOKS = 10;
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     private final Host host;
     private double lastTime = Double.NaN;
     private boolean suspected;
     private boolean reported;
-    private long loopSince;
-    private int loopLooks;
-    private final Set<String> loopLines = new TreeSet<>();
+    private final WaitingLoop loop = new WaitingLoop();
 
     ClockTrap(Host host) {
         this.host = host;
@@ -66,30 +60,32 @@ final class ClockTrap {
     }
 
     private void lookForLoop(Map<Thread, StackTraceElement[]> stacks) {
-        String line = busyLine(stacks);
-        if (line != null) {
-            loopLines.add(line);
-        }
-        if (line == null || loopLines.size() > LOOP_LINES || loopLooks == 0) {
-            loopLines.clear();
-            loopLooks = line == null ? 0 : 1;
-            loopSince = System.nanoTime();
+        Thread busy = busy(stacks);
+        long processor = busy == null ? -1 : THREADS.getThreadCpuTime(busy.getId());
+        if (processor < 0) {
+            loop.end();
             return;
         }
-        loopLooks++;
-        if (loopLooks > LOOP_LOOKS && System.nanoTime() - loopSince > LOOP_NANOS) {
+        String line = line(busy, stacks.get(busy));
+        if (loop.look(line, busy.getId(), processor, host.queries())) {
             reported = true;
             host.warn("simulated time has stood still for 2 s while the script is busy at " + line + REMEDY
                 + "by itself: call one of them in a loop that waits");
         }
     }
 
+    private static String line(Thread busy, StackTraceElement... stack) {
+        String line = ScriptLine.of(busy);
+        StackTraceElement script = first(stack, frame -> frame.getClassName().startsWith(SCRIPT));
+        return line.isEmpty() ? "line " + script.getLineNumber() + " of " + script.getFileName() : line;
+    }
+
     /**
-     * Returns the line of a busy script: one that neither waits, nor advances time, nor is in a long call. Returns null
+     * Returns the thread of a busy script: one that neither waits, nor advances time, nor is in a long call. Returns null
      * if there is none, or if any script is in such a call.
      */
-    static String busyLine(Map<Thread, StackTraceElement[]> stacks) {
-        String found = null;
+    static Thread busy(Map<Thread, StackTraceElement[]> stacks) {
+        Thread found = null;
         for (Map.Entry<Thread, StackTraceElement[]> entry : stacks.entrySet()) {
             StackTraceElement script = first(entry.getValue(), frame -> frame.getClassName().startsWith(SCRIPT));
             StackTraceElement call = first(entry.getValue(), frame -> frame.getClassName().endsWith(SERVICE));
@@ -97,8 +93,7 @@ final class ClockTrap {
                 return null;
             }
             if (script != null && (call != null || entry.getKey().getState() == Thread.State.RUNNABLE)) {
-                String line = ScriptLine.of(entry.getKey());
-                found = line.isEmpty() ? "line " + script.getLineNumber() + " of " + script.getFileName() : line;
+                found = entry.getKey();
             }
         }
         return found;

@@ -61,14 +61,16 @@ public final class Assets {
     }
 
     /**
-     * Throws if a picture can't be decoded, or needs too much memory.
+     * Returns the width and height of a picture, pixels. Throws if it can't be decoded, or needs too much memory.
      *
      * @param path as written in an object
      * @throws UnreadablePicture if it is harmless but can't be shown
      * @throws IOException with the file, the problem and legal values
      */
-    public void checkPicture(String path) throws IOException {
-        readPicture(path);
+    public int[] checkPicture(String path) throws IOException {
+        try (InputStream in = open(path)) {
+            return PictureSize.of(in.readNBytes(FileLimits.MAX_PICTURE + 1), normal(path));
+        }
     }
 
     /**

@@ -41,35 +41,45 @@ public final class PictureSize {
      * @throws IOException with the file, its size and the limit
      */
     public static byte[] checked(byte[] bytes, String name) throws IOException {
+        of(bytes, name);
+        return isPng(bytes) ? pixelsOf(bytes) : bytes;
+    }
+
+    /**
+     * Returns the width and height of a picture, pixels.
+     *
+     * @param name its file, whose ending tells the format
+     * @throws IOException if it is not safe to decode, with the file, its size and the limit
+     */
+    public static int[] of(byte[] bytes, String name) throws IOException {
         FileLimits.range(name, "the file's size", bytes.length, 1, FileLimits.MAX_PICTURE);
         ByteBuffer head = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         String lower = name.toLowerCase(Locale.ROOT);
         if (lower.endsWith(".tga")) {
             need(name, bytes, TGA_HEAD);
-            check(name, Short.toUnsignedInt(head.getShort(12)), Short.toUnsignedInt(head.getShort(14)));
+            return checked(name, Short.toUnsignedInt(head.getShort(12)), Short.toUnsignedInt(head.getShort(14)));
         } else if (lower.endsWith(".dds")) {
             need(name, bytes, DDS_HEAD);
-            check(name, Integer.toUnsignedLong(head.getInt(16)), Integer.toUnsignedLong(head.getInt(12)));
             FileLimits.range(name, "the depth", head.getInt(24), 0, MAX_DDS_PARTS);
             FileLimits.range(name, "the number of mip maps", head.getInt(28), 0, 16);
+            return checked(name, Integer.toUnsignedLong(head.getInt(16)), Integer.toUnsignedLong(head.getInt(12)));
         } else if (lower.endsWith(".hdr")) {
             Matcher size = HDR_SIZE.matcher(new String(bytes, 0, Math.min(bytes.length, HDR_HEAD), StandardCharsets.ISO_8859_1));
             if (!size.find()) {
                 throw FileLimits.wrong(name, "the picture", "without a size", "a .hdr with -Y HEIGHT +X WIDTH");
             }
-            check(name, Long.parseLong(size.group(2)), Long.parseLong(size.group(1)));
-        } else {
-            checkWithJava(bytes, name);
-            WholePicture.require(bytes, name);
+            return checked(name, Long.parseLong(size.group(2)), Long.parseLong(size.group(1)));
         }
-        return isPng(bytes) ? pixelsOf(bytes) : bytes;
+        int[] size = readByJava(bytes, name);
+        WholePicture.require(bytes, name);
+        return size;
     }
 
     private static void need(String name, byte[] bytes, int head) throws IOException {
         FileLimits.range(name, "the file's size", bytes.length, head, FileLimits.MAX_PICTURE);
     }
 
-    private static void checkWithJava(byte[] bytes, String name) throws IOException {
+    private static int[] readByJava(byte[] bytes, String name) throws IOException {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
             Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
             if (!readers.hasNext()) {
@@ -79,7 +89,7 @@ public final class PictureSize {
             try {
                 reader.setInput(in, true, true);
                 int[] size = size(reader, name);
-                check(name, size[0], size[1]);
+                return checked(name, size[0], size[1]);
             } finally {
                 reader.dispose();
             }
@@ -94,10 +104,11 @@ public final class PictureSize {
         }
     }
 
-    private static void check(String name, long width, long height) throws IOException {
+    private static int[] checked(String name, long width, long height) throws IOException {
         if (width < 1 || height < 1 || width * height > FileLimits.MAX_PIXELS) {
             throw FileLimits.wrong(name, "the picture's size", width + " x " + height, "at most " + FileLimits.MAX_PIXELS + " pixels");
         }
+        return new int[] {(int) width, (int) height};
     }
 
     private static boolean isPng(byte[] bytes) {

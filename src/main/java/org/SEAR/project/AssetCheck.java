@@ -2,9 +2,11 @@
 package org.SEAR.project;
 
 import java.io.IOException;
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.List;
-import java.util.Set;
+import java.util.Locale;
+import java.util.Map;
+import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Shape;
@@ -12,6 +14,7 @@ import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.files.Assets;
 import org.SEAR.files.UnreadablePicture;
+import org.SEAR.grammar.Parameter;
 import org.SEAR.project.models.ModelLoader;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
@@ -19,10 +22,15 @@ import org.SEAR.terrain.AerialPicture;
 
 /** Checks that the pictures and models of objects exist: a missing picture is a warning, a missing model a problem. */
 final class AssetCheck {
+    /** Ratio of width to height, relative to that of the picture, from which a warning is due. */
+    private static final double STRETCHED = 1.02;
+    private static final double MILLIMETRES = 1000;
+
     private final Assets assets;
     private final ProblemList problems;
     private final List<String> warnings;
-    private final Set<String> pictures = new HashSet<>();
+    /** Width and height of each picture, pixels; an empty array for an unreadable one. */
+    private final Map<String, int[]> pictures = new HashMap<>();
 
     AssetCheck(Assets assets, ProblemList problems, List<String> warnings) {
         this.assets = assets;
@@ -52,24 +60,48 @@ final class AssetCheck {
     private void checkImage(ParsedObject parsed, Shape shape) {
         if (shape.getImage() != null && !assets.has(shape.getImage())) {
             warnings.add(parsed.file + ": there is no picture \"" + shape.getImage() + "\" in assets; " + shape + " is shown plain");
-        } else if (shape.getImage() != null && !isAerial(shape) && (shape instanceof Terrain || pictures.add(shape.getImage()))) {
-            checkPicture(parsed, shape);
+        } else if (shape.getImage() != null && !isAerial(shape)) {
+            int[] size = pictures.get(shape.getImage());
+            if (size == null || shape instanceof Terrain) {
+                size = checkPicture(parsed, shape);
+                pictures.put(shape.getImage(), size);
+            }
+            if (shape instanceof Floor && size.length > 0) {
+                checkRatio(parsed, (Floor) shape, size);
+            }
         }
     }
 
+    /** Warns of a floor whose picture is stretched, with the size that fits. */
+    private void checkRatio(ParsedObject parsed, Floor floor, int... pixels) {
+        boolean repeats = floor.getPictureTile() != null;
+        double length = floor.getLength() * floor.getScaleX();
+        double across = repeats ? 1 : floor.getWidth() * floor.getScaleZ() / length;
+        double stretched = across * pixels[1] / pixels[0];
+        if (Math.max(stretched, 1 / stretched) < STRETCHED) {
+            return;
+        }
+        String shown = String.format(Locale.ROOT, "%s: the picture %s of %s is stretched %.2f times in %s: it has %d x %d pixels, and ",
+            parsed.file, floor.getImage(), floor, Math.max(stretched, 1 / stretched), stretched > 1 ? "width" : "height", pixels[0], pixels[1]);
+        warnings.add(shown + (repeats ? "each repetition is a square" : String.format(Locale.ROOT, "the floor is %s m long and %s m wide;"
+            + " a width of %s m fits", Parameter.format(length), Parameter.format(across * length), Parameter.format(
+            Math.round(MILLIMETRES * length * pixels[0] / pixels[1]) / MILLIMETRES))));
+    }
+
     /**
-     * Reports an unreadable picture: a warning for an object, which is then shown plain; a problem for a terrain, since
+     * Returns the size of a picture, or reports an unreadable one: a warning for an object, which is then shown plain; a problem for a terrain, since
      * sensors may read its aerial picture.
      */
-    private void checkPicture(ParsedObject parsed, Shape shape) {
+    private int[] checkPicture(ParsedObject parsed, Shape shape) {
         try {
-            assets.checkPicture(shape.getImage());
+            return assets.checkPicture(shape.getImage());
         } catch (IOException e) {
             if (e instanceof UnreadablePicture && !(shape instanceof Terrain)) {
                 warnings.add(parsed.file + ": the picture of " + shape + " can't be shown (" + e.getMessage() + ")");
             } else {
                 problems.add(parsed.file, parsed.line("image"), "image", shape.getImage(), "a picture that can be shown (" + e.getMessage() + ")");
             }
+            return new int[0];
         }
     }
 

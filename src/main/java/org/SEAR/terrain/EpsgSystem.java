@@ -58,11 +58,13 @@ final class EpsgSystem {
     /**
      * Reads a definition.
      * @param file the map's name for messages
-     * @param system EPSG:NUMBER
+     * @param system EPSG:NUMBER, or that of a geographic system and a projection on it, as {@code EPSG:4314 tmerc lon_0=9}
      * @throws IOException for an unknown system, and for a known one without support, with the reason
      */
     static EpsgSystem of(String file, String system) throws IOException {
-        String code = system.startsWith(EPSG) ? system.substring(EPSG.length()) : system;
+        int space = system.indexOf(' ');
+        String own = space < 0 ? null : system.substring(space + 1);
+        String code = (space < 0 ? system : system.substring(0, space)).replaceFirst("^" + EPSG, "");
         try (InputStream in = EpsgSystem.class.getResourceAsStream(FILE);
             BufferedReader lines = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8))) {
             Search search = new Search(code);
@@ -80,7 +82,7 @@ final class EpsgSystem {
                 throw unsupported(file, EPSG + code + " (" + search.datum[NAME] + ")", "one with a datum shift within 5 m; this one has none without "
                     + "grid files" + (search.missing.equals("0") ? "" : " that is more certain than " + search.missing + " m"));
             }
-            return new EpsgSystem(file, code, search.datum, search.shifts, search.projection);
+            return new EpsgSystem(file, code, search.datum, search.shifts, own == null ? search.projection : own);
         }
     }
 

@@ -95,6 +95,22 @@ public class MapSystemTest {
         assertRefused("EPSG:0", "legal: a horizontal system of the EPSG register");
     }
 
+    /** The projection of a .prj on a datum by its name has the same shift as the EPSG number of the whole. */
+    @Test
+    public void aProjectionOnAKnownDatumEqualsItsNumber() throws IOException {
+        String[][] pairs = {{"EPSG:4314 tmerc k_0=1.0 lat_0=0.0 lon_0=9.0 x_0=3500000.0 y_0=0.0 units=m", "EPSG:31467", "3498667.9", "5675312.7"},
+            {"EPSG:4277 tmerc k_0=0.9996012717 lat_0=49.0 lon_0=-2.0 x_0=400000.0 y_0=-100000.0 units=m", "EPSG:27700", "586863.1", "329499.1"},
+            {"EPSG:4289 sterea k_0=0.9999079 lat_0=52.1561605555556 lon_0=5.38763888888889 x_0=155000.0 y_0=463000.0 units=m", "EPSG:28992",
+                "114411.9", "446706.0"}};
+        for (String[] pair : pairs) {
+            double x = Double.parseDouble(pair[2]);
+            double y = Double.parseDouble(pair[3]);
+            double[] place = MapSystem.over("a.asc", pair[0], x, y).toEarth(x, y);
+            double[] expected = MapSystem.over("a.asc", pair[1], x, y).toEarth(x, y);
+            assertEquals(pair[1], 0, distance(place, expected[0], expected[1]), 1e-4);
+        }
+    }
+
     @Test
     public void aPlaceOutsideTheAreasOfAllDatumShiftsIsRefused() {
         String message = assertThrows(IOException.class, () -> MapSystem.at("old.tif", "EPSG:4230", 10, 100)).getMessage();

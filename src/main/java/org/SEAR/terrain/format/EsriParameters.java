@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.terrain.format;
 
+import java.io.IOException;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
@@ -20,7 +21,7 @@ final class EsriParameters {
     private static final Pattern UNIT = Pattern.compile("UNIT\\[\"[^\"]*\"" + NUMBER + "[\\],]", Pattern.CASE_INSENSITIVE);
     private static final Map<String, String> METHODS = Map.of("lambert_conformal_conic", "lcc", "lambert_conformal_conic_2sp", "lcc",
         "lambert_conformal_conic_1sp", "lcc", "albers", "aea", "albers_conic_equal_area", "aea", "lambert_azimuthal_equal_area", "laea",
-        "transverse_mercator", "tmerc", "gauss_kruger", "tmerc");
+        "transverse_mercator", "tmerc", "gauss_kruger", "tmerc", "double_stereographic", "sterea");
     private static final Map<String, String> PARAMETERS = Map.ofEntries(Map.entry("false_easting", "x_0"), Map.entry("false_northing", "y_0"),
         Map.entry("central_meridian", "lon_0"), Map.entry("longitude_of_center", "lon_0"), Map.entry("longitude_of_origin", "lon_0"),
         Map.entry("latitude_of_origin", "lat_0"), Map.entry("latitude_of_center", "lat_0"), Map.entry("standard_parallel_1", "lat_1"),
@@ -37,16 +38,19 @@ final class EsriParameters {
     /**
      * Returns the projection as PROJ parameters.
      * @param text well-known text
-     * @return null for an unsupported projection
+     * @return for another datum than WGS 84 its EPSG:NUMBER before them; null for an unsupported projection
      */
-    static String of(String text) {
+    static String of(String text) throws IOException {
         Matcher method = METHOD.matcher(text);
         Matcher datum = DATUM.matcher(text);
-        Matcher meridian = MERIDIAN.matcher(text);
         String proj = method.find() ? METHODS.get(method.group(1).toLowerCase(Locale.ROOT)) : null;
         String unit = unit(text);
-        boolean known = proj != null && unit != null && datum.find() && NEAR_WGS84.matcher(datum.group(1)).matches();
-        if (!known || meridian.find() && number(meridian.group(1)) != 0) {
+        if (proj == null || unit == null || !isInDegrees(text)) {
+            return null;
+        }
+        boolean near = datum.find() && NEAR_WGS84.matcher(datum.group(1)).matches();
+        String geographic = near ? null : DatumNames.system(text);
+        if (!near && geographic == null) {
             return null;
         }
         Map<String, Double> parameters = parameters(text);
@@ -58,7 +62,21 @@ final class EsriParameters {
             parameters.putIfAbsent("lat_1", parameters.getOrDefault("lat_0", 0.0));
             parameters.putIfAbsent("lat_2", parameters.get("lat_1"));
         }
+        if (!near) {
+            return geographic + OwnProjection.projection(" " + proj, " ", parameters, unit);
+        }
         return OwnProjection.text(proj, parameters, datum.group(1).toUpperCase(Locale.ROOT).contains("WGS") ? "WGS84" : "GRS80", unit);
+    }
+
+    /** Returns whether longitudes are in degrees from Greenwich. */
+    static boolean isInDegrees(String text) {
+        Matcher meridian = MERIDIAN.matcher(text);
+        Matcher unit = UNIT.matcher(text);
+        return (!meridian.find() || number(meridian.group(1)) == 0) && unit.find() && isDegree(number(unit.group(1)));
+    }
+
+    private static boolean isDegree(double unit) {
+        return Math.abs(unit / DEGREE - 1) <= 1e-9;
     }
 
     private static Map<String, Double> parameters(String text) {
@@ -83,7 +101,7 @@ final class EsriParameters {
         Matcher unit = UNIT.matcher(text);
         double first = unit.find() ? number(unit.group(1)) : 0;
         double last = unit.find() ? number(unit.group(1)) : 0;
-        if (Math.abs(first / DEGREE - 1) > 1e-9) {
+        if (!isDegree(first)) {
             return null;
         }
         return last == 1 ? "m" : near(last, 0.3048) ? "ft" : near(last, 1200 / 3937.0) ? "us-ft" : null;

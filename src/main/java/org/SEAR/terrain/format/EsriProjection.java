@@ -26,7 +26,7 @@ final class EsriProjection {
 
     /**
      * Returns the coordinate system.
-     * @return EPSG:NUMBER or PROJ parameters
+     * @return EPSG:NUMBER, PROJ parameters, or EPSG:NUMBER of a geographic system and the projection on it
      * @throws IOException for an unsupported system
      */
     static String system(MapBytes file) throws IOException {
@@ -55,9 +55,14 @@ final class EsriProjection {
         if (own != null) {
             return own;
         }
+        String datum = text.matches("(?is)GEOGCS\\[.*") && EsriParameters.isInDegrees(text) ? DatumNames.system(text) : null;
+        if (datum != null) {
+            return datum;
+        }
         throw FileLimits.wrong(file.getName(), "the coordinate system", text.replaceAll("\\s+", " "),
             "one with AUTHORITY[\"EPSG\",...], a UTM zone of WGS 84, NAD 83 or ETRS 89, longitude and latitude, or "
-                + "Lambert's, Albers' or a transverse Mercator projection on a datum that is WGS 84 within two metres");
+                + "Lambert's, Albers', a double stereographic or a transverse Mercator projection on a datum of the EPSG register, in degrees from"
+                + " Greenwich");
     }
 
     private static int zone(String datum, String side) {

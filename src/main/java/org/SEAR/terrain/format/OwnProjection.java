@@ -61,10 +61,22 @@ final class OwnProjection {
      * @param unit m, ft or us-ft
      */
     static String text(String method, Map<String, Double> parameters, String ellipsoid, String unit) {
-        StringBuilder text = new StringBuilder("+proj=").append(method);
-        parameters.forEach((name, value) -> text.append(" +").append(name).append('=')
+        return projection("+proj=" + method, " +", parameters, unit).replace(" +units=", " +ellps=" + ellipsoid + " +towgs84=0,0,0 +units=")
+            + " +no_defs";
+    }
+
+    /**
+     * Formats a projection without its datum.
+     * @param start text before the parameters
+     * @param between text before each parameter
+     * @param parameters by PROJ's names; lengths in the map's unit, converted to metres
+     * @param unit m, ft or us-ft
+     */
+    static String projection(String start, String between, Map<String, Double> parameters, String unit) {
+        StringBuilder text = new StringBuilder(start);
+        parameters.forEach((name, value) -> text.append(between).append(name).append('=')
             .append(name.equals("x_0") || name.equals("y_0") ? value * metres(unit) : value));
-        return text.append(" +ellps=").append(ellipsoid).append(" +towgs84=0,0,0 +units=").append(unit).append(" +no_defs").toString();
+        return text.append(between).append("units=").append(unit).toString();
     }
 
     private static boolean known(Map<Integer, Integer> keys, int key) {

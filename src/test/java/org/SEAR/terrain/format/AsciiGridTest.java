@@ -98,11 +98,20 @@ public class AsciiGridTest {
         String feet = prj(spelled("D_North_American_1983", "Lambert_Conformal_Conic", "False_Easting\",1000],PARAMETER[\"Standard_Parallel_1\",40",
             "Foot_US\",0.3048006096012192"));
         assertTrue(feet, feet.startsWith("+proj=lcc +lat_1=40.0 +lat_2=40.0 +x_0=304.80") && feet.endsWith("+units=us-ft +no_defs"));
-        for (String[] unknown : new String[][] {{"D_NTF", "Lambert_Conformal_Conic", "False_Easting\",0", "Meter\",1.0"},
+        for (String[] unknown : new String[][] {{"D_Mars", "Lambert_Conformal_Conic", "False_Easting\",0", "Meter\",1.0"},
             {"D_RGF_1993", "Krovak", "False_Easting\",0", "Meter\",1.0"}, {"D_RGF_1993", "Lambert_Conformal_Conic", "Azimuth\",0", "Meter\",1.0"},
             {"D_RGF_1993", "Lambert_Conformal_Conic", "False_Easting\",0", "Yard\",0.9144"}}) {
             assertThrows(unknown[0], IOException.class, () -> prj(spelled(unknown[0], unknown[1], unknown[2], unknown[3])));
         }
+        assertEquals("EPSG:4314 tmerc k_0=1.0 lon_0=9.0 x_0=3500000.0 units=m", prj(spelled("D_Deutsches_Hauptdreiecksnetz", "Gauss_Kruger",
+            "False_Easting\",3500000.0],PARAMETER[\"Central_Meridian\",9.0],PARAMETER[\"Scale_Factor\",1.0", "Meter\",1.0")));
+        assertEquals("EPSG:4289 sterea x_0=0.0 units=m", prj(spelled("Amersfoort", "Double_Stereographic", "False_Easting\",0", "Meter\",1.0")));
+        assertEquals("EPSG:4277", prj("GEOGCS[\"GCS_OSGB_1936\",DATUM[\"D_OSGB_1936\",SPHEROID[\"Airy_1830\",6377563.396,299.3249646]],"
+            + "PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\",0.0174532925199433]]"));
+        assertEquals("EPSG:4312", prj("GEOGCS[\"MGI\",DATUM[\"Militar-Geographische_Institut\",SPHEROID[\"Bessel 1841\",6377397.155,299.1528128]],"
+            + "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]]"));
+        assertThrows("grads from Paris", IOException.class, () -> prj("GEOGCS[\"GCS_NTF_Paris\",DATUM[\"D_NTF\",SPHEROID[\"Clarke_1880_IGN\","
+            + "6378249.2,293.466021293627]],PRIMEM[\"Paris\",2.337229167],UNIT[\"Grad\",0.01570796326794897]]"));
         IOException e = assertThrows(IOException.class, () -> prj("PROJCS[\"Mars\"]"));
         assertTrue(e.getMessage(), e.getMessage().startsWith("a.prj: the coordinate system is PROJCS[\"Mars\"], legal: one with AUTHORITY"));
     }

@@ -13,6 +13,9 @@ import org.SEAR.protocol.lidar.LidarModel;
 @Described("a fan of beams in one plane; with ports also a SICK LMS200 or another model")
 public class LIDAR extends SensorObject implements SerialObject {
     private static final int MAX_BEAMS = 36001;
+    private static final double CIRCLE = 360;
+    /** Fraction of a step by which a spread may miss a whole number of steps. */
+    private static final double ROUNDING = 1e-9;
 
     @Param(doc = "largest distance", unit = "m", min = 0.01, max = 10000)
     private double range = 8.191;
@@ -20,6 +23,8 @@ public class LIDAR extends SensorObject implements SerialObject {
     private double spread = 180;
     @Param(doc = "angle between two beams", unit = "deg", min = 0.01, max = 360)
     private double resolution = 1;
+    @Param(doc = "whether a reading of 360 degrees ends with a beam in the direction of its first one; default: true")
+    private Boolean closed;
     @Param(doc = "duration of a turn in which a reading's beams are measured one after another, 0: all at one instant; a device at ports has its own",
         unit = "s", max = 1)
     private double scanTime;
@@ -87,6 +92,18 @@ public class LIDAR extends SensorObject implements SerialObject {
 
     public double getResolution() {
         return resolution;
+    }
+
+    /** Returns whether a reading of 360 degrees ends with a beam in the direction of its first one. */
+    public boolean isClosed() {
+        return closed == null || closed;
+    }
+
+    /** Returns the number of beams of a reading. */
+    public int getBeams() {
+        int steps = (int) Math.floor(spread / resolution + ROUNDING);
+        boolean repeats = spread == CIRCLE && steps * resolution > CIRCLE * (1 - ROUNDING);
+        return repeats && !isClosed() ? steps : steps + 1;
     }
 
     public double getScanTime() {
@@ -210,6 +227,17 @@ public class LIDAR extends SensorObject implements SerialObject {
     public void setResolution(double degrees) {
         resolution = checked("resolution", degrees);
         fanChanged();
+    }
+
+    /**
+     * Sets whether a reading of 360 degrees ends with a beam in the direction of its first one. ROS wants none. The
+     * device at ports sends the beams of its model instead.
+     *
+     * @param on true, the default: 361 beams at 1 degree; false: 360, the last one at 179 degrees
+     */
+    public void setClosed(boolean on) {
+        closed = checked("closed", on);
+        changed();
     }
 
     /**

@@ -20,8 +20,6 @@ public final class BeamFans {
     private static final int LIDAR_BEAM = 0xff1f14;
     private static final float DISTANCE_RADIUS = 0.03f;
     private static final float LIDAR_RADIUS = 0.018f;
-    /** Tolerance for a spread that is slightly less than a whole number of steps, in steps. */
-    private static final double ROUNDING = 1e-9;
     private static final float BYTE = 255f;
     /** Maximum number of lines per sensor. More would be unreadable and slow without a graphics card. */
     private static final int MAX_LINES = 240;
@@ -64,7 +62,7 @@ public final class BeamFans {
     }
 
     private static BeamFan plane(LIDAR lidar, int robot, int part) {
-        int count = (int) Math.floor(lidar.getSpread() / lidar.getResolution() + ROUNDING) + 1;
+        int count = lidar.getBeams();
         float[] directions = new float[3 * count];
         float[] ranges = new float[count];
         float[] colors = new float[3 * count];

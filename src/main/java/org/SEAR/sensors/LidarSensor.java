@@ -47,7 +47,7 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
 
     @Override
     protected LidarScan measure(Truth truth) {
-        LidarScan scan = make(truth, lidar.getSpread(), lidar.getResolution());
+        LidarScan scan = make(truth, lidar.getSpread(), lidar.getResolution(), lidar.getBeams());
         return lidar.getScanTime() > 0 ? roll(truth, scan) : scan;
     }
 
@@ -92,7 +92,7 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
 
     @Override
     public int beamsAside() {
-        return beams(lidar.getSpread(), lidar.getResolution());
+        return lidar.getBeams();
     }
 
     @Override
@@ -118,7 +118,7 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
     /** Measures the expected scan. Any thread, like {@link #measure}. */
     void scanAhead(Truth truth) {
         expectedAt = Double.POSITIVE_INFINITY;
-        ahead = make(truth, expectedSpread, expectedResolution);
+        ahead = make(truth, expectedSpread, expectedResolution, beams(expectedSpread, expectedResolution));
         aheadMount = getMount();
     }
 
@@ -136,15 +136,15 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
         expectedAt = Double.POSITIVE_INFINITY;
         boolean isAhead = ahead != null && aheadMount == getMount() && ahead.getSpread() == spreadDegrees
             && ahead.getResolution() == resolutionDegrees;
-        return isAhead ? ahead : make(truth, spreadDegrees, resolutionDegrees);
+        return isAhead ? ahead : make(truth, spreadDegrees, resolutionDegrees, beams(spreadDegrees, resolutionDegrees));
     }
 
-    private LidarScan make(Truth truth, double spreadDegrees, double resolutionDegrees) {
+    private LidarScan make(Truth truth, double spreadDegrees, double resolutionDegrees, int beams) {
         if (!(spreadDegrees > 0 && spreadDegrees <= 360 && resolutionDegrees > 0 && resolutionDegrees <= spreadDegrees)) {
             throw new IllegalArgumentException("LIDAR " + getName() + ": spread " + spreadDegrees + " and resolution " + resolutionDegrees
                 + " degrees, legal: spread above 0 to 360, resolution above 0 to the spread");
         }
-        double[] ranges = new double[beams(spreadDegrees, resolutionDegrees)];
+        double[] ranges = new double[beams];
         Pose pose = pose(truth);
         truth.scene().castFan(pose, Math.toRadians(-spreadDegrees / 2), Math.toRadians(resolutionDegrees), ranges.length, lidar.getRange(),
             ignored(truth), ranges, null);

@@ -176,6 +176,26 @@ public class BeamSensorsTest {
         }
     }
 
+    /** Without the doubled end a full circle has the same beams except the last. Other fans, and devices, do not change. */
+    @Test
+    public void aFullCircleWithoutTheDoubledEnd() {
+        ScriptedTruth truth = truth(wall(BeamScene.WORLD));
+        for (double[] fan : new double[][] {{360, 1}, {360, 0.25}, {360, 7}, {180, 1}}) {
+            LIDAR parameters = lidar(fan[0], fan[1], 8);
+            double[] closed = new LidarSensor(parameters, 1).read(truth).ranges();
+            parameters.setClosed(false);
+            LidarSensor sensor = new LidarSensor(parameters, 1);
+            LidarScan open = sensor.read(truth);
+            boolean doubled = fan[0] == 360 && fan[1] != 7;
+            assertEquals(doubled ? closed.length - 1 : closed.length, open.size());
+            assertArrayEquals(Arrays.copyOf(closed, open.size()), open.ranges(), 0);
+            assertEquals(-fan[0] / 2, open.angle(0), 0);
+            assertEquals(361, sensor.scan(truth, 360, 1).size());
+            parameters.setScanTime(0.1);
+            assertEquals("measured one after another", open.size(), new LidarSensor(parameters, 1).read(truth).size());
+        }
+    }
+
     @Test
     public void theOwnRobotIsInvisibleUnlessAskedFor() {
         ScriptedTruth own = truth(wall(OWNER));

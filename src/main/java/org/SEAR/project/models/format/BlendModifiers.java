@@ -16,12 +16,24 @@ import org.SEAR.files.FileLimits;
 final class BlendModifiers extends ModifierHelper {
     /** Faces of a mesh after its modifiers: some seconds of work. */
     static final int MAX_FACES = 250_000;
+    /**
+     * Faces of all subdivided meshes of a file: some seconds of work. jMonkeyEngine's subdivision needs time in
+     * proportion to their square.
+     */
+    static final int MAX_SUBDIVIDED = 25_000;
+    /**
+     * Faces times copies of all arrays of a file: some seconds of work. jMonkeyEngine passes all former faces for each
+     * copy.
+     */
+    static final int MAX_COPYING = 30_000_000;
     private static final Set<String> SUPPORTED = Set.of(Modifier.ARRAY_MODIFIER_DATA, Modifier.MIRROR_MODIFIER_DATA,
         Modifier.ARMATURE_MODIFIER_DATA, Modifier.PARTICLE_MODIFIER_DATA, Modifier.SUBSURF_MODIFIER_DATA);
     private static final String NAME = "ModifierData";
 
     private final String file;
     private final Consumer<String> warnings;
+    private double subdivided;
+    private double copying;
 
     BlendModifiers(String version, BlenderContext context, String file, Consumer<String> warnings) {
         super(version, context);
@@ -39,14 +51,26 @@ final class BlendModifiers extends ModifierHelper {
                 warnings.accept("the " + name + " is left out: apply it in Blender, or export .glb");
             }
             double times = times(modifier, type);
-            if (faces * times > MAX_FACES && times > 1) {
-                throw new BlenderFileException("modifier", FileLimits.wrong(file, "the number of faces after the "
-                    + name,
-                    Math.round(faces * times), "at most " + MAX_FACES + ": lower its levels or count, or export .glb"));
-            }
             faces *= times;
+            if (times > 1) {
+                limit("the number of faces after the " + name, faces, MAX_FACES);
+            }
+            if (times > 1 && type.equals(Modifier.SUBSURF_MODIFIER_DATA)) {
+                subdivided += faces;
+                limit("the number of faces of subdivided objects, up to the " + name + ',', subdivided, MAX_SUBDIVIDED);
+            } else if (times > 1) {
+                copying += faces * times;
+                limit("the product of faces and copies, up to the " + name + ',', copying, MAX_COPYING);
+            }
         }
         return super.readModifiers(object, context);
+    }
+
+    private void limit(String what, double faces, int most) throws BlenderFileException {
+        if (faces > most) {
+            throw new BlenderFileException("modifier", FileLimits.wrong(file, what, Math.round(faces), "at most " + most
+                + ": lower its levels or count, apply it in Blender, or export .glb"));
+        }
     }
 
     private static double faces(Structure object) throws BlenderFileException {

@@ -2,6 +2,7 @@
 package org.SEAR.grammar;
 
 import java.lang.reflect.Method;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
@@ -39,8 +40,7 @@ public final class ScriptLine {
      * @return {@code line 7 of first.py}; empty if no script calls
      */
     public static String here() {
-        boolean inScript = StackWalker.getInstance().walk(frames -> frames.anyMatch(frame -> frame.getClassName().startsWith(SCRIPT)));
-        if (!inScript) {
+        if (!isInScript()) {
             return "";
         }
         try {
@@ -48,6 +48,28 @@ public final class ScriptLine {
             return of(state.getClass().getField("frame").get(state));
         } catch (ReflectiveOperationException | LinkageError e) {
             return ""; // an unknown version of Jython
+        }
+    }
+
+    private static boolean isInScript() {
+        return StackWalker.getInstance().walk(frames -> frames.anyMatch(frame -> frame.getClassName().startsWith(SCRIPT)));
+    }
+
+    /**
+     * Returns the working folder of the Jython script that calls, if its {@code os.chdir} has changed it.
+     *
+     * @return null if it is Java's working folder, or if no Jython script calls
+     */
+    static Path folder() {
+        if (!isInScript()) {
+            return null;
+        }
+        try {
+            Object state = Class.forName(JYTHON + "Py").getMethod("getSystemState").invoke(null);
+            Path folder = Path.of((String) state.getClass().getMethod("getCurrentWorkingDir").invoke(state));
+            return folder.equals(Path.of("").toAbsolutePath()) ? null : folder;
+        } catch (ReflectiveOperationException | LinkageError e) {
+            return null; // an unknown version of Jython
         }
     }
 

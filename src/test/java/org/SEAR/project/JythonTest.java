@@ -15,9 +15,12 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.xml.ObjectClasses;
 import org.junit.Rule;
 import org.junit.Test;
+import org.python.core.PySystemState;
+import org.python.util.PythonInterpreter;
 
 /** Every constructor and method, called from a Jython script; the expected XML is stored beside it. */
 public class JythonTest {
@@ -46,6 +49,20 @@ public class JythonTest {
         SEARrobot robot = read.getRobots().get(0);
         assertEquals(11, robot.getWheels().size());
         assertEquals(63, robot.getComponents().size());
+    }
+
+    /** Relative paths of a script refer to its os.getcwd(). */
+    @Test
+    public void relativePathsFollowChdir() {
+        String folder = project.folder().toAbsolutePath().getParent().toString().replace('\\', '/');
+        try (PythonInterpreter python = new PythonInterpreter(null, new PySystemState())) {
+            python.exec("import os\nfrom org.SEAR.grammar import ScriptText\nbefore = ScriptText.path('a.png')\nos.chdir('" + folder + "')\n"
+                + "after = ScriptText.path('a.png')\nabsolute = ScriptText.path('" + folder + "/b.png')\n");
+            assertEquals(Path.of("a.png"), python.get("before", Path.class));
+            assertEquals(Path.of(folder, "a.png"), python.get("after", Path.class));
+            assertEquals(Path.of(folder, "b.png"), python.get("absolute", Path.class));
+        }
+        assertEquals("outside scripts", Path.of("a.png"), ScriptText.path("a.png"));
     }
 
     @Test

@@ -29,6 +29,12 @@ export default [
             'no-throw-literal': 'error',
             'no-unused-expressions': 'error',
             'no-console': ['error', {allow: ['error', 'warn']}],
+            'max-lines-per-function': ['error', {max: 80, IIFEs: true}],
+            'no-var': 'error',
+            'prefer-const': 'error',
+            'prefer-arrow-callback': 'error',
+            'arrow-body-style': 'error',
+            'object-shorthand': 'error',
             'array-callback-return': 'error',
             'default-case-last': 'error',
             'eqeqeq': ['error', 'always', {null: 'ignore'}],
@@ -38,7 +44,8 @@ export default [
         }
     },
     {
-        files: ['**/js/sear/**'],
-        languageOptions: {sourceType: 'module'}
+        files: ['**/js/sear/**', '**/src/test/js/**'],
+        languageOptions: {sourceType: 'module'},
+        rules: {'no-invalid-this': 'error'}
     }
 ]

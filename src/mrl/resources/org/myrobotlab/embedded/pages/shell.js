@@ -1,175 +1,177 @@
 // Page of the embedded MyRobotLab: a tab for each service, with its panel XGui, and the messages of all services.
-(function() {
-    var app = angular.module('mrlapp', ['mrlapp.mrl'])
-    var providers = {}
-    var MOST_STATUSES = 50
+{
+    const app = angular.module('mrlapp', ['mrlapp.mrl'])
+    const MOST_STATUSES = 50
+    const FIRST = ['SEAR', 'LIDAR', 'GPS', 'Roomba', 'Python']
+    const LAST = ['Runtime', 'WebGui']
+    const REPEATED = 'could not invoke '
+    const BARE = 'AnyGuiCtrl'
+    const PORT = 'Serial'    // numerous and rarely viewed
+    let providers = {}
 
-    app.config(['$controllerProvider', '$compileProvider', '$filterProvider', '$provide', function(controller, compile, filter, provide) {
+    app.config(['$controllerProvider', '$compileProvider', '$filterProvider', '$provide', (controller, compile, filter, provide) => {
         providers = {$controllerProvider: controller, $compileProvider: compile, $filterProvider: filter, $provide: provide}
     }])
 
-    app.controller('ShellCtrl', ['$scope', '$location', '$document', 'mrl', 'panels', function($scope, $location, $document, mrl, panels) {
-        var shell = this
-        var FIRST = ['SEAR', 'LIDAR', 'GPS', 'Roomba', 'Python']
-        var LAST = ['Runtime', 'WebGui']
-        var REPEATED = 'could not invoke '
-        var BARE = 'AnyGuiCtrl'
-        var PORT = 'Serial'     // numerous and rarely viewed
-        var faces = {}          // by type: whether it has its own panel
-        shell.main = []         // services with a tab
-        shell.ports = []        // services in the menu
-        shell.bare = []
-        shell.services = []
-        shell.menu = false      // whether the menu is open
-        shell.statuses = []
-        shell.form = {name: '', type: ''}
-        var wanted = null       // the tab that the user wants, shown whenever its service exists
-        shell.shown = null
-        // like MyRobotLab's layout: beside the list of services, at the same distance from the window's edges
-        shell.beside = /[?&]layout=myrobotlab\b/.test(window.location.search)
+    /** The page: which services have a tab, which one is in front, and the messages of all. */
+    class Shell {
+        constructor($scope, $location, $document, mrl, panels) {
+            this.$scope = $scope
+            this.mrl = mrl
+            this.panels = panels
+            this.faces = {}         // by type: whether it has its own panel
+            this.main = []         // services with a tab
+            this.ports = []        // services in the menu
+            this.bare = []
+            this.services = []
+            this.menu = false      // whether the menu is open
+            this.statuses = []
+            this.form = {name: '', type: ''}
+            this.wanted = null      // the tab that the user wants, shown whenever its service exists
+            this.shown = null
+            // like MyRobotLab's layout: beside the list of services, at the same distance from the window's edges
+            this.beside = /[?&]layout=myrobotlab\b/.test(window.location.search)
 
-        Object.defineProperty(shell, 'connected', {get: function() {
-            return mrl.connected
-        }})
-        Object.defineProperty(shell, 'refused', {get: function() {
-            return mrl.refused
-        }})
+            /** Whether to list a message here: not if the panel in front shows it itself. */
+            this.isNews = status => {
+                const name = String(status.name).split('@')[0]
+                return name !== this.shown || !mrl.isShown(name, 'publishStatus')
+            }
+            const onStatus = message => this.onStatus(message)
+            $scope.$on('mrl.services', () => {
+                this.services = mrl.getServices().slice().sort((a, b) => this.order(a) - this.order(b) || (a.name < b.name ? -1 : 1))
+                this.services.forEach(service => this.lookForFace(service))
+                this.services.forEach(service => {
+                    mrl.subscribe(service.name, 'publishStatus')
+                    mrl.subscribeToService(onStatus, service.name)
+                })
+                this.sort()
+            })
+            $scope.$on('$locationChangeSuccess', () => {
+                this.wanted = $location.path().substring(1) || this.wanted
+                this.choose()
+            })
+            $scope.$on('mrl.error', (event, text) => {
+                this.add({level: 'error', name: 'page', detail: text})
+            })
 
-        function order(service) {
-            var at = FIRST.indexOf(service.simpleName)
+            this.told = {}          // services that have reported why a call failed, before MyRobotLab's repetition
+            $document.on('mousedown', event => {
+                if (this.menu && !angular.element(event.target).closest('.shell-menu').length) {
+                    this.menu = false
+                    $scope.$applyAsync()
+                }
+            })
+            $document.on('keydown', event => {
+                if (this.menu && event.key === 'Escape') {
+                    this.closeMenu()
+                }
+            })
+        }
+
+        get connected() {
+            return this.mrl.connected
+        }
+
+        get refused() {
+            return this.mrl.refused
+        }
+
+        order(service) {
+            const at = FIRST.indexOf(service.simpleName)
             return at < 0 ? FIRST.length + 1 + LAST.indexOf(service.simpleName) : at
         }
 
-        function choose() {
-            var names = shell.main.concat(shell.bare, shell.ports).map(function(service) {
-                return service.name
-            })
-            shell.shown = names.indexOf(wanted) < 0 ? names[0] : wanted
+        choose() {
+            const names = this.main.concat(this.bare, this.ports).map(service => service.name)
+            this.shown = names.indexOf(this.wanted) < 0 ? names[0] : this.wanted
         }
 
-        function isPort(service) {
+        isPort(service) {
             return service.simpleName === PORT
         }
 
-        function isMain(service) {
-            return !isPort(service) && faces[service.simpleName]
+        isMain(service) {
+            return !this.isPort(service) && this.faces[service.simpleName]
         }
 
         /** Services whose panel shows more than their state get a tab; the others are in the menu. */
-        function sort() {
-            shell.ports = shell.services.filter(isPort)
-            shell.main = shell.services.filter(isMain)
-            shell.bare = shell.services.filter(function(service) {
-                return !isPort(service) && !isMain(service)
-            })
-            choose()
+        sort() {
+            this.ports = this.services.filter(service => this.isPort(service))
+            this.main = this.services.filter(service => this.isMain(service))
+            this.bare = this.services.filter(service => !this.isPort(service) && !this.isMain(service))
+            this.choose()
         }
 
-        function lookForFace(service) {
-            var type = service.simpleName
-            if (!(type in faces)) {
-                faces[type] = FIRST.indexOf(type) >= 0      // until known
-                panels(type).then(function(panel) {
-                    faces[type] = panel.controller !== BARE
-                    sort()
+        lookForFace(service) {
+            const type = service.simpleName
+            if (!(type in this.faces)) {
+                this.faces[type] = FIRST.indexOf(type) >= 0      // until known
+                this.panels(type).then(panel => {
+                    this.faces[type] = panel.controller !== BARE
+                    this.sort()
                 }, angular.noop)
             }
         }
 
-        $scope.$on('mrl.services', function() {
-            shell.services = mrl.getServices().slice().sort(function(a, b) {
-                return order(a) - order(b) || (a.name < b.name ? -1 : 1)
-            })
-            shell.services.forEach(lookForFace)
-            shell.services.forEach(function(service) {
-                mrl.subscribe(service.name, 'publishStatus')
-                mrl.subscribeToService(onStatus, service.name)
-            })
-            sort()
-        })
-        $scope.$on('$locationChangeSuccess', function() {
-            wanted = $location.path().substring(1) || wanted
-            choose()
-        })
-        $scope.$on('mrl.error', function(event, text) {
-            add({level: 'error', name: 'page', detail: text})
-        })
-
-        function onStatus(message) {
+        onStatus(message) {
             if (message.method === 'onStatus') {
-                add(message.data[0])
-                $scope.$applyAsync()
+                this.add(message.data[0])
+                this.$scope.$applyAsync()
             }
         }
 
-        var told = {}           // services that have reported why a call failed, before MyRobotLab's repetition
-        function add(status) {
-            var text = status.key || status.detail
+        add(status) {
+            const text = status.key || status.detail
             if (status.level === 'error') {
-                var repeated = told[status.name] && text.indexOf(REPEATED) === 0
-                told[status.name] = !repeated
+                const repeated = this.told[status.name] && text.indexOf(REPEATED) === 0
+                this.told[status.name] = !repeated
                 if (repeated) {
                     return
                 }
             }
-            shell.statuses.unshift({level: status.level, name: status.name, text: text, time: new Date()})
-            shell.statuses.splice(MOST_STATUSES)
+            this.statuses.unshift({level: status.level, name: status.name, text, time: new Date()})
+            this.statuses.splice(MOST_STATUSES)
         }
 
-        /** Whether to list a message here: not if the panel in front shows it itself. */
-        shell.isNews = function(status) {
-            var name = String(status.name).split('@')[0]
-            return name !== shell.shown || !mrl.isShown(name, 'publishStatus')
-        }
-        shell.show = function(name) {
-            wanted = name
-            if (shell.menu) {
-                closeMenu()
+        show(name) {
+            this.wanted = name
+            if (this.menu) {
+                this.closeMenu()
             }
-            choose()
+            this.choose()
         }
+
         /** Whether the service in front is in the menu. */
-        shell.inMenu = function() {
-            return shell.bare.concat(shell.ports).some(function(service) {
-                return service.name === shell.shown
-            })
-        }
-        shell.start = function() {
-            mrl.sendTo('runtime', 'start', shell.form.name, shell.form.type)
+        inMenu() {
+            return this.bare.concat(this.ports).some(service => service.name === this.shown)
         }
 
-        function closeMenu() {
-            shell.menu = false
-            document.getElementById('shell-more').focus()   // keeps the focus, which would disappear with the menu
-            $scope.$applyAsync()
+        start() {
+            this.mrl.sendTo('runtime', 'start', this.form.name, this.form.type)
         }
-        $document.on('mousedown', function(event) {
-            if (shell.menu && !angular.element(event.target).closest('.shell-menu').length) {
-                shell.menu = false
-                $scope.$applyAsync()
-            }
-        })
-        $document.on('keydown', function(event) {
-            if (shell.menu && event.key === 'Escape') {
-                closeMenu()
-            }
-        })
-    }])
+
+        closeMenu() {
+            this.menu = false
+            document.getElementById('shell-more').focus()   // keeps the focus, which would disappear with the menu
+            this.$scope.$applyAsync()
+        }
+    }
+
+    app.controller('ShellCtrl', ['$scope', '$location', '$document', 'mrl', 'panels', Shell])
 
     // Registers a module loaded after the application's start: passes its declarations to the providers.
-    function register(module) {
-        module._invokeQueue.forEach(function(call) {
-            providers[call[0]][call[1]].apply(providers[call[0]], call[2])
-        })
+    const register = module => {
+        module._invokeQueue.forEach(([provider, method, call]) => providers[provider][method](...call))
         module._invokeQueue = []
     }
 
     app.factory('panels', ['$q', '$http', function($q, $http) {
-        var loaded = {}
+        const loaded = {}
 
         function script(url) {
-            var done = $q.defer()
-            var element = document.createElement('script')
+            const done = $q.defer()
+            const element = document.createElement('script')
             element.src = url
             element.onload = done.resolve
             element.onerror = done.reject
@@ -178,11 +180,11 @@
         }
 
         function load(type) {
-            return $http.get('service/views/' + type + 'Gui.html').then(function(view) {
+            return $http.get('service/views/' + type + 'Gui.html').then(view => {
                 if (!view.data) {
                     return $q.reject('no panel for ' + type)
                 }
-                return script('service/js/' + type + 'Gui.js').then(function() {
+                return script('service/js/' + type + 'Gui.js').then(() => {
                     register(angular.module('mrlapp.service.' + type + 'Gui'))
                     return {controller: type + 'GuiCtrl', view: view.data}
                 })
@@ -190,10 +192,8 @@
         }
 
         /** Returns the panel of a type, or the general one if it has none. */
-        return function(type) {
-            loaded[type] = loaded[type] || load(type).catch(function() {
-                return type === 'Any' ? $q.reject() : load('Any')
-            })
+        return type => {
+            loaded[type] = loaded[type] || load(type).catch(() => type === 'Any' ? $q.reject() : load('Any'))
             return loaded[type]
         }
     }])
@@ -202,49 +202,42 @@
      * Adds the members that MyRobotLab puts on a panel's scope after its controller; they overwrite the panel's own of
      * the same name.
      */
-    function addMembers(scope, msg) {
+    const addMembers = (scope, msg) => {
         scope.parentPanel = {name: msg.name}
         scope.peer = null
         scope.showPeers = false
         scope.servicedatajson = ''
-        ;['save', 'saveDefault', 'apply', 'startPeer', 'releasePeer', 'updateServiceData'].forEach(function(method) {
-            scope[method] = function() {
-                msg.send.apply(null, [method].concat(Array.prototype.slice.call(arguments)))
-            }
+        ;['save', 'saveDefault', 'apply', 'startPeer', 'releasePeer', 'updateServiceData'].forEach(method => {
+            scope[method] = (...data) => msg.send(method, ...data)
         })
-        scope.release = function() {
-            msg.sendTo('runtime', 'release', msg.name)
-        }
-        scope.toggleVirtual = function() {
-            msg.send('setVirtual', !scope.service.isVirtual)
-        }
+        scope.release = () => msg.sendTo('runtime', 'release', msg.name)
+        scope.toggleVirtual = () => msg.send('setVirtual', !scope.service.isVirtual)
     }
 
-    app.directive('mrlPanel', ['$compile', '$controller', '$templateCache', 'mrl', 'panels', function($compile, $controller, $templateCache, mrl, panels) {
-        return {
-            restrict: 'E',
-            scope: true,
-            link: function(scope, element, attributes) {
-                var name = attributes.name
-                var msg = mrl.createMsgInterface(name)
-                var controller = null
-                scope.name = name
-                scope.msg = msg
-                scope.service = mrl.getService(name)
-                panels(attributes.type).then(function(panel) {
-                    var make = $controller(panel.controller, {$scope: scope}, true)
-                    make.instance.msg = msg
-                    controller = make()
-                    addMembers(scope, msg)
-                    element.html($templateCache.get('tab-header.html') + panel.view)
-                    $compile(element.contents())(scope)
-                })
-                scope.$on('$destroy', function() {
-                    if (controller) {
-                        msg.unsubscribe(controller)
-                    }
-                })
-            }
+    const needed = ['$compile', '$controller', '$templateCache', 'mrl', 'panels']
+    app.directive('mrlPanel', needed.concat(($compile, $controller, $templateCache, mrl, panels) => ({
+        restrict: 'E',
+        scope: true,
+        link(scope, element, attributes) {
+            const name = attributes.name
+            const msg = mrl.createMsgInterface(name)
+            let controller = null
+            scope.name = name
+            scope.msg = msg
+            scope.service = mrl.getService(name)
+            panels(attributes.type).then(panel => {
+                const make = $controller(panel.controller, {$scope: scope}, true)
+                make.instance.msg = msg
+                controller = make()
+                addMembers(scope, msg)
+                element.html($templateCache.get('tab-header.html') + panel.view)
+                $compile(element.contents())(scope)
+            })
+            scope.$on('$destroy', () => {
+                if (controller) {
+                    msg.unsubscribe(controller)
+                }
+            })
         }
-    }])
-})()
+    })))
+}

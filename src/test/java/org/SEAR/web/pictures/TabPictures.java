@@ -134,7 +134,7 @@ public final class TabPictures {
         browser.see("mrl-panel[name='sear'] > *");
         robotLab.run(Files.readString(Paths.get("examples/mountain.py")));
         browser.until("the ground",
-            () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "ground.terrain() !== null && ground.terrain().picture.complete")));
+            () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "ground.terrain !== null && ground.terrain.picture.complete")));
         browser.script("document.querySelectorAll('footer .btn-link, .sear-clear').forEach(function(clear) { clear.click() })");
         browser.script("angular.element(document.querySelector('.sear-main')).scope().view.zoom(0.3)");
         new Actions(browser.driver()).moveToElement(browser.see(".sear-view"), 120, -90).perform();

@@ -3,15 +3,15 @@
 // numbers.
 import * as geometry from '../shared/geometry.js'
 
-var SAFE = '#5cb85c'
-var CRITICAL = '#d9534f'
-var SIZE = 0.035            // size of the mark, as a fraction of the camera's distance
-var RADIUS = 7              // radius of the mark on the map, pixels
-var ABOVE = 0.004           // height of the drawn polygon above the ground, metres
+const SAFE = '#5cb85c'
+const CRITICAL = '#d9534f'
+const SIZE = 0.035            // size of the mark, as a fraction of the camera's distance
+const RADIUS = 7              // radius of the mark on the map, pixels
+const ABOVE = 0.004           // height of the drawn polygon above the ground, metres
 
 /** Returns the selected robot, or the robot whose part is selected; null for none. @param found see pointing.find */
 export function robotOf(found) {
-    var robot = found && (found.robot || found.object)
+    const robot = found && (found.robot || found.object)
     return robot && robot.balance ? robot : null
 }
 function color(balance) {
@@ -19,7 +19,7 @@ function color(balance) {
 }
 /** Draws the usual symbol of a centre of mass: a circle of black and white quarters. */
 function mark(pen, x, y, radius) {
-    for (var i = 0; i < 4; i++) {
+    for (let i = 0; i < 4; i++) {
         pen.beginPath()
         pen.moveTo(x, y)
         pen.arc(x, y, radius, i * Math.PI / 2, (i + 1) * Math.PI / 2)
@@ -34,34 +34,34 @@ function mark(pen, x, y, radius) {
 }
 
 function lineOf(points, ink) {
-    var THREE = window.THREE
-    var shape = new THREE.Geometry()
-    points.forEach(function(point) {
+    const THREE = window.THREE
+    const shape = new THREE.Geometry()
+    points.forEach(point => {
         shape.vertices.push(new THREE.Vector3(point[0], point[1] + ABOVE, point[2]))
     })
-    var line = new THREE.Line(shape, new THREE.LineBasicMaterial({color: ink, depthTest: false, transparent: true, linewidth: 2}))
+    const line = new THREE.Line(shape, new THREE.LineBasicMaterial({color: ink, depthTest: false, transparent: true, linewidth: 2}))
     line.renderOrder = 11
     return line
 }
 function spriteOf() {
-    var THREE = window.THREE
-    var picture = document.createElement('canvas')
+    const THREE = window.THREE
+    const picture = document.createElement('canvas')
     picture.width = picture.height = 64
     mark(picture.getContext('2d'), 32, 32, 30)
-    var texture = new THREE.Texture(picture)
+    const texture = new THREE.Texture(picture)
     texture.needsUpdate = true
-    var sprite = new THREE.Sprite(new THREE.SpriteMaterial({map: texture, depthTest: false}))
+    const sprite = new THREE.Sprite(new THREE.SpriteMaterial({map: texture, depthTest: false}))
     sprite.renderOrder = 12
     return sprite
 }
 
 /** Returns the lower end of the plumb line from the centre of mass, in the body's frame. */
 function plumb(balance) {
-    var sum = balance.support.reduce((height, corner) => height + corner[1], 0)
+    const sum = balance.support.reduce((height, corner) => height + corner[1], 0)
     return [balance.centre[0], balance.support.length ? sum / balance.support.length : 0, balance.centre[2]]
 }
 function make(scene, balance) {
-    var group = new window.THREE.Object3D()
+    const group = new window.THREE.Object3D()
     group.balance = balance
     group.mark = spriteOf()
     group.mark.position.fromArray(balance.centre)
@@ -76,35 +76,35 @@ function make(scene, balance) {
 
 /** Shows the balance in the 3D view. @param found the selection; null for none */
 export function show(scene, found) {
-    var robot = robotOf(found)
+    const robot = robotOf(found)
     if (scene.balance && (!robot || scene.balance.balance !== robot.balance)) {
         scene.scene.remove(scene.balance)
         scene.balance = null
     }
     if (robot) {
-        var group = scene.balance = scene.balance || make(scene, robot.balance)
-        var pose = geometry.frame(robot.pose)
+        const group = scene.balance = scene.balance || make(scene, robot.balance)
+        const pose = geometry.frame(robot.pose)
         group.position.set(pose[0], pose[1], pose[2])
         group.quaternion.set(pose[3], pose[4], pose[5], pose[6])
         group.updateMatrixWorld(true)
-        var size = SIZE * scene.camera.position.distanceTo(group.position)
+        const size = SIZE * scene.camera.position.distanceTo(group.position)
         group.mark.scale.set(size, size, size)
     }
 }
 
 /** Draws the balance on the map. @param at maps a ground point to pixels */
 export function draw(pen, found, at) {
-    var robot = robotOf(found)
+    const robot = robotOf(found)
     if (!robot) {
         return
     }
-    var pose = geometry.frame(robot.pose)
+    const pose = geometry.frame(robot.pose)
     function pixel(point) {
-        var ground = geometry.onGround(pose, point)
+        const ground = geometry.onGround(pose, point)
         return at(ground[0], ground[1])
     }
     pen.beginPath()
-    robot.balance.support.forEach(function(corner) {
+    robot.balance.support.forEach(corner => {
         pen.lineTo(pixel(corner).x, pixel(corner).y)
     })
     pen.closePath()

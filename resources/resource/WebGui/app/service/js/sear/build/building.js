@@ -7,389 +7,425 @@ import {mounted} from './mounting.js'
 import * as places from './places.js'
 import * as pointing from '../world/pointing.js'
 
-var CLICK = 4               // pixels: a shorter mouse movement is a click
-var STEP = 0.05             // metres per arrow key; a fifth of it with the Alt key
-var TURN = 15               // degrees
-var SMALLEST = 0.05         // minimum of a snapped size, metres
-var NEAR = 10               // pixels on the map: pick radius of a selected object without a shape or below others
-var PAUSE_MILLIS = 400      // key presses within this time form one edit
-var ARROWS = {ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 0, 1], ArrowDown: [0, 0, -1], PageUp: [0, 1, 0], PageDown: [0, -1, 0]}
-var AXES = ['x', 'y', 'z']
+const CLICK = 4               // pixels: a shorter mouse movement is a click
+const STEP = 0.05             // metres per arrow key; a fifth of it with the Alt key
+const TURN = 15               // degrees
+const SMALLEST = 0.05         // minimum of a snapped size, metres
+const NEAR = 10               // pixels on the map: pick radius of a selected object without a shape or below others
+const PAUSE_MILLIS = 400      // key presses within this time form one edit
+const ARROWS = {ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 0, 1], ArrowDown: [0, 0, -1], PageUp: [0, 1, 0], PageDown: [0, -1, 0]}
+const AXES = ['x', 'y', 'z']
 
-/** Makes the build controls of one panel. */
-export function makeBuilding(panel, messages, world, view, edits, palette, pointer, picture) {
-    var building = {found: found}
-    var drag = null             // the mouse's current action on the selected object
-    var grip = null             // where the mouse button went down
-    var keyed = null            // movement by keys that is not sent yet
-    var asked = 0               // number of edits without an answer
-    // Pose shown until the service answers, whatever the running simulation reports. Fields: object, pose; drawn, the
-    // pose set last; truth, the object's pose from the service.
-    var held = null
+/** The build controls of one panel. */
+export class Building {
+    constructor(panel, messages, world, view, edits, palette, pointer, picture) {
+        this.panel = panel
+        this.messages = messages
+        this.world = world
+        this.view = view
+        this.edits = edits
+        this.palette = palette
+        this.pointer = pointer
+        this.picture = picture
+        this.drag = null        // the mouse's current action on the selected object
+        this.grip = null        // where the mouse button went down
+        this.keyed = null       // movement by keys that is not sent yet
+        this.asked = 0          // number of edits without an answer
+        // Pose shown until the service answers, whatever the running simulation reports. Fields: object, pose; drawn, the
+        // pose set last; truth, the object's pose from the service.
+        this.held = null
 
-    edits.changed.hear(function() {
-        if (drag && drag.object !== edits.selected) {
-            drag = null         // the object was deleted, or another one was selected
-            release(false)
-        }
-    })
-    /** Returns the selection, see pointing.find. */
-    function found() {
-        return pointing.find(world.shown(), edits.selected)
+        edits.changed.hear(() => {
+            if (this.drag && this.drag.object !== edits.selected) {
+                this.drag = null         // the object was deleted, or another one was selected
+                this.release(false)
+            }
+        })
+        edits.leaving.hear(() => this.sendKeyed())
+        view.overlaidBy(this)
     }
+
+    /** Returns the selection, see pointing.find. */
+    found() {
+        return pointing.find(this.world.shown(), this.edits.selected)
+    }
+
     /** Returns the ray of a pixel during a drag. */
-    function ray(x, y) {
-        return pointer.ray(x, y, drag.from[1] + 1)
+    ray(x, y) {
+        return this.pointer.ray(x, y, this.drag.from[1] + 1)
     }
 
     // ---- what is shown -----------------------------------------------------------------------------------------------------------------
-    building.decorate = function(scene, seen) {
-        var selected = found()
-        handles.showAids(scene, seen, view.building)
+    decorate(scene, seen) {
+        const selected = this.found()
+        handles.showAids(scene, seen, this.view.building)
         balance.show(scene, selected)
-        handles.show(scene, selected, selected && extent(selected), selected && spots(selected))
+        handles.show(scene, selected, selected && this.extent(selected), selected && this.spots(selected))
     }
-    building.decorateMap = function(shown) {
-        var selected = found()
+
+    decorateMap(shown) {
+        const selected = this.found()
         if (selected) {
-            var pen = shown.getContext('2d')
-            handles.draw(pen, selected, extent(selected), spots(selected), view.toScreen)
-            balance.draw(pen, selected, view.toScreen)
+            const pen = shown.getContext('2d')
+            const toScreen = (x, z) => this.view.toScreen(x, z)
+            handles.draw(pen, selected, this.extent(selected), this.spots(selected), toScreen)
+            balance.draw(pen, selected, toScreen)
         }
     }
+
     /** Returns the extent, with the size that the mouse is giving it. */
-    function extent(selected) {
-        return drag && drag.extent || pointing.extent(selected.object)
+    extent(selected) {
+        return this.drag && this.drag.extent || pointing.extent(selected.object)
     }
-    function spots(selected) {
-        var scene = pointer.scene()
-        return handles.spots(selected, extent(selected), selected.object.type ? handles.sizesOf(edits.typeOf(selected.object.type)) : {},
-            scene ? handles.inSpace(scene, selected) : handles.above(view.scale))
+
+    spots(selected) {
+        const scene = this.pointer.scene()
+        return handles.spots(selected, this.extent(selected), selected.object.type ? handles.sizesOf(this.edits.typeOf(selected.object.type)) : {},
+            scene ? handles.inSpace(scene, selected) : handles.above(this.view.scale))
     }
+
     /** Returns a handle's position in the world; null if the selection has no such handle. */
-    building.handle = function(name) {
-        var selected = found()
-        var spot = selected && spots(selected)[name]
+    handle(name) {
+        const selected = this.found()
+        const spot = selected && this.spots(selected)[name]
         return spot ? handles.placed(selected, spot) : null
     }
 
     // ---- moving ------------------------------------------------------------------------------------------------------------------------
     /** Returns the start of a movement: object, values, start (pose), place (see places.of). */
-    function begun(selected) {
-        building.hold()
-        var values = edits.values()
-        return {object: edits.selected, values: values, start: selected && selected.object.pose.slice(),
-            place: places.of(selected, values, panel.isSimulating() && world.shown() === world.running)}
+    begun(selected) {
+        this.hold()
+        const values = this.edits.values()
+        return {object: this.edits.selected, values, start: selected && selected.object.pose.slice(),
+            place: places.of(selected, values, this.panel.isSimulating() && this.world.shown() === this.world.running)}
     }
+
     /**
      * Shows the object at another pose until the service answers. @param shift in its parent's frame @param degrees
      * rotation about y
      */
-    function showMoved(start, shift, degrees) {
-        var selected = found()
+    showMoved(start, shift, degrees) {
+        const selected = this.found()
         if (!selected) {
             return
         }
-        var isSensor = selected.robot && selected.robot.parts.indexOf(selected.object) < 0
-        var way = isSensor ? geometry.rotate(selected.parent, shift) : shift
-        var pose = start.slice()
-        for (var i = 0; i < 3; i++) {
+        const isSensor = selected.robot && selected.robot.parts.indexOf(selected.object) < 0
+        const way = isSensor ? geometry.rotate(selected.parent, shift) : shift
+        const pose = start.slice()
+        for (let i = 0; i < 3; i++) {
             pose[i] += way[i]
         }
         pose[4] += degrees
-        held = held && held.object === edits.selected ? held : {object: edits.selected}
-        held.pose = pose
-        picture.repaint()
+        this.held = this.held && this.held.object === this.edits.selected ? this.held : {object: this.edits.selected}
+        this.held.pose = pose
+        this.picture.repaint()
     }
+
     /** Whether an object is shown away from its reported pose; the view then does not follow it. */
-    building.isBusy = () => drag !== null || held !== null
+    isBusy() {
+        return this.drag !== null || this.held !== null
+    }
+
     /** Applies the held pose. Called before the views are drawn. */
-    building.hold = function() {
-        var selected = held && pointing.find(world.shown(), held.object)
+    hold() {
+        const selected = this.held && pointing.find(this.world.shown(), this.held.object)
         if (selected) {
-            held.truth = selected.object.pose === held.drawn ? held.truth : selected.object.pose
-            selected.object.pose = held.drawn = held.pose
+            this.held.truth = selected.object.pose === this.held.drawn ? this.held.truth : selected.object.pose
+            selected.object.pose = this.held.drawn = this.held.pose
         }
     }
+
     /**
      * Stops holding if no drag, key or edit is pending. @param stays whether the object keeps the shown pose, else it
      * returns to its own
      */
-    function release(stays) {
-        if (!held || drag || keyed || asked) {
+    release(stays) {
+        if (!this.held || this.drag || this.keyed || this.asked) {
             return
         }
-        building.hold()
-        var selected = pointing.find(world.shown(), held.object)
+        this.hold()
+        const selected = pointing.find(this.world.shown(), this.held.object)
         if (selected && !stays) {
-            selected.object.pose = held.truth
+            selected.object.pose = this.held.truth
         }
-        held = null
-        picture.repaint()
+        this.held = null
+        this.picture.repaint()
     }
+
     /** Sends the change. If the service rejects it, the object returns to its pose. @param done see begun */
-    function send(done, set) {
-        var edit = edits.setting(done.object, places.edit(done.place, set), done.values)
+    send(done, set) {
+        const edit = this.edits.setting(done.object, places.edit(done.place, set), done.values)
         edit.stand = done.place.stands && set.y === undefined
-        asked++
-        edits.edit(edit, function(answer) {
-            asked--
+        this.asked++
+        this.edits.edit(edit, answer => {
+            this.asked--
             if (!answer.done) {
-                messages.say('error', edits.refusal(answer))
+                this.messages.say('error', this.edits.refusal(answer))
             }
-            release(answer.done)
+            this.release(answer.done)
         })
     }
 
-    function startDrag(event, x, y) {
-        var scene = pointer.scene()
-        var selected = found()
-        if (!selected || !edits.object || palette.armed) {
+    startDrag(event, x, y) {
+        const scene = this.pointer.scene()
+        const selected = this.found()
+        if (!selected || !this.edits.object || this.palette.armed) {
             return null
         }
-        var kind = scene ? handles.pick(scene, x, y) : handles.pickOnMap(selected, spots(selected), view.toScreen, x, y)
-        var under = kind ? null : pointer.at(x, y)
-        if (!kind && !isAt(selected, under, x, y)) {
+        const kind = scene ? handles.pick(scene, x, y)
+            : handles.pickOnMap(selected, this.spots(selected), (north, east) => this.view.toScreen(north, east), x, y)
+        const under = kind ? null : this.pointer.at(x, y)
+        if (!kind && !this.isAt(selected, under, x, y)) {
             return null
         }
-        edits.leaving.tell()
-        return angular.extend(begun(selected), {kind: kind || 'move', pose: selected.pose, parent: selected.parent,
-            from: kind ? building.handle(kind) : under.point, up: event.shiftKey && Boolean(scene), set: null,
+        this.edits.leaving.tell()
+        return Object.assign(this.begun(selected), {kind: kind || 'move', pose: selected.pose, parent: selected.parent,
+            from: kind ? this.handle(kind) : under.point, up: event.shiftKey && Boolean(scene), set: null,
             extent: kind && kind !== 'turn' ? pointing.extent(selected.object) : null})
     }
+
     /** Whether the object at a pixel is the selected one. */
-    function isAt(selected, under, x, y) {
-        if (under && under.who && (under.who.address === edits.selected || under.who.robot === edits.selected)) {
+    isAt(selected, under, x, y) {
+        if (under && under.who && (under.who.address === this.edits.selected || under.who.robot === this.edits.selected)) {
             return true
         }
-        var pixel = pointer.scene() || !selected.robot ? null : view.toScreen(selected.pose[0], selected.pose[2])
+        const pixel = this.pointer.scene() || !selected.robot ? null : this.view.toScreen(selected.pose[0], selected.pose[2])
         return Boolean(pixel) && Math.abs(pixel.x - x) < NEAR && Math.abs(pixel.y - y) < NEAR
     }
-    function continueDrag(event, x, y) {
-        var free = event.altKey
-        if (!found()) {
+
+    continueDrag(event, x, y) {
+        const free = event.altKey
+        if (!this.found()) {
             return              // another page has deleted it
         }
-        if (drag.kind === 'turn') {
-            turn(x, y, free)
-        } else if (drag.kind === 'move') {
-            move(x, y, free)
+        if (this.drag.kind === 'turn') {
+            this.turn(x, y, free)
+        } else if (this.drag.kind === 'move') {
+            this.move(x, y, free)
         } else {
-            size(x, y, free)
+            this.size(x, y, free)
         }
-        picture.repaint()
+        this.picture.repaint()
     }
-    function groundPoint(x, y) {
-        return pointing.onPlane(ray(x, y), drag.from, [0, 1, 0])
+
+    groundPoint(x, y) {
+        return pointing.onPlane(this.ray(x, y), this.drag.from, [0, 1, 0])
     }
-    function move(x, y, free) {
-        var shift
-        if (slideOnBody(x, y, free)) {
+
+    move(x, y, free) {
+        let shift
+        if (this.slideOnBody(x, y, free)) {
             return
         }
-        if (drag.up) {
-            shift = [0, pointing.alongAxis(ray(x, y), drag.from, [0, 1, 0]), 0]
+        if (this.drag.up) {
+            shift = [0, pointing.alongAxis(this.ray(x, y), this.drag.from, [0, 1, 0]), 0]
         } else {
-            var point = groundPoint(x, y)
+            const point = this.groundPoint(x, y)
             if (!point) {
                 return
             }
-            shift = [point[0] - drag.from[0], 0, point[2] - drag.from[2]]
+            shift = [point[0] - this.drag.from[0], 0, point[2] - this.drag.from[2]]
         }
-        shift = pointing.back(drag.parent, shift)
-        drag.set = {}
-        AXES.forEach(function(axis, i) {
-            if (Math.abs(shift[i]) > 1e-6 && (drag.up || axis !== 'y')) {
-                var value = palette.snapped(drag.place.at[i] + shift[i], free)
-                shift[i] = value - drag.place.at[i]
-                drag.set[axis] = places.plain(value)
+        shift = pointing.back(this.drag.parent, shift)
+        this.drag.set = {}
+        AXES.forEach((axis, i) => {
+            if (Math.abs(shift[i]) > 1e-6 && (this.drag.up || axis !== 'y')) {
+                const value = this.palette.snapped(this.drag.place.at[i] + shift[i], free)
+                shift[i] = value - this.drag.place.at[i]
+                this.drag.set[axis] = places.plain(value)
             }
         })
-        showMoved(drag.start, shift, 0)
+        this.showMoved(this.drag.start, shift, 0)
     }
+
     /**
      * Keeps a sensor that is dragged over its robot's body on its surface. @return whether a body is under the mouse
      */
-    function slideOnBody(x, y, free) {
-        var selected = found()
-        var isSensor = selected && selected.robot && selected.robot.parts.indexOf(selected.object) < 0
-        var under = isSensor && pointer.scene() && !drag.up ? pointer.at(x, y, selected.object) : null
+    slideOnBody(x, y, free) {
+        const selected = this.found()
+        const isSensor = selected && selected.robot && selected.robot.parts.indexOf(selected.object) < 0
+        const under = isSensor && this.pointer.scene() && !this.drag.up ? this.pointer.at(x, y, selected.object) : null
         if (!under || under.robot !== selected.robot.name || !under.normal) {
             return false
         }
-        drag.set = mounted(under, edits.typeOf(edits.object.type), free, palette.snapped)
-        showMoved(drag.start, AXES.map(function(axis, i) {
-            return Number(drag.set[axis]) - drag.place.at[i]
-        }), drag.set.ry === undefined ? 0 : Number(drag.set.ry) - drag.place.ry)
+        this.drag.set = mounted(under, this.edits.typeOf(this.edits.object.type), free, this.palette.snapped.bind(this.palette))
+        this.showMoved(this.drag.start, AXES.map((axis, i) => Number(this.drag.set[axis]) - this.drag.place.at[i]),
+            this.drag.set.ry === undefined ? 0 : Number(this.drag.set.ry) - this.drag.place.ry)
         return true
     }
-    function turn(x, y, free) {
-        var point = groundPoint(x, y)
+
+    turn(x, y, free) {
+        const point = this.groundPoint(x, y)
         if (!point) {
             return
         }
-        function angle(of) {
-            var v = pointing.back(drag.parent, [of[0] - drag.pose[0], 0, of[2] - drag.pose[2]])
+        const angle = of => {
+            const v = pointing.back(this.drag.parent, [of[0] - this.drag.pose[0], 0, of[2] - this.drag.pose[2]])
             return Math.atan2(v[0], v[2]) * 180 / Math.PI
         }
-        var ry = drag.place.ry + angle(point) - angle(drag.from)
-        ry = places.wrapped(palette.snap && !free ? Math.round(ry / TURN) * TURN : ry)
-        drag.set = {ry: places.plain(ry)}
-        showMoved(drag.start, [0, 0, 0], ry - drag.place.ry)
+        let ry = this.drag.place.ry + angle(point) - angle(this.drag.from)
+        ry = places.wrapped(this.palette.snap && !free ? Math.round(ry / TURN) * TURN : ry)
+        this.drag.set = {ry: places.plain(ry)}
+        this.showMoved(this.drag.start, [0, 0, 0], ry - this.drag.place.ry)
     }
+
     /** Resizes the object; the side opposite to the handle stays in place. */
-    function size(x, y, free) {
-        var i = AXES.indexOf(drag.kind)
-        var what = handles.sizesOf(edits.typeOf(edits.object.type))[drag.kind]
-        var values = drag.values
-        var scale = Number(values['scale' + 'XYZ'[i]]) || 1
-        var unit = [0, 0, 0]
+    size(x, y, free) {
+        const i = AXES.indexOf(this.drag.kind)
+        const what = handles.sizesOf(this.edits.typeOf(this.edits.object.type))[this.drag.kind]
+        const values = this.drag.values
+        const scale = Number(values['scale' + 'XYZ'[i]]) || 1
+        const unit = [0, 0, 0]
         unit[i] = 1
-        var along = pointing.alongAxis(ray(x, y), drag.from, geometry.rotate(drag.pose, unit))
-        var old = Number(values[what.name])
-        var wanted = old + along / scale
-        var value = palette.snap && !free ? Math.max(SMALLEST, palette.snapped(wanted, false)) : Math.max(1e-3, wanted)
-        var grown = (value - old) * scale
-        drag.set = {}
-        drag.set[what.name] = places.plain(value)
-        drag.extent = pointing.extent(found().object)
-        drag.extent[1][i] += grown
+        const along = pointing.alongAxis(this.ray(x, y), this.drag.from, geometry.rotate(this.drag.pose, unit))
+        const old = Number(values[what.name])
+        const wanted = old + along / scale
+        const value = this.palette.snap && !free ? Math.max(SMALLEST, this.palette.snapped(wanted, false)) : Math.max(1e-3, wanted)
+        const grown = (value - old) * scale
+        this.drag.set = {}
+        this.drag.set[what.name] = places.plain(value)
+        this.drag.extent = pointing.extent(this.found().object)
+        this.drag.extent[1][i] += grown
         if (what.share !== 1) {
-            drag.extent[0][i] -= grown
+            this.drag.extent[0][i] -= grown
         } else {
-            keepOpposite(geometry.rotate(geometry.frame(drag.start), unit), grown / 2)
+            this.keepOpposite(geometry.rotate(geometry.frame(this.drag.start), unit), grown / 2)
         }
     }
-    function keepOpposite(axis, shift) {
-        AXES.forEach(function(name, i) {
-            var stands = name === 'y' && drag.values.onGround === 'true'
+
+    keepOpposite(axis, shift) {
+        AXES.forEach((name, i) => {
+            const stands = name === 'y' && this.drag.values.onGround === 'true'
             if (Math.abs(axis[i] * shift) > 1e-6 && !stands) {
-                drag.set[name] = places.plain(drag.place.at[i] + axis[i] * shift)
+                this.drag.set[name] = places.plain(this.drag.place.at[i] + axis[i] * shift)
             }
         })
     }
-    function endDrag() {
-        var done = drag
-        drag = null
+
+    endDrag() {
+        const done = this.drag
+        this.drag = null
         if (done.set && Object.keys(done.set).length) {
-            send(done, done.set)
+            this.send(done, done.set)
         } else {
-            release(false)
+            this.release(false)
         }
-        picture.repaint()
+        this.picture.repaint()
     }
 
     // ---- clicks ------------------------------------------------------------------------------------------------------------------------
-    function click(event, x, y) {
-        var under = pointer.at(x, y)
-        if (palette.armed) {
+    click(event, x, y) {
+        const under = this.pointer.at(x, y)
+        if (this.palette.armed) {
             if (under) {
-                palette.place(under, event.altKey)
+                this.palette.place(under, event.altKey)
             }
         } else {
-            edits.select(choice(under && under.who))
+            this.edits.select(this.choice(under && under.who))
         }
-        panel.scope.$applyAsync()
+        this.panel.scope.$applyAsync()
     }
+
     /** Selects a robot first; its parts once the robot is selected. */
-    function choice(who) {
+    choice(who) {
         if (!who) {
             return null
         }
-        var selected = edits.selected || ''
-        var inside = who.robot && (selected === who.robot || selected.indexOf(who.robot + '/') === 0)
+        const selected = this.edits.selected || ''
+        const inside = who.robot && (selected === who.robot || selected.indexOf(who.robot + '/') === 0)
         return who.robot && !inside && !(who.object.cones || who.object.ranges) ? who.robot : who.address
     }
 
-    function down(event) {
-        if (event.button !== 0 || event.target !== pointer.canvas()) {
+    down(event) {
+        if (event.button !== 0 || event.target !== this.pointer.canvas()) {
             return
         }
-        var p = pointer.position(event)
-        grip = {x: event.clientX, y: event.clientY, moved: false}
-        drag = startDrag(event, p[0], p[1])
-        if (drag) {
+        const p = this.pointer.position(event)
+        this.grip = {x: event.clientX, y: event.clientY, moved: false}
+        this.drag = this.startDrag(event, p[0], p[1])
+        if (this.drag) {
             event.stopPropagation()
         }
     }
-    function moved(event) {
-        if (grip && Math.abs(event.clientX - grip.x) + Math.abs(event.clientY - grip.y) >= CLICK) {
-            grip.moved = true
+
+    moved(event) {
+        if (this.grip && Math.abs(event.clientX - this.grip.x) + Math.abs(event.clientY - this.grip.y) >= CLICK) {
+            this.grip.moved = true
         }
-        if (drag) {
+        if (this.drag) {
             event.stopPropagation()
-            if (grip.moved) {
-                var p = pointer.position(event)
-                continueDrag(event, p[0], p[1])
+            if (this.grip.moved) {
+                const p = this.pointer.position(event)
+                this.continueDrag(event, p[0], p[1])
             }
         }
     }
-    function up(event) {
-        var was = grip
-        grip = null
-        if (was && drag) {
-            endDrag()
+
+    up(event) {
+        const was = this.grip
+        this.grip = null
+        if (was && this.drag) {
+            this.endDrag()
         }
-        if (was && !was.moved && event.target === pointer.canvas()) {
-            var p = pointer.position(event)
-            click(event, p[0], p[1])
+        if (was && !was.moved && event.target === this.pointer.canvas()) {
+            const p = this.pointer.position(event)
+            this.click(event, p[0], p[1])
         }
     }
+
     /** Adds the listeners once the canvases exist. They run before those that turn and move the views. */
-    building.listen = function() {
-        panel.element('view').parentNode.addEventListener('mousedown', down, true)
-        window.addEventListener('mousemove', moved, true)
-        window.addEventListener('mouseup', up, true)
-        window.addEventListener('beforeunload', sendKeyed)
-        panel.scope.$on('$destroy', function() {
-            window.removeEventListener('mousemove', moved, true)
-            window.removeEventListener('mouseup', up, true)
-            window.removeEventListener('beforeunload', sendKeyed)
-        })
+    listen() {
+        this.panel.element('view').parentNode.addEventListener('mousedown', event => this.down(event), true)
+        this.panel.listen(window, {mousemove: event => this.moved(event), mouseup: event => this.up(event),
+            beforeunload: () => this.sendKeyed()}, true)
     }
 
     // ---- keys --------------------------------------------------------------------------------------------------------------------------
     /** Maps an arrow key to the world axis nearest to its direction as seen. */
-    function direction(arrow) {
-        var scene = pointer.scene()
+    direction(arrow) {
+        const scene = this.pointer.scene()
         if (!scene || arrow[1]) {
             return scene || arrow[1] ? arrow : [arrow[2], 0, arrow[0]]
         }
-        var azimuth = Math.round(scene.orbit.azimuth / (Math.PI / 2)) * Math.PI / 2
-        var forth = [-Math.cos(azimuth), -Math.sin(azimuth)]
+        const azimuth = Math.round(scene.orbit.azimuth / (Math.PI / 2)) * Math.PI / 2
+        const forth = [-Math.cos(azimuth), -Math.sin(azimuth)]
         return [forth[0] * arrow[2] - forth[1] * arrow[0], 0, forth[1] * arrow[2] + forth[0] * arrow[0]]
     }
+
     /** Adds up key presses. They are sent after a pause, or before any other edit. */
-    function byKey(selected, shift, degrees) {
-        keyed = keyed || angular.extend(begun(selected), {shift: [0, 0, 0], by: 0})
-        clearTimeout(keyed.timer)
-        keyed.shift = keyed.shift.map((metres, i) => metres + shift[i])
-        keyed.by += degrees
+    byKey(selected, shift, degrees) {
+        this.keyed = this.keyed || Object.assign(this.begun(selected), {shift: [0, 0, 0], by: 0})
+        clearTimeout(this.keyed.timer)
+        this.keyed.shift = this.keyed.shift.map((metres, i) => metres + shift[i])
+        this.keyed.by += degrees
         if (selected) {
-            showMoved(keyed.start, keyed.shift, keyed.by)
+            this.showMoved(this.keyed.start, this.keyed.shift, this.keyed.by)
         }
-        keyed.timer = setTimeout(sendKeyed, PAUSE_MILLIS)
+        this.keyed.timer = setTimeout(() => this.sendKeyed(), PAUSE_MILLIS)
     }
-    function nudge(arrow, fine) {
-        var selected = found()
-        if (selected && edits.object) {
-            byKey(selected, pointing.back(selected.parent, direction(arrow)).map(way => way * (fine ? STEP / 5 : STEP)), 0)
-        }
-    }
-    function turnBy(degrees) {
-        if (edits.object && edits.object.values.ry !== undefined) {
-            byKey(found(), [0, 0, 0], degrees)
+
+    nudge(arrow, fine) {
+        const selected = this.found()
+        if (selected && this.edits.object) {
+            this.byKey(selected, pointing.back(selected.parent, this.direction(arrow)).map(way => way * (fine ? STEP / 5 : STEP)), 0)
         }
     }
-    function sendKeyed() {
-        if (!keyed) {
+
+    turnBy(degrees) {
+        if (this.edits.object && this.edits.object.values.ry !== undefined) {
+            this.byKey(this.found(), [0, 0, 0], degrees)
+        }
+    }
+
+    sendKeyed() {
+        if (!this.keyed) {
             return
         }
-        var done = keyed
-        keyed = null
+        const done = this.keyed
+        this.keyed = null
         clearTimeout(done.timer)
-        var set = {}
-        AXES.forEach(function(axis, i) {
+        const set = {}
+        AXES.forEach((axis, i) => {
             if (Math.abs(done.shift[i]) > 1e-6) {
                 set[axis] = places.plain(done.place.at[i] + done.shift[i])
             }
@@ -398,37 +434,35 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
             set.ry = places.plain(places.wrapped(done.place.ry + done.by))
         }
         if (Object.keys(set).length) {
-            send(done, set)
+            this.send(done, set)
         } else {
-            release(false)
+            this.release(false)
         }
     }
-    edits.leaving.hear(sendKeyed)
+
     /** Handles a key. @return whether it was a build key */
-    building.key = function(event) {
-        var command = event.ctrlKey || event.metaKey
-        var key = event.key.length === 1 ? event.key.toLowerCase() : event.key
+    key(event) {
+        const command = event.ctrlKey || event.metaKey
+        const key = event.key.length === 1 ? event.key.toLowerCase() : event.key
         if (command && (key === 'z' || key === 'y')) {
-            (key === 'y' || event.shiftKey ? edits.redo : edits.undo)()
-        } else if (key === 'Escape' && (palette.armed || edits.selected)) {
-            palette.disarm()
-            edits.select(null)
-        } else if (!edits.selected) {
+            this.edits.takeBack(key === 'y' || event.shiftKey ? 'redo' : 'undo')
+        } else if (key === 'Escape' && (this.palette.armed || this.edits.selected)) {
+            this.palette.disarm()
+            this.edits.select(null)
+        } else if (!this.edits.selected) {
             return false
         } else if (ARROWS[key] && !command) {
-            nudge(ARROWS[key], event.altKey)
+            this.nudge(ARROWS[key], event.altKey)
         } else if (key === '[' || key === ']') {
-            turnBy(key === '[' ? TURN : -TURN)
+            this.turnBy(key === '[' ? TURN : -TURN)
         } else if (key === 'Delete') {
-            edits.remove()
+            this.edits.remove()
         } else if (command && key === 'd') {
-            edits.duplicate()
+            this.edits.duplicate()
         } else {
             return false
         }
         event.preventDefault()
         return true
     }
-    view.overlaidBy(building)
-    return building
 }

@@ -3,27 +3,27 @@
 import * as geometry from '../shared/geometry.js'
 import * as pointing from '../world/pointing.js'
 
-var FRAME = 0xff7f0e
-var EYE = 0x8e5bd0
-var FAR = 1                 // length of the pyramid that shows a sensor's field of view, metres
-var HANDLES = [['x', 0xd9534f], ['y', 0x5cb85c], ['z', 0x337ab7], ['turn', 0xf0ad4e]]
-var SIZE = 0.012            // size of a handle, as a fraction of the camera's distance
-var GAP = 0.06              // distance of the turn handle from the frame, likewise
-var CUBE = 1.6              // side of a resize handle, in sizes
-var DISC = 1.3              // radius of the turn handle, in sizes
-var ABOVE = 520             // pixels: handles on the map are as large as for a camera at this distance
-var NEAR = 3                // pixels around a handle on the map that still pick it
-var ALONG = 0.95            // cosine: axes nearer than this to the line of sight have no handle
-var GROUND = 20             // half width of the grid, metres
-var MARKER = 0.02           // radius of the ball that marks a sensor, metres
+const FRAME = 0xff7f0e
+const EYE = 0x8e5bd0
+const FAR = 1                 // length of the pyramid that shows a sensor's field of view, metres
+const HANDLES = [['x', 0xd9534f], ['y', 0x5cb85c], ['z', 0x337ab7], ['turn', 0xf0ad4e]]
+const SIZE = 0.012            // size of a handle, as a fraction of the camera's distance
+const GAP = 0.06              // distance of the turn handle from the frame, likewise
+const CUBE = 1.6              // side of a resize handle, in sizes
+const DISC = 1.3              // radius of the turn handle, in sizes
+const ABOVE = 520             // pixels: handles on the map are as large as for a camera at this distance
+const NEAR = 3                // pixels around a handle on the map that still pick it
+const ALONG = 0.95            // cosine: axes nearer than this to the line of sight have no handle
+const GROUND = 20             // half width of the grid, metres
+const MARKER = 0.02           // radius of the ball that marks a sensor, metres
 
 /** Returns the size parameter along each axis: {x: {name, share}, ..}; share is the parameter divided by the length. */
 export function sizesOf(type) {
-    var names = type ? type.parameters.map(parameter => parameter.name) : []
+    const names = type ? type.parameters.map(parameter => parameter.name) : []
     function has(name) {
         return names.indexOf(name) >= 0
     }
-    var sizes = {}
+    const sizes = {}
     if (has('length') && has('width')) {
         sizes.x = {name: 'length', share: 1}
         sizes.z = {name: 'width', share: 1}
@@ -45,11 +45,11 @@ export function sizesOf(type) {
  * metres, along: its direction
  */
 export function spots(found, extent, sizes, eye) {
-    var middle = [0, 1, 2].map(i => (extent[0][i] + extent[1][i]) / 2)
-    var all = {}
-    HANDLES.forEach(function(one, i) {
-        var name = one[0]
-        var at = middle.slice()
+    const middle = [0, 1, 2].map(i => (extent[0][i] + extent[1][i]) / 2)
+    const all = {}
+    HANDLES.forEach((one, i) => {
+        const name = one[0]
+        const at = middle.slice()
         if (name === 'turn') {
             at[2] = extent[1][2] + GAP * eye.away
             all[name] = at
@@ -62,7 +62,7 @@ export function spots(found, extent, sizes, eye) {
 }
 /** Converts a position in the selection's frame to the world. */
 export function placed(found, spot) {
-    var at = geometry.rotate(found.pose, spot)
+    const at = geometry.rotate(found.pose, spot)
     return [found.pose[0] + at[0], found.pose[1] + at[1], found.pose[2] + at[2]]
 }
 
@@ -77,12 +77,12 @@ function css(color) {
 /** Draws frame and handles on the map. @param all see spots @param at maps a ground point to pixels */
 export function draw(pen, found, extent, all, at) {
     function pixel(spot) {
-        var point = geometry.onGround(found.pose, spot)
+        const point = geometry.onGround(found.pose, spot)
         return at(point[0], point[1])
     }
     pen.beginPath()
-    ;[[0, 0], [1, 0], [1, 1], [0, 1]].forEach(function(corner) {
-        var point = pixel([extent[corner[0]][0], 0, extent[corner[1]][2]])
+    ;[[0, 0], [1, 0], [1, 1], [0, 1]].forEach(corner => {
+        const point = pixel([extent[corner[0]][0], 0, extent[corner[1]][2]])
         pen.lineTo(point.x, point.y)
     })
     pen.closePath()
@@ -90,10 +90,10 @@ export function draw(pen, found, extent, all, at) {
     pen.lineWidth = 2
     pen.stroke()
     pen.lineWidth = 1
-    HANDLES.forEach(function(one) {
+    HANDLES.forEach(one => {
         if (all[one[0]]) {
-            var point = pixel(all[one[0]])
-            var half = CUBE / 2 * SIZE * ABOVE
+            const point = pixel(all[one[0]])
+            const half = CUBE / 2 * SIZE * ABOVE
             pen.beginPath()
             if (one[0] === 'turn') {
                 pen.arc(point.x, point.y, DISC * SIZE * ABOVE, 0, 2 * Math.PI)
@@ -109,13 +109,13 @@ export function draw(pen, found, extent, all, at) {
 }
 /** Returns the handle under a pixel of the map; null for none. */
 export function pickOnMap(found, all, at, x, y) {
-    var nearest = null
-    var least = DISC * SIZE * ABOVE + NEAR
-    HANDLES.forEach(function(one) {
+    let nearest = null
+    let least = DISC * SIZE * ABOVE + NEAR
+    HANDLES.forEach(one => {
         if (all[one[0]]) {
-            var point = geometry.onGround(found.pose, all[one[0]])
-            var pixel = at(point[0], point[1])
-            var away = Math.sqrt(Math.pow(pixel.x - x, 2) + Math.pow(pixel.y - y, 2))
+            const point = geometry.onGround(found.pose, all[one[0]])
+            const pixel = at(point[0], point[1])
+            const away = Math.sqrt(Math.pow(pixel.x - x, 2) + Math.pow(pixel.y - y, 2))
             if (away < least) {
                 least = away
                 nearest = one[0]
@@ -128,27 +128,27 @@ export function pickOnMap(found, all, at, x, y) {
 // ---- in space --------------------------------------------------------------------------------------------------------------------------
 /** Returns the 3D view's eye. */
 export function inSpace(scene, found) {
-    var from = scene.camera.position
-    var way = [found.pose[0] - from.x, found.pose[1] - from.y, found.pose[2] - from.z]
-    var away = Math.sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2])
-    return {away: away, along: way.map(metres => metres / away)}
+    const from = scene.camera.position
+    const way = [found.pose[0] - from.x, found.pose[1] - from.y, found.pose[2] - from.z]
+    const away = Math.sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2])
+    return {away, along: way.map(metres => metres / away)}
 }
 function lines(points, color) {
-    var THREE = window.THREE
-    var shape = new THREE.Geometry()
-    points.forEach(function(point) {
+    const THREE = window.THREE
+    const shape = new THREE.Geometry()
+    points.forEach(point => {
         shape.vertices.push(new THREE.Vector3(point[0], point[1], point[2]))
     })
-    var material = new THREE.LineBasicMaterial({color: color})
+    const material = new THREE.LineBasicMaterial({color})
     return THREE.LineSegments ? new THREE.LineSegments(shape, material) : new THREE.Line(shape, material, THREE.LinePieces)
 }
 /** Returns the twelve edges of a unit cube. */
 function edges() {
-    var points = []
-    for (var axis = 0; axis < 3; axis++) {
-        for (var corner = 0; corner < 4; corner++) {
-            [-0.5, 0.5].forEach(function(end) {
-                var point = [0, 0, 0]
+    const points = []
+    for (let axis = 0; axis < 3; axis++) {
+        for (let corner = 0; corner < 4; corner++) {
+            [-0.5, 0.5].forEach(end => {
+                const point = [0, 0, 0]
                 point[axis] = end
                 point[(axis + 1) % 3] = corner & 1 ? 0.5 : -0.5
                 point[(axis + 2) % 3] = corner & 2 ? 0.5 : -0.5
@@ -161,25 +161,25 @@ function edges() {
 
 /** Returns the edges of a field of view from the origin: a pyramid 2 wide, 2 high and 1 long, along z. */
 function pyramid() {
-    var corners = [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]]
-    var points = []
-    corners.forEach(function(corner, i) {
+    const corners = [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]]
+    const points = []
+    corners.forEach((corner, i) => {
         points.push([0, 0, 0], corner, corner, corners[(i + 1) % 4])
     })
     return points
 }
 
 function make(scene) {
-    var THREE = window.THREE
-    var group = new THREE.Object3D()
+    const THREE = window.THREE
+    const group = new THREE.Object3D()
     group.frame = lines(edges(), FRAME)
     group.add(group.frame)
     group.eye = lines(pyramid(), EYE)
     group.add(group.eye)
     group.knobs = {}
-    HANDLES.forEach(function(one) {
-        var shape = one[0] === 'turn' ? new THREE.CylinderGeometry(DISC, DISC, 0.5, 20) : new THREE.BoxGeometry(CUBE, CUBE, CUBE)
-        var knob = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({color: one[1], depthTest: false, transparent: true}))
+    HANDLES.forEach(one => {
+        const shape = one[0] === 'turn' ? new THREE.CylinderGeometry(DISC, DISC, 0.5, 20) : new THREE.BoxGeometry(CUBE, CUBE, CUBE)
+        const knob = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({color: one[1], depthTest: false, transparent: true}))
         knob.renderOrder = 10
         knob.handle = one[0]
         group.knobs[one[0]] = knob
@@ -200,21 +200,21 @@ export function show(scene, found, extent, all) {
         }
         scene.handles = make(scene)
     }
-    var group = scene.handles
+    const group = scene.handles
     group.visible = Boolean(found)
     if (!found) {
         return
     }
-    var pose = found.pose
+    const pose = found.pose
     group.position.set(pose[0], pose[1], pose[2])
     group.quaternion.set(pose[3], pose[4], pose[5], pose[6])
-    var low = extent[0]
-    var high = extent[1]
+    const low = extent[0]
+    const high = extent[1]
     group.frame.position.set((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2)
     group.frame.scale.set(high[0] - low[0], Math.max(1e-3, high[1] - low[1]), high[2] - low[2])
-    var size = SIZE * inSpace(scene, found).away
-    HANDLES.forEach(function(one) {
-        var knob = group.knobs[one[0]]
+    const size = SIZE * inSpace(scene, found).away
+    HANDLES.forEach(one => {
+        const knob = group.knobs[one[0]]
         knob.visible = Boolean(all[one[0]])
         if (knob.visible) {
             knob.position.fromArray(all[one[0]])
@@ -226,7 +226,7 @@ export function show(scene, found, extent, all) {
 }
 /** Shows what the view would show through a selected sensor's eye. */
 function showEye(scene, eye, found) {
-    var up = Math.tan(scene.eyeField * Math.PI / 360)
+    const up = Math.tan(scene.eyeField * Math.PI / 360)
     eye.visible = Boolean(found.robot) && found.robot.parts.indexOf(found.object) < 0
     eye.scale.set(FAR * up * scene.camera.aspect, FAR * up, FAR)
 }
@@ -236,17 +236,17 @@ export function pick(scene, x, y) {
     if (!scene.handles || !scene.handles.visible) {
         return null
     }
-    var knobs = HANDLES.map(one => scene.handles.knobs[one[0]]).filter(knob => knob.visible)
-    var hit = pointing.ray(scene, x, y).caster.intersectObjects(knobs, false)[0]
+    const knobs = HANDLES.map(one => scene.handles.knobs[one[0]]).filter(knob => knob.visible)
+    const hit = pointing.ray(scene, x, y).caster.intersectObjects(knobs, false)[0]
     return hit ? hit.object.handle : null
 }
 
 /** Shows the build aids: a grid on the ground, and a clickable ball for each sensor. */
 export function showAids(scene, world, building) {
-    var THREE = window.THREE
+    const THREE = window.THREE
     if (building && !scene.grid) {
-        var points = []
-        for (var i = -GROUND; i <= GROUND; i++) {
+        const points = []
+        for (let i = -GROUND; i <= GROUND; i++) {
             points.push([i, 0.002, -GROUND], [i, 0.002, GROUND], [-GROUND, 0.002, i], [GROUND, 0.002, i])
         }
         scene.grid = lines(points, 0x888888)
@@ -257,17 +257,17 @@ export function showAids(scene, world, building) {
     if (scene.grid) {
         scene.grid.visible = building
     }
-    world.sensors.forEach(function(sensor, k) {
-        var item = scene.sensors[k]
+    world.sensors.forEach((sensor, k) => {
+        const item = scene.sensors[k]
         if (building && item && !item.marker) {
             item.marker = new THREE.Object3D()
-            var ball = new THREE.Mesh(new THREE.SphereGeometry(MARKER, 12, 8), new THREE.MeshLambertMaterial({color: FRAME}))
+            const ball = new THREE.Mesh(new THREE.SphereGeometry(MARKER, 12, 8), new THREE.MeshLambertMaterial({color: FRAME}))
             ball.named = sensor
             item.marker.add(ball)
             scene.scene.add(item.marker)
         }
         if (item && item.marker) {
-            var pose = geometry.frame(sensor.pose)
+            const pose = geometry.frame(sensor.pose)
             item.marker.position.set(pose[0], pose[1], pose[2])
             item.marker.visible = building
         }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The palette's entry of each kind of object: a word, a picture drawn by the view, and a group.
 
-export var GROUPS = ['Things', 'Robots', 'Drives', 'Sensors', 'Boards']
-var BY_KIND = {shape: 'Things', sensor: 'Sensors', part: 'Drives'}
-var BOARDS = ['Arduino', 'Led']
+export const GROUPS = ['Things', 'Robots', 'Drives', 'Sensors', 'Boards']
+const BY_KIND = {shape: 'Things', sensor: 'Sensors', part: 'Drives'}
+const BOARDS = ['Arduino', 'Led']
 // The pictures are tiles of one file, in this order, COLUMNS per row; ./gradlew tabScreenshots -Ppictures=palette takes
 // them.
-var PICTURES = new URL('../tiles/palette.png', import.meta.url)
-export var COLUMNS = 8
-var WORDS = {
+const PICTURES = new URL('../tiles/palette.png', import.meta.url)
+export const COLUMNS = 8
+const WORDS = {
     Box: 'Box', Cylinder: 'Cylinder', Cone: 'Cone', Sphere: 'Sphere', Terrain: 'Terrain', Floor: 'Floor', Model: '3D model',
     roomba400: 'Roomba 400', create: 'Create', create2: 'Create 2', rover: 'Rover', fourWheeled: 'Four wheels', car: 'Car', Wheel: 'Wheel',
     Motor: 'Motor', Servo: 'Servo', Dynamics: 'Mass and springs', Distance: 'Distance sensor', LIDAR: 'Laser scanner', GPS: 'GPS receiver',
@@ -17,7 +17,7 @@ var WORDS = {
     Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture'
 }
 // Other search words.
-var ALSO = {
+const ALSO = {
     Box: 'wall cube block crate obstacle', Cylinder: 'pole pillar can tube', Cone: 'pylon', Sphere: 'ball', Terrain: 'ground hill mountain landscape',
     Floor: 'ground plane line', Model: 'mesh stl obj', roomba400: 'vacuum cleaner irobot', create: 'irobot', create2: 'irobot roomba',
     rover: 'two wheels', car: 'vehicle steered', Wheel: 'caster tyre tire', Motor: 'encoder engine drive', Servo: 'joint arm steering',
@@ -27,31 +27,31 @@ var ALSO = {
     chassis: 'own empty body base', Camera: 'eye picture depth infrared thermal webcam kinect',
     Marker: 'aruco apriltag tag fiducial code', Chessboard: 'calibration checkerboard pattern', Picture: 'image poster sign photo'
 }
-var ALSO_ROBOTS = 'robot'
-export var PICTURED = Object.keys(WORDS)
+const ALSO_ROBOTS = 'robot'
+export const PICTURED = Object.keys(WORDS)
 // Pictures for kinds without their own, for example sensors of a plug-in.
-var OTHER = {Things: 'Box', Robots: 'rover', Drives: 'Motor', Sensors: 'Distance', Boards: 'Arduino'}
+const OTHER = {Things: 'Box', Robots: 'rover', Drives: 'Motor', Sensors: 'Distance', Boards: 'Arduino'}
 
 /** Returns the CSS style that shows the picture of a kind. */
 function styleOf(name) {
-    var i = PICTURED.indexOf(name)
-    var rows = Math.ceil(PICTURED.length / COLUMNS)
+    const i = PICTURED.indexOf(name)
+    const rows = Math.ceil(PICTURED.length / COLUMNS)
     return {'background-image': 'url("' + PICTURES + '")', 'background-size': COLUMNS * 100 + '% ' + rows * 100 + '%',
         'background-position': i % COLUMNS / (COLUMNS - 1) * 100 + '% ' + Math.floor(i / COLUMNS) / (rows - 1) * 100 + '%'}
 }
 /** Splits a camel-case name into words, for kinds not listed here: thermalGrid becomes "Thermal grid". */
 function words(name) {
-    var apart = name.replace(/([a-z0-9])([A-Z])/g, '$1 $2')
+    const apart = name.replace(/([a-z0-9])([A-Z])/g, '$1 $2')
     return apart.charAt(0).toUpperCase() + apart.slice(1).replace(/ [A-Z](?=[a-z])/g, start => start.toLowerCase())
 }
 function kind(name, group, more) {
-    return Object.assign({make: name, group: group, word: WORDS[name] || words(name), style: styleOf(WORDS[name] ? name : OTHER[group]),
+    return Object.assign({make: name, group, word: WORDS[name] || words(name), style: styleOf(WORDS[name] ? name : OTHER[group]),
         sought: [WORDS[name] || words(name), name, ALSO[name] || '', group === 'Robots' ? ALSO_ROBOTS : ''].join(' ').toLowerCase()}, more)
 }
 
 /** Returns the entry of a type of the grammar. */
 export function ofType(type) {
-    return kind(type.type, BOARDS.indexOf(type.type) < 0 ? BY_KIND[type.kind] : 'Boards', {type: type, doc: type.doc})
+    return kind(type.type, BOARDS.indexOf(type.type) < 0 ? BY_KIND[type.kind] : 'Boards', {type, doc: type.doc})
 }
 /** Returns the entry of a whole robot. */
 export function ofTemplate(name) {

@@ -2,14 +2,14 @@
 // Initial positions of robots and their parts.
 import {plain} from './places.js'
 
-var FLOOR = '20'            // side of the floor added to a world without ground, metres
-var UPRIGHT = 0.7           // a surface whose normal has a smaller vertical component is a side
-var TURN = 15               // degrees
-var TILT = '-20'            // degrees about x, upwards: SEAR's widest beam then sees obstacles ahead, but no ground
+const FLOOR = '20'            // side of the floor added to a world without ground, metres
+const UPRIGHT = 0.7           // a surface whose normal has a smaller vertical component is a side
+const TURN = 15               // degrees
+const TILT = '-20'            // degrees about x, upwards: SEAR's widest beam then sees obstacles ahead, but no ground
 
 /** Returns the edit that makes a robot; in a world without ground it also adds a floor. */
 export function withGround(edit, world) {
-    var ground = world && world.objects.some(object => object.type === 'Floor' || object.ground || object.terrain)
+    const ground = world && world.objects.some(object => object.type === 'Floor' || object.ground || object.terrain)
     return ground ? edit : {'do': 'all', edits: [{'do': 'add', type: 'Floor', set: {length: FLOOR, width: FLOOR}}, edit]}
 }
 /**
@@ -18,13 +18,13 @@ export function withGround(edit, world) {
  * @param at see pointing @param type its class @param free whether it does not snap @param snapped see palette
  */
 export function mounted(at, type, free, snapped) {
-    var set = {}
-    ;['x', 'y', 'z'].forEach(function(axis, i) {
-        var along = axis !== 'y' && !(at.normal && Math.abs(at.normal[i]) > UPRIGHT / 2)
+    const set = {}
+    ;['x', 'y', 'z'].forEach((axis, i) => {
+        const along = axis !== 'y' && !(at.normal && Math.abs(at.normal[i]) > UPRIGHT / 2)
         set[axis] = plain(along ? snapped(at.local[i], free) : at.local[i])
     })
     if (at.normal && Math.abs(at.normal[1]) < UPRIGHT && hasBeams(type)) {
-        var degrees = Math.atan2(at.normal[0], at.normal[2]) * 180 / Math.PI
+        const degrees = Math.atan2(at.normal[0], at.normal[2]) * 180 / Math.PI
         set.ry = plain(free ? degrees : Math.round(degrees / TURN) * TURN)
     }
     return set

@@ -6,126 +6,145 @@ import {plain} from './places.js'
 import {besideBody, drivenWheels, wheelToTurn} from './wheels.js'
 import * as pointing from '../world/pointing.js'
 
-var GRID = 0.05             // snapping distance, metres
-var STEPS = {ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1}
+const GRID = 0.05             // snapping distance, metres
+const STEPS = {ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1}
 
-/** Makes the palette of one panel. */
-export function makePalette(panel, messages, world, view, edits, pointer) {
-    var carried = null          // the button being dragged from
-    var palette = {
-        armed: null,            // what the next click makes: type or template, and fields to fill in
-        snap: true,
-        sought: ''              // search text
+/** The palette of one panel. */
+export class Palette {
+    constructor(panel, messages, world, view, edits, pointer) {
+        this.panel = panel
+        this.messages = messages
+        this.world = world
+        this.view = view
+        this.edits = edits
+        this.pointer = pointer
+        this.carried = null     // the button being dragged from
+        this.armed = null       // what the next click makes: type or template, and fields to fill in
+        this.snap = true
+        this.sought = ''        // search text
+        this.kinds = []         // kinds found, in the order shown
+        this.shownGroups = []   // groups of the kinds found
+        this.made = null        // grammar and search text that these belong to
+        this.stop = null        // kind that the Tab key reaches: the one that the arrow keys reached last
+        panel.listen(window, {mousedown: event => this.grab(event), mousemove: event => this.carry(event),
+            mouseup: event => this.drop(event)}, true)
     }
 
-    palette.build = function() {
-        palette.armed = null
-        view.build(!view.building)
+    build() {
+        this.armed = null
+        this.view.build(!this.view.building)
     }
-    // ---- what can be made, in groups ---------------------------------------------------------------------------------------------------
-    var kinds = []              // kinds found, in the order shown
-    var groups = []             // groups of the kinds found
-    var made = null             // grammar and search text that these belong to
-    var stop = null             // kind that the Tab key reaches: the one that the arrow keys reached last
+
     /** Returns the groups of kinds that match the search text: name, kinds. The same array until that text changes. */
-    palette.groups = function() {
-        if (made && made.grammar === edits.grammar && made.sought === palette.sought) {
-            return groups
+    groups() {
+        if (this.made && this.made.grammar === this.edits.grammar && this.made.sought === this.sought) {
+            return this.shownGroups
         }
-        made = {grammar: edits.grammar, sought: palette.sought}
-        var all = !edits.grammar ? [] : edits.grammar.types.filter(type => type.kind !== 'robot').map(making.ofType)
-            .concat(edits.grammar.templates.map(making.ofTemplate))
-        var wanted = palette.sought.trim().toLowerCase()
-        kinds = all.filter(kind => kind.sought.indexOf(wanted) >= 0)
-        groups = making.GROUPS.map(name => ({name: name, kinds: kinds.filter(kind => kind.group === name)})).filter(group => group.kinds.length)
-        kinds = [].concat.apply([], groups.map(group => group.kinds))
-        stop = kinds.indexOf(stop) < 0 ? kinds[0] : stop
-        return groups
+        this.made = {grammar: this.edits.grammar, sought: this.sought}
+        const all = !this.edits.grammar ? [] : this.edits.grammar.types.filter(type => type.kind !== 'robot').map(making.ofType)
+            .concat(this.edits.grammar.templates.map(making.ofTemplate))
+        const wanted = this.sought.trim().toLowerCase()
+        this.kinds = all.filter(kind => kind.sought.indexOf(wanted) >= 0)
+        this.shownGroups = making.GROUPS.map(name => ({name, kinds: this.kinds.filter(kind => kind.group === name)}))
+            .filter(group => group.kinds.length)
+        this.kinds = [].concat.apply([], this.shownGroups.map(group => group.kinds))
+        this.stop = this.kinds.indexOf(this.stop) < 0 ? this.kinds[0] : this.stop
+        return this.shownGroups
     }
-    palette.isStop = function(kind) {
-        return kind === stop
+
+    isStop(kind) {
+        return kind === this.stop
     }
+
     /** Arrow keys go to the next kind, Home and End to the ends. */
-    palette.key = function(event) {
-        var at = kinds.findIndex(kind => kind.make === event.target.getAttribute('data-make'))
-        var next = event.key === 'Home' ? 0 : event.key === 'End' ? kinds.length - 1 : at + STEPS[event.key]
-        if (at >= 0 && kinds[next]) {
-            stop = kinds[next]
-            event.currentTarget.querySelector('[data-make="' + stop.make + '"]').focus()
+    key(event) {
+        const at = this.kinds.findIndex(kind => kind.make === event.target.getAttribute('data-make'))
+        const next = event.key === 'Home' ? 0 : event.key === 'End' ? this.kinds.length - 1 : at + STEPS[event.key]
+        if (at >= 0 && this.kinds[next]) {
+            this.stop = this.kinds[next]
+            event.currentTarget.querySelector('[data-make="' + this.stop.make + '"]').focus()
             event.preventDefault()
         }
     }
 
-    palette.arm = function(type, template) {
-        var name = template || type.type
-        if (palette.armed && palette.armed.name === name) {
-            palette.armed = null
+    arm(type, template) {
+        const name = template || type.type
+        if (this.armed && this.armed.name === name) {
+            this.armed = null
             return
         }
-        palette.armed = {name: name, type: type, template: template, fields: type ? type.parameters.filter(isAsked).map(function(parameter) {
-            return {p: parameter, text: ''}
-        }) : []}
-        edits.select(null)
+        const asked = type ? type.parameters.filter(parameter => this.isAsked(parameter)) : []
+        this.armed = {name, type, template, fields: asked.map(parameter => ({p: parameter, text: ''}))}
+        this.edits.select(null)
     }
+
     /** Whether a parameter has no initial value, so that the user must enter one. */
-    function isAsked(parameter) {
-        return isOfWheels(parameter) || parameter.required && parameter.initial === '' && parameter.name !== 'name'
+    isAsked(parameter) {
+        return this.isOfWheels(parameter) || parameter.required && parameter.initial === '' && parameter.name !== 'name'
     }
+
     /** Whether a parameter names wheels that a part turns. */
-    function isOfWheels(parameter) {
+    isOfWheels(parameter) {
         return parameter.list && parameter.names === 'Wheel'
     }
+
     /** Returns the choices of a field that is a list: the robot's driven wheels. */
-    palette.choices = function(field) {
-        return isOfWheels(field.p) ? drivenWheels(world.shown(), view.robot) : []
+    choices(field) {
+        return this.isOfWheels(field.p) ? drivenWheels(this.world.shown(), this.view.robot) : []
     }
+
     /** Without a chosen wheel, a motor turns the first wheel without a motor. @return whether there is one */
-    function chooseWheel(edit) {
-        var parameter = palette.armed.type.parameters.filter(isOfWheels)[0]
+    chooseWheel(edit) {
+        const parameter = this.armed.type.parameters.filter(one => this.isOfWheels(one))[0]
         if (!parameter || edit.set[parameter.name]) {
             return true
         }
-        var wheel = wheelToTurn(world.shown(), edit.to)
+        const wheel = wheelToTurn(this.world.shown(), edit.to)
         edit.set[parameter.name] = wheel
         if (!wheel) {
-            messages.say('error', 'a ' + palette.armed.name + ' needs a driven wheel without a motor, and ' + edit.to
+            this.messages.say('error', 'a ' + this.armed.name + ' needs a driven wheel without a motor, and ' + edit.to
                 + ' has none: add a Wheel first')
         }
         return Boolean(wheel)
     }
-    palette.disarm = function() {
-        leave()
+
+    disarm() {
+        this.leave()
     }
+
     /**
      * Ends placing. If the focus was in the bar that disappears, it moves to the view, where keys move the new object.
      */
-    function leave() {
-        var last = document.activeElement
-        palette.armed = null
+    leave() {
+        const last = document.activeElement
+        this.armed = null
         if (last && last.closest('.sear-armed')) {
-            pointer.canvas().focus({preventScroll: true})
+            this.pointer.canvas().focus({preventScroll: true})
         }
     }
-    palette.isForRobots = function() {
-        return Boolean(palette.armed && palette.armed.type && !palette.armed.type.environment)
+
+    isForRobots() {
+        return Boolean(this.armed && this.armed.type && !this.armed.type.environment)
     }
-    palette.armedText = function() {
-        var armed = palette.armed
-        return !armed ? '' : palette.isForRobots() ? 'Click on a robot to mount it there' : 'Click where to place it'
+
+    armedText() {
+        const armed = this.armed
+        return !armed ? '' : this.isForRobots() ? 'Click on a robot to mount it there' : 'Click where to place it'
     }
 
     /** Returns a parameter's initial number in a new object. */
-    function initial(type, name) {
-        var found = type.parameters.filter(parameter => parameter.name === name)[0]
+    initial(type, name) {
+        const found = type.parameters.filter(parameter => parameter.name === name)[0]
         return found ? Number(found.initial || found['default']) || 0 : 0
     }
+
     /** Returns the height of a new object's middle above its support. */
-    function lift(type) {
-        return initial(type, 'height') / 2 || initial(type, 'radius')
+    lift(type) {
+        return this.initial(type, 'height') / 2 || this.initial(type, 'radius')
     }
 
-    palette.snapped = function(value, free) {
-        return palette.snap && !free ? Math.round(value / GRID) * GRID : value
+    snapped(value, free) {
+        return this.snap && !free ? Math.round(value / GRID) * GRID : value
     }
 
     /**
@@ -134,10 +153,10 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
      * local (the point in its frame), normal (of its surface, there)
      * @param free whether it does not snap @param anywhere whether the place is a default, not the user's
      */
-    palette.place = function(at, free, anywhere) {
-        var armed = palette.armed
-        var edit = {'do': armed.template ? 'robot' : 'add', set: {}}
-        armed.fields.forEach(function(field) {
+    place(at, free, anywhere) {
+        const armed = this.armed
+        const edit = {'do': armed.template ? 'robot' : 'add', set: {}}
+        armed.fields.forEach(field => {
             edit.set[field.p.name] = field.text
         })
         if (armed.template) {
@@ -145,100 +164,98 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
         } else {
             edit.type = armed.type.type
         }
-        if (palette.isForRobots()) {
-            var robot = at.robot || view.robot
+        if (this.isForRobots()) {
+            const robot = at.robot || this.view.robot
             if (!robot) {
-                messages.say('error', 'a ' + armed.name + ' is a robot part: place a robot first, for example Chassis from the group Robots')
+                this.messages.say('error', 'a ' + armed.name + ' is a robot part: place a robot first, for example Chassis from the group Robots')
                 return
             }
             edit.to = robot
-            angular.extend(edit.set, tilted(armed.type))
-            if (!chooseWheel(edit)) {
+            Object.assign(edit.set, tilted(armed.type))
+            if (!this.chooseWheel(edit)) {
                 return
             }
             if (armed.name === 'Wheel') {
-                angular.extend(edit.set, besideBody(world.shown(), robot, at.robot && !anywhere ? at.local : null,
-                    {radius: initial(armed.type, 'radius'), width: initial(armed.type, 'width')}, value => palette.snapped(value, free)))
+                Object.assign(edit.set, besideBody(this.world.shown(), robot, at.robot && !anywhere ? at.local : null,
+                    {radius: this.initial(armed.type, 'radius'), width: this.initial(armed.type, 'width')}, value => this.snapped(value, free)))
             } else if (at.robot) {
-                angular.extend(edit.set, mounted(at, armed.type, free, palette.snapped))
+                Object.assign(edit.set, mounted(at, armed.type, free, this.snapped.bind(this)))
             } else {
-                put(edit.set, [0, 0.1, 0], free)
+                this.put(edit.set, [0, 0.1, 0], free)
             }
         } else if (at.ground) {
-            edit.set.x = plain(palette.snapped(at.point[0], free))
-            edit.set.z = plain(palette.snapped(at.point[2], free))
+            edit.set.x = plain(this.snapped(at.point[0], free))
+            edit.set.z = plain(this.snapped(at.point[2], free))
             edit.set.onGround = 'true'
         } else {
-            put(edit.set, [at.point[0], at.point[1] + (armed.type ? lift(armed.type) : 0), at.point[2]], free)
+            this.put(edit.set, [at.point[0], at.point[1] + (armed.type ? this.lift(armed.type) : 0), at.point[2]], free)
         }
-        edits.edit(armed.template ? withGround(edit, world.shown()) : edit, function(answer) {
-            edits.selectAfter(answer)
+        this.edits.edit(armed.template ? withGround(edit, this.world.shown()) : edit, answer => {
+            this.edits.selectAfter(answer)
             if (answer.done) {
-                leave()
+                this.leave()
             } else if (armed.type) {
-                askFor(armed, answer.problems)
+                this.askFor(armed, answer.problems)
             }
         })
     }
+
     /** Adds a field for each invalid parameter, so that the user can enter it, for example a motor's wheel. */
-    function askFor(armed, problems) {
-        armed.type.parameters.forEach(function(parameter) {
-            var wrong = problems.some(problem => problem.field.split(/[.#]/)[0] === parameter.name)
-            var known = armed.fields.some(field => field.p.name === parameter.name)
+    askFor(armed, problems) {
+        armed.type.parameters.forEach(parameter => {
+            const wrong = problems.some(problem => problem.field.split(/[.#]/)[0] === parameter.name)
+            const known = armed.fields.some(field => field.p.name === parameter.name)
             if (wrong && !known) {
                 armed.fields.push({p: parameter, text: ''})
             }
         })
     }
+
     /** Keeps the point's height, rounded. */
-    function put(set, point, free) {
-        set.x = plain(palette.snapped(point[0], free))
+    put(set, point, free) {
+        set.x = plain(this.snapped(point[0], free))
         set.y = plain(point[1])
-        set.z = plain(palette.snapped(point[2], free))
+        set.z = plain(this.snapped(point[2], free))
     }
+
     /** Places the kind without a mouse: where the view looks; a robot part in the middle of the robot's top. */
-    palette.placeInTheMiddle = function() {
-        var middle = pointer.middle()
-        palette.place(palette.isForRobots() ? onTop(middle.robot || view.robot) || middle : middle, false, true)
+    placeInTheMiddle() {
+        const middle = this.pointer.middle()
+        this.place(this.isForRobots() ? this.onTop(middle.robot || this.view.robot) || middle : middle, false, true)
     }
-    function onTop(name) {
-        var robot = world.shown().robots.filter(one => one.name === name)[0]
-        var top = robot && pointing.onMap(world.shown(), robot.pose[0], robot.pose[2])
+
+    onTop(name) {
+        const robot = this.world.shown().robots.filter(one => one.name === name)[0]
+        const top = robot && pointing.onMap(this.world.shown(), robot.pose[0], robot.pose[2])
         return top && top.robot === name ? top : null
     }
+
     // ---- from the palette into the view ------------------------------------------------------------------------------------------------
-    function grab(event) {
-        carried = event.target.closest && event.button === 0 ? event.target.closest('.sear-palette [data-make]') : null
+    grab(event) {
+        this.carried = event.target.closest && event.button === 0 ? event.target.closest('.sear-palette [data-make]') : null
     }
+
     /** Stops the views from turning during a drag from the palette. */
-    function carry(event) {
-        if (carried) {
+    carry(event) {
+        if (this.carried) {
             event.stopPropagation()
         }
     }
-    function drop(event) {
-        var name = carried && carried.getAttribute('data-make')
-        carried = null
-        if (!name || event.target !== pointer.canvas()) {
+
+    drop(event) {
+        const name = this.carried && this.carried.getAttribute('data-make')
+        this.carried = null
+        if (!name || event.target !== this.pointer.canvas()) {
             return
         }
-        if (!palette.armed || palette.armed.name !== name) {
-            var type = edits.typeOf(name)
-            palette.arm(type, type ? undefined : name)
+        if (!this.armed || this.armed.name !== name) {
+            const type = this.edits.typeOf(name)
+            this.arm(type, type ? undefined : name)
         }
-        var under = pointer.under(event)
+        const under = this.pointer.under(event)
         if (under) {
-            palette.place(under, event.altKey)
+            this.place(under, event.altKey)
         }
-        panel.scope.$applyAsync()
+        this.panel.scope.$applyAsync()
     }
-    window.addEventListener('mousedown', grab, true)
-    window.addEventListener('mousemove', carry, true)
-    window.addEventListener('mouseup', drop, true)
-    panel.scope.$on('$destroy', function() {
-        window.removeEventListener('mousedown', grab, true)
-        window.removeEventListener('mousemove', carry, true)
-        window.removeEventListener('mouseup', drop, true)
-    })
-    return palette
 }

@@ -3,12 +3,12 @@
 // those that would start it at its present place.
 import * as geometry from '../shared/geometry.js'
 
-var AXES = ['x', 'y', 'z']
-var ANGLES = ['rx', 'ry', 'rz']
-var MOVED = 0.01            // metres: within this distance an object is where its file says, apart from its springs
-var TURNED = 1              // degrees, likewise
-var FINEST = 1e4            // a tenth of a millimetre
-var NORTH = 90              // degrees about y of the direction north
+const AXES = ['x', 'y', 'z']
+const ANGLES = ['rx', 'ry', 'rz']
+const MOVED = 0.01            // metres: within this distance an object is where its file says, apart from its springs
+const TURNED = 1              // degrees, likewise
+const FINEST = 1e4            // a tenth of a millimetre
+const NORTH = 90              // degrees about y of the direction north
 
 /** Formats a number for a file, rounded. */
 export function plain(number) {
@@ -23,13 +23,13 @@ export function wrapped(degrees) {
 }
 /** Returns a frame's heading, degrees about y. */
 function heading(frame) {
-    var ahead = geometry.rotate(frame, [0, 0, 1])
+    const ahead = geometry.rotate(frame, [0, 0, 1])
     return Math.atan2(ahead[0], ahead[2]) * 180 / Math.PI
 }
 /** Returns the angle between two rotations, degrees. */
 function between(a, b) {
-    var cosine = 0
-    for (var i = 3; i < 7; i++) {
+    let cosine = 0
+    for (let i = 3; i < 7; i++) {
         cosine += a[i] * b[i]
     }
     return 2 * Math.acos(Math.min(1, Math.abs(cosine))) * 180 / Math.PI
@@ -43,10 +43,10 @@ function between(a, b) {
  * simulation moves it; stands: whether its height comes from what is below it
  */
 export function of(selected, values, live) {
-    var headed = values.placeHeading !== undefined
-    var onEarth = values.placeLatitude !== undefined
-    var place = {at: numbers(values, AXES), ry: headed ? NORTH - Number(values.placeHeading) : Number(values.ry) || 0, strayed: {}, headed: headed,
-        onEarth: onEarth, onGround: onEarth || values.onGround === 'true', moves: Boolean(selected && !selected.robot && live), stands: false}
+    const headed = values.placeHeading !== undefined
+    const onEarth = values.placeLatitude !== undefined
+    const place = {at: numbers(values, AXES), ry: headed ? NORTH - Number(values.placeHeading) : Number(values.ry) || 0, strayed: {}, headed,
+        onEarth, onGround: onEarth || values.onGround === 'true', moves: Boolean(selected && !selected.robot && live), stands: false}
     if (place.moves) {
         (selected.object.parts ? robot : thing)(place, selected.object, values)
     } else if (selected && onEarth) {
@@ -56,8 +56,8 @@ export function of(selected, values, live) {
 }
 /** Records that the object is not where its file says. */
 function stray(place, at) {
-    AXES.forEach(function(axis, i) {
-        var fixed = axis === 'y' && (place.onGround || place.stands)
+    AXES.forEach((axis, i) => {
+        const fixed = axis === 'y' && (place.onGround || place.stands)
         if (!fixed && (place.onEarth || Math.abs(at[i] - place.at[i]) > MOVED)) {
             place.strayed[axis] = plain(at[i])
         }
@@ -65,9 +65,9 @@ function stray(place, at) {
     place.at = at.slice(0, 3)
 }
 function thing(place, object, values) {
-    var file = [0, 0, 0].concat(numbers(values, ANGLES))
+    const file = [0, 0, 0].concat(numbers(values, ANGLES))
     if (between(geometry.frame(file), geometry.frame(object.pose)) > TURNED) {
-        ANGLES.forEach(function(angle, i) {
+        ANGLES.forEach((angle, i) => {
             place.strayed[angle] = plain(object.pose[3 + i])
         })
         place.ry = object.pose[4]
@@ -79,11 +79,11 @@ function thing(place, object, values) {
  * pose.
  */
 function robot(place, object) {
-    var start = geometry.frame(object.start)
-    var now = geometry.frame(object.pose)
-    var turned = wrapped(heading(now) - heading(start))
-    var ry = wrapped(place.headed ? heading(now) : object.written[4] + turned)
-    var apart = geometry.rotate(geometry.frame([0, 0, 0, 0, turned, 0]), AXES.map((axis, i) => place.onGround ? 0 : object.written[i] - start[i]))
+    const start = geometry.frame(object.start)
+    const now = geometry.frame(object.pose)
+    const turned = wrapped(heading(now) - heading(start))
+    const ry = wrapped(place.headed ? heading(now) : object.written[4] + turned)
+    const apart = geometry.rotate(geometry.frame([0, 0, 0, 0, turned, 0]), AXES.map((axis, i) => place.onGround ? 0 : object.written[i] - start[i]))
     place.stands = true
     stray(place, apart.map((value, i) => value + now[i]))
     if (Math.abs(wrapped(ry - place.ry)) > TURNED) {
@@ -94,8 +94,8 @@ function robot(place, object) {
 
 /** Returns the values that an edit sets. @param place see of @param set the user's changes: x, y, z, ry, sizes */
 export function edit(place, set) {
-    var stays = !place.moves && AXES.every(axis => set[axis] === undefined)
-    var all = angular.extend({}, stays ? {} : place.strayed, set)
+    const stays = !place.moves && AXES.every(axis => set[axis] === undefined)
+    const all = Object.assign({}, stays ? {} : place.strayed, set)
     if (set.ry !== undefined && place.headed) {
         delete all.ry
         all.placeHeading = plain(wrapped(NORTH - Number(set.ry)))

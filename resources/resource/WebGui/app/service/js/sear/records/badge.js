@@ -1,42 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 // Badge above the SEAR panel's view while it shows a record, with a button back to the present.
 
-/** Makes the badge of one panel. */
-export function makeBadge(panel, replay) {
-    var element = null
-    var words = null
-    var badge = {}
+/** The badge of one panel. */
+export class Badge {
+    constructor(panel, replay) {
+        this.panel = panel
+        this.replay = replay
+        this.element = null
+        this.words = null
+        replay.moved.hear(() => this.show())
+    }
 
-    function make(parent) {
-        var back = document.createElement('button')
-        words = document.createElement('span')
-        element = document.createElement('div')
-        words.setAttribute('role', 'status')
+    make(parent) {
+        const back = document.createElement('button')
+        this.words = document.createElement('span')
+        this.element = document.createElement('div')
+        this.words.setAttribute('role', 'status')
         back.type = 'button'
         back.className = 'btn btn-primary btn-xs sear-back-to-now'
         back.textContent = 'Back to now'
-        back.addEventListener('click', function() {
-            replay.end()
-            panel.scope.$applyAsync()
+        back.addEventListener('click', () => {
+            this.replay.end()
+            this.panel.scope.$applyAsync()
         })
-        element.className = 'sear-badge'
-        element.append(words, back)
-        parent.append(element)
+        this.element.className = 'sear-badge'
+        this.element.append(this.words, back)
+        parent.append(this.element)
     }
-    function show() {
-        if (element) {
-            element.hidden = !replay.shown
-            var text = replay.shown ? 'Replay of ' + replay.shown.path : ''
-            if (words.textContent !== text) {
-                words.textContent = text
+
+    show() {
+        if (this.element) {
+            this.element.hidden = !this.replay.shown
+            const text = this.replay.shown ? 'Replay of ' + this.replay.shown.path : ''
+            if (this.words.textContent !== text) {
+                this.words.textContent = text
             }
         }
     }
+
     /** Creates the badge once the views exist. */
-    badge.listen = function() {
-        make(panel.element('view').parentElement)
-        show()
+    listen() {
+        this.make(this.panel.element('view').parentElement)
+        this.show()
     }
-    replay.moved.hear(show)
-    return badge
 }

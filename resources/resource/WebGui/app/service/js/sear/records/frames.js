@@ -5,8 +5,8 @@
  * @param sensors of the shown world @param record its frames @param index of the frame
  */
 export function sensorsAt(sensors, record, index) {
-    return sensors.map(function(sensor) {
-        var place = record.sensors.indexOf(sensor.name)
+    return sensors.map(sensor => {
+        const place = record.sensors.indexOf(sensor.name)
         return {name: sensor.name, type: sensor.type, robot: sensor.robot, eye: sensor.eye,
             words: place >= 0 && record.words[index][place] || 'not in the record'}
     })
@@ -14,7 +14,7 @@ export function sensorsAt(sensors, record, index) {
 
 /** Sets the robots' poses, speeds, paths and lights as at a frame. @param robots by name */
 export function robotsAt(robots, record, index) {
-    record.robots.forEach(function(name, i) {
+    record.robots.forEach((name, i) => {
         if (robots[name]) {
             robots[name].pose = record.robotPoses[index][i]
             robots[name].speed = record.speeds[index][i][0]
@@ -22,8 +22,8 @@ export function robotsAt(robots, record, index) {
             robots[name].path = record.robotPoses.slice(0, index + 1).map(poses => [poses[i][0], poses[i][2]])
         }
     })
-    record.lights.forEach(function(light, i) {
-        var robot = robots[record.robots[light[0]]]
+    record.lights.forEach((light, i) => {
+        const robot = robots[record.robots[light[0]]]
         if (robot && robot.lights) {
             robot.lights[light[1]] = record.brightness[index][i]
         }

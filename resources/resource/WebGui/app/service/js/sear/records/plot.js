@@ -6,263 +6,285 @@ import {firstOf, unitOf, valuesOf} from './values.js'
 import {oncePerPicture, whenPageChanges} from '../shared/page.js'
 import {saveBlob, saveText} from '../shared/words.js'
 
-var MOST_SAMPLES = 6000     // live samples: ten minutes
-var MOST_NAMES = 300        // values of a live world
-var MOST_LINES = 16
+const MOST_SAMPLES = 6000     // live samples: ten minutes
+const MOST_NAMES = 300        // values of a live world
+const MOST_LINES = 16
 
-/** Makes the plots of one panel. */
-export function makePlot(panel, world, records, replay, layout) {
-    var msg = panel.msg
-    var chart = null            // made when first shown
-    var live = {times: [], values: Object.create(null), last: -1}
-    var fetched = {}            // values of records, by path and name: {times, values}
-    var awaited = {}
-    var touched = false         // whether the user has chosen values
-    var plot = {
-        source: '',             // path of the plotted record; empty for the running simulation
-        other: '',              // path of a second record, for comparison
-        add: '',                // name being chosen
-        open: false,            // whether the plots are unfolded
-        paused: null,           // live samples at the time of the pause
-        lines: [],              // plotted names
-        hint: '',               // hint while nothing is visible
-        names: []               // available names
+/** The plots of one panel. */
+export class Plot {
+    constructor(panel, world, records, replay, layout) {
+        this.panel = panel
+        this.world = world
+        this.replayer = replay
+        this.layout = layout
+        this.msg = panel.msg
+        this.curves = null      // made when first shown
+        this.live = {times: [], values: Object.create(null), last: -1}
+        this.fetched = {}       // values of records, by path and name: {times, values}
+        this.awaited = {}
+        this.touched = false    // whether the user has chosen values
+        this.source = ''        // path of the plotted record; empty for the running simulation
+        this.other = ''         // path of a second record, for comparison
+        this.add = ''           // name being chosen
+        this.open = false       // whether the plots are unfolded
+        this.paused = null      // live samples at the time of the pause
+        this.lines = []         // plotted names
+        this.hint = ''          // hint while nothing is visible
+        this.names = []         // available names
+
+        panel.scope.$watch(() => layout.isFolded('plots'), folded => {
+            this.open = !folded
+            if (this.open) {
+                this.msg.send('getRecords')
+                this.nameValues()
+            } else {
+                replay.end()
+            }
+        })
+        this.compare = () => this.fetch()
+        this.pointed = null
+        this.redraw = oncePerPicture(() => {
+            this.draw()
+            panel.scope.$applyAsync()
+        })
+        panel.scope.$watch(() => {
+            const box = this.open && panel.element('plot')
+            return box ? box.clientWidth + ' ' + box.clientHeight : ''
+        }, () => this.draw())
+
+        world.told.hear(() => this.sample())
+        replay.moved.hear(() => this.draw())
+        world.previewed.hear(() => {
+            this.nameValues()
+            this.draw()
+        })
+        whenPageChanges(panel.scope, () => this.draw())
+        records.ended.hear(() => {
+            this.fetched = {}
+            this.awaited = {}
+        })
+        this.handlers = {
+            onRecordFrames: sent => {
+                if (sent && sent.path === this.awaited.frames && sent.path === this.source) {
+                    this.awaited.frames = null
+                    this.names = sent.names
+                    this.begin()
+                    replay.show(sent)
+                }
+            },
+            onRecordValues: sent => {
+                sent.names.forEach((name, i) => {
+                    this.fetched[sent.path + '\n' + name] = {times: sent.times, values: sent.values[i]}
+                    delete this.awaited[sent.path + '\n' + name]
+                })
+                this.draw()
+            }
+        }
     }
 
-    // ---- which values ------------------------------------------------------------------------------------------------------------------
-    panel.scope.$watch(() => layout.isFolded('plots'), function(folded) {
-        plot.open = !folded
-        if (plot.open) {
-            msg.send('getRecords')
-            nameValues()
-        } else {
-            replay.end()
-        }
-    })
-    function nameValues() {
-        var now = plot.source ? null : world.now()
+    nameValues() {
+        const now = this.source ? null : this.world.now()
         if (now) {
-            plot.names = Object.keys(valuesOf(now)).slice(0, MOST_NAMES)
-            begin()
+            this.names = Object.keys(valuesOf(now)).slice(0, MOST_NAMES)
+            this.begin()
         }
     }
+
     /** Plots the usual first values until the user chooses. */
-    function begin() {
-        var first = touched ? [] : firstOf(world.now(), plot.names)
+    begin() {
+        const first = this.touched ? [] : firstOf(this.world.now(), this.names)
         if (first.length) {
-            plot.lines = first
-            fetch()
+            this.lines = first
+            this.fetch()
         }
     }
-    plot.chooseSource = function() {
-        plot.names = []
-        replay.end()
-        showAll()
-        plot.replay()
-        nameValues()
-        fetch()
+
+    chooseSource() {
+        this.names = []
+        this.replayer.end()
+        this.showAll()
+        this.replay()
+        this.nameValues()
+        this.fetch()
     }
+
     /** Shows the record in the views, from its beginning. */
-    plot.replay = function() {
-        awaited.frames = plot.source || null
-        if (plot.source) {
-            msg.send('getRecordFrames', plot.source)
+    replay() {
+        this.awaited.frames = this.source || null
+        if (this.source) {
+            this.msg.send('getRecordFrames', this.source)
         }
     }
+
     /** Plots and shows the present instead of a record. */
-    plot.showNow = function() {
-        replay.end()
-        if (plot.source) {
-            plot.source = ''
-            plot.chooseSource()
+    showNow() {
+        this.replayer.end()
+        if (this.source) {
+            this.source = ''
+            this.chooseSource()
         }
     }
-    plot.addLine = function() {
-        var name = plot.add
-        touched = true
-        if (name && plot.lines.indexOf(name) < 0 && plot.lines.length < MOST_LINES) {
-            plot.lines.push(name)
+
+    addLine() {
+        const name = this.add
+        this.touched = true
+        if (name && this.lines.indexOf(name) < 0 && this.lines.length < MOST_LINES) {
+            this.lines.push(name)
         }
-        plot.add = ''
-        fetch()
+        this.add = ''
+        this.fetch()
     }
-    plot.removeLine = function(name) {
-        touched = true
-        plot.lines = plot.lines.filter(other => other !== name)
-        draw()
+
+    removeLine(name) {
+        this.touched = true
+        this.lines = this.lines.filter(other => other !== name)
+        this.draw()
     }
+
     /** Requests plotted values of records that are missing. */
-    function fetch() {
-        [plot.source, plot.other].filter(Boolean).forEach(function(path) {
-            plot.lines.forEach(function(name) {
-                var key = path + '\n' + name
-                if (!fetched[key] && !awaited[key]) {
-                    awaited[key] = true
-                    msg.send('getRecordValues', path, [name])
+    fetch() {
+        [this.source, this.other].filter(Boolean).forEach(path => {
+            this.lines.forEach(name => {
+                const key = path + '\n' + name
+                if (!this.fetched[key] && !this.awaited[key]) {
+                    this.awaited[key] = true
+                    this.msg.send('getRecordValues', path, [name])
                 }
             })
         })
-        draw()
+        this.draw()
     }
-    plot.compare = fetch
 
     // ---- live --------------------------------------------------------------------------------------------------------------------------
     /** Adds a sample after each message of the running world. */
-    function sample() {
-        var state = world.running
-        if (!state || state.time === live.last) {
+    sample() {
+        const state = this.world.running
+        if (!state || state.time === this.live.last) {
             return
         }
-        if (state.time < live.last || !live.times.length) {     // another run
-            live = {times: [], values: Object.create(null), last: -1}
-            plot.names = plot.source ? plot.names : []
+        if (state.time < this.live.last || !this.live.times.length) {     // another run
+            this.live = {times: [], values: Object.create(null), last: -1}
+            this.names = this.source ? this.names : []
         }
-        live.last = state.time
-        var values = valuesOf(state)
-        live.times.push(state.time)
-        Object.keys(values).slice(0, MOST_NAMES).forEach(function(name) {
-            var column = live.values[name] = live.values[name] || []
-            column[live.times.length - 1] = values[name]
+        this.live.last = state.time
+        const values = valuesOf(state)
+        this.live.times.push(state.time)
+        Object.keys(values).slice(0, MOST_NAMES).forEach(name => {
+            const column = this.live.values[name] = this.live.values[name] || []
+            column[this.live.times.length - 1] = values[name]
         })
-        if (live.times.length > MOST_SAMPLES) {
-            live.times.shift()
-            angular.forEach(live.values, function(column) {
+        if (this.live.times.length > MOST_SAMPLES) {
+            this.live.times.shift()
+            angular.forEach(this.live.values, column => {
                 column.shift()
             })
         }
-        if (plot.open && !plot.source) {
-            if (!plot.names.length) {
-                nameValues()
+        if (this.open && !this.source) {
+            if (!this.names.length) {
+                this.nameValues()
             }
-            draw()
+            this.draw()
         }
     }
-    plot.pause = function() {
-        plot.paused = plot.paused ? null : angular.copy(live)
-        draw()
+
+    pause() {
+        this.paused = this.paused ? null : angular.copy(this.live)
+        this.draw()
     }
 
     // ---- drawing -----------------------------------------------------------------------------------------------------------------------
-    function linesToDraw() {
-        var shown = []
-        plot.lines.forEach(function(name, i) {
-            var color = colors[i % colors.length]
-            var unit = unitOf(name, world.now())
-            if (!plot.source) {
-                var from = plot.paused || live
-                shown.push({name: name, unit: unit, times: from.times, values: from.values[name] || [], color: color})
+    linesToDraw() {
+        const shown = []
+        this.lines.forEach((name, i) => {
+            const color = colors[i % colors.length]
+            const unit = unitOf(name, this.world.now())
+            if (!this.source) {
+                const from = this.paused || this.live
+                shown.push({name, unit, times: from.times, values: from.values[name] || [], color})
             }
-            [plot.source, plot.other].forEach(function(path, k) {
-                var data = path && fetched[path + '\n' + name]
-                if (data && (k === 0 || path !== plot.source)) {
-                    shown.push({name: name, unit: unit, source: path, times: data.times, values: data.values, color: color, dashed: k === 1})
+            [this.source, this.other].forEach((path, k) => {
+                const data = path && this.fetched[path + '\n' + name]
+                if (data && (k === 0 || path !== this.source)) {
+                    shown.push({name, unit, source: path, times: data.times, values: data.values, color, dashed: k === 1})
                 }
             })
         })
         return shown
     }
-    plot.lineColor = function(name) {
-        return colors[plot.lines.indexOf(name) % colors.length]
+
+    lineColor(name) {
+        return colors[this.lines.indexOf(name) % colors.length]
     }
-    var pointed = null
-    function timeMarked() {
-        return pointed !== null ? pointed : replay.time()
+
+    timeMarked() {
+        return this.pointed !== null ? this.pointed : this.replayer.time()
     }
+
     /** Returns a line's values at the time under the mouse, else at the slider. */
-    plot.lineText = function(name) {
-        var time = timeMarked()
-        return !chart ? '' : chart.lines.filter(line => line.name === name).map(function(line) {
-            var value = time === null ? line.values[line.values.length - 1] : valueAt(line, time)
+    lineText(name) {
+        const time = this.timeMarked()
+        return !this.curves ? '' : this.curves.lines.filter(line => line.name === name).map(line => {
+            const value = time === null ? line.values[line.values.length - 1] : valueAt(line, time)
             return typeof value === 'number' && isFinite(value) ? String(Number(value.toPrecision(6))) : '-'
         }).join(' / ')
     }
-    function draw() {
-        var box = panel.element('plot')
+
+    draw() {
+        const box = this.panel.element('plot')
         if (!box || !box.clientWidth || !box.clientHeight) {
             return
         }
-        if (!chart || chart.box !== box) {
-            var range = chart && chart.range
-            chart = new Curves(box, function(time) {
-                pointed = time
-                redraw()
+        if (!this.curves || this.curves.box !== box) {
+            const range = this.curves && this.curves.range
+            this.curves = new Curves(box, time => {
+                this.pointed = time
+                this.redraw()
             })
-            chart.range = range
+            this.curves.range = range
         }
-        chart.draw(linesToDraw(), timeMarked())
-        plot.hint = hint()
+        this.curves.draw(this.linesToDraw(), this.timeMarked())
+        this.hint = this.hintText()
     }
-    var redraw = oncePerPicture(function() {
-        draw()
-        panel.scope.$applyAsync()
-    })
+
     /** Returns a hint for an empty plot. */
-    function hint() {
-        if (plot.lines.length && !chart.isEmpty()) {
+    hintText() {
+        if (this.lines.length && !this.curves.isEmpty()) {
             return ''
         }
-        return !plot.lines.length ? 'Choose a value above to plot it' : plot.source || world.running ? 'No values yet'
+        return !this.lines.length ? 'Choose a value above to plot it' : this.source || this.world.running ? 'No values yet'
             : 'Start the simulation, or choose a record, to plot its values'
     }
-    plot.zoom = function(factor) {
-        if (chart) {
-            chart.zoom(factor)
+
+    zoom(factor) {
+        if (this.curves) {
+            this.curves.zoom(factor)
         }
     }
-    function showAll() {
-        if (chart) {
-            chart.range = null
+
+    showAll() {
+        if (this.curves) {
+            this.curves.range = null
         }
     }
-    plot.whole = function() {
-        showAll()
-        draw()
+
+    whole() {
+        this.showAll()
+        this.draw()
     }
-    plot.save = function() {
-        saveText('plot.csv', csv(linesToDraw()))
+
+    save() {
+        saveText('plot.csv', csv(this.linesToDraw()))
     }
-    plot.savePicture = function() {
-        draw()
-        chart.picture(layout.dark ? '#1e1e1e' : '#ffffff').toBlob(function(blob) {
+
+    savePicture() {
+        this.draw()
+        this.curves.picture(this.layout.dark ? '#1e1e1e' : '#ffffff').toBlob(blob => {
             saveBlob('plot.png', blob)
         })
     }
-    panel.scope.$watch(function() {
-        var box = plot.open && panel.element('plot')
-        return box ? box.clientWidth + ' ' + box.clientHeight : ''
-    }, draw)
-    /** Returns the drawn chart, for tests; null before the first drawing. */
-    plot.chart = function() {
-        return chart
-    }
 
-    world.told.hear(sample)
-    replay.moved.hear(draw)
-    world.previewed.hear(function() {
-        nameValues()
-        draw()
-    })
-    whenPageChanges(panel.scope, draw)
-    records.ended.hear(function() {
-        fetched = {}
-        awaited = {}
-    })
-    plot.handlers = {
-        onRecordFrames: function(sent) {
-            if (sent && sent.path === awaited.frames && sent.path === plot.source) {
-                awaited.frames = null
-                plot.names = sent.names
-                begin()
-                replay.show(sent)
-            }
-        },
-        onRecordValues: function(sent) {
-            sent.names.forEach(function(name, i) {
-                fetched[sent.path + '\n' + name] = {times: sent.times, values: sent.values[i]}
-                delete awaited[sent.path + '\n' + name]
-            })
-            draw()
-        }
+    /** Returns the drawn chart, for tests; null before the first drawing. */
+    chart() {
+        return this.curves
     }
-    return plot
 }

@@ -1,42 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recording runs into files, and the list of these files.
-import {makeEvent} from '../shared/event.js'
+import {Listeners} from '../shared/listeners.js'
 
-var MEGABYTES = 512         // size limit of a record
-var PICTURES = 5            // pictures per camera and simulated second
+const MEGABYTES = 512         // size limit of a record
+const PICTURES = 5            // pictures per camera and simulated second
 
-/** Makes the recording controls of one panel. */
-export function makeRecords(panel, messages) {
-    var msg = panel.msg
-    var records = {
-        path: 'run.searlog',    // path of the next record
-        pictures: false,        // whether it contains camera pictures
-        list: [],
-        ended: makeEvent()      // a record has ended
-    }
-    records.toggle = function() {
-        if (panel.scope.service.recorded) {
-            msg.send('endRecord')
-        } else {
-            if (records.pictures) {
-                msg.send('recordRun', records.path, MEGABYTES, PICTURES)
-            } else {
-                msg.send('recordRun', records.path)
+/** The recording controls of one panel. */
+export class Records {
+    constructor(panel, messages) {
+        this.panel = panel
+        this.msg = panel.msg
+        this.path = 'run.searlog' // path of the next record
+        this.pictures = false   // whether it contains camera pictures
+        this.list = []
+        this.ended = new Listeners() // a record has ended
+        this.handlers = {
+            onRecords: paths => {
+                this.list = paths || []
+            },
+            onRecordRun: path => {
+                messages.say('info', 'recording ' + (panel.isSimulating() ? '' : 'the next run ') + 'to ' + path)
+            },
+            onEndRecord: seconds => {
+                messages.say('info', 'recorded ' + Number(seconds).toFixed(2) + ' s')
+                this.ended.tell()
+                this.msg.send('getRecords')
             }
         }
     }
-    records.handlers = {
-        onRecords: function(paths) {
-            records.list = paths || []
-        },
-        onRecordRun: function(path) {
-            messages.say('info', 'recording ' + (panel.isSimulating() ? '' : 'the next run ') + 'to ' + path)
-        },
-        onEndRecord: function(seconds) {
-            messages.say('info', 'recorded ' + Number(seconds).toFixed(2) + ' s')
-            records.ended.tell()
-            msg.send('getRecords')
+
+    toggle() {
+        if (this.panel.scope.service.recorded) {
+            this.msg.send('endRecord')
+        } else {
+            if (this.pictures) {
+                this.msg.send('recordRun', this.path, MEGABYTES, PICTURES)
+            } else {
+                this.msg.send('recordRun', this.path)
+            }
         }
     }
-    return records
 }

@@ -3,10 +3,10 @@
 
 /** Returns the insertion index of a time in sorted times. */
 function indexOf(times, time) {
-    var low = 0
-    var high = times.length
+    let low = 0
+    let high = times.length
     while (low < high) {
-        var middle = (low + high) >> 1
+        const middle = (low + high) >> 1
         if (times[middle] < time) {
             low = middle + 1
         } else {
@@ -22,7 +22,7 @@ export function isNumber(value) {
 
 /** Returns a line's value at a time: that of the latest point up to then; undefined without one. */
 export function valueAt(line, time) {
-    var i = indexOf(line.times, time + 1e-9) - 1
+    const i = indexOf(line.times, time + 1e-9) - 1
     return i < 0 ? undefined : line.values[i]
 }
 
@@ -30,16 +30,16 @@ export function valueAt(line, time) {
  * Returns lines as CSV: a column of times and one of values each. Successive lines with the same times share the times.
  */
 export function csv(lines) {
-    var columns = []
-    lines.forEach(function(line) {
+    const columns = []
+    lines.forEach(line => {
         if (!columns.length || columns.times !== line.times) {
             columns.push({name: 'time (s)' + (line.source ? ' ' + line.source : ''), values: line.times})
         }
         columns.times = line.times
         columns.push({name: line.name + (line.unit ? ' (' + line.unit + ')' : '') + (line.source ? ' ' + line.source : ''), values: line.values})
     })
-    var rows = [columns.map(column => /[",\n]/.test(column.name) ? '"' + column.name.replace(/"/g, '""') + '"' : column.name).join(',')]
-    var count = Math.max.apply(null, columns.map(column => column.values.length).concat(0))
+    const rows = [columns.map(column => /[",\n]/.test(column.name) ? '"' + column.name.replace(/"/g, '""') + '"' : column.name).join(',')]
+    const count = Math.max.apply(null, columns.map(column => column.values.length).concat(0))
     function cell(column) {
         return isNumber(column.values[rows.length - 1]) ? column.values[rows.length - 1] : ''
     }

@@ -2,16 +2,16 @@
 // Plottable values of a world, by name, and their units.
 import {frame, rotate} from '../shared/geometry.js'
 
-var PARTS = {x: 'm', y: 'm', z: 'm', heading: 'deg', speed: 'm/s', turnRate: 'rad/s'}
-var ENDINGS = [[/ (speed|left|right) wanted$/, 'm/s'], [/ radius wanted$/, 'm'], [/ (received|sent)$/, 'bytes']]
+const PARTS = {x: 'm', y: 'm', z: 'm', heading: 'deg', speed: 'm/s', turnRate: 'rad/s'}
+const ENDINGS = [[/ (speed|left|right) wanted$/, 'm/s'], [/ radius wanted$/, 'm'], [/ (received|sent)$/, 'bytes']]
 /** Quantity of each unit, for axis titles. */
-var QUANTITIES = {'m': 'length', 'm/s': 'speed', 'deg': 'angle', 'rad/s': 'turning', 'm/s2': 'acceleration', 'bytes': 'serial port'}
+const QUANTITIES = {'m': 'length', 'm/s': 'speed', 'deg': 'angle', 'rad/s': 'turning', 'm/s2': 'acceleration', 'bytes': 'serial port'}
 
 /** Returns all values of a world by name. */
 export function valuesOf(world) {
-    var values = Object.create(null)    // a sensor may be named like a member of every object, for example constructor
-    world.robots.forEach(function(robot) {
-        var ahead = rotate(frame(robot.pose), [0, 0, 1])
+    const values = Object.create(null)    // a sensor may be named like a member of every object, for example constructor
+    world.robots.forEach(robot => {
+        const ahead = rotate(frame(robot.pose), [0, 0, 1])
         values[robot.name + '.x'] = robot.pose[0]
         values[robot.name + '.y'] = robot.pose[1]
         values[robot.name + '.z'] = robot.pose[2]
@@ -19,8 +19,8 @@ export function valuesOf(world) {
         values[robot.name + '.speed'] = robot.speed
         values[robot.name + '.turnRate'] = robot.turnRate
     })
-    world.sensors.forEach(function(sensor) {
-        sensor.names.forEach(function(name, i) {
+    world.sensors.forEach(sensor => {
+        sensor.names.forEach((name, i) => {
             values[sensor.name + name] = sensor.numbers[i]
         })
     })
@@ -29,22 +29,22 @@ export function valuesOf(world) {
 
 /** Returns the unit of a sensor's n-th number; a GPS has one per number. */
 function unitOfNumber(sensor, i) {
-    var units = (sensor.unit || '').split(', ')
+    const units = (sensor.unit || '').split(', ')
     return units.length > 1 ? units[i] || '' : units[0]
 }
 /** Returns the unit of a value, possibly of a record; empty if it has none. @param world null for none */
 export function unitOf(name, world) {
-    var unit
-    angular.forEach(world && world.sensors, function(sensor) {
-        var i = sensor.names.findIndex(ending => sensor.name + ending === name)
+    let unit
+    ;(world ? world.sensors : []).forEach(sensor => {
+        const i = sensor.names.findIndex(ending => sensor.name + ending === name)
         unit = i >= 0 ? unitOfNumber(sensor, i) : unit
     })
-    var ending = ENDINGS.filter(one => one[0].test(name))[0]
+    const ending = ENDINGS.filter(one => one[0].test(name))[0]
     return unit === undefined ? ending ? ending[1] : PARTS[name.slice(name.lastIndexOf('.') + 1)] || '' : unit
 }
 /** Returns an axis title. @param names of the lines on that axis */
 export function titleOf(names, unit) {
-    var title = names.length === 1 ? names[0] : QUANTITIES[unit] || ''
+    const title = names.length === 1 ? names[0] : QUANTITIES[unit] || ''
     return title && unit ? title + ' (' + unit + ')' : title || unit
 }
 
@@ -53,9 +53,9 @@ export function titleOf(names, unit) {
  * @param room available pixels @param length returns a text's length in pixels
  */
 export function titleWithin(names, unit, room, length) {
-    var title = titleOf(names, unit)
-    for (var kept = names.length === 1 ? names[0].length - 1 : 0; kept > 1 && length(title) > room; kept--) {
-        var first = Math.ceil(kept / 2)
+    let title = titleOf(names, unit)
+    for (let kept = names.length === 1 ? names[0].length - 1 : 0; kept > 1 && length(title) > room; kept--) {
+        const first = Math.ceil(kept / 2)
         title = titleOf([names[0].slice(0, first) + '…' + names[0].slice(names[0].length - kept + first)], unit)
     }
     return title
@@ -66,7 +66,7 @@ export function titleWithin(names, unit, room, length) {
  * @param names available names
  */
 export function firstOf(world, names) {
-    var robot = world && world.robots[0]
-    var sensor = robot && world.sensors.filter(one => one.robot === robot.name && one.names.length)[0]
+    const robot = world && world.robots[0]
+    const sensor = robot && world.sensors.filter(one => one.robot === robot.name && one.names.length)[0]
     return [robot && robot.name + '.speed', sensor && sensor.name + sensor.names[0]].filter(name => names.indexOf(name) >= 0)
 }

@@ -1,110 +1,115 @@
 // SPDX-License-Identifier: Apache-2.0
 // Driving in the SEAR panel with held keys (WASD, arrows) or a gamepad. The robot stops on release.
-var SPEED = 0.2             // m/s with keys, as with the buttons
-var FASTEST = 0.4           // m/s with a gamepad stick at its end
-var DEAD = 0.15             // dead zone of a stick
-var LOOK_MILLIS = 50        // polling interval of gamepads
-var KEYS = {w: [1, 0], s: [-1, 0], a: [0, 1], d: [0, -1], arrowup: [1, 0], arrowdown: [-1, 0], arrowleft: [0, 1], arrowright: [0, -1]}
-var PAD = {12: [1, 0], 13: [-1, 0], 14: [0, 1], 15: [0, -1]}    // buttons of the D-pad
+const SPEED = 0.2             // m/s with keys, as with the buttons
+const FASTEST = 0.4           // m/s with a gamepad stick at its end
+const DEAD = 0.15             // dead zone of a stick
+const LOOK_MILLIS = 50        // polling interval of gamepads
+const KEYS = {w: [1, 0], s: [-1, 0], a: [0, 1], d: [0, -1], arrowup: [1, 0], arrowdown: [-1, 0], arrowleft: [0, 1], arrowright: [0, -1]}
+const PAD = {12: [1, 0], 13: [-1, 0], 14: [0, 1], 15: [0, -1]}    // buttons of the D-pad
 
 function sum(ways) {
     return ways.reduce((a, b) => [a[0] + b[0], a[1] + b[1]], [0, 0]).map(value => Math.max(-1, Math.min(1, value)))
 }
 /** Returns the direction that a gamepad commands: [forward, left], -1 to 1. */
 function wayOf(pad) {
-    var stick = [pad.axes[1], pad.axes[0]].map(value => Math.abs(value) > DEAD ? -Math.round(20 * value) / 20 : 0)
+    const stick = [pad.axes[1], pad.axes[0]].map(value => Math.abs(value) > DEAD ? -Math.round(20 * value) / 20 : 0)
     return sum([stick].concat(Object.keys(PAD).filter(i => pad.buttons[i] && pad.buttons[i].pressed).map(i => PAD[i])))
 }
 
-/** Makes the keyboard and gamepad control of one panel. */
-export function makeDriving(panel, world, view, edits, run, picture) {
-    var held = {}               // keys held down, by name
-    var padded = false          // whether a gamepad has commanded a movement not stopped yet
-    var looking = null
-    var last = []               // the latest calls
-    var driving = {}
+/** The keyboard and gamepad control of one panel. */
+export class Driving {
+    constructor(panel, world, view, edits, run, picture) {
+        this.panel = panel
+        this.world = world
+        this.view = view
+        this.edits = edits
+        this.run = run
+        this.picture = picture
+        this.held = {}          // keys held down, by name
+        this.padded = false     // whether a gamepad has commanded a movement not stopped yet
+        this.last = []          // the latest calls
+        panel.scope.$watch(() => panel.isSimulating(), () => {
+            this.held = {}
+            this.padded = false
+        })
+        panel.scope.$watch(() => Boolean(world.instead), instead => instead && this.letGo())     // stops driving during a replay
+    }
 
     /** Sends changed drive calls. @param way forward and left, -1 to 1 @param most m/s at 1 */
-    function go(way, most) {
-        var calls = run.orders(way, most)
-        calls.filter((call, i) => String(call) !== String(last[i])).forEach(call => panel.msg.send.apply(panel.msg, call))
-        last = calls
+    go(way, most) {
+        const calls = this.run.orders(way, most)
+        calls.filter((call, i) => String(call) !== String(this.last[i])).forEach(call => this.panel.msg.send.apply(this.panel.msg, call))
+        this.last = calls
     }
-    function canDrive() {
-        return panel.isSimulating() && !world.instead && run.drivers(world.running).length > 0
+
+    canDrive() {
+        return this.panel.isSimulating() && !this.world.instead && this.run.drivers(this.world.running).length > 0
     }
-    function goOn() {
-        go(sum(Object.keys(held).map(key => KEYS[key])), SPEED)
+
+    goOn() {
+        this.go(sum(Object.keys(this.held).map(key => KEYS[key])), SPEED)
     }
-    function letGo() {
-        if (Object.keys(held).length || padded) {
-            held = {}
-            padded = false
-            go([0, 0], 0)
+
+    letGo() {
+        if (Object.keys(this.held).length || this.padded) {
+            this.held = {}
+            this.padded = false
+            this.go([0, 0], 0)
         }
     }
 
     // ---- keys --------------------------------------------------------------------------------------------------------------------------
     /** While building, arrow keys move the selection, except in a test drive. */
-    function isBuilding(key) {
-        return key.length > 1 && view.building && edits.selected && !run.testing
+    isBuilding(key) {
+        return key.length > 1 && this.view.building && this.edits.selected && !this.run.testing
     }
+
     /** Handles a key. @return whether it was a drive key */
-    driving.key = function(event) {
-        var key = (event.key || '').toLowerCase()
-        if (!KEYS[key] || !canDrive() || isBuilding(key) || event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) {
+    key(event) {
+        const key = (event.key || '').toLowerCase()
+        if (!KEYS[key] || !this.canDrive() || this.isBuilding(key) || event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) {
             return false
         }
         event.preventDefault()
-        if (!held[key]) {
-            if (!Object.keys(held).length) {
-                last = []       // another client may have driven the robot meanwhile
+        if (!this.held[key]) {
+            if (!Object.keys(this.held).length) {
+                this.last = []       // another client may have driven the robot meanwhile
             }
-            held[key] = true
-            goOn()
+            this.held[key] = true
+            this.goOn()
         }
         return true
     }
-    function up(event) {
-        var key = (event.key || '').toLowerCase()
-        if (held[key]) {
-            delete held[key]
-            goOn()
+
+    up(event) {
+        const key = (event.key || '').toLowerCase()
+        if (this.held[key]) {
+            delete this.held[key]
+            this.goOn()
         }
     }
 
     // ---- gamepads ----------------------------------------------------------------------------------------------------------------------
-    function look() {
-        if (!canDrive() || !picture.width() || document.hidden || !navigator.getGamepads) {
+    look() {
+        if (!this.canDrive() || !this.picture.width() || document.hidden || !navigator.getGamepads) {
             return
         }
-        var way = sum([].filter.call(navigator.getGamepads(), Boolean).map(wayOf))
-        var moved = way[0] !== 0 || way[1] !== 0
-        if (moved || padded) {
-            if (!padded) {
-                last = []
+        const way = sum([].filter.call(navigator.getGamepads(), Boolean).map(wayOf))
+        const moved = way[0] !== 0 || way[1] !== 0
+        if (moved || this.padded) {
+            if (!this.padded) {
+                this.last = []
             }
-            padded = moved
-            go(way, FASTEST)
+            this.padded = moved
+            this.go(way, FASTEST)
         }
     }
 
     /** Adds the listeners once the views exist. */
-    driving.listen = function() {
-        var leaving = ['blur', 'beforeunload']
-        window.addEventListener('keyup', up, true)
-        leaving.forEach(name => window.addEventListener(name, letGo))
-        looking = window.setInterval(look, LOOK_MILLIS)
-        panel.scope.$on('$destroy', function() {
-            window.removeEventListener('keyup', up, true)
-            leaving.forEach(name => window.removeEventListener(name, letGo))
-            window.clearInterval(looking)
-        })
+    listen() {
+        this.panel.listen(window, {keyup: event => this.up(event)}, true)
+        this.panel.listen(window, {blur: () => this.letGo(), beforeunload: () => this.letGo()})
+        const looking = window.setInterval(() => this.look(), LOOK_MILLIS)
+        this.panel.scope.$on('$destroy', () => window.clearInterval(looking))
     }
-    panel.scope.$watch(panel.isSimulating, function() {
-        held = {}
-        padded = false
-    })
-    panel.scope.$watch(() => Boolean(world.instead), instead => instead && letGo())     // stops driving during a replay
-    return driving
 }

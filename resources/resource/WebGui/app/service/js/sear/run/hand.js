@@ -4,122 +4,131 @@
 import * as geometry from '../shared/geometry.js'
 import {find, local, onPlane, ray} from '../world/pointing.js'
 
-var SEND_MILLIS = 50        // between two messages to the service
-var AGAIN_MILLIS = 400      // the service releases the object after a second without messages
+const SEND_MILLIS = 50        // between two messages to the service
+const AGAIN_MILLIS = 400      // the service releases the object after a second without messages
 
-/** Makes the drag spring of one panel. */
-export function makeHand(panel, world, view, pointer) {
-    var held = null             // name, from: point taken, grip: the same in its own frame, way, normal of the mouse's plane
-    var spring = null           // drawn line
-    var hand = {}
+/** The drag spring of one panel. */
+export class Hand {
+    constructor(panel, world, view, pointer) {
+        this.panel = panel
+        this.world = world
+        this.view = view
+        this.pointer = pointer
+        this.held = null        // name, from: point taken, grip: the same in its own frame, way, normal of the mouse's plane
+        this.spring = null      // drawn line
+        world.told.hear(running => {
+            if (this.held && running) {
+                this.draw()
+            } else {
+                this.letGo()
+            }
+        })
+    }
 
-    function nameOf(who) {
+    nameOf(who) {
         return who && (who.robot || (who.object.loose ? who.object.name : null))
     }
+
     /** Returns the viewing direction. */
-    function ahead() {
-        var canvas = pointer.canvas()
-        return pointer.scene() ? ray(pointer.scene(), canvas.clientWidth / 2, canvas.clientHeight / 2).along : null
+    ahead() {
+        const canvas = this.pointer.canvas()
+        return this.pointer.scene() ? ray(this.pointer.scene(), canvas.clientWidth / 2, canvas.clientHeight / 2).along : null
     }
-    function take(event) {
-        var p = pointer.position(event)
-        var under = event.button === 0 && event.shiftKey && panel.isSimulating() && world.running && !world.instead && !view.building
-            && event.target === pointer.canvas() ? pointer.at(p[0], p[1]) : null
-        var name = under && nameOf(under.who)
-        var body = name && find(world.running, name)
+
+    take(event) {
+        const p = this.pointer.position(event)
+        const canPull = this.panel.isSimulating() && this.world.running && !this.world.instead && !this.view.building
+        const under = event.button === 0 && event.shiftKey && canPull && event.target === this.pointer.canvas() ? this.pointer.at(p[0], p[1]) : null
+        const name = under && this.nameOf(under.who)
+        const body = name && find(this.world.running, name)
         if (!body) {
             return
         }
-        held = {name: name, from: under.point, grip: local(body.pose, under.point), way: [0, 0, 0], sent: 0, at: p, normal: ahead()}
+        this.held = {name, from: under.point, grip: local(body.pose, under.point), way: [0, 0, 0], sent: 0, at: p, normal: this.ahead()}
         event.stopImmediatePropagation()
         event.preventDefault()
-        pointer.canvas().focus()
-        held.timer = window.setInterval(send, AGAIN_MILLIS)
-        send()
-        draw()
+        this.pointer.canvas().focus()
+        this.held.timer = window.setInterval(() => this.send(), AGAIN_MILLIS)
+        this.send()
+        this.draw()
     }
-    function send() {
-        held.sent = Date.now()
-        panel.msg.send('hold', held.name, held.way)
+
+    send() {
+        this.held.sent = Date.now()
+        this.panel.msg.send('hold', this.held.name, this.held.way)
     }
-    function move(event) {
-        if (!held) {
+
+    move(event) {
+        if (!this.held) {
             return
         }
         event.stopImmediatePropagation()
         if (!event.buttons) {
-            letGo()
+            this.letGo()
             return
         }
-        held.at = pointer.position(event)
-        var to = pointer.scene() ? onPlane(ray(pointer.scene(), held.at[0], held.at[1]), held.from, held.normal) : onMap()
+        this.held.at = this.pointer.position(event)
+        const [x, y] = this.held.at
+        const to = this.pointer.scene() ? onPlane(ray(this.pointer.scene(), x, y), this.held.from, this.held.normal) : this.onMap()
         if (to) {
-            held.way = to.map((value, i) => value - held.from[i])
+            this.held.way = to.map((value, i) => value - this.held.from[i])
         }
-        if (Date.now() - held.sent >= SEND_MILLIS) {
-            send()
+        if (Date.now() - this.held.sent >= SEND_MILLIS) {
+            this.send()
         }
-        draw()
+        this.draw()
     }
-    function onMap() {
-        var canvas = pointer.canvas()
-        return [view.x - (held.at[1] - canvas.clientHeight / 2) / view.scale, held.from[1],
-            view.z + (held.at[0] - canvas.clientWidth / 2) / view.scale]
+
+    onMap() {
+        const canvas = this.pointer.canvas()
+        return [this.view.x - (this.held.at[1] - canvas.clientHeight / 2) / this.view.scale, this.held.from[1],
+            this.view.z + (this.held.at[0] - canvas.clientWidth / 2) / this.view.scale]
     }
-    function letGo() {
-        if (held) {
-            window.clearInterval(held.timer)
-            panel.msg.send('letGo', held.name)
-            held = null
-            draw()
+
+    letGo() {
+        if (this.held) {
+            window.clearInterval(this.held.timer)
+            this.panel.msg.send('letGo', this.held.name)
+            this.held = null
+            this.draw()
         }
     }
 
     // ---- drawing ---------------------------------------------------------------------------------------------------------------------------
-    function makeSpring() {
-        var space = 'http://www.w3.org/2000/svg'
-        var svg = document.createElementNS(space, 'svg')
-        spring = document.createElementNS(space, 'line')
+    makeSpring() {
+        const space = 'http://www.w3.org/2000/svg'
+        const svg = document.createElementNS(space, 'svg')
+        this.spring = document.createElementNS(space, 'line')
         svg.setAttribute('class', 'sear-spring')
         svg.setAttribute('aria-hidden', 'true')
-        svg.append(spring)
-        pointer.canvas().parentElement.append(svg)
+        svg.append(this.spring)
+        this.pointer.canvas().parentElement.append(svg)
     }
-    function draw() {
-        if (!spring) {
-            makeSpring()
+
+    draw() {
+        if (!this.spring) {
+            this.makeSpring()
         }
-        var body = held && world.running && find(world.running, held.name)
-        spring.parentElement.style.display = body ? '' : 'none'
+        const body = this.held && this.world.running && find(this.world.running, this.held.name)
+        this.spring.parentElement.style.display = body ? '' : 'none'
         if (body) {
-            var turned = geometry.rotate(body.pose, held.grip)
-            var grip = [0, 1, 2].map(i => body.pose[i] + turned[i])
-            var seen = pointer.scene() ? pointer.scene().toScreen(grip[0], grip[1], grip[2]) : view.toScreen(grip[0], grip[2])
-            var ends = {x1: seen.x, y1: seen.y, x2: held.at[0], y2: held.at[1]}
-            Object.keys(ends).forEach(name => spring.setAttribute(name, ends[name]))
+            const turned = geometry.rotate(body.pose, this.held.grip)
+            const grip = [0, 1, 2].map(i => body.pose[i] + turned[i])
+            const seen = this.pointer.scene() ? this.pointer.scene().toScreen(grip[0], grip[1], grip[2]) : this.view.toScreen(grip[0], grip[2])
+            const ends = {x1: seen.x, y1: seen.y, x2: this.held.at[0], y2: this.held.at[1]}
+            Object.keys(ends).forEach(name => this.spring.setAttribute(name, ends[name]))
         }
     }
-    world.told.hear(function(running) {
-        if (held && running) {
-            draw()
-        } else {
-            letGo()
-        }
-    })
 
     /** Adds the listeners once the views exist, before all other mouse listeners. */
-    hand.listen = function() {
-        panel.element('view').parentElement.addEventListener('mousedown', take, true)
-        var heard = {mousemove: move, mouseup: letGo, beforeunload: letGo, blur: function(event) {
-            if (event.target === window) {      // not for an element in it
-                letGo()
-            }
-        }}
-        Object.keys(heard).forEach(name => window.addEventListener(name, heard[name], true))
-        panel.scope.$on('$destroy', function() {
-            letGo()
-            Object.keys(heard).forEach(name => window.removeEventListener(name, heard[name], true))
-        })
+    listen() {
+        this.panel.element('view').parentElement.addEventListener('mousedown', event => this.take(event), true)
+        this.panel.listen(window, {
+            mousemove: event => this.move(event),
+            mouseup: () => this.letGo(),
+            beforeunload: () => this.letGo(),
+            blur: event => event.target === window && this.letGo()      // not for an element in the window
+        }, true)
+        this.panel.scope.$on('$destroy', () => this.letGo())
     }
-    return hand
 }

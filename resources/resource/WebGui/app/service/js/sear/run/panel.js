@@ -1,139 +1,164 @@
 // SPDX-License-Identifier: Apache-2.0
 // The SEAR panel: creates its parts, each of which knows only earlier ones, and subscribes them to the service.
 import '../shared/style.js'
-import {makeBadge} from '../records/badge.js'
-import {makeBuilding} from '../build/building.js'
-import {makeCameras} from '../records/cameras.js'
-import {makeDriving} from './driving.js'
-import {makeEdits} from '../build/edits.js'
-import {makeGround} from '../world/ground.js'
-import {makeHand} from './hand.js'
-import {makeInspector} from '../build/inspector.js'
-import {makeLayout} from '../shared/layout.js'
-import {makeMessages} from '../shared/messages.js'
-import {makePalette} from '../build/palette.js'
-import {makePanel} from '../shared/panel.js'
-import {makePicture} from '../shared/picture.js'
-import {makePlot} from '../records/plot.js'
-import {makePointed} from '../scene/gestures.js'
-import {makePointer} from '../build/pointer.js'
-import {makeProblems} from '../world/problems.js'
-import {makeProject} from './project.js'
-import {makeRecords} from '../records/records.js'
-import {makeReplay} from '../records/replay.js'
-import {makeRun} from './run.js'
-import {makeScript} from './script.js'
-import {makeShare} from './share.js'
-import {makeTour} from './tour.js'
-import {makeVideo} from './video.js'
-import {makeView} from '../scene/view.js'
-import {makeWelcome} from './welcome.js'
-import {makeWorld} from '../world/world.js'
+import {Badge} from '../records/badge.js'
+import {Building} from '../build/building.js'
+import {Cameras} from '../records/cameras.js'
+import {Driving} from './driving.js'
+import {Edits} from '../build/edits.js'
+import {Ground} from '../world/ground.js'
+import {Hand} from './hand.js'
+import {Inspector} from '../build/inspector.js'
+import {Layout} from '../shared/layout.js'
+import {Messages} from '../shared/messages.js'
+import {Palette} from '../build/palette.js'
+import {Panel} from '../shared/panel.js'
+import {Picture} from '../shared/picture.js'
+import {Plot} from '../records/plot.js'
+import {Pointed} from '../scene/gestures.js'
+import {Pointer} from '../build/pointer.js'
+import {Problems} from '../world/problems.js'
+import {Project} from './project.js'
+import {Records} from '../records/records.js'
+import {Replay} from '../records/replay.js'
+import {Run} from './run.js'
+import {Script} from './script.js'
+import {Share} from './share.js'
+import {Tour} from './tour.js'
+import {Video} from './video.js'
+import {View} from '../scene/view.js'
+import {Welcome} from './welcome.js'
+import {World} from '../world/world.js'
 import {count} from '../shared/words.js'
 
-var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'checkProject', 'getBundle',
+const TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'checkProject', 'getBundle',
     'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate', 'startSimulation', 'stopSimulation',
     'publishEdit', 'getProjectObject', 'getScript', 'getExampleScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames',
     'getRecordMotion', 'getRecordValues', 'getCameraPicture', 'getRecordPicture']
-var ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits']
-var LOOK_MILLIS = 1000      // interval at which a page that shows the project asks for changes
-var SETTLED_MILLIS = 12000  // time after which the status line drops a notice
-var LISTEN_MILLIS = 100     // interval of checks for the view's elements
+const ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits']
+const LOOK_MILLIS = 1000      // interval at which a page that shows the project asks for changes
+const SETTLED_MILLIS = 12000  // time after which the status line drops a notice
+const LISTEN_MILLIS = 100     // interval of checks for the view's elements
 
-/** Opens a panel. @param controller MyRobotLab's, whose scope gets the panel's parts */
-export function open(controller, $scope, $timeout, $interval) {
-    var panel = makePanel(controller, $scope, 'sear', $timeout)
-    var messages = makeMessages()
-    var picture = makePicture($scope)
-    var world = makeWorld(panel, messages, picture)
-    var problems = makeProblems(panel, world, messages)
-    var ground = makeGround(panel, picture)
-    var view = makeView(panel, messages, world, ground, picture)
-    var pointed = makePointed(panel, world, ground, view)
-    var edits = makeEdits(panel, messages, world, view, picture)
-    var inspector = makeInspector(panel, world, edits)
-    var pointer = makePointer(world, view, picture)
-    var palette = makePalette(panel, messages, world, view, edits, pointer)
-    var building = makeBuilding(panel, messages, world, view, edits, palette, pointer, picture)
-    var layout = makeLayout(panel, messages)
-    var records = makeRecords(panel, messages)
-    var replay = makeReplay(panel, messages, world, picture)
-    var badge = makeBadge(panel, replay)
-    var plot = makePlot(panel, world, records, replay, layout)
-    var cameras = makeCameras(panel, world, replay, picture, $interval)
-    var project = makeProject(panel, messages, problems, view)
-    var script = makeScript(panel, messages, project)
-    var tour = makeTour(panel, world, view, palette, script, layout)
-    var welcome = makeWelcome(world, view, palette, project, tour)
-    var run = makeRun(panel, messages, world, problems, view, edits, picture)
-    var driving = makeDriving(panel, world, view, edits, run, picture)
-    var hand = makeHand(panel, world, view, pointer)
-    var video = makeVideo(panel, messages, view, picture)
-    var share = makeShare(panel, messages, replay, ground)
+/** The parts of one panel. */
+class SearPanel {
+    constructor(panel, $interval) {
+        const messages = new Messages()
+        const picture = new Picture(panel.scope)
+        const world = new World(panel, messages, picture)
+        const problems = new Problems(panel, world, messages)
+        const ground = new Ground(panel, picture)
+        const view = new View(panel, messages, world, ground, picture)
+        const pointed = new Pointed(panel, world, ground, view)
+        const edits = new Edits(panel, messages, world, view, picture)
+        const inspector = new Inspector(panel, world, edits)
+        const pointer = new Pointer(world, view, picture)
+        const palette = new Palette(panel, messages, world, view, edits, pointer)
+        const building = new Building(panel, messages, world, view, edits, palette, pointer, picture)
+        const layout = new Layout(panel, messages)
+        const records = new Records(panel, messages)
+        const replay = new Replay(panel, messages, world, picture)
+        const plot = new Plot(panel, world, records, replay, layout)
+        const cameras = new Cameras(panel, world, replay, picture, $interval)
+        const project = new Project(panel, messages, problems, view)
+        const script = new Script(panel, messages, project)
+        const tour = new Tour(panel, world, view, palette, script, layout)
+        const welcome = new Welcome(world, view, palette, project, tour)
+        const run = new Run(panel, messages, world, problems, view, edits, picture)
+        const video = new Video(panel, messages, view, picture)
+        const share = new Share(panel, messages, replay, ground)
+        const driving = new Driving(panel, world, view, edits, run, picture)
+        const hand = new Hand(panel, world, view, pointer)
+        const badge = new Badge(panel, replay)
 
-    cameras.plottedBy(() => plot.open && !plot.source ? plot.lines : [])
-    // a replay ends when the user returns to the present
-    project.left.hear(plot.showNow)
-    run.begun.hear(plot.showNow)
-    $scope.$watch(() => view.building, begun => begun && replay.end())
+        this.panel = panel
+        this.picture = picture
+        this.parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout, records, replay, plot,
+            cameras, project, script, run, video, share, tour, welcome}
+        this.listening = [hand, pointed, building, project, badge, driving]
+        this.keyed = [driving, building, view, run]
+        this.waiting = null         // timeout until the view's elements exist
 
-    function onState(service) {
-        $scope.service = service
-        run.follow()
-        world.follow()
+        cameras.plottedBy(() => plot.open && !plot.source ? plot.lines : [])
+        // a replay ends when the user returns to the present
+        project.left.hear(() => plot.showNow())
+        run.begun.hear(() => plot.showNow())
+        panel.scope.$watch(() => view.building, begun => begun && replay.end())
     }
-    function onStatus(status) {
+
+    /** Handles a key: the first part that knows it. */
+    key(event) {
+        return this.keyed.some(part => part.key(event))
+    }
+
+    onState(service) {
+        this.panel.scope.service = service
+        this.parts.run.follow()
+        this.parts.world.follow()
+    }
+
+    onStatus(status) {
+        const {messages, problems, project, run} = this.parts
         if (status && status.level === 'error') {
             project.fail()
             run.settle()
         }
-        var text = messages.newsOf(status)
-        var all = problems.all()
-        var listed = all.length > 1 && text.indexOf(all[0].file) === 0
+        const text = messages.newsOf(status)
+        const all = problems.all()
+        const listed = all.length > 1 && text.indexOf(all[0].file) === 0
         if (text) {
             messages.say(status.level, listed ? 'the project has ' + count(all.length, 'problem') + ', listed below' : text)
         }
     }
-    function key(event) {
-        return driving.key(event) || building.key(event) || view.key(event) || run.key(event)
+
+    onLooks(sent) {
+        this.parts.view.handlers.onLooks(sent)
+        this.parts.share.take(sent)
     }
 
-    // ---- the page --------------------------------------------------------------------------------------------------------------------------
-    var first = null
-    function listen() {
-        if (panel.element('view')) {
-            [hand, pointed, building, project, badge, driving].forEach(function(part) {
-                part.listen()
-            })
-            picture.repaint()
+    /** Adds the listeners once the view's elements exist. */
+    listen() {
+        if (this.panel.element('view')) {
+            this.listening.forEach(part => part.listen())
+            this.picture.repaint()
         } else {
-            first = $timeout(listen, LISTEN_MILLIS)
+            this.waiting = this.panel.timeout(() => this.listen(), LISTEN_MILLIS)
         }
     }
-    $scope.$watch('messages.last', function(last) {
-        if (last && last.level === 'info') {
-            $timeout(function() {
-                messages.settle(last)
-            }, SETTLED_MILLIS)
-        }
-    })
-    $scope.$watch(() => layout.isFolded('messages') ? 0 : messages.unread, unread => unread && messages.read())
-    var looks = $interval(world.look, LOOK_MILLIS, 0, false)
-    first = $timeout(listen)
-    $scope.$on('$destroy', function() {
-        $interval.cancel(looks)
-        $timeout.cancel(first)
-    })
 
-    var parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout, records, replay, plot, cameras,
-        project, script, run, video, share, tour, welcome}
-    angular.extend($scope, parts, {key})
-    function onLooks(sent) {
-        view.handlers.onLooks(sent)
-        share.take(sent)
+    /** Removes notices from the status line after a while, and counts messages as read while they are visible. */
+    watchMessages() {
+        const {messages, layout} = this.parts
+        this.panel.scope.$watch('messages.last', last => {
+            if (last && last.level === 'info') {
+                this.panel.timeout(() => messages.settle(last), SETTLED_MILLIS)
+            }
+        })
+        this.panel.scope.$watch(() => layout.isFolded('messages') ? 0 : messages.unread, unread => unread && messages.read())
     }
-    panel.hear(TOPICS, ASKED, angular.extend.apply(angular, [{onState, onStatus}].concat(Object.values(parts).map(part => part.handlers), {onLooks})))
+
+    /** Subscribes all parts to the service. */
+    hear() {
+        this.panel.hear(TOPICS, ASKED, Object.assign({
+            onState: service => this.onState(service),
+            onStatus: status => this.onStatus(status)
+        }, ...Object.values(this.parts).map(part => part.handlers), {onLooks: sent => this.onLooks(sent)}))
+    }
+}
+
+/** Opens a panel. @param controller MyRobotLab's, whose scope gets the panel's parts */
+export function open(controller, $scope, $timeout, $interval) {
+    const sear = new SearPanel(new Panel(controller, $scope, 'sear', $timeout), $interval)
+    sear.watchMessages()
+    const looks = $interval(() => sear.parts.world.look(), LOOK_MILLIS, 0, false)
+    sear.waiting = $timeout(() => sear.listen())
+    $scope.$on('$destroy', () => {
+        $interval.cancel(looks)
+        $timeout.cancel(sear.waiting)
+    })
+    Object.assign($scope, sear.parts, {key: event => sear.key(event)})
+    sear.hear()
     if ($scope.service) {
-        onState($scope.service)
+        sear.onState($scope.service)
     }
 }

@@ -2,36 +2,43 @@
 // "Show as Python" in the SEAR panel: the script that makes the project, to read, copy and save.
 import * as words from '../shared/words.js'
 
-/** Makes the script view of one panel. */
-export function makeScript(panel, messages, project) {
-    var asked = false           // whether this page asked: each page receives the answers to all pages
-    var script = {shown: null}  // text, and rows of the text field
+/** The script view of one panel. */
+export class Script {
+    constructor(panel, messages, project) {
+        this.panel = panel
+        this.messages = messages
+        this.project = project
+        this.asked = false      // whether this page asked: each page receives the answers to all pages
+        this.shown = null
 
-    script.show = function() {
-        asked = true
-        panel.msg.send('getScript')
-    }
-    script.close = function() {
-        script.shown = null
-    }
-    script.copy = function() {
-        var field = panel.element('python')
-        field.focus()
-        field.select()
-        messages.say('info', document.execCommand('copy') ? 'the script is on the clipboard' : 'the script is selected: copy it with Ctrl+C')
-    }
-    script.save = function() {
-        var name = words.fileName(project.path).replace(/(\.sear)?$/, '.py')
-        words.saveText(name, script.shown.text)
-    }
-
-    script.handlers = {
-        onScript: function(text) {
-            if (asked) {
-                script.shown = {text: text, lines: Math.min(24, text.split('\n').length)}
+        this.handlers = {
+            onScript: text => {
+                if (this.asked) {
+                    this.shown = {text, lines: Math.min(24, text.split('\n').length)}
+                }
+                this.asked = false
             }
-            asked = false
         }
     }
-    return script
+
+    show() {
+        this.asked = true
+        this.panel.msg.send('getScript')
+    }
+
+    close() {
+        this.shown = null
+    }
+
+    copy() {
+        const field = this.panel.element('python')
+        field.focus()
+        field.select()
+        this.messages.say('info', document.execCommand('copy') ? 'the script is on the clipboard' : 'the script is selected: copy it with Ctrl+C')
+    }
+
+    save() {
+        const name = words.fileName(this.project.path).replace(/(\.sear)?$/, '.py')
+        words.saveText(name, this.shown.text)
+    }
 }

@@ -3,15 +3,15 @@
 // pictures, three.js, and this panel's drawing modules.
 import {fileName, saveText} from '../shared/words.js'
 
-var MOST = 24e6             // maximum file size, characters
-var PLAYER = 'run/player.js'
-var AT_ONCE = 60            // looks requested together
-var PATIENCE_MILLIS = 30000
-var MOST_SECONDS = 600      // maximum duration of a record that is rerun for its beams and wheels
-var IMPORT = /^import (.+) from '([^']+)'$/gm
+const MOST = 24e6             // maximum file size, characters
+const PLAYER = 'run/player.js'
+const AT_ONCE = 60            // looks requested together
+const PATIENCE_MILLIS = 30000
+const MOST_SECONDS = 600      // maximum duration of a record that is rerun for its beams and wheels
+const IMPORT = /^import (.+) from '([^']+)'$/gm
 
 function textOf(url) {
-    return fetch(url).then(function(answer) {
+    return fetch(url).then(answer => {
         if (!answer.ok) {
             throw new Error(url + ' answered ' + answer.status)
         }
@@ -39,18 +39,17 @@ function bundle(name, made) {
         return Promise.resolve('')
     }
     made.push(name)
-    return textOf(new URL('../' + name, import.meta.url)).then(function(text) {
-        var before = []
-        var body = text.replace(IMPORT, function(all, what, path) {
-            var other = new URL(path, 'http://x/' + name).pathname.slice(1)
+    return textOf(new URL('../' + name, import.meta.url)).then(text => {
+        const before = []
+        let body = text.replace(IMPORT, (all, what, path) => {
+            const other = new URL(path, 'http://x/' + name).pathname.slice(1)
             before.push(other)
             return 'var ' + what.replace(/^\* as /, '').replace(/ as /g, ': ') + ' = modules[\'' + other + '\']'
         })
-        var names = Array.from(body.matchAll(/^export (?:function|var) (\w+)/gm)).map(found => found[1])
+        const names = Array.from(body.matchAll(/^export (?:function|class|const) (\w+)/gm)).map(found => found[1])
         body = '\nmodules[\'' + name + '\'] = (function() {\n' + body.replace(/^export /gm, '') + '\nreturn {' + names.join(', ') + '}\n})()\n'
-        return before.reduce(function(done, other) {
-            return done.then(already => bundle(other, made).then(more => already + more))
-        }, Promise.resolve('')).then(first => first + body)
+        return before.reduce((done, other) => done.then(already => bundle(other, made).then(more => already + more)), Promise.resolve(''))
+            .then(first => first + body)
     })
 }
 
@@ -59,124 +58,136 @@ function page(form, parts) {
     return form.replace(/@(\w+)@/g, (all, name) => parts[name])
 }
 
-/** Makes the sharing controls of one panel. */
-export function makeShare(panel, messages, replay, ground) {
-    var looks = null            // received looks and pictures, by key; null while nothing is shared
-    var missing = null          // keys not received yet
-    var since = 0
-    var motion = null           // wheel rotations and sensor readings, or {why: there are none}; null while awaited
-    var waiting = null          // timeout of the motion
-    var share = {busy: false}
+/** The sharing controls of one panel. */
+export class Share {
+    constructor(panel, messages, replay, ground) {
+        this.panel = panel
+        this.messages = messages
+        this.replay = replay
+        this.ground = ground
+        this.looks = null       // received looks and pictures, by key; null while nothing is shared
+        this.missing = null     // keys not received yet
+        this.since = 0
+        this.motion = null      // wheel rotations and sensor readings, or {why: there are none}; null while awaited
+        this.waiting = null     // timeout of the motion
+        this.busy = false
+        this.handlers = {onRecordMotion: sent => sent && this.busy && sent.path === this.shown.path && this.takeMotion(sent)}
+    }
 
-    share.record = function() {
-        if (!replay.shown || share.busy) {
+    record() {
+        if (!this.replay.shown || this.busy) {
             return
         }
-        share.busy = true
-        looks = {}
-        missing = {}
-        share.shown = replay.shown
-        share.terrain = ground.of(share.shown.world)
-        share.shown.world.objects.concat.apply(share.shown.world.objects, share.shown.world.robots.map(robot => robot.parts)).forEach(function(one) {
+        this.busy = true
+        this.looks = {}
+        this.missing = {}
+        this.shown = this.replay.shown
+        this.terrain = this.ground.of(this.shown.world)
+        this.shown.world.objects.concat.apply(this.shown.world.objects, this.shown.world.robots.map(robot => robot.parts)).forEach(one => {
             if (one.look) {
-                missing[one.look + '/0'] = true
+                this.missing[one.look + '/0'] = true
             }
             if (one.picture) {
-                missing['picture ' + one.picture] = true
+                this.missing['picture ' + one.picture] = true
             }
         })
-        askForMotion()
+        this.askForMotion()
     }
+
     /** Has the service rerun the record for its motion; without it the record is shared anyway. */
-    function askForMotion() {
-        var times = share.shown.times
-        motion = null
+    askForMotion() {
+        const times = this.shown.times
+        this.motion = null
         if (times[times.length - 1] - times[0] > MOST_SECONDS) {
-            takeMotion({why: 'the record is longer than ' + MOST_SECONDS / 60 + ' minutes'})
+            this.takeMotion({why: 'the record is longer than ' + MOST_SECONDS / 60 + ' minutes'})
             return
         }
-        panel.msg.send('getRecordMotion', share.shown.path)
-        waiting = panel.timeout(function() {
-            takeMotion({why: 'the rerun of the record took too long'})
+        this.panel.msg.send('getRecordMotion', this.shown.path)
+        this.waiting = this.panel.timeout(() => {
+            this.takeMotion({why: 'the rerun of the record took too long'})
         }, 2 * PATIENCE_MILLIS)
     }
-    function takeMotion(sent) {
-        if (share.busy && !motion) {
-            panel.timeout.cancel(waiting)
-            motion = sent
-            ask()
+
+    takeMotion(sent) {
+        if (this.busy && !this.motion) {
+            this.panel.timeout.cancel(this.waiting)
+            this.motion = sent
+            this.ask()
         }
     }
-    share.handlers = {onRecordMotion: sent => sent && share.busy && sent.path === share.shown.path && takeMotion(sent)}
-    function ask() {
-        var keys = Object.keys(missing)
-        since = Date.now()
+
+    ask() {
+        const keys = Object.keys(this.missing)
+        this.since = Date.now()
         if (keys.length) {
-            panel.msg.send('getLooks', keys.slice(0, AT_ONCE))
-            panel.timeout(function() {
-                if (share.busy && Date.now() - since >= PATIENCE_MILLIS) {
-                    fail('no answer with the models and pictures')
+            this.panel.msg.send('getLooks', keys.slice(0, AT_ONCE))
+            this.panel.timeout(() => {
+                if (this.busy && Date.now() - this.since >= PATIENCE_MILLIS) {
+                    this.fail('no answer with the models and pictures')
                 }
             }, PATIENCE_MILLIS)
         } else {
-            write().catch(error => fail(error.message)).then(function() {
-                share.busy = false
-                panel.scope.$applyAsync()
+            this.write().catch(error => this.fail(error.message)).then(() => {
+                this.busy = false
+                this.panel.scope.$applyAsync()
             })
         }
     }
-    function fail(why) {
-        share.busy = false
-        messages.say('error', 'sharing failed: ' + why)
+
+    fail(why) {
+        this.busy = false
+        this.messages.say('error', 'sharing failed: ' + why)
     }
+
     /** Takes models and pictures, requested by this panel or another. */
-    share.take = function(sent) {
-        if (!share.busy) {
+    take(sent) {
+        if (!this.busy) {
             return
         }
-        var news = false
-        angular.forEach(sent, function(one) {
-            if (missing[one.key]) {
-                delete missing[one.key]
-                looks[one.key] = one
+        let news = false
+        angular.forEach(sent, one => {
+            if (this.missing[one.key]) {
+                delete this.missing[one.key]
+                this.looks[one.key] = one
                 news = true
-                for (var i = 1; i < one.parts; i++) {
-                    var other = one.key.slice(0, one.key.lastIndexOf('/') + 1) + i
-                    if (!looks[other]) {
-                        missing[other] = true
+                for (let i = 1; i < one.parts; i++) {
+                    const other = one.key.slice(0, one.key.lastIndexOf('/') + 1) + i
+                    if (!this.looks[other]) {
+                        this.missing[other] = true
                     }
                 }
             }
         })
         if (news) {
-            ask()
+            this.ask()
         }
     }
-    function write() {
-        var record = share.shown
-        var title = fileName(record.path).replace(/\.searlog$/, '')
-        var source = Array.from(document.scripts).filter(script => /\/three(\.min)?\.js$/.test(script.src) && script.src.indexOf('widget') < 0)[0]
-        var run = {title: title, looks: looks, terrain: share.terrain && share.terrain.sent, world: plain(record.world),
-            motion: motion.frames ? motion : null,
+
+    write() {
+        const record = this.shown
+        const title = fileName(record.path).replace(/\.searlog$/, '')
+        const source = Array.from(document.scripts).filter(script => /\/three(\.min)?\.js$/.test(script.src) && script.src.indexOf('widget') < 0)[0]
+        const run = {title, looks: this.looks, terrain: this.terrain && this.terrain.sent, world: this.plain(record.world),
+            motion: this.motion.frames ? this.motion : null,
             record: {times: record.times, robots: record.robots, objects: record.objects, robotPoses: record.robotPoses,
                 objectPoses: record.objectPoses, speeds: record.speeds, lights: record.lights, brightness: record.brightness}}
-        var form = new URL('player.html', import.meta.url)
-        return Promise.all([textOf(form), textOf(source.src), bundle(PLAYER, [])]).then(function(parts) {
-            var text = page(parts[0], {title: escaped(title), three: safe(parts[1]), modules: safe(parts[2]), run: json(run)})
-            var size = (text.length / 1e6).toFixed(1) + ' MB'
+        const form = new URL('player.html', import.meta.url)
+        return Promise.all([textOf(form), textOf(source.src), bundle(PLAYER, [])]).then(parts => {
+            const text = page(parts[0], {title: escaped(title), three: safe(parts[1]), modules: safe(parts[2]), run: json(run)})
+            const size = (text.length / 1e6).toFixed(1) + ' MB'
             if (text.length > MOST) {
                 throw new Error('the file is too large: ' + size + ', legal: at most ' + MOST / 1e6
                     + ' MB; share a shorter record, or a world with fewer and simpler models')
             }
             saveText(title + '.html', text)
-            messages.say('info', 'saved the run as ' + title + '.html, ' + size + ': it opens in any browser, without SEAR'
-                + (motion.why ? '; without beams and wheel rotation: ' + motion.why : ''))
+            this.messages.say('info', 'saved the run as ' + title + '.html, ' + size + ': it opens in any browser, without SEAR'
+                + (this.motion.why ? '; without beams and wheel rotation: ' + this.motion.why : ''))
         })
     }
+
     /** Returns a world without this page's own data. */
-    function plain(world) {
+    plain(world) {
         return JSON.parse(JSON.stringify({time: 0, sensors: [], objects: world.objects, robots: world.robots},
             (key, value) => key === '$shape' || key === '$$hashKey' || key === 'path' ? undefined : value))
     }
-    return share
 }

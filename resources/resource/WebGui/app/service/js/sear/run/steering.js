@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Service calls of a robot that the user drives with keys, buttons or a gamepad, depending on its steering.
-var RADIUS = 0.3            // metres: narrowest arc of a differential drive while it drives on
+const RADIUS = 0.3            // metres: narrowest arc of a differential drive while it drives on
 
 function angle(steered, left) {
     return left === 0 ? steered.straight : steered.straight + Math.abs(left) * ((left > 0 ? steered.left : steered.right) - steered.straight)
@@ -15,10 +15,10 @@ export function isFixed(robot) {
  * @param way forward and left, -1 to 1 @param most m/s at 1
  */
 export function drive(robot, way, most) {
-    var speed = way[0] * most
-    var straight = ['driveStraight', robot.name, speed]
+    const speed = way[0] * most
+    const straight = ['driveStraight', robot.name, speed]
     if (robot.steered) {
-        var degrees = angle(robot.steered, way[1])
+        const degrees = angle(robot.steered, way[1])
         return [robot.steered.servo ? ['setServo', robot.steered.servo, degrees] : ['setSteering', robot.name, degrees], straight]
     }
     if (way[1] === 0 || isFixed(robot)) {

@@ -5,12 +5,12 @@ import {driver} from '../lib/driver.js'
 import {frame} from '../shared/geometry.js'
 import {local} from '../world/pointing.js'
 
-var OPENS_MILLIS = 2000     // maximum wait for a step's element
-var MOVED = 0.3             // metres that the robot has to drive
-var NEAREST = 0.2           // minimum distance of an obstacle ahead of the robot, metres
-var FARTHEST = 3            // and maximum: the sensor's range
-var MARK = 'sear-marked'    // class of the element to click
-var ASIDE = 0.35            // maximum lateral offset of an obstacle, metres
+const OPENS_MILLIS = 2000     // maximum wait for a step's element
+const MOVED = 0.3             // metres that the robot has to drive
+const NEAREST = 0.2           // minimum distance of an obstacle ahead of the robot, metres
+const FARTHEST = 3            // and maximum: the sensor's range
+const MARK = 'sear-marked'    // class of the element to click
+const ASIDE = 0.35            // maximum lateral offset of an obstacle, metres
 
 /**
  * Returns the steps: element to point at, palette entry to click, text, completion test, and the text after a mistake.
@@ -25,18 +25,18 @@ function stepsOf(panel, world, palette, script, layout) {
     }
     /** Whether a robot has left its start. */
     function hasMoved() {
-        return panel.isSimulating() && now().robots.some(function(robot) {
-            var first = robot.path[0]
+        return panel.isSimulating() && now().robots.some(robot => {
+            const first = robot.path[0]
             return Math.hypot(robot.pose[0] - first[0], robot.pose[2] - first[1]) > MOVED
         })
     }
-    var hasRobot = () => now().robots.length > 0
-    var hasSensor = () => now().sensors.length > 0
-    var boxes = () => now().objects.filter(object => object.type === 'Box')
+    const hasRobot = () => now().robots.length > 0
+    const hasSensor = () => now().sensors.length > 0
+    const boxes = () => now().objects.filter(object => object.type === 'Box')
     /** Whether an object is ahead of a robot. */
     function isAhead(thing) {
-        return now().robots.some(function(robot) {
-            var at = local(frame(robot.pose), thing.pose)
+        return now().robots.some(robot => {
+            const at = local(frame(robot.pose), thing.pose)
             return Math.abs(at[0]) < ASIDE && at[2] > NEAREST && at[2] < FARTHEST
         })
     }
@@ -57,7 +57,7 @@ function stepsOf(panel, world, palette, script, layout) {
             done: () => boxes().some(isAhead), wrong: () => boxes().length > 0,
             instead: 'That box is not in the rover\'s way. Drag it to about a metre ahead of the rover, along the blue axis.'},
         {at: '.sear-making', title: 'Start',
-            text: 'Click <b>Test drive</b>: the simulation starts, and the keys drive the rover.', done: panel.isSimulating},
+            text: 'Click <b>Test drive</b>: the simulation starts, and the keys drive the rover.', done: () => panel.isSimulating()},
         {at: '.sear-driving', title: 'Drive',
             text: 'Hold <b>W</b> or the arrow up, or click an arrow below the view. <i>Readings</i>, on the right, shows the sensor\'s values.',
             done: hasMoved},
@@ -75,106 +75,114 @@ function stepsOf(panel, world, palette, script, layout) {
     ]
 }
 
-/** Makes the tour of one panel. */
-export function makeTour(panel, world, view, palette, script, layout) {
-    var tour = {step: null}     // number of the step; null without a tour
-    var steps = stepsOf(panel, world, palette, script, layout)
-    var guide = null
+/** The tour of one panel. */
+export class Tour {
+    constructor(panel, world, view, palette, script, layout) {
+        this.panel = panel
+        this.view = view
+        this.palette = palette
+        this.layout = layout
+        this.step = null
+        this.steps = stepsOf(panel, world, palette, script, layout)
+        this.guide = null
+        /** Checks the step at each digest: a finished step opens the next one. */
+        panel.scope.$watch(() => {
+            const step = this.guide && this.steps[this.step]
+            return step && step.done && step.done() ? this.step : null
+        }, done => {
+            if (done !== null) {
+                panel.timeout(() => {
+                    if (this.guide && this.step === done) {
+                        this.guide.moveNext()
+                        panel.scope.$applyAsync()
+                    }
+                })
+            }
+        })
+        /** After a mistake, the step shows how to correct it. */
+        panel.scope.$watch(() => {
+            const step = this.guide && this.steps[this.step]
+            return step && step.wrong && step.wrong() && !step.done() ? this.step : null
+        }, wrong => {
+            if (wrong !== null) {
+                this.guide.getConfig().steps[wrong].popover.description = this.steps[wrong].instead
+                this.guide.moveTo(wrong)
+            }
+        })
+        panel.scope.$on('$destroy', () => {
+            if (this.guide) {
+                this.guide.destroy()
+            }
+        })
+    }
 
-    function show() {
+    show() {
         return driver({
             animate: false,                     // continues immediately after a finished step, and clicks during a transition count
             allowKeyboardControl: false,        // the arrow keys drive
             overlayOpacity: 0.35,
             stagePadding: 4,
-            overlayClickBehavior: function() { },
+            overlayClickBehavior: () => { },
             showProgress: true,
             progressText: '{{current}} of {{total}}',
             showButtons: ['next', 'close'],
             nextBtnText: 'Skip',
             doneBtnText: 'Done',
-            popoverClass: 'sear-tour' + (layout.dark ? ' sear-tour-dark' : ''),
+            popoverClass: 'sear-tour' + (this.layout.dark ? ' sear-tour-dark' : ''),
             waitForElement: OPENS_MILLIS,
-            steps: steps.map(step => ({
-                element: () => panel.element('workspace').querySelector(step.at),
+            steps: this.steps.map(step => ({
+                element: () => this.panel.element('workspace').querySelector(step.at),
                 popover: {title: step.title, description: step.text}
             })),
-            onHighlightStarted: function() {
-                tour.step = guide.getActiveIndex()
+            onHighlightStarted: () => {
+                this.step = this.guide.getActiveIndex()
             },
-            onHighlighted: point,
-            onDestroyed: function() {
-                tour.step = null
-                unmark(panel.element('workspace'))
-                guide = null
-                panel.scope.$applyAsync()
+            onHighlighted: () => this.point(),
+            onDestroyed: () => {
+                this.step = null
+                this.unmark(this.panel.element('workspace'))
+                this.guide = null
+                this.panel.scope.$applyAsync()
             }
         })
     }
+
     /** Scrolls to the palette entry to click, and marks it. */
-    function point() {
-        var step = steps[tour.step]
-        var whole = panel.element('workspace')
-        unmark(whole)
+    point() {
+        const step = this.steps[this.step]
+        const whole = this.panel.element('workspace')
+        this.unmark(whole)
         if (step && step.make) {
-            palette.sought = ''
-            panel.timeout(function() {      // when the unfiltered palette exists
-                var button = whole.querySelector('[data-make="' + step.make + '"]')
-                if (button && steps[tour.step] === step) {
+            this.palette.sought = ''
+            this.panel.timeout(() => {      // when the unfiltered palette exists
+                const button = whole.querySelector('[data-make="' + step.make + '"]')
+                if (button && this.steps[this.step] === step) {
                     button.classList.add(MARK)
                     button.scrollIntoView({block: 'center'})
                 }
             })
         }
     }
-    function unmark(whole) {
+
+    unmark(whole) {
         whole.querySelectorAll('.' + MARK).forEach(button => button.classList.remove(MARK))
     }
-    tour.start = function() {
-        loadStyle().then(function() {
-            view.build(true)
-            guide = show()
-            guide.drive()
-            panel.scope.$applyAsync()
+
+    start() {
+        loadStyle().then(() => {
+            this.view.build(true)
+            this.guide = this.show()
+            this.guide.drive()
+            this.panel.scope.$applyAsync()
         })
     }
-    /** Checks the step at each digest: a finished step opens the next one. */
-    panel.scope.$watch(function() {
-        var step = guide && steps[tour.step]
-        return step && step.done && step.done() ? tour.step : null
-    }, function(done) {
-        if (done !== null) {
-            panel.timeout(function() {
-                if (guide && tour.step === done) {
-                    guide.moveNext()
-                    panel.scope.$applyAsync()
-                }
-            })
-        }
-    })
-    /** After a mistake, the step shows how to correct it. */
-    panel.scope.$watch(function() {
-        var step = guide && steps[tour.step]
-        return step && step.wrong && step.wrong() && !step.done() ? tour.step : null
-    }, function(wrong) {
-        if (wrong !== null) {
-            guide.getConfig().steps[wrong].popover.description = steps[wrong].instead
-            guide.moveTo(wrong)
-        }
-    })
-    panel.scope.$on('$destroy', function() {
-        if (guide) {
-            guide.destroy()
-        }
-    })
-    return tour
 }
 
-var style = null
+let style = null
 /** Loads the styles of driver.js, once per page. */
 function loadStyle() {
-    style = style || new Promise(function(done) {
-        var link = document.createElement('link')
+    style = style || new Promise(done => {
+        const link = document.createElement('link')
         link.rel = 'stylesheet'
         link.href = new URL('../lib/driver.css', import.meta.url)
         link.onload = link.onerror = done       // works without styles, too

@@ -2,87 +2,96 @@
 // Records the SEAR panel's view as a video with the browser's recorder.
 import {saveBlob} from '../shared/words.js'
 
-var RATE = 30               // maximum frame rate
-var BITS = 6e6              // bits per second
-var LONGEST_MILLIS = 600000
-var KINDS = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm']
-var STOP = /(#[0-9a-f]{6}) (-?[\d.]+)%/g
+const RATE = 30               // maximum frame rate
+const BITS = 6e6              // bits per second
+const LONGEST_MILLIS = 600000
+const KINDS = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm']
+const STOP = /(#[0-9a-f]{6}) (-?[\d.]+)%/g
 
-/** Makes the video recorder of one panel. */
-export function makeVideo(panel, messages, view, picture) {
-    var film = null             // canvas, pen, recorder, parts, timer
-    var video = {running: false}
+/** The video recorder of one panel. */
+export class Video {
+    constructor(panel, messages, view, picture) {
+        this.panel = panel
+        this.messages = messages
+        this.view = view
+        this.picture = picture
+        this.film = null        // canvas, pen, recorder, parts, timer
+        this.running = false
+        /** Copies the frame right after drawing, because the browser discards it afterwards. */
+        picture.painted.hear(() => {
+            if (this.film) {
+                this.paintBehind(picture.canvas())
+            }
+        })
+        panel.scope.$on('$destroy', () => {
+            if (this.film) {
+                this.film.recorder.stop()
+            }
+        })
+    }
 
-    function kind() {
+    kind() {
         return window.MediaRecorder && KINDS.filter(one => window.MediaRecorder.isTypeSupported(one))[0]
     }
+
     /** Returns why no video is possible; empty if one is. */
-    video.whyNot = function() {
-        return kind() ? '' : 'This browser can\'t record video'
+    whyNot() {
+        return this.kind() ? '' : 'This browser can\'t record video'
     }
-    video.toggle = function() {
-        if (film) {
-            film.recorder.stop()
+
+    toggle() {
+        if (this.film) {
+            this.film.recorder.stop()
         } else {
-            begin()
+            this.begin()
         }
     }
-    function begin() {
-        var canvas = document.createElement('canvas')
-        var shown = picture.canvas()
+
+    begin() {
+        const canvas = document.createElement('canvas')
+        const shown = this.picture.canvas()
         canvas.width = shown.width - shown.width % 2
         canvas.height = shown.height - shown.height % 2
-        film = {canvas: canvas, pen: canvas.getContext('2d'), parts: []}
-        film.recorder = new window.MediaRecorder(canvas.captureStream(RATE), {mimeType: kind(), videoBitsPerSecond: BITS})
-        film.recorder.ondataavailable = function(event) {
-            film.parts.push(event.data)
+        this.film = {canvas, pen: canvas.getContext('2d'), parts: []}
+        this.film.recorder = new window.MediaRecorder(canvas.captureStream(RATE), {mimeType: this.kind(), videoBitsPerSecond: BITS})
+        this.film.recorder.ondataavailable = event => {
+            this.film.parts.push(event.data)
         }
-        film.recorder.onstop = end
-        film.recorder.start(1000)
-        film.timer = window.setTimeout(function() {
-            messages.say('warn', 'the video ends here at its maximum length, ' + LONGEST_MILLIS / 60000 + ' minutes')
-            film.recorder.stop()
+        this.film.recorder.onstop = () => this.end()
+        this.film.recorder.start(1000)
+        this.film.timer = window.setTimeout(() => {
+            this.messages.say('warn', 'the video ends here at its maximum length, ' + LONGEST_MILLIS / 60000 + ' minutes')
+            this.film.recorder.stop()
         }, LONGEST_MILLIS)
-        video.running = true
-        picture.repaint()
+        this.running = true
+        this.picture.repaint()
     }
-    function end() {
-        var done = film
-        film = null
-        video.running = false
+
+    end() {
+        const done = this.film
+        this.film = null
+        this.running = false
         window.clearTimeout(done.timer)
         done.recorder.stream.getTracks().forEach(track => track.stop())
         saveBlob('sear.webm', new Blob(done.parts, {type: 'video/webm'}))
-        messages.say('info', 'saved the video as sear.webm')
-        panel.scope.$applyAsync()
+        this.messages.say('info', 'saved the video as sear.webm')
+        this.panel.scope.$applyAsync()
     }
 
     /** Paints the background of the view: the sky, which is CSS, or the page's colour. */
-    function paintBehind(shown) {
-        var height = film.canvas.height
-        var scene = view.mode === 'space' && view.scene()
-        var stops = scene && scene.sky ? Array.from(scene.sky.matchAll(STOP)).map(found => [found[1], Number(found[2]) / 100]) : []
-        film.pen.fillStyle = window.getComputedStyle(document.body).backgroundColor
+    paintBehind(shown) {
+        const height = this.film.canvas.height
+        const scene = this.view.mode === 'space' && this.view.scene()
+        const stops = scene && scene.sky ? Array.from(scene.sky.matchAll(STOP)).map(found => [found[1], Number(found[2]) / 100]) : []
+        this.film.pen.fillStyle = window.getComputedStyle(document.body).backgroundColor
         if (stops.length) {
-            var low = Math.min(0, stops[0][1])
-            var high = Math.max(1, stops[stops.length - 1][1])
-            var sky = film.pen.createLinearGradient(0, low * height, 0, high * height)
+            const low = Math.min(0, stops[0][1])
+            const high = Math.max(1, stops[stops.length - 1][1])
+            const sky = this.film.pen.createLinearGradient(0, low * height, 0, high * height)
             stops.forEach(stop => sky.addColorStop((stop[1] - low) / (high - low), stop[0]))
-            film.pen.fillStyle = sky
+            this.film.pen.fillStyle = sky
         }
-        film.pen.fillRect(0, 0, film.canvas.width, height)
-        film.pen.drawImage(shown, 0, 0, film.canvas.width, height)
+        this.film.pen.fillRect(0, 0, this.film.canvas.width, height)
+        this.film.pen.drawImage(shown, 0, 0, this.film.canvas.width, height)
     }
-    /** Copies the frame right after drawing, because the browser discards it afterwards. */
-    picture.painted.hear(function() {
-        if (film) {
-            paintBehind(picture.canvas())
-        }
-    })
-    panel.scope.$on('$destroy', function() {
-        if (film) {
-            film.recorder.stop()
-        }
-    })
-    return video
 }

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Models and pictures of shapes for the SEAR panel's 3D view, each requested when first needed. The Java class LookTable
 // documents the data format.
-var KEYS_AT_ONCE = 60
-var PATIENCE_MILLIS = 10000 // timeout: requests it again
-var MOST_SAMPLES = 8
+const KEYS_AT_ONCE = 60
+const PATIENCE_MILLIS = 10000 // timeout: requests it again
+const MOST_SAMPLES = 8
 
 function numbers(Type, base64) {
-    var text = window.atob(base64)
-    var bytes = new Uint8Array(text.length)
-    for (var i = 0; i < text.length; i++) {
+    const text = window.atob(base64)
+    const bytes = new Uint8Array(text.length)
+    for (let i = 0; i < text.length; i++) {
         bytes[i] = text.charCodeAt(i)
     }
     return new Type(bytes.buffer)
 }
 
 function surface(part) {
-    var THREE = window.THREE
-    var packed = numbers(window.Uint16Array, part.positions)
-    var signed = numbers(window.Int8Array, part.normals)
-    var positions = new window.Float32Array(packed.length)
-    var normals = new window.Float32Array(packed.length)
-    for (var i = 0; i < packed.length; i++) {
+    const THREE = window.THREE
+    const packed = numbers(window.Uint16Array, part.positions)
+    const signed = numbers(window.Int8Array, part.normals)
+    const positions = new window.Float32Array(packed.length)
+    const normals = new window.Float32Array(packed.length)
+    for (let i = 0; i < packed.length; i++) {
         positions[i] = part.low[i % 3] + packed[i] * (part.high[i % 3] - part.low[i % 3]) / 65535
         normals[i] = signed[i] / 127
     }
-    var made = new THREE.BufferGeometry()
+    const made = new THREE.BufferGeometry()
     made.addAttribute('position', new THREE.BufferAttribute(positions, 3))
     made.addAttribute('normal', new THREE.BufferAttribute(normals, 3))
     made.addAttribute('uv', new THREE.BufferAttribute(numbers(window.Float32Array, part.pictures), 2))
@@ -36,106 +36,105 @@ function surface(part) {
  * @param whenThere called when some have arrived
  * @param smooth the graphics card's maximum anisotropy
  */
-export function Looks(ask, whenThere, smooth) {
-    this.ask = ask
-    this.whenThere = whenThere
-    this.smooth = Math.min(MOST_SAMPLES, smooth)
-    this.looks = {}             // by number of the look: its received parts
-    this.textures = {}          // by path of the picture: texture, or null if it can't be shown
-    this.wanted = {}            // requested keys, and when they were requested
-}
-
-/** Returns the parts of a look; null until all are there. */
-Looks.prototype.look = function(id) {
-    var look = this.looks[id]
-    if (!look) {
-        this.wanted[id + '/0'] = this.wanted[id + '/0'] || 0
-        return null
+export class Looks {
+    constructor(ask, whenThere, smooth) {
+        this.ask = ask
+        this.whenThere = whenThere
+        this.smooth = Math.min(MOST_SAMPLES, smooth)
+        this.looks = {}             // by number of the look: its received parts
+        this.textures = {}          // by path of the picture: texture, or null if it can't be shown
+        this.wanted = {}            // requested keys, and when they were requested
     }
-    for (var i = 0; i < look.length; i++) {
-        if (!look[i]) {
-            this.wanted[id + '/' + i] = this.wanted[id + '/' + i] || 0
+
+    /** Returns the parts of a look; null until all are there. */
+    look(id) {
+        const look = this.looks[id]
+        if (!look) {
+            this.wanted[id + '/0'] = this.wanted[id + '/0'] || 0
             return null
         }
-    }
-    return look
-}
-
-/** Returns the texture of a picture; undefined until it is there, null if it can't be shown. */
-Looks.prototype.texture = function(path) {
-    if (!Object.prototype.hasOwnProperty.call(this.textures, path)) {
-        this.wanted['picture ' + path] = this.wanted['picture ' + path] || 0
-    }
-    return this.textures[path]
-}
-
-Looks.prototype.want = function() {
-    var now = Date.now()
-    var keys = Object.keys(this.wanted)
-    var open = keys.some(function(key) {
-        return this.wanted[key] && now - this.wanted[key] < PATIENCE_MILLIS
-    }, this)
-    if (!open && keys.length) {
-        keys = keys.slice(0, KEYS_AT_ONCE)
-        keys.forEach(function(key) {
-            this.wanted[key] = now
-        }, this)
-        this.ask(keys)
-    }
-}
-
-/** Takes what the service has sent, for this page or another one. */
-Looks.prototype.take = function(sent) {
-    angular.forEach(sent, function(one) {
-        if (Object.prototype.hasOwnProperty.call(this.wanted, one.key)) {
-            delete this.wanted[one.key]
-            if (one.positions) {
-                var at = one.key.lastIndexOf('/')
-                var id = one.key.slice(0, at)
-                this.looks[id] = this.looks[id] || new Array(one.parts).fill(null)
-                this.looks[id][Number(one.key.slice(at + 1))] = surface(one)
-            } else {
-                this.takePicture(one)
+        for (let i = 0; i < look.length; i++) {
+            if (!look[i]) {
+                this.wanted[id + '/' + i] = this.wanted[id + '/' + i] || 0
+                return null
             }
         }
-    }, this)
-    Object.keys(this.wanted).forEach(function(key) {
-        this.wanted[key] = 0        // requests again what did not fit into the answer
-    }, this)
-    this.whenThere()
-}
+        return look
+    }
 
-Looks.prototype.takePicture = function(sent) {
-    var THREE = window.THREE
-    var self = this
-    var path = sent.key.slice('picture '.length)
-    if (!sent.data) {
-        this.textures[path] = null
-        return
-    }
-    var image = new window.Image()
-    image.onload = function() {
-        var texture = new THREE.Texture(image)
-        var round = (image.width & image.width - 1) === 0 && (image.height & image.height - 1) === 0
-        texture.wrapS = texture.wrapT = THREE.RepeatWrapping
-        if (!round) {
-            texture.image = squared(image)      // WebGL 1 repeats only power-of-two textures
+    /** Returns the texture of a picture; undefined until it is there, null if it can't be shown. */
+    texture(path) {
+        if (!Object.prototype.hasOwnProperty.call(this.textures, path)) {
+            this.wanted['picture ' + path] = this.wanted['picture ' + path] || 0
         }
-        texture.anisotropy = self.smooth
-        texture.needsUpdate = true
-        self.textures[path] = texture
-        self.whenThere()
+        return this.textures[path]
     }
-    image.onerror = function() {
-        self.textures[path] = null
-        self.whenThere()
+
+    want() {
+        const now = Date.now()
+        let keys = Object.keys(this.wanted)
+        const open = keys.some(key => this.wanted[key] && now - this.wanted[key] < PATIENCE_MILLIS)
+        if (!open && keys.length) {
+            keys = keys.slice(0, KEYS_AT_ONCE)
+            keys.forEach(key => {
+                this.wanted[key] = now
+            })
+            this.ask(keys)
+        }
     }
-    image.src = sent.data
+
+    /** Takes what the service has sent, for this page or another one. */
+    take(sent) {
+        angular.forEach(sent, one => {
+            if (Object.prototype.hasOwnProperty.call(this.wanted, one.key)) {
+                delete this.wanted[one.key]
+                if (one.positions) {
+                    const at = one.key.lastIndexOf('/')
+                    const id = one.key.slice(0, at)
+                    this.looks[id] = this.looks[id] || new Array(one.parts).fill(null)
+                    this.looks[id][Number(one.key.slice(at + 1))] = surface(one)
+                } else {
+                    this.takePicture(one)
+                }
+            }
+        })
+        Object.keys(this.wanted).forEach(key => {
+            this.wanted[key] = 0        // requests again what did not fit into the answer
+        })
+        this.whenThere()
+    }
+
+    takePicture(sent) {
+        const THREE = window.THREE
+        const path = sent.key.slice('picture '.length)
+        if (!sent.data) {
+            this.textures[path] = null
+            return
+        }
+        const image = new window.Image()
+        image.onload = () => {
+            const texture = new THREE.Texture(image)
+            const round = (image.width & image.width - 1) === 0 && (image.height & image.height - 1) === 0
+            texture.wrapS = texture.wrapT = THREE.RepeatWrapping
+            if (!round) {
+                texture.image = squared(image)      // WebGL 1 repeats only power-of-two textures
+            }
+            texture.anisotropy = this.smooth
+            texture.needsUpdate = true
+            this.textures[path] = texture
+            this.whenThere()
+        }
+        image.onerror = () => {
+            this.textures[path] = null
+            this.whenThere()
+        }
+        image.src = sent.data
+    }
 }
 
 /** Scales a picture to sides that are powers of two. */
 function squared(image) {
-    var canvas = document.createElement('canvas')
+    const canvas = document.createElement('canvas')
     canvas.width = Math.pow(2, Math.round(Math.log(image.width) / Math.LN2))
     canvas.height = Math.pow(2, Math.round(Math.log(image.height) / Math.LN2))
     canvas.getContext('2d').drawImage(image, 0, 0, canvas.width, canvas.height)

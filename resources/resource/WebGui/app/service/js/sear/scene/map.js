@@ -4,35 +4,33 @@ import * as geometry from '../shared/geometry.js'
 import {penOf} from '../shared/page.js'
 import {lay} from './pictures.js'
 
-var PATH = '#337ab7'
-var EYE = '#2e9bd6'
-var AXES = [['x north', ['#c62828', '#ff8a80'], [1, 0]], ['z east', ['#1565c0', '#7ab8ff'], [0, 1]]]    // for light and dark ground
-var AXIS = 1.5              // length of the axes, metres: less than an empty map shows
-var SMALLEST_ROBOT = 4      // pixels: a smaller robot is drawn as a dot
+const PATH = '#337ab7'
+const EYE = '#2e9bd6'
+const AXES = [['x north', ['#c62828', '#ff8a80'], [1, 0]], ['z east', ['#1565c0', '#7ab8ff'], [0, 1]]]    // for light and dark ground
+const AXIS = 1.5              // length of the axes, metres: less than an empty map shows
+const SMALLEST_ROBOT = 4      // pixels: a smaller robot is drawn as a dot
 
 /** Returns a function from metres on the ground to pixels of a canvas. */
 export function projection(element, view) {
-    var x0 = element.clientWidth / 2
-    var y0 = element.clientHeight / 2
-    return function(x, z) {
-        return {x: x0 + (z - view.z) * view.scale, y: y0 - (x - view.x) * view.scale}
-    }
+    const x0 = element.clientWidth / 2
+    const y0 = element.clientHeight / 2
+    return (x, z) => ({x: x0 + (z - view.z) * view.scale, y: y0 - (x - view.x) * view.scale})
 }
 
-/** Draws the map. @param world may be null @param terrain null without one @param pictures see makePictures */
+/** Draws the map. @param world may be null @param terrain null without one @param pictures see Pictures */
 export function draw(element, view, world, terrain, shapes, pictures) {
-    var pen = penOf(element)
-    var at = projection(element, view)
-    var ink = window.getComputedStyle(element).color
+    const pen = penOf(element)
+    const at = projection(element, view)
+    const ink = window.getComputedStyle(element).color
     if (terrain) {
         terrain.draw(pen, at, areaOf(element, view), view.scale, geometry.isLight(ink))
     }
     drawGrid(pen, at, ink, element, view)
-    shapes.filter(shape => shape.ground).forEach(function(shape) {
+    shapes.filter(shape => shape.ground).forEach(shape => {
         drawShape(pen, at, ink, shape)
     })
-    angular.forEach(world && world.objects, function(object) {
-        var image = object.tile !== undefined && object.picture ? pictures.of(object.picture) : null
+    angular.forEach(world && world.objects, object => {
+        const image = object.tile !== undefined && object.picture ? pictures.of(object.picture) : null
         if (image) {
             lay(pen, at, object, image, geometry.isLight(ink))
         }
@@ -43,52 +41,52 @@ export function draw(element, view, world, terrain, shapes, pictures) {
     if (!world) {
         return
     }
-    shapes.filter(shape => !shape.ground).forEach(function(shape) {
+    shapes.filter(shape => !shape.ground).forEach(shape => {
         drawShape(pen, at, ink, shape)
     })
-    world.robots.forEach(function(robot) {
+    world.robots.forEach(robot => {
         trace(pen, robot.path.map(point => at(point[0], point[1])))
         pen.strokeStyle = PATH
         pen.stroke()
     })
     if (view.beams) {
-        world.sensors.forEach(function(sensor) {
+        world.sensors.forEach(sensor => {
             drawBeams(pen, at, sensor)
         })
     }
-    world.robots.forEach(function(robot) {
+    world.robots.forEach(robot => {
         drawHeading(pen, at, ink, robot)
     })
 }
 
 /** Returns the area that a canvas shows: its edges in metres. */
 function areaOf(element, view) {
-    var up = element.clientHeight / 2 / view.scale
-    var across = element.clientWidth / 2 / view.scale
+    const up = element.clientHeight / 2 / view.scale
+    const across = element.clientWidth / 2 / view.scale
     return {south: view.x - up, north: view.x + up, west: view.z - across, east: view.z + across}
 }
 
 /** Makes points, in pixels, the current path. */
 function trace(pen, points) {
     pen.beginPath()
-    points.forEach(function(point) {
+    points.forEach(point => {
         pen.lineTo(point.x, point.y)
     })
 }
 
 function drawGrid(pen, at, ink, element, view) {
-    var step = 1
+    let step = 1
     while (step * view.scale < 40) {
         step *= String(step).charAt(0) === '2' ? 2.5 : 2      // 1, 2, 5, 10, ..
     }
-    var across = element.clientWidth / 2 / view.scale
-    var up = element.clientHeight / 2 / view.scale
+    const across = element.clientWidth / 2 / view.scale
+    const up = element.clientHeight / 2 / view.scale
     pen.beginPath()
-    for (var z = Math.ceil((view.z - across) / step) * step; z <= view.z + across; z += step) {
+    for (let z = Math.ceil((view.z - across) / step) * step; z <= view.z + across; z += step) {
         pen.moveTo(at(0, z).x, 0)
         pen.lineTo(at(0, z).x, element.clientHeight)
     }
-    for (var x = Math.ceil((view.x - up) / step) * step; x <= view.x + up; x += step) {
+    for (let x = Math.ceil((view.x - up) / step) * step; x <= view.x + up; x += step) {
         pen.moveTo(0, at(x, 0).y)
         pen.lineTo(element.clientWidth, at(x, 0).y)
     }
@@ -107,8 +105,8 @@ function drawGrid(pen, at, ink, element, view) {
 /** Draws the axes while building, as in the 3D view. */
 function drawAxes(pen, at, dark) {
     pen.lineWidth = 2
-    AXES.forEach(function(axis) {
-        var end = at(AXIS * axis[2][0], AXIS * axis[2][1])
+    AXES.forEach(axis => {
+        const end = at(AXIS * axis[2][0], AXIS * axis[2][1])
         trace(pen, [at(0, 0), end])
         pen.strokeStyle = pen.fillStyle = axis[1][dark ? 1 : 0]
         pen.stroke()
@@ -131,18 +129,18 @@ function drawShape(pen, at, ink, shape) {
 }
 
 function drawBeams(pen, at, sensor) {
-    var pose = geometry.frame(sensor.pose)
+    const pose = geometry.frame(sensor.pose)
     if (sensor.ranges) {
         drawScan(pen, at, pose, sensor)
     }
-    angular.forEach(sensor.cones, function(cone) {
+    angular.forEach(sensor.cones, cone => {
         drawCone(pen, at, pose, cone)
     })
     if (sensor.eye) {
         drawEye(pen, at, pose, sensor.eye.edge)
     }
     if (sensor.hit) {
-        var hit = at(sensor.hit[0], sensor.hit[2])
+        const hit = at(sensor.hit[0], sensor.hit[2])
         pen.fillStyle = '#d9534f'
         pen.fillRect(hit.x - 2.5, hit.y - 2.5, 5, 5)
     }
@@ -150,20 +148,20 @@ function drawBeams(pen, at, sensor) {
 
 /** Returns the end of a beam, in pixels. @param direction unit vector in the sensor's frame */
 function beamEnd(at, pose, direction, metres) {
-    var end = geometry.onGround(pose, direction.map(part => part * metres))
+    const end = geometry.onGround(pose, direction.map(part => part * metres))
     return at(end[0], end[1])
 }
 
 /** Draws the beams with hits; beams without a hit leave a gap. */
 function drawScan(pen, at, pose, sensor) {
-    var from = at(pose[0], pose[2])
-    var ends = sensor.ranges.map((metres, i) => metres === null ? null : beamEnd(at, pose, sensor.fan[i], metres))
+    const from = at(pose[0], pose[2])
+    const ends = sensor.ranges.map((metres, i) => metres === null ? null : beamEnd(at, pose, sensor.fan[i], metres))
     trace(pen, [from].concat(ends.map(end => end || from)))
     pen.closePath()
     pen.fillStyle = 'rgba(240, 173, 78, 0.18)'
     pen.fill()
     pen.fillStyle = '#f0ad4e'
-    ends.forEach(function(end) {
+    ends.forEach(end => {
         if (end) {
             pen.fillRect(end.x - 1.5, end.y - 1.5, 3, 3)
         }
@@ -172,9 +170,9 @@ function drawScan(pen, at, pose, sensor) {
 
 /** Draws a sonar's cone; one without width is a line. */
 function drawCone(pen, at, pose, cone) {
-    var points = [at(pose[0], pose[2])]
-    for (var i = -6; i <= 6; i++) {
-        var angle = ((cone.yaw || 0) + cone.halfAngle * i / 6) * Math.PI / 180
+    const points = [at(pose[0], pose[2])]
+    for (let i = -6; i <= 6; i++) {
+        const angle = ((cone.yaw || 0) + cone.halfAngle * i / 6) * Math.PI / 180
         points.push(beamEnd(at, pose, [Math.sin(angle), 0, Math.cos(angle)], cone.range))
     }
     trace(pen, points)
@@ -187,10 +185,10 @@ function drawCone(pen, at, pose, cone) {
 
 /** Draws a camera's field of view between its left and right edges. @param edge x, y, z of points around its picture */
 function drawEye(pen, at, pose, edge) {
-    var half = edge.length / 6
-    var points = [at(pose[0], pose[2])]
-    for (var i = 0; i <= half / 2; i++) {       // along the upper side
-        var end = geometry.onGround(pose, [edge[3 * i], 0, edge[3 * i + 2]])
+    const half = edge.length / 6
+    const points = [at(pose[0], pose[2])]
+    for (let i = 0; i <= half / 2; i++) {       // along the upper side
+        const end = geometry.onGround(pose, [edge[3 * i], 0, edge[3 * i + 2]])
         points.push(at(end[0], end[1]))
     }
     trace(pen, points)
@@ -200,9 +198,9 @@ function drawEye(pen, at, pose, edge) {
 }
 
 function drawHeading(pen, at, ink, robot) {
-    var ahead = geometry.onGround(geometry.frame(robot.pose), [0, 0, 0.3])
-    var from = at(robot.pose[0], robot.pose[2])
-    var end = at(ahead[0], ahead[1])
+    const ahead = geometry.onGround(geometry.frame(robot.pose), [0, 0, 0.3])
+    const from = at(robot.pose[0], robot.pose[2])
+    const end = at(ahead[0], ahead[1])
     if (Math.abs(end.x - from.x) + Math.abs(end.y - from.y) < SMALLEST_ROBOT) {
         pen.beginPath()
         pen.arc(from.x, from.y, SMALLEST_ROBOT, 0, 2 * Math.PI)

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes made by the SEAR panel's 3D view: the ground from its elevation, and boxes around objects without a model.
-var MOST_POSTS = 255        // maximum grid posts per side of the terrain: indices have 16 bits
+const MOST_POSTS = 255        // maximum grid posts per side of the terrain: indices have 16 bits
 
 export function ground(terrain) {
-    var THREE = window.THREE
-    var sent = terrain.sent
-    var rows = Math.min(MOST_POSTS, sent.rows)
-    var columns = Math.min(MOST_POSTS, sent.columns)
-    var positions = new window.Float32Array(3 * rows * columns)
-    var places = new window.Float32Array(2 * rows * columns)
-    for (var i = 0; i < rows * columns; i++) {
-        var north = Math.floor(i / columns) / (rows - 1)
-        var east = i % columns / (columns - 1)
-        var x = sent.south + (sent.north - sent.south) * north
-        var z = sent.west + (sent.east - sent.west) * east
+    const THREE = window.THREE
+    const sent = terrain.sent
+    const rows = Math.min(MOST_POSTS, sent.rows)
+    const columns = Math.min(MOST_POSTS, sent.columns)
+    const positions = new window.Float32Array(3 * rows * columns)
+    const places = new window.Float32Array(2 * rows * columns)
+    for (let i = 0; i < rows * columns; i++) {
+        const north = Math.floor(i / columns) / (rows - 1)
+        const east = i % columns / (columns - 1)
+        const x = sent.south + (sent.north - sent.south) * north
+        const z = sent.west + (sent.east - sent.west) * east
         positions.set([x, terrain.height(x, z) || 0, z], 3 * i)
         places.set([east, north], 2 * i)
     }
-    var corners = new window.Uint16Array(6 * (rows - 1) * (columns - 1))
-    var at = 0
-    for (var row = 0; row < rows - 1; row++) {
-        for (var column = 0; column < columns - 1; column++) {
-            var a = row * columns + column
+    const corners = new window.Uint16Array(6 * (rows - 1) * (columns - 1))
+    let at = 0
+    for (let row = 0; row < rows - 1; row++) {
+        for (let column = 0; column < columns - 1; column++) {
+            const a = row * columns + column
             corners.set([a, a + 1, a + columns, a + 1, a + columns + 1, a + columns], at)
             at += 6
         }
     }
-    var made = new THREE.BufferGeometry()
-    var index = new THREE.BufferAttribute(corners, 1)
+    const made = new THREE.BufferGeometry()
+    const index = new THREE.BufferAttribute(corners, 1)
     if (made.setIndex) {
         made.setIndex(index)
     } else {
@@ -40,15 +40,15 @@ export function ground(terrain) {
 
 /** Returns the box around an object without a model. */
 export function boxAround(corners) {
-    var low = [Infinity, Infinity, Infinity]
-    var high = [-Infinity, -Infinity, -Infinity]
-    corners.forEach(function(point) {
-        for (var i = 0; i < 3; i++) {
+    const low = [Infinity, Infinity, Infinity]
+    const high = [-Infinity, -Infinity, -Infinity]
+    corners.forEach(point => {
+        for (let i = 0; i < 3; i++) {
             low[i] = Math.min(low[i], point[i])
             high[i] = Math.max(high[i], point[i])
         }
     })
-    var box = new window.THREE.BoxGeometry(high[0] - low[0], high[1] - low[1], high[2] - low[2])
+    const box = new window.THREE.BoxGeometry(high[0] - low[0], high[1] - low[1], high[2] - low[2])
     box.applyMatrix(new window.THREE.Matrix4().makeTranslation((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2))
     return box
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Poses and outlines of a world's objects, as pure functions. Metres; degrees at the interfaces.
-var GROUND = 'rgba(128, 128, 128, 0.12)'
-var ROBOT = 'rgba(51, 122, 183, 0.55)'
-var FAR = 1                 // metres: a step longer than this and faster than FASTEST is a teleport
-var FASTEST = 60            // m/s
+const GROUND = 'rgba(128, 128, 128, 0.12)'
+const ROBOT = 'rgba(51, 122, 183, 0.55)'
+const FAR = 1                 // metres: a step longer than this and faster than FASTEST is a teleport
+const FASTEST = 60            // m/s
 
 /**
  * Converts a pose [x, y, z, rx, ry, rz] in metres and degrees to a frame [x, y, z, qx, qy, qz, qw], rotated like jME's
@@ -13,9 +13,9 @@ export function frame(pose) {
     if (pose.length === 7) {
         return pose
     }
-    var a = [3, 4, 5].map(i => pose[i] * Math.PI / 360)
-    var s = a.map(Math.sin)
-    var c = a.map(Math.cos)
+    const a = [3, 4, 5].map(i => pose[i] * Math.PI / 360)
+    const s = a.map(Math.sin)
+    const c = a.map(Math.cos)
     return [pose[0], pose[1], pose[2], c[1] * c[2] * s[0] + s[1] * s[2] * c[0], s[1] * c[2] * c[0] + c[1] * s[2] * s[0],
         c[1] * s[2] * c[0] - s[1] * c[2] * s[0], c[1] * c[2] * c[0] - s[1] * s[2] * s[0]]
 }
@@ -25,16 +25,16 @@ function cross(a, b) {
 }
 
 export function rotate(pose, v) {
-    var q = [pose[3], pose[4], pose[5]]
-    var t = cross(q, v).map(value => 2 * value)
-    var u = cross(q, t)
+    const q = [pose[3], pose[4], pose[5]]
+    const t = cross(q, v).map(value => 2 * value)
+    const u = cross(q, t)
     return [v[0] + pose[6] * t[0] + u[0], v[1] + pose[6] * t[1] + u[1], v[2] + pose[6] * t[2] + u[2]]
 }
 
 export function times(outer, inner) {
-    var p = rotate(outer, inner)
-    var a = outer.slice(3)
-    var b = inner.slice(3)
+    const p = rotate(outer, inner)
+    const a = outer.slice(3)
+    const b = inner.slice(3)
     return [outer[0] + p[0], outer[1] + p[1], outer[2] + p[2],
         a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1], a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
         a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3], a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]]
@@ -51,15 +51,15 @@ export function between(a, b, share, seconds) {
     if (share >= 1 || Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]) > Math.max(FAR, FASTEST * seconds)) {
         return b
     }
-    var sign = a[3] * b[3] + a[4] * b[4] + a[5] * b[5] + a[6] * b[6] < 0 ? -share : share
-    var rotation = [3, 4, 5, 6].map(i => a[i] * (1 - share) + b[i] * sign)
-    var length = Math.hypot.apply(null, rotation)
+    const sign = a[3] * b[3] + a[4] * b[4] + a[5] * b[5] + a[6] * b[6] < 0 ? -share : share
+    const rotation = [3, 4, 5, 6].map(i => a[i] * (1 - share) + b[i] * sign)
+    const length = Math.hypot.apply(null, rotation)
     return [0, 1, 2].map(i => a[i] + (b[i] - a[i]) * share).concat(rotation.map(value => value / length))
 }
 
 /** Returns the current pose of a part in its robot's body, with wheel and servo rotations. @param i its number */
 export function placeOf(robot, i) {
-    var part = robot.parts[i]
+    const part = robot.parts[i]
     if (part.type === 'Wheel' && robot.wheels) {
         return robot.wheels[i - robot.parts.length + robot.wheels.length]
     }
@@ -68,19 +68,19 @@ export function placeOf(robot, i) {
 
 /** Returns the ground position [x, z] of a point fixed to an object. */
 export function onGround(pose, point) {
-    var at = rotate(pose, point)
+    const at = rotate(pose, point)
     return [pose[0] + at[0], pose[2] + at[2]]
 }
 
 /** Returns the convex outline on the ground: [x, z] points in order. */
 function outline(object, pose) {
-    var points = object.corners.map(corner => onGround(pose, corner)).sort((a, b) => a[0] - b[0] || a[1] - b[1])
+    const points = object.corners.map(corner => onGround(pose, corner)).sort((a, b) => a[0] - b[0] || a[1] - b[1])
     return halfHull(points).concat(halfHull(points.reverse()))
 }
 
 function halfHull(points) {
-    var hull = []
-    points.forEach(function(p) {
+    const hull = []
+    points.forEach(p => {
         while (hull.length > 1 && turn(hull[hull.length - 2], hull[hull.length - 1], p) <= 0) {
             hull.pop()
         }
@@ -96,10 +96,10 @@ function turn(a, b, c) {
 
 /** Returns the shapes of a world with their outlines on the ground; floors and terrains first, below all others. */
 export function shapesOf(world) {
-    var all = world.objects.map(shapeOf)
-    world.robots.forEach(function(robot) {
-        var body = frame(robot.pose)
-        robot.parts.forEach(function(part, i) {
+    let all = world.objects.map(shapeOf)
+    world.robots.forEach(robot => {
+        const body = frame(robot.pose)
+        robot.parts.forEach((part, i) => {
             all.push({color: colorOf(part, ROBOT), ground: false, robot: true, outline: outline(part, times(body, frame(placeOf(robot, i))))})
         })
     })
@@ -109,8 +109,8 @@ export function shapesOf(world) {
 /** Returns an environment object's shape, cached until the object moves. */
 function shapeOf(object) {
     if (!object.$shape || object.$shape.pose !== object.pose) {
-        var ground = object.type === 'Floor' || object.type === 'Terrain' || object.terrain
-        object.$shape = {color: object.ground ? 'transparent' : colorOf(object, ground ? GROUND : object.color), ground: ground, robot: false,
+        const ground = object.type === 'Floor' || object.type === 'Terrain' || object.terrain
+        object.$shape = {color: object.ground ? 'transparent' : colorOf(object, ground ? GROUND : object.color), ground, robot: false,
             pose: object.pose, outline: outline(object, frame(object.pose))}
     }
     return object.$shape
@@ -131,25 +131,25 @@ function isNoGround(shape) {
  * world.
  */
 export function area(shapes) {
-    var things = shapes.filter(isNoGround)
-    var points = [].concat.apply([], (things.some(isNoRobot) ? things : shapes).map(shape => shape.outline))
+    const things = shapes.filter(isNoGround)
+    const points = [].concat.apply([], (things.some(isNoRobot) ? things : shapes).map(shape => shape.outline))
     if (!points.length) {
         return null
     }
-    var x = extent(points, 0)
-    var z = extent(points, 1)
+    const x = extent(points, 0)
+    const z = extent(points, 1)
     return {x: x.middle, z: z.middle, north: x.length, east: z.length, size: Math.max(x.length, z.length)}
 }
 /** Returns the corners of objects in the world, without the ground. */
 export function corners(objects) {
-    return [].concat.apply([], objects.filter(object => !shapeOf(object).ground).map(function(object) {
-        var at = frame(object.pose)
+    return [].concat.apply([], objects.filter(object => !shapeOf(object).ground).map(object => {
+        const at = frame(object.pose)
         return (object.corners || []).map(corner => rotate(at, corner).map((metres, i) => metres + at[i]))
     }))
 }
 /** Fits a map to the shapes. */
 export function fit(view, shapes, element) {
-    var all = area(shapes)
+    const all = area(shapes)
     if (all) {
         view.x = all.x
         view.z = all.z
@@ -160,9 +160,9 @@ function isNoRobot(shape) {
     return !shape.robot
 }
 function extent(points, axis) {
-    var low = Infinity
-    var high = -Infinity
-    points.forEach(function(point) {
+    let low = Infinity
+    let high = -Infinity
+    points.forEach(point => {
         low = Math.min(low, point[axis])
         high = Math.max(high, point[axis])
     })
@@ -171,6 +171,6 @@ function extent(points, axis) {
 
 /** Whether a CSS colour is light: a light text colour means a dark theme. */
 export function isLight(color) {
-    var parts = (color.match(/[\d.]+/g) || [0, 0, 0]).map(Number)
+    const parts = (color.match(/[\d.]+/g) || [0, 0, 0]).map(Number)
     return parts[0] + parts[1] + parts[2] > 384
 }

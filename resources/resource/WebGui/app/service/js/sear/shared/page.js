@@ -28,11 +28,11 @@ export function remember(key, text, messages, what) {
 
 /** Returns a function that runs another one in the next animation frame, once however often it is called. */
 export function oncePerPicture(done) {
-    var waiting = false
-    return function() {
+    let waiting = false
+    return () => {
         if (!waiting) {
             waiting = true
-            window.requestAnimationFrame(function() {
+            window.requestAnimationFrame(() => {
                 waiting = false
                 done()
             })
@@ -42,10 +42,10 @@ export function oncePerPicture(done) {
 
 /** Redraws a panel when its window or the theme changes, until the panel closes. */
 export function whenPageChanges($scope, draw) {
-    var theme = window.matchMedia('(prefers-color-scheme: dark)')
+    const theme = window.matchMedia('(prefers-color-scheme: dark)')
     theme.addEventListener('change', draw)
     window.addEventListener('resize', draw)
-    $scope.$on('$destroy', function() {
+    $scope.$on('$destroy', () => {
         theme.removeEventListener('change', draw)
         window.removeEventListener('resize', draw)
     })
@@ -53,10 +53,10 @@ export function whenPageChanges($scope, draw) {
 
 /** Clears a canvas and returns its context, in page pixels. */
 export function penOf(canvas) {
-    var ratio = window.devicePixelRatio || 1
+    const ratio = window.devicePixelRatio || 1
     canvas.width = canvas.clientWidth * ratio
     canvas.height = canvas.clientHeight * ratio
-    var pen = canvas.getContext('2d')
+    const pen = canvas.getContext('2d')
     pen.scale(ratio, ratio)
     return pen
 }

@@ -1,29 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-import {makeEvent} from './event.js'
+import {Listeners} from './listeners.js'
 import {oncePerPicture} from './page.js'
 
 /** Redraw requests from the parts below the view, which draws the world. */
-export function makePicture($scope) {
-    var view = null             // canvas(): the shown one, draw()
-    var picture = {
-        painted: makeEvent(),   // after each drawing
-        drawnBy: function(one) {
-            view = one
-        },
-        canvas: () => view.canvas(),
-        /** Returns the canvas width in pixels; 0 while the tab is hidden. */
-        width: function() {
-            var shown = view.canvas()
-            return shown ? shown.clientWidth : 0
-        },
+export class Picture {
+    constructor($scope) {
+        this.view = null        // canvas(): the shown one, draw()
+        this.painted = new Listeners() // after each drawing
         /** Redraws in the next animation frame, once however much changes. */
-        repaint: oncePerPicture(function() {
-            view.draw()
-            picture.painted.tell()
+        this.repaint = oncePerPicture(() => {
+            this.view.draw()
+            this.painted.tell()
             $scope.$applyAsync()
-        }),
+        })
         /** Updates the texts beside the view without redrawing it. */
-        retell: oncePerPicture(() => $scope.$applyAsync())
+        this.retell = oncePerPicture(() => $scope.$applyAsync())
     }
-    return picture
+
+    drawnBy(one) {
+        this.view = one
+    }
+
+    canvas() {
+        return this.view.canvas()
+    }
+
+    /** Returns the canvas width in pixels; 0 while the tab is hidden. */
+    width() {
+        const shown = this.view.canvas()
+        return shown ? shown.clientWidth : 0
+    }
 }

@@ -1,40 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
-/** Makes the serial port fields of a device: the service's settings; before the user connects, the user's input. */
-export function makePort(panel, baud) {
-    var touched = false
-    var port = {path: '', baud: baud, names: []}
+/** The serial port fields of a device: the service's settings; before the user connects, the user's input. */
+export class Port {
+    constructor(panel, baud) {
+        this.panel = panel
+        this.touched = false
+        this.path = ''
+        this.baud = baud
+        this.names = []
+        this.handlers = {
+            onPortNames: names => {
+                this.names = names
+            }
+        }
+    }
 
-    port.touch = function() {
-        touched = true
+    touch() {
+        this.touched = true
     }
-    port.refresh = function() {
-        panel.msg.send('getPortNames')
+
+    refresh() {
+        this.panel.msg.send('getPortNames')
     }
+
     /**
      * Follows the service's settings.
      * @param wanted baud rate chosen here and not confirmed yet, if any @return whether the fields show the service's
      * settings
      */
-    port.follow = function(service, wanted) {
-        touched = touched && !service.connected
-        var follows = Boolean(service.config) && !touched
+    follow(service, wanted) {
+        this.touched = this.touched && !service.connected
+        const follows = Boolean(service.config) && !this.touched
         if (follows) {
-            port.path = service.config.port || port.path
-            port.baud = wanted || service.config.baud || port.baud
+            this.path = service.config.port || this.path
+            this.baud = wanted || service.config.baud || this.baud
         }
         return follows
     }
-    port.setBaud = function() {
-        if (panel.scope.service.connected) {
-            panel.msg.send('setBaud', Number(port.baud))
+
+    setBaud() {
+        if (this.panel.scope.service.connected) {
+            this.panel.msg.send('setBaud', Number(this.baud))
         } else {
-            touched = true
+            this.touched = true
         }
     }
-    port.handlers = {
-        onPortNames: function(names) {
-            port.names = names
-        }
-    }
-    return port
 }

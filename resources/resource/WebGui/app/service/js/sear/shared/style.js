@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Style sheet of all panels, loaded before the first panel shows.
-var link = document.createElement('link')
+const link = document.createElement('link')
 link.rel = 'stylesheet'
 link.href = new URL('style.css', import.meta.url)
-await new Promise(function(done, fail) {
+await new Promise((done, fail) => {
     link.onload = done
     link.onerror = function() {
         fail(new Error(link.href + ' is missing'))

@@ -22,13 +22,13 @@ export function saveText(name, text) {
     saveBlob(name, new Blob([text], {type: 'text/plain'}))
 }
 export function saveBlob(name, blob) {
-    var link = document.createElement('a')
+    const link = document.createElement('a')
     link.href = window.URL.createObjectURL(blob)
     link.download = name
     document.body.appendChild(link)
     link.click()
     document.body.removeChild(link)
-    setTimeout(function() {
+    setTimeout(() => {
         window.URL.revokeObjectURL(link.href)
     }, 60000)
 }

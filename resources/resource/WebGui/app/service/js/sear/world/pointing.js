@@ -2,7 +2,7 @@
 // Picking for building, the same for the 3D view and the map.
 import * as geometry from '../shared/geometry.js'
 
-var FAR = 2000              // metres: maximum distance of placed objects
+const FAR = 2000              // metres: maximum distance of placed objects
 
 export function back(pose, v) {
     return geometry.rotate([0, 0, 0, -pose[3], -pose[4], -pose[5], pose[6]], v)
@@ -31,7 +31,7 @@ function whose(world, source) {
     if (world.sensors.indexOf(source) >= 0) {
         return {address: source.robot + '/' + short(source.name), robot: source.robot, object: source}
     }
-    var robot = world.robots.filter(one => one.parts.indexOf(source) >= 0)[0]
+    const robot = world.robots.filter(one => one.parts.indexOf(source) >= 0)[0]
     return robot ? {address: robot.name + '/' + source.name, robot: robot.name, object: source} : null
 }
 
@@ -47,23 +47,23 @@ export function find(world, address) {
     if (!world || !address) {
         return null
     }
-    var slash = address.indexOf('/')
+    const slash = address.indexOf('/')
     if (slash < 0) {
-        var whole = world.objects.concat(world.robots).filter(one => one.name === address)[0]
+        const whole = world.objects.concat(world.robots).filter(one => one.name === address)[0]
         return whole ? {object: whole, robot: null, pose: geometry.frame(whole.pose), parent: [0, 0, 0, 0, 0, 0, 1]} : null
     }
-    var robot = robotNamed(world, address.slice(0, slash))
-    var name = address.slice(slash + 1)
+    const robot = robotNamed(world, address.slice(0, slash))
+    const name = address.slice(slash + 1)
     if (!robot) {
         return null
     }
-    var parent = geometry.frame(robot.pose)
-    var part = robot.parts.filter(one => one.name === name)[0]
+    const parent = geometry.frame(robot.pose)
+    const part = robot.parts.filter(one => one.name === name)[0]
     if (part) {
-        return {object: part, robot: robot, pose: geometry.times(parent, geometry.frame(part.pose)), parent: parent}
+        return {object: part, robot, pose: geometry.times(parent, geometry.frame(part.pose)), parent}
     }
-    var sensor = world.sensors.filter(one => one.robot === robot.name && short(one.name) === name)[0]
-    return sensor ? {object: sensor, robot: robot, pose: geometry.frame(sensor.pose), parent: parent} : null
+    const sensor = world.sensors.filter(one => one.robot === robot.name && short(one.name) === name)[0]
+    return sensor ? {object: sensor, robot, pose: geometry.frame(sensor.pose), parent} : null
 }
 
 /**
@@ -71,11 +71,11 @@ export function find(world, address) {
  * parts.
  */
 export function extent(object) {
-    var points = object.corners || []
-    angular.forEach(object.parts, function(part) {
-        var pose = geometry.frame(part.pose)
-        points = points.concat(part.corners.map(function(corner) {
-            var at = geometry.rotate(pose, corner)
+    let points = object.corners || []
+    ;(object.parts || []).forEach(part => {
+        const pose = geometry.frame(part.pose)
+        points = points.concat(part.corners.map(corner => {
+            const at = geometry.rotate(pose, corner)
             return [at[0] + pose[0], at[1] + pose[1], at[2] + pose[2]]
         }))
     })
@@ -87,10 +87,10 @@ export function extent(object) {
 
 /** Returns the ray of a pixel of the 3D view: {from, along}. */
 export function ray(scene, x, y) {
-    var THREE = window.THREE
-    var caster = new THREE.Raycaster()
+    const THREE = window.THREE
+    const caster = new THREE.Raycaster()
     caster.setFromCamera(new THREE.Vector2(2 * x / scene.canvas.clientWidth - 1, 1 - 2 * y / scene.canvas.clientHeight), scene.camera)
-    return {from: caster.ray.origin.toArray(), along: caster.ray.direction.toArray(), caster: caster}
+    return {from: caster.ray.origin.toArray(), along: caster.ray.direction.toArray(), caster}
 }
 /** Returns the downward ray of a point of the map. */
 export function down(x, z, height) {
@@ -98,9 +98,9 @@ export function down(x, z, height) {
 }
 /** Intersects a ray with a plane through a point; null if too far or behind. */
 export function onPlane(line, point, normal) {
-    var nearer = line.along[0] * normal[0] + line.along[1] * normal[1] + line.along[2] * normal[2]
-    var far = 0
-    for (var i = 0; i < 3; i++) {
+    const nearer = line.along[0] * normal[0] + line.along[1] * normal[1] + line.along[2] * normal[2]
+    let far = 0
+    for (let i = 0; i < 3; i++) {
         far += (point[i] - line.from[i]) * normal[i]
     }
     far /= nearer
@@ -108,19 +108,19 @@ export function onPlane(line, point, normal) {
 }
 /** Returns the distance along an axis through a point at which it is nearest to a ray, metres. */
 export function alongAxis(line, point, axis) {
-    var between = point.map((value, i) => value - line.from[i])
+    const between = point.map((value, i) => value - line.from[i])
     function dot(a, b) {
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
     }
-    var b = dot(axis, line.along)
+    const b = dot(axis, line.along)
     return (b * dot(line.along, between) - dot(axis, between)) / Math.max(1e-6, 1 - b * b)
 }
 
 /** @param normal of the surface in the world; null if unknown */
 function met(world, who, point, ground, normal) {
-    var robot = who && who.robot ? robotNamed(world, who.robot) : null
-    var frame = robot ? geometry.frame(robot.pose) : null
-    return {who: who, point: point, ground: ground, robot: robot ? robot.name : null, local: robot ? local(frame, point) : null,
+    const robot = who && who.robot ? robotNamed(world, who.robot) : null
+    const frame = robot ? geometry.frame(robot.pose) : null
+    return {who, point, ground, robot: robot ? robot.name : null, local: robot ? local(frame, point) : null,
         normal: robot && normal ? back(frame, normal) : null}
 }
 /**
@@ -128,20 +128,20 @@ function met(world, who, point, ground, normal) {
  * @param without object to ignore
  */
 export function inSpace(scene, world, x, y, without) {
-    var found = scene.pick(x, y, without)
+    const found = scene.pick(x, y, without)
     if (found) {
         return met(world, whose(world, found.object), found.point, !found.object || Boolean(found.object.ground), found.normal)
     }
-    var point = onPlane(ray(scene, x, y), [0, 0, 0], [0, 1, 0])
+    const point = onPlane(ray(scene, x, y), [0, 0, 0], [0, 1, 0])
     return point ? met(world, null, point, false) : null
 }
 
 /** Whether an outline contains a point of the ground. */
 export function contains(outline, x, z) {
-    var inside = false
-    for (var i = 0, k = outline.length - 1; i < outline.length; k = i++) {
-        var a = outline[i]
-        var b = outline[k]
+    let inside = false
+    for (let i = 0, k = outline.length - 1; i < outline.length; k = i++) {
+        const a = outline[i]
+        const b = outline[k]
         if (a[1] > z !== b[1] > z && x < (b[0] - a[0]) * (z - a[1]) / (b[1] - a[1]) + a[0]) {
             inside = !inside
         }
@@ -150,24 +150,24 @@ export function contains(outline, x, z) {
 }
 /** Returns the height of an object's highest point, in the world. */
 export function top(object) {
-    var pose = geometry.frame(object.pose)
+    const pose = geometry.frame(object.pose)
     return Math.max.apply(null, object.corners.map(corner => pose[1] + geometry.rotate(pose, corner)[1]))
 }
 /** Returns the height of the highest point of a robot's part, in the world. */
 function topOf(robot, part) {
-    var pose = geometry.times(geometry.frame(robot.pose), geometry.frame(part.pose))
+    const pose = geometry.times(geometry.frame(robot.pose), geometry.frame(part.pose))
     return Math.max.apply(null, part.corners.map(corner => pose[1] + geometry.rotate(pose, corner)[1]))
 }
 /** Finds what is at a point of the map: a robot, else the highest object there, else the height 0. */
 export function onMap(world, x, z) {
-    var robot = world.robots.filter(one => Math.sqrt(Math.pow(one.pose[0] - x, 2) + Math.pow(one.pose[2] - z, 2)) < Math.max(one.radius, 0.1))[0]
+    const robot = world.robots.filter(one => Math.sqrt(Math.pow(one.pose[0] - x, 2) + Math.pow(one.pose[2] - z, 2)) < Math.max(one.radius, 0.1))[0]
     if (robot) {
-        var body = robot.parts.filter(part => part.type !== 'Wheel')[0]
+        const body = robot.parts.filter(part => part.type !== 'Wheel')[0]
         return met(world, {address: robot.name + (body ? '/' + body.name : ''), robot: robot.name, object: body || robot},
             [x, body ? topOf(robot, body) : robot.pose[1], z], false)
     }
     geometry.shapesOf(world)
-    var below = world.objects.filter(object => object.$shape.outline.length > 2 && contains(object.$shape.outline, x, z))
+    const below = world.objects.filter(object => object.$shape.outline.length > 2 && contains(object.$shape.outline, x, z))
         .sort((a, b) => top(b) - top(a))[0]
     return below ? met(world, whose(world, below), [x, top(below), z], Boolean(below.ground)) : met(world, null, [x, 0, z], false)
 }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scans in the form of the Java class ScanRanges: 16 bits per beam.
-var NOTHING = 65535         // a beam without a hit
-var TENTHS = 10000          // tenths of a millimetre per metre
+const NOTHING = 65535         // a beam without a hit
+const TENTHS = 10000          // tenths of a millimetre per metre
 
 /** @return metres of each beam, null without a hit */
 export function rangesOf(text) {
-    var bytes = window.atob(text)
-    var unit = numberAt(bytes, 0) / TENTHS
-    var ranges = new Array(bytes.length / 2 - 1)
-    for (var i = 0; i < ranges.length; i++) {
-        var number = numberAt(bytes, i + 1)
+    const bytes = atob(text)
+    const unit = numberAt(bytes, 0) / TENTHS
+    const ranges = new Array(bytes.length / 2 - 1)
+    for (let i = 0; i < ranges.length; i++) {
+        const number = numberAt(bytes, i + 1)
         ranges[i] = number === NOTHING ? null : number * unit
     }
     return ranges
@@ -20,7 +20,7 @@ function numberAt(bytes, at) {
 
 /** Converts the ranges of sensors, or of their changes, to numbers. */
 export function unpackRanges(sensors) {
-    angular.forEach(sensors, function(sensor) {
+    Object.values(sensors || {}).forEach(sensor => {
         if (typeof sensor.ranges === 'string') {
             sensor.ranges = rangesOf(sensor.ranges)
         }

@@ -1,111 +1,127 @@
 // SPDX-License-Identifier: Apache-2.0
 // The world in the SEAR panel: the running one, updated by the service, else the project as it would start.
-import {makeEvent} from '../shared/event.js'
+import {Listeners} from '../shared/listeners.js'
 import {unpackRanges} from './ranges.js'
 import * as words from '../shared/words.js'
 
-var PATH_STEP = 0.02        // metres; as in the service
-var LONGEST_PATH = 500      // points
-var PATIENCE_MILLIS = 10000 // timeout: requests it again
-var WAIT_MILLIS = 1500      // standstill in lock-step after which the page reports it
+const PATH_STEP = 0.02        // metres; as in the service
+const LONGEST_PATH = 500      // points
+const PATIENCE_MILLIS = 10000 // timeout: requests it again
+const WAIT_MILLIS = 1500      // standstill in lock-step after which the page reports it
 // Fields of robots and sensors that the view does not draw.
-var UNSEEN = ['speed', 'turnRate', 'devices', 'value', 'words', 'numbers', 'picture']
+const UNSEEN = ['speed', 'turnRate', 'devices', 'value', 'words', 'numbers', 'picture']
 
-/** Makes the world of one panel. */
-export function makeWorld(panel, messages, picture) {
-    var $scope = panel.scope
-    var msg = panel.msg
-    var world = {
-        running: null,          // the simulation's world
-        preview: null,          // the project as it would start: stamp, world, problems, reason
-        instead: null,          // shown instead of both: world, note()
-        waiting: false,         // whether time stands still in lock-step
-        news: makeEvent(),      // another world is to be shown
-        told: makeEvent(),      // new state of the running world, null for none
-        previewed: makeEvent()  // another preview has arrived
+/** The world of one panel. */
+export class World {
+    constructor(panel, messages, picture) {
+        this.panel = panel
+        this.messages = messages
+        this.picture = picture
+        this.$scope = panel.scope
+        this.msg = panel.msg
+        this.running = null     // the simulation's world
+        this.preview = null     // the project as it would start: stamp, world, problems, reason
+        this.instead = null     // shown instead of both: world, note()
+        this.waiting = false    // whether time stands still in lock-step
+        this.news = new Listeners() // another world is to be shown
+        this.told = new Listeners() // new state of the running world, null for none
+        this.previewed = new Listeners() // another preview has arrived
+        this.missing = 0        // time of the request for the whole world, 0 if none is pending
+
+        this.moved = 0          // when simulated time last advanced, by this page's clock
+        this.seenTime = null
+
+        this.lookedAt = 0       // time of the request, 0 if none is pending
+
+        this.handlers = {
+            onSimulation: state => this.onSimulation(state),
+            onWorld: state => this.onWorld(state),
+            onPreview: preview => this.onPreview(preview)
+        }
     }
-    var missing = 0             // time of the request for the whole world, 0 if none is pending
+
     /** Takes the whole world, with earlier warnings for a page that opens later. */
-    function onWorld(state) {
-        angular.forEach(state && state.warnings, function(text) {
-            if (!messages.list.some(function(message) { return message.text === text })) {
-                messages.say('warn', text)
+    onWorld(state) {
+        angular.forEach(state && state.warnings, text => {
+            if (!this.messages.list.some(message => message.text === text)) {
+                this.messages.say('warn', text)
             }
         })
-        return onSimulation(state)
+        return this.onSimulation(state)
     }
 
     /** Takes a whole world, or changes of the shown one. */
-    function onSimulation(state) {
+    onSimulation(state) {
         unpackRanges(state && (state.changes ? state.changes.sensors : state.sensors))
-        if (!state || !state.running || !panel.isSimulating()) {
-            world.running = null
+        if (!state || !state.running || !this.panel.isSimulating()) {
+            this.running = null
         } else if (!state.changes) {
-            missing = 0
-            if (!world.running) {
-                world.news.tell(state)
+            this.missing = 0
+            if (!this.running) {
+                this.news.tell(state)
             }
-            world.running = state
-        } else if (world.running && state.number <= world.running.number) {
+            this.running = state
+        } else if (this.running && state.number <= this.running.number) {
             return false        // older than the whole world received before
-        } else if (world.running && state.number === world.running.number + 1) {
-            change(world.running, state)
+        } else if (this.running && state.number === this.running.number + 1) {
+            this.change(this.running, state)
         } else {
-            askForWorld()
+            this.askForWorld()
         }
-        watchTime(world.running)
-        world.told.tell(world.running)
-        if (world.running && state.changes && !isSeen(state.changes)) {
-            world.running.restedUntil = world.running.time
-            picture.retell()
+        this.watchTime(this.running)
+        this.told.tell(this.running)
+        if (this.running && state.changes && !this.isSeen(state.changes)) {
+            this.running.restedUntil = this.running.time
+            this.picture.retell()
         } else {
-            picture.repaint()
+            this.picture.repaint()
         }
         return false            // may arrive faster than the screen refreshes
     }
+
     /** Whether the view draws any of the changes, not only texts and numbers. */
-    function isSeen(changes) {
-        return Object.keys(changes).some(list => Object.values(changes[list]).some(one => Object.keys(one).some(field => UNSEEN.indexOf(field) < 0)))
+    isSeen(changes) {
+        return Object.keys(changes).some(list => Object.values(changes[list])
+            .some(one => Object.keys(one).some(field => UNSEEN.indexOf(field) < 0)))
     }
 
-    var moved = 0               // when simulated time last advanced, by this page's clock
-    var seenTime = null
     /** Detects a standstill: in lock-step, only a script advances time. */
-    function watchTime(state) {
-        var waited = world.waiting
-        if (!state || state.time !== seenTime) {
-            seenTime = state && state.time
-            moved = Date.now()
+    watchTime(state) {
+        const waited = this.waiting
+        if (!state || state.time !== this.seenTime) {
+            this.seenTime = state && state.time
+            this.moved = Date.now()
         }
-        world.waiting = Boolean(state && state.lockStep && !state.paused && Date.now() - moved > WAIT_MILLIS)
-        if (world.waiting !== waited) {
-            $scope.$applyAsync()
-        }
-    }
-    function askForWorld() {
-        if (Date.now() - missing > PATIENCE_MILLIS) {
-            missing = Date.now()
-            msg.send('getWorld')
+        this.waiting = Boolean(state && state.lockStep && !state.paused && Date.now() - this.moved > WAIT_MILLIS)
+        if (this.waiting !== waited) {
+            this.$scope.$applyAsync()
         }
     }
 
-    function change(state, message) {
-        angular.forEach(message.changes, function(changed, list) {
-            angular.forEach(changed, function(values, index) {
-                angular.extend(state[list][index], values)
+    askForWorld() {
+        if (Date.now() - this.missing > PATIENCE_MILLIS) {
+            this.missing = Date.now()
+            this.msg.send('getWorld')
+        }
+    }
+
+    change(state, message) {
+        angular.forEach(message.changes, (changed, list) => {
+            angular.forEach(changed, (values, index) => {
+                Object.assign(state[list][index], values)
                 if (list === 'robots' && values.pose) {
-                    extendPath(state.robots[index])
+                    this.extendPath(state.robots[index])
                 }
             })
         })
-        angular.extend(state, message)
+        Object.assign(state, message)
         delete state.changes
     }
 
     /** Extends a path like the service does for pages that open later. */
-    function extendPath(robot) {
-        var path = robot.path
-        var last = path[path.length - 1]
+    extendPath(robot) {
+        const path = robot.path
+        const last = path[path.length - 1]
         if (Math.sqrt(Math.pow(last[0] - robot.pose[0], 2) + Math.pow(last[1] - robot.pose[2], 2)) > PATH_STEP) {
             path.push([robot.pose[0], robot.pose[2]])
         }
@@ -114,61 +130,65 @@ export function makeWorld(panel, messages, picture) {
         }
     }
 
-    // ---- the project as it would start, while nothing runs --------------------------------------------------------------------------------
-    var lookedAt = 0            // time of the request, 0 if none is pending
-    world.look = function() {
-        var now = Date.now()
-        if (picture.width() && !document.hidden && !panel.isSimulating() && now - lookedAt > PATIENCE_MILLIS) {
-            lookedAt = now
-            msg.send('getPreview', world.preview ? world.preview.stamp : '')
+    look() {
+        const now = Date.now()
+        if (this.picture.width() && !document.hidden && !this.panel.isSimulating() && now - this.lookedAt > PATIENCE_MILLIS) {
+            this.lookedAt = now
+            this.msg.send('getPreview', this.preview ? this.preview.stamp : '')
         }
     }
-    function onPreview(preview) {
-        lookedAt = 0
+
+    onPreview(preview) {
+        this.lookedAt = 0
         unpackRanges(preview && preview.world && preview.world.sensors)
         // Each page receives the answers to all pages: ignore answers without world and problems, as the page that
         // asked has the newest preview.
-        if (preview && preview.problems && !panel.isSimulating() && !angular.equals(preview, world.preview)) {
-            world.preview = preview
-            world.previewed.tell(preview)
+        if (preview && preview.problems && !this.panel.isSimulating() && !angular.equals(preview, this.preview)) {
+            this.preview = preview
+            this.previewed.tell(preview)
             if (preview.world) {
-                world.news.tell(preview.world)
+                this.news.tell(preview.world)
             }
-            picture.repaint()
+            this.picture.repaint()
         }
     }
 
     /** Takes the service's simulation state. */
-    world.follow = function() {
-        if (!panel.isSimulating()) {
-            world.running = null
-            world.look()
+    follow() {
+        if (!this.panel.isSimulating()) {
+            this.running = null
+            this.look()
         }
-        picture.repaint()
+        this.picture.repaint()
     }
+
     /** Shows another world instead of the present one. @param other null for none */
-    world.showInstead = function(other) {
-        world.instead = other
-        picture.repaint()
+    showInstead(other) {
+        this.instead = other
+        this.picture.repaint()
     }
+
     /** Returns the running world, else the project as it would start; null if it has none. */
-    world.now = function() {
-        return world.running || world.preview && world.preview.world
+    now() {
+        return this.running || this.preview && this.preview.world
     }
-    world.shown = function() {
-        return world.instead ? world.instead.world : world.now()
+
+    shown() {
+        return this.instead ? this.instead.world : this.now()
     }
+
     /** Whether the project is known to be empty. */
-    world.isEmpty = function() {
-        var seen = !panel.isSimulating() && world.preview && world.preview.world
+    isEmpty() {
+        const seen = !this.panel.isSimulating() && this.preview && this.preview.world
         return Boolean(seen && !seen.objects.length && !seen.robots.length)
     }
-    world.note = function() {
-        var preview = world.preview
-        if (world.instead) {
-            return world.instead.note()
+
+    note() {
+        const preview = this.preview
+        if (this.instead) {
+            return this.instead.note()
         }
-        if (panel.isSimulating() || !preview) {
+        if (this.panel.isSimulating() || !preview) {
             return ''
         }
         if (preview.reason) {
@@ -178,13 +198,10 @@ export function makeWorld(panel, messages, picture) {
             return 'Not running, and nothing to show: the project has ' + words.count(preview.problems.length, 'problem') + ', listed below'
         }
         if (!preview.world.objects.length && !preview.world.robots.length) {
-            return 'Not running, and the project is empty: ' + ($scope.view.building
+            return 'Not running, and the project is empty: ' + (this.$scope.view.building
                 ? 'choose an object in the palette, then click where to place it'
                 : 'open a project or an example, drop a .sear file here, press Build, or create objects in a script')
         }
-        return 'Not running: the view shows the project before its start, by the button Start or ' + $scope.service.name + '.startSimulation()'
+        return 'Not running: the view shows the project before its start, by the button Start or ' + this.$scope.service.name + '.startSimulation()'
     }
-
-    world.handlers = {onSimulation: onSimulation, onWorld: onWorld, onPreview: onPreview}
-    return world
 }

@@ -1,6 +1,6 @@
 // Panel of a service without its own: its state.
 angular.module('mrlapp.service.AnyGui', []).controller('AnyGuiCtrl', ['$scope', function($scope) {
-    var msg = this.msg
+    const msg = this.msg
 
     this.onMsg = function(inMsg) {
         if (inMsg.method === 'onState') {

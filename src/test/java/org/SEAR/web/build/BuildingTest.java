@@ -368,29 +368,6 @@ public class BuildingTest {
         assertTrue("a robot can be turned, its parts have sizes", tab.isTrue("building.handle('x') === null && building.handle('turn') !== null"));
     }
 
-    @Test
-    public void aPlaceOnTheEarthIsWrittenAsSuchAndAHeightAsOnTheGround() {
-        String onEarth = "{x: '0', y: '0', z: '0', ry: '0', placeLatitude: '5', placeLongitude: '6', placeHeading: '30'}";
-        String thing = "{robot: null, object: {pose: [1, 2, 3, 0, 60, 0]}}";
-        assertEquals("{\"placeHeading\":\"0\"}", written(thing, onEarth, false, "{ry: '90'}"));
-        assertEquals("{\"x\":\"4\",\"z\":\"3\",\"onGround\":\"true\"}", written(thing, onEarth, false, "{x: '4'}"));
-    }
-
-    @Test
-    public void objectsMovedByTheRunAreWrittenWhereTheyStand() {
-        assertEquals("a crate that was tipped over and pushed", "{\"rx\":\"0\",\"ry\":\"0\",\"rz\":\"90\",\"z\":\"3\",\"x\":\"4\"}",
-            written("{robot: null, object: {pose: [1, 2, 3, 0, 0, 90]}}", "{x: '1', y: '2', z: '0', ry: '0'}", true, "{x: '4'}"));
-        assertEquals("a robot whose Dynamics is 2 m ahead of it", "{\"x\":\"3\",\"z\":\"6\",\"ry\":\"90\"}",
-            written("{robot: null, object: {parts: [], pose: [5, 0, 5, 0, 90, 0], start: [1, 0, 2, 0, 0, 0], written: [1, 0, 0, 0, 0, 0]}}",
-                "{x: '1', y: '0', z: '0', ry: '0'}", true, "{z: '6'}"));
-    }
-
-    /** Returns the changes that an edit makes to a file with these values. */
-    private Object written(String selected, String values, boolean live, String set) {
-        return browser.module("build/places.js", "return JSON.stringify(module.edit(module.of(" + selected + ", " + values + ", "
-            + live + "), " + set + "))");
-    }
-
     /** Starts a robot with sensors and selects it on the map. */
     private void runSelected() {
         make(9, 1, THINGS, ROBOT, SENSORS);

@@ -4,7 +4,6 @@ package org.SEAR.web.devices;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNull;
-import static org.junit.Assert.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
@@ -333,16 +332,5 @@ public class LidarTabTest {
         Accessibility.check(browser, PANEL);
         browser.see(".lidar-port").sendKeys(Keys.TAB);
         assertEquals("Refresh", browser.driver().switchTo().activeElement().getText());
-    }
-
-    @Test
-    public void theLabelsFitBesideThePlotOnANarrowPage() {
-        try {
-            browser.setPageWidth(400);
-            browser.until("a narrow plot", () -> browser.number(PANEL, "geometry().x") < 200);
-            assertTrue(browser.number(PANEL, "geometry().x - geometry().radius") > 40);
-        } finally {
-            browser.setPageWidth(0);
-        }
     }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.web.sear;
 
-import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertNotEquals;
 import static org.junit.Assert.assertTrue;
@@ -10,13 +9,8 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Map;
-import java.util.Random;
-import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
-import org.SEAR.geometry.Pose;
-import org.SEAR.scene.Movement;
 import org.SEAR.web.Browser;
 import org.SEAR.web.SearTab;
 import org.SEAR.web.Tabs;
@@ -284,36 +278,6 @@ public class SpaceTest {
             inScene("[200, 24, 15, 24].map(millis => { for (var i = 0; i < 99; i++) { scene.took(millis) }"
                 + "return scene.ratio(1000, true, Date.now()) })"
                 + ".concat([1000, 9e6].map(area => scene.ratio(area, false, scene.movedAt + 1000))).join(' ')"));
-    }
-
-    /** Calculations of both sides: poses from degrees, products of poses and interpolation between two. */
-    @Test
-    public void thePageComputesPosesAndTheWayBetweenThemAsTheWindowDoes() {
-        Random random = new Random(7);
-        for (int i = 0; i < 40; i++) {
-            double[] first = pose(random);
-            double[] second = pose(random);
-            double share = i % 4 / 3.0;
-            double seconds = i % 5 == 0 ? -1 : random.nextDouble() / 20;
-            Pose a = Pose.ofDegrees(first[0], first[1], first[2], first[3], first[4], first[5]);
-            Pose b = Pose.ofDegrees(second[0], second[1], second[2], second[3], second[4], second[5]);
-            List<?> seen = (List<?>) browser.module("shared/geometry.js", String.format("var a = module.frame(%s), b = module.frame(%s);"
-                + "return [a, module.times(a, b), module.between(a, b, %s, %s)].map(pose => pose.map(String))", Arrays.toString(first),
-                Arrays.toString(second), share, seconds));
-            same("frame", a, seen.get(0));
-            same("times", a.times(b), seen.get(1));
-            same("between, share " + share + ", seconds " + seconds, Movement.between(a, b, share, seconds), seen.get(2));
-        }
-    }
-
-    /** Returns x, y, z in metres and three angles in degrees. */
-    private static double[] pose(Random random) {
-        return IntStream.range(0, 6).mapToDouble(i -> (random.nextDouble() - 0.5) * (i < 3 ? 2 : 360)).toArray();
-    }
-
-    private static void same(String what, Pose pose, Object numbers) {
-        double[] seen = ((List<?>) numbers).stream().mapToDouble(number -> Double.parseDouble((String) number)).toArray();
-        assertArrayEquals(what, new double[] {pose.x, pose.y, pose.z, pose.qx, pose.qy, pose.qz, pose.qw}, seen, 1e-12);
     }
 
     private double number(String expression) {

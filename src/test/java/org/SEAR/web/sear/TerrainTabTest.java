@@ -39,7 +39,7 @@ public class TerrainTabTest {
         tab.stopAll();
         robotLab.run(WORLD);
         browser.until("the ground",
-            () -> tab.isTrue("ground.terrain() !== null && ground.terrain().picture.complete && ground.terrain().words(0, 0) !== ''"));
+            () -> tab.isTrue("ground.terrain !== null && ground.terrain.picture.complete && ground.terrain.words(0, 0) !== ''"));
         whole();
     }
 
@@ -77,29 +77,13 @@ public class TerrainTabTest {
     }
 
     @Test
-    public void contourLinesHaveRoundHeightsAtEveryZoom() {
-        for (String zoom : new String[] {"1", "0.3", "3", "3", "20", "4"}) {
-            browser.script("angular.element(document.querySelector('.sear-main')).scope().view.zoom(" + zoom + ")");
-            browser.until("contour lines", () -> tab.isTrue("ground.terrain().lines && ground.terrain().lines.lines.length > 10"));
-            double interval = tab.number("ground.terrain().lines.interval");
-            double one = interval / Math.pow(10, Math.floor(Math.log10(interval) + 1e-9));
-            assertTrue("interval " + interval, Math.abs(one - 1) < 1e-6 || Math.abs(one - 2) < 1e-6 || Math.abs(one - 5) < 1e-6);
-            assertTrue("not too many", tab.number("ground.terrain().lines.lines.length") < 60_000);
-        }
-        String line = "ground.terrain().lines.lines[7]";
-        double wanted = tab.number(line + "[0]") * tab.number("ground.terrain().lines.interval");
-        double middle = tab.number("ground.terrain().height(" + line + "[1], " + line + "[2]) + ground.terrain().sent.altitude");
-        assertEquals("a line has the height that it says", wanted, middle, tab.number("ground.terrain().lines.interval"));
-    }
-
-    @Test
     public void theGroundIsSentOnceAndStaysWhileTheSimulationRuns() {
-        browser.script("angular.element(document.querySelector('.sear-main')).scope().ground.terrain().mark = 1");
+        browser.script("angular.element(document.querySelector('.sear-main')).scope().ground.terrain.mark = 1");
         tab.start();
         tab.waitForTime(1);
-        assertTrue("the same ground", tab.isTrue("ground.terrain().mark === 1"));
+        assertTrue("the same ground", tab.isTrue("ground.terrain.mark === 1"));
         double height = robotLab.call("sear", "getGroundHeight", 120, -75).asDouble();
-        assertEquals(height, tab.number("ground.terrain().height(120, -75)"), 0.5);
+        assertEquals(height, tab.number("ground.terrain.height(120, -75)"), 0.5);
         assertEquals(height, point(120, -75)[0], 3);
         browser.click(".sear-stop");
         tab.waitForStatus("no simulation runs");

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+import assert from 'node:assert/strict'
+import {test} from 'node:test'
+import {Edits} from '../../../resources/resource/WebGui/app/service/js/sear/build/edits.js'
+import {sizesOf} from '../../../resources/resource/WebGui/app/service/js/sear/build/handles.js'
+import {mounted, tilted, withGround} from '../../../resources/resource/WebGui/app/service/js/sear/build/mounting.js'
+import * as places from '../../../resources/resource/WebGui/app/service/js/sear/build/places.js'
+import {besideBody, drivenWheels, wheelToTurn} from '../../../resources/resource/WebGui/app/service/js/sear/build/wheels.js'
+import {Listeners} from '../../../resources/resource/WebGui/app/service/js/sear/shared/listeners.js'
+import {Messages} from '../../../resources/resource/WebGui/app/service/js/sear/shared/messages.js'
+
+/** Returns the changes that an edit makes to a file with these values. */
+function written(object, values, live, set) {
+    return places.edit(places.of({robot: null, object}, values, live), set)
+}
+
+test('a place on Earth is written as such, and a height as on the ground', () => {
+    const onEarth = {x: '0', y: '0', z: '0', ry: '0', placeLatitude: '5', placeLongitude: '6', placeHeading: '30'}
+    const object = {pose: [1, 2, 3, 0, 60, 0]}
+    assert.deepEqual(written(object, onEarth, false, {ry: '90'}), {placeHeading: '0'})
+    assert.deepEqual(written(object, onEarth, false, {x: '4'}), {x: '4', z: '3', onGround: 'true'})
+})
+
+test('objects that the simulation has moved are written where they are', () => {
+    assert.deepEqual(written({pose: [1, 2, 3, 0, 0, 90]}, {x: '1', y: '2', z: '0', ry: '0'}, true, {x: '4'}),
+        {rx: '0', ry: '0', rz: '90', z: '3', x: '4'}, 'a crate that was tipped over and pushed')
+    assert.deepEqual(written({parts: [], pose: [5, 0, 5, 0, 90, 0], start: [1, 0, 2, 0, 0, 0], written: [1, 0, 0, 0, 0, 0]},
+        {x: '1', y: '0', z: '0', ry: '0'}, true, {z: '6'}), {x: '3', z: '6', ry: '90'}, 'a robot whose Dynamics is 2 m ahead of it')
+})
+
+test('numbers of a file are rounded to a tenth of a millimetre, angles to half a turn', () => {
+    assert.deepEqual([0.1 + 0.2, -1e-9, 2].map(places.plain), ['0.3', '0', '2'])
+    assert.deepEqual([190, -190, 360].map(places.wrapped), [-170, 170, 0])
+})
+
+test('a handle changes the size along its axis', () => {
+    const type = names => ({parameters: names.map(name => ({name}))})
+    assert.deepEqual(Object.keys(sizesOf(type(['length', 'width', 'height']))), ['x', 'z', 'y'])
+    assert.deepEqual(sizesOf(type(['radius', 'height'])).x, {name: 'radius', share: 0.5})
+    assert.deepEqual(sizesOf(null), {})
+})
+
+const BODY = {name: 'body', type: 'Box', pose: [0, 0, 0, 0, 0, 0], corners: [[-0.1, -0.05, -0.2], [0.1, 0.05, 0.2]]}
+function wheel(name, x, driven, motor) {
+    return {name, type: 'Wheel', pose: [x, 0, 0, 0, 0, 0], corners: [[-0.01, -0.03, -0.03], [0.01, 0.03, 0.03]], driven, motor}
+}
+function worldOf(...wheels) {
+    return {objects: [], sensors: [], robots: [{name: 'rover', pose: [0, 0.04, 0, 0, 0, 0], parts: [BODY].concat(wheels)}]}
+}
+
+test('new wheels go to the left, then to the right, at the height of the other wheels', () => {
+    const size = {radius: 0.03, width: 0.02}
+    const same = value => value
+    const first = besideBody(worldOf(), 'rover', null, size, same)
+    assert.deepEqual([first.x, first.z], ['0.115', '0'])
+    const second = besideBody(worldOf(wheel('left', 0.115, true)), 'rover', null, size, same)
+    assert.deepEqual(second, {x: '-0.115', y: '0', z: '0'})
+    assert.deepEqual(besideBody(worldOf(), 'rover', [-0.1, 0, 0.15], size, same).x, '-0.115', 'where the click was')
+})
+
+test('a motor turns the first driven wheel without a motor', () => {
+    const world = worldOf(wheel('left', 0.1, true, true), wheel('caster', 0, false), wheel('right', -0.1, true))
+    assert.deepEqual(drivenWheels(world, 'rover'), ['left', 'right'])
+    assert.equal(wheelToTurn(world, 'rover'), 'right')
+    assert.equal(wheelToTurn(worldOf(), 'rover'), null)
+})
+
+test('a sensor on a side looks away from it, and a cone above the ground', () => {
+    const sonar = {parameters: [{name: 'seesOwnRobot'}, {name: 'cone'}]}
+    assert.deepEqual(mounted({local: [0.1, 0.05, 0.01], normal: [1, 0, 0]}, sonar, true, value => value), {x: '0.1', y: '0.05', z: '0.01', ry: '90'})
+    assert.deepEqual([tilted(sonar), tilted({parameters: []})], [{rx: '-20'}, {}])
+})
+
+test('a robot in a world without ground comes with a floor', () => {
+    const robot = {'do': 'robot', template: 'rover'}
+    assert.deepEqual(withGround(robot, {objects: []}).edits.map(edit => edit['do']), ['add', 'robot'])
+    assert.equal(withGround(robot, {objects: [{type: 'Floor'}]}), robot)
+})
+
+/** Returns the edits of a panel whose service gets no answers, and what the panel sends. */
+function editsOf() {
+    const sent = []
+    const panel = {msg: {send: (...call) => sent.push(call)}, timeout: () => {}}
+    const messages = new Messages()
+    const edits = new Edits(panel, messages, {previewed: new Listeners(), look: () => {}}, {choose: () => {}}, {repaint: () => {}})
+    return {sent, messages, edits, last: () => sent.filter(call => call[0] === 'tryEdit').pop()[1]}
+}
+
+test('an edit sends what the user saw, and reports why it failed', () => {
+    const {messages, edits, last} = editsOf()
+    assert.deepEqual(edits.setting('box1', {x: '2', mass: '1'}, {x: '1'}),
+        {'do': 'set', object: 'box1', set: {x: '2', mass: '1'}, was: {x: '1', mass: ''}})
+    edits.edit(edits.setting('box1', {x: '2'}, {x: '1'}))
+    edits.handlers.onEdit({page: last().page, done: false, problems: [{file: 'a.xml', field: 'x', value: '2', legal: 'a value'}]})
+    assert.deepEqual([messages.last.level, messages.last.text], ['error', 'a.xml: x is "2", legal: a value'])
+})
+
+test('undo and redo follow the service, and their descriptions are reported', () => {
+    const {messages, edits, last} = editsOf()
+    edits.handlers.onEdits({undo: 'move crate', redo: null})
+    assert.deepEqual([edits.undoable, edits.redoable], ['move crate', null])
+    edits.undo()
+    assert.equal(last()['do'], 'undo')
+    edits.handlers.onEdit({page: last().page, done: true, words: 'move crate', undo: null, redo: 'move crate'})
+    assert.deepEqual([edits.undoable, edits.redoable, messages.last.text], [null, 'move crate', 'undone: move crate'])
+})
+
+test('values set here and not answered yet are those of the file', () => {
+    const {edits, last} = editsOf()
+    edits.selected = 'box1'
+    edits.handlers.onProjectObject({object: 'box1', values: {x: '1', z: '5'}})
+    edits.edit(edits.setting('box1', {x: '2'}, edits.values()))
+    assert.deepEqual(edits.values(), {x: '2', z: '5'})
+    edits.handlers.onEdit({page: last().page, done: false, reason: 'no', problems: []})
+    assert.deepEqual(edits.values(), {x: '1', z: '5'})
+})
+
+test('a selection that another page deletes ends with a message', () => {
+    const {messages, edits} = editsOf()
+    edits.select('box1')
+    edits.handlers.onEdit({page: 'another', done: true, words: 'delete box1', undo: 'delete box1', redo: null})
+    edits.handlers.onProjectObject({object: 'box1', gone: true})
+    assert.equal(edits.selected, null)
+    assert.match(messages.last.text, /box1 was deleted or renamed by another page .* delete box1/)
+})

@@ -15,10 +15,6 @@ final class EditResult {
     /** Effects on other objects, such as "motor left was deleted with wheel leftWheel". */
     final List<String> besides;
 
-    EditResult(String words, String object) {
-        this(words, object, List.of());
-    }
-
     EditResult(String words, String object, List<String> besides) {
         this.words = words;
         this.object = object;

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
@@ -14,8 +15,8 @@ import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 
 /**
- * Editor of one project, for pages and scripts. An edit is a map: {@code do} is the operation, {@link Operations}
- * describes the other entries. The editor checks the resulting files and writes all of them or none. Each edit is a
+ * Editor of one project, for pages and scripts. An edit is a map: {@code do} names the edit, whose class
+ * describes the other entries, such as {@link AddEdit}. The editor checks the resulting files and writes all of them or none. Each edit is a
  * step that {@link #undo} reverts. Changes of the same files by scripts or other programs become steps of their own, so
  * nothing is lost.
  *
@@ -30,7 +31,19 @@ import org.SEAR.project.problems.ProjectException;
  * <p>Any thread; edits of one project wait for each other, and for scripts that write objects.
  */
 public final class ProjectEditor {
-    private static final int MAX_EDITS = 1000;
+    private static final Map<String, Supplier<Edit>> EDITS = new LinkedHashMap<>();
+
+    static {
+        EDITS.put("add", AddEdit::new);
+        EDITS.put("robot", RobotEdit::new);
+        EDITS.put("set", SetEdit::new);
+        EDITS.put("rename", RenameEdit::new);
+        EDITS.put("delete", DeleteEdit::new);
+        EDITS.put("duplicate", DuplicateEdit::new);
+        EDITS.put("mount", MountEdit::new);
+        EDITS.put("unmount", UnmountEdit::new);
+        EDITS.put("all", GroupEdit::new);
+    }
 
     private final Path folder;
 
@@ -70,7 +83,7 @@ public final class ProjectEditor {
         return locked(files -> {
             EditJournal journal = EditJournal.open(files);
             EditDraft draft = new EditDraft(files);
-            EditResult done = perform(draft, new EditRequest(edit), 0);
+            EditResult done = perform(draft, new EditRequest(edit));
             List<FileChange> changes = draft.changes();
             if (changes.isEmpty()) {
                 return new Outcome("", done.object, null, changes, journal);
@@ -82,47 +95,16 @@ public final class ProjectEditor {
         });
     }
 
-    private EditResult perform(EditDraft draft, EditRequest edit, int depth) throws IOException, ProjectException {
-        String kind = edit.text("do");
-        Operations operations = new Operations(draft);
-        switch (kind) {
-            case "add":
-                return operations.add(edit);
-            case "robot":
-                return operations.robot(edit);
-            case "set":
-                return operations.set(edit);
-            case "rename":
-                return operations.rename(edit);
-            case "delete":
-                return operations.delete(edit);
-            case "duplicate":
-                return operations.duplicate(edit);
-            case "mount":
-                return operations.mount(edit);
-            case "unmount":
-                return operations.unmount(edit);
-            case "all":
-                return performAll(draft, edit, depth);
-            default:
-                throw EditRequest.refused("do", kind, "add, robot, set, rename, delete, duplicate, mount, unmount, all");
+    static EditResult perform(EditDraft draft, EditRequest request) throws IOException, ProjectException {
+        String kind = request.text("do");
+        if (!EDITS.containsKey(kind)) {
+            throw EditRequest.refused("do", kind, String.join(", ", EDITS.keySet()));
         }
-    }
-
-    private EditResult performAll(EditDraft draft, EditRequest edit, int depth) throws IOException, ProjectException {
-        List<Map<?, ?>> edits = edit.list("edits");
-        if (depth > 0 || edits.isEmpty() || edits.size() > MAX_EDITS) {
-            throw EditRequest.refused("edits", edits.size() + " edits", "1 to " + MAX_EDITS + " edits, none of them of this kind");
-        }
-        EditResult last = null;
-        List<String> besides = new ArrayList<>();
-        for (Map<?, ?> one : edits) {
-            last = perform(draft, new EditRequest(one), depth + 1);
-            besides.addAll(last.besides);
-        }
-        String words = edit.textOrNull("words");
-        return new EditResult(words == null ? last.words + (edits.size() > 1 ? " and " + (edits.size() - 1) + " more" : "") : words, last.object,
-            besides);
+        Edit edit = EDITS.get(kind).get();
+        edit.request = request;
+        edit.draft = draft;
+        edit.finder = new Finder(draft);
+        return edit.apply();
     }
 
     /** Throws the problems of the draft that the project does not already have. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.physics;
 
+import java.util.Arrays;
 import java.util.List;
 import org.SEAR.collision.ConvexShape;
 import org.SEAR.geometry.Aabb;
@@ -9,6 +10,7 @@ import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.PrincipalAxes;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.physics.joint.JointedBody;
 import org.SEAR.physics.solid.Hinge;
 import org.SEAR.physics.solid.InnerMotion;
 import org.SEAR.physics.solid.MassProperties;
@@ -56,6 +58,8 @@ public final class Body {
     private Symmetry symmetry = Symmetry.NONE;
     private Pose start;
     private Pose pose;
+    /** Bodies with which it does not collide, because a joint connects them. */
+    private Body[] ignored = {};
     private final Aabb near = new Aabb();
     private State state = State.ASLEEP;
     private final SolverBody solver = new SolverBody();
@@ -246,6 +250,22 @@ public final class Body {
         return rolls;
     }
 
+    /** Lets both bodies pass through each other. */
+    void ignore(Body other) {
+        ignored = Arrays.copyOf(ignored, ignored.length + 1);
+        ignored[ignored.length - 1] = other;
+    }
+
+    /** Whether both bodies pass through each other. */
+    public boolean ignores(Body other) {
+        for (Body one : ignored) {
+            if (one == other) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Begins a step. */
     void begin() {
         solver.begin();
@@ -317,6 +337,11 @@ public final class Body {
     /** Whether it collides by triangles. */
     boolean isMesh() {
         return placed[0].isMesh();
+    }
+
+    /** Returns its motion, mass and inertia, for joints. */
+    public JointedBody forJoints() {
+        return solver;
     }
 
     SolverBody getSolver() {

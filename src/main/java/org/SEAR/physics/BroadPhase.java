@@ -142,7 +142,7 @@ final class BroadPhase {
     }
 
     private void intersect(Body one, Body other) {
-        if (one.isFixed() && other.isFixed()) {
+        if (one.isFixed() && other.isFixed() || one.ignores(other)) {
             return;
         }
         Body first = one.number < other.number ? one : other;

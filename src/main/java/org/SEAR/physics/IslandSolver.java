@@ -36,6 +36,8 @@ final class IslandSolver {
     private static final int MIN_ALONE = 2;
     /** Largest rotation of an isolated body per substep, radians. */
     private static final double MAX_TURN_ALONE = 0.03;
+    /** Largest rotation of a body with a joint per substep, radians. */
+    private static final double MAX_TURN_JOINTED = 0.05;
     /** Largest island, in bodies, with extra substeps for fast rotation. */
     private static final int FEW = 4;
     /**
@@ -81,6 +83,7 @@ final class IslandSolver {
     private List<PairContacts> pairs;
     private final List<PairContacts> ofMeshes = new ArrayList<>();
     private List<WheelDrive> drives;
+    private List<JointedBodies> mechanisms;
     /** Hinges that turn in this step. */
     private final List<Hinge> hinges = new ArrayList<>();
     private final ContactRows rows = new ContactRows();
@@ -129,11 +132,15 @@ final class IslandSolver {
         bodies = island.bodies;
         pairs = island.pairs;
         drives = island.drives;
-        if (pairs.isEmpty() && !isCarriedByHinge()) {
+        mechanisms = island.mechanisms;
+        for (int i = 0; i < mechanisms.size(); i++) {
+            mechanisms.get(i).begin();
+        }
+        if (pairs.isEmpty() && mechanisms.isEmpty() && !isCarriedByHinge()) {
             stepAlone(seconds);
             return;
         }
-        alone = bodies.size() == 1 && drives.isEmpty() && !bodies.get(0).canRoll();
+        alone = bodies.size() == 1 && drives.isEmpty() && mechanisms.isEmpty() && !bodies.get(0).canRoll();
         collectHinges();
         double substep = seconds / substeps(seconds);
         prepareHinges(substep);
@@ -158,6 +165,9 @@ final class IslandSolver {
             left -= substep(next);
         }
         settle();
+        for (int i = 0; i < mechanisms.size(); i++) {
+            mechanisms.get(i).mechanism.endStep(seconds);
+        }
     }
 
     /** Whether wheels stand on a robot with a moving servo. */
@@ -250,7 +260,10 @@ final class IslandSolver {
             }
         }
         double ratio = lightest > 0 ? lightest / heaviest : 1;
-        double turning = bodies.size() > FEW ? 0 : fastest() * seconds / (alone ? MAX_TURN_ALONE : MAX_TURN);
+        double turning = bodies.size() > FEW || pairs.isEmpty() ? 0 : fastest() * seconds / (alone ? MAX_TURN_ALONE : MAX_TURN);
+        for (int i = 0; i < mechanisms.size(); i++) {
+            turning = Math.max(turning, mechanisms.get(i).mechanism.fastest() * seconds / MAX_TURN_JOINTED);
+        }
         double wanted = Math.max((alone ? substepsAlone(seconds) : SUBSTEPS) * Math.sqrt(Math.max(1, ratio / RATIO)), turning);
         double paid = Math.max(MIN_SUBSTEPS, MAX_WORK / Math.max(1, points + SEARCH * searches));
         int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MAX_SUBSTEPS), paid));
@@ -259,7 +272,7 @@ final class IslandSolver {
         double needed = Math.max(least, Math.max(PASSES_EACH * height, PASSES_RATIO * ratio));
         int work = (points + WHEELS * drives.size()) * substeps;
         int rounds = (int) Math.max(1, Math.min(needed, (double) MAX_PASSES_WORK / Math.max(1, work)));
-        boolean driven = !drives.isEmpty() || !hinges.isEmpty();
+        boolean driven = !drives.isEmpty() || !hinges.isEmpty() || !mechanisms.isEmpty() && !pairs.isEmpty();
         int usual = Math.max(2, driven ? 2 * rounds - 1 : 2 * rounds - 2);
         leastPasses = driven ? usual : 1;
         calm = fast <= CALM && !isDeep();
@@ -321,6 +334,9 @@ final class IslandSolver {
         for (int i = 0; i < hinges.size(); i++) {
             hinges.get(i).begin(taken);
         }
+        for (int i = 0; i < mechanisms.size(); i++) {
+            mechanisms.get(i).mechanism.prepare(taken, gravity);
+        }
         rows.begin(taken, alone);
         for (int i = 0; i < drives.size(); i++) {
             prepare(drives.get(i));
@@ -332,8 +348,14 @@ final class IslandSolver {
         for (int i = 0; i < hinges.size(); i++) {
             hinges.get(i).advance();
         }
+        for (int i = 0; i < mechanisms.size(); i++) {
+            mechanisms.get(i).mechanism.keepPositions();
+        }
         stopBeforeMeshes(taken);
         correction.run(rows, bodies, taken);
+        for (int i = 0; i < mechanisms.size() && !pairs.isEmpty(); i++) {
+            mechanisms.get(i).mechanism.returnToJoints();
+        }
         if (!hinges.isEmpty()) {
             solveDrives();
             rows.solve(false, true);
@@ -373,13 +395,26 @@ final class IslandSolver {
             }
             passes++;
             solveDrives();
+            double jointChange = solveJoints();
             rows.solve(pass == 1, false);
-            last |= pass >= leastPasses && rows.getResidual() <= converged;
+            last |= pass >= leastPasses && rows.getResidual() <= converged && (pass == 1 || jointChange <= converged);
             if (accelerated && !last) {
                 directions.advance(rows);
             }
         }
+        if (!pairs.isEmpty() || !drives.isEmpty()) {
+            solveJoints();
+        }
         rows.finish();
+    }
+
+    /** Solves the joints; returns the largest change of speed, m/s or rad/s. */
+    private double solveJoints() {
+        double change = 0;
+        for (int i = 0; i < mechanisms.size(); i++) {
+            change = Math.max(change, mechanisms.get(i).mechanism.solve());
+        }
+        return change;
     }
 
     /** Solves wheels and the motors of hinges. */

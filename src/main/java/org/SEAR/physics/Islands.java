@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Divides the movable bodies into islands. Bodies that touch, or that wheels press on, are solved together and sleep
- * together. Fixed bodies connect nothing. Union-find (Tarjan 1975) over the pairs; islands are in the order of their
+ * Divides the movable bodies into islands. Bodies that touch, that joints connect, or that wheels press on, are solved together
+ * and sleep together. Fixed bodies connect nothing. Union-find (Tarjan 1975) over the pairs; islands are in the order of their
  * first bodies. Simulation thread.
  */
 final class Islands {
@@ -20,6 +20,7 @@ final class Islands {
         final List<Body> bodies = new ArrayList<>();
         final List<PairContacts> pairs = new ArrayList<>();
         final List<IslandSolver.WheelDrive> drives = new ArrayList<>();
+        final List<JointedBodies> mechanisms = new ArrayList<>();
     }
 
     /**
@@ -27,7 +28,8 @@ final class Islands {
      * @param bodies movable bodies, in the order of their numbers
      * @param total number of bodies in the world
      */
-    void build(List<Body> bodies, List<PairContacts> pairs, List<IslandSolver.WheelDrive> drives, int total) {
+    void build(List<Body> bodies, List<PairContacts> pairs, List<IslandSolver.WheelDrive> drives,
+            List<JointedBodies> mechanisms, int total) {
         if (parent.length < total) {
             parent = new int[total];
             ofRoot = new Island[total];
@@ -45,6 +47,15 @@ final class Islands {
         }
         for (int i = 0; i < drives.size(); i++) {
             join(drives.get(i).body, drives.get(i).drive.loaded());
+        }
+        for (int i = 0; i < mechanisms.size(); i++) {
+            Body first = mechanisms.get(i).firstSolved();
+            for (int k = 0; k < mechanisms.get(i).bodies.size(); k++) {
+                Body body = mechanisms.get(i).bodies.get(k);
+                if (body.isSolved()) {
+                    join(first.number, body.number);
+                }
+            }
         }
         count = 0;
         for (int i = 0; i < bodies.size(); i++) {
@@ -64,6 +75,12 @@ final class Islands {
                 of(drives.get(i).body).drives.add(drives.get(i));
             }
         }
+        for (int i = 0; i < mechanisms.size(); i++) {
+            Body first = mechanisms.get(i).firstSolved();
+            if (first != null) {
+                of(first).mechanisms.add(mechanisms.get(i));
+            }
+        }
     }
 
     private Island of(Body body) {
@@ -76,6 +93,7 @@ final class Islands {
             island.bodies.clear();
             island.pairs.clear();
             island.drives.clear();
+            island.mechanisms.clear();
             ofRoot[root] = island;
         }
         return ofRoot[root];

@@ -8,6 +8,7 @@ import javax.vecmath.Vector3f;
 import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.physics.joint.Joint;
 
 /**
  * World of rigid bodies; searches only pairs that can touch an awake body. Each awake body has a zone, a box that
@@ -58,6 +59,8 @@ public final class PhysicsWorld {
     private final List<Body> bodies = new ArrayList<>();
     private final List<Body> movable = new ArrayList<>();
     private final List<IslandSolver.WheelDrive> drives = new ArrayList<>();
+    private final List<JointedBodies.Link> links = new ArrayList<>();
+    private List<JointedBodies> mechanisms = List.of();
     private final Islands islands = new Islands();
     private NarrowPhase finder;
     private BroadPhase broadPhase;
@@ -85,6 +88,25 @@ public final class PhysicsWorld {
         }
     }
 
+    /**
+     * Adds a joint; call {@link #restart} afterwards, and attach the joint then.
+     * @param collide whether its bodies collide with each other
+     * @param ends the bodies that it connects; null for the world
+     */
+    public void add(Joint joint, boolean collide, Body... ends) {
+        links.add(new JointedBodies.Link(joint, ends));
+        for (Body one : ends) {
+            if (one != null) {
+                one.getSolver().setJointed(true);
+            }
+            for (Body other : ends) {
+                if (!collide && one != null && other != null && one != other) {
+                    one.ignore(other);
+                }
+            }
+        }
+    }
+
     public List<Body> getBodies() {
         return bodies;
     }
@@ -109,6 +131,7 @@ public final class PhysicsWorld {
             body.bounds(bounds[body.number]);
             awake[body.number] = !body.isFixed();
         }
+        mechanisms = JointedBodies.of(links);
         redraw = true;
     }
 
@@ -226,7 +249,7 @@ public final class PhysicsWorld {
     }
 
     private void solve() {
-        islands.build(movable, finder.getPairs(), drives, bodies.size());
+        islands.build(movable, finder.getPairs(), drives, mechanisms, bodies.size());
         for (int i = 0; i < islands.size(); i++) {
             Islands.Island island = islands.get(i);
             solver.step(island, TimeStep.SECONDS);
@@ -250,6 +273,9 @@ public final class PhysicsWorld {
             pair.getA().setTouching(true);
             pair.getB().setTouching(true);
             stands |= !(pair.getA().isSolved() && pair.getB().isSolved()) && pair.gap() < TOUCH;
+        }
+        for (int i = 0; i < island.mechanisms.size(); i++) {
+            stands |= island.mechanisms.get(i).held;
         }
         if (rests && stands) {
             sleepers++;

@@ -5,12 +5,13 @@ import java.util.Arrays;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.PrincipalAxes;
+import org.SEAR.physics.joint.JointedBody;
 
 /**
  * State of a rigid body in double precision: contacts and wheels change it, substeps integrate it. Its frame has the
  * origin in the centre of mass and the axes of the body's own frame. Simulation thread.
  */
-public final class SolverBody {
+public final class SolverBody extends JointedBody {
     /** Cosine above which normals count as equal. */
     private static final double SAME = 0.9999;
     /** Speeds up to which a body may be moved out of a deep penetration, m/s and rad/s. */
@@ -19,25 +20,8 @@ public final class SolverBody {
     /** Substeps for which a body counts as deep after its last deep contact. */
     private static final int DEEP_FOR = 40;
 
-    /**
-     * Velocities of the centre of mass, world frame: {vx, vy, vz, wx, wy, wz}, m/s and rad/s. Constraints change them.
-     */
-    public final double[] v = new double[6];
-    /** Pseudo-velocities of the position correction, as {@link #v} times seconds: metres and radians, world frame. */
-    final double[] correction = new double[6];
     /** Displacement since the step began, world frame: metres along and radians about x, y and z. */
     final double[] moved = new double[6];
-    /** Pose in the world. */
-    final Placement place = new Placement();
-    /** 1/kg; 0 for a body that does not move. */
-    double inverseMass;
-    /** Inverse inertia tensor in the world, 1/(kg m^2): a symmetric matrix. */
-    double i00;
-    double i01;
-    double i02;
-    double i11;
-    double i12;
-    double i22;
     /** Whether a contact or a wheel acts on it in this substep; otherwise it falls on a parabola. */
     boolean pressed;
     private final double[] before = new double[6];
@@ -46,6 +30,7 @@ public final class SolverBody {
     private double ny;
     private double nz;
     private boolean oneNormal;
+    private boolean jointed;
     /** Remaining substeps for which it counts as deep. */
     private int deep;
     private final AngularState spin = new AngularState();
@@ -125,10 +110,18 @@ public final class SolverBody {
 
     /**
      * Applies half of the gyroscopic change before the constraints; the other half follows afterwards, so that
-     * constraints hold throughout.
+     * constraints hold throughout. With joints both follow: their impulses act on the angular momentum at the start of
+     * the substep.
      */
     void gyrate() {
-        spin.gyrate(v, seconds / 2);
+        if (!jointed) {
+            spin.gyrate(v, seconds / 2);
+        }
+    }
+
+    /** Sets whether it has a joint. */
+    void setJointed(boolean on) {
+        jointed = on;
     }
 
     /** Notes a contact impulse along a normal, in either sense. */
@@ -140,7 +133,7 @@ public final class SolverBody {
         nz = z;
     }
 
-    /** Notes an impulse of a wheel. */
+    @Override
     public void hold() {
         pressed = true;
         oneNormal = false;
@@ -211,8 +204,8 @@ public final class SolverBody {
         refresh();
     }
 
-    /** Moves it by the pseudo-velocities of the position correction, and clears them. */
-    void correct() {
+    @Override
+    public void correct() {
         double[] c = correction;
         if (c[0] == 0 && c[1] == 0 && c[2] == 0 && c[3] == 0 && c[4] == 0 && c[5] == 0) {
             return;
@@ -258,6 +251,9 @@ public final class SolverBody {
 
     private void turn() {
         if (pressed) {
+            if (jointed) {
+                spin.gyrate(v, seconds / 2);
+            }
             spin.turnHeld(v, seconds);
             spin.gyrate(v, seconds / 2);
         } else {

@@ -100,7 +100,7 @@ public final class StartPoses {
                     warnings.add("more objects start inside each other; SEAR names the first " + MAX_REPORTED + " only");
                     return;
                 }
-                if (boxes.get(i).overlaps(boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
+                if (!moving.get(i).ignores(moving.get(k)) && boxes.get(i).overlaps(boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
                     reported++;
                     warnings.add(String.format(Locale.ROOT, "%s and %s start %.3f m inside each other and will be pushed apart;"
                         + " move one of them", moving.get(k).name, moving.get(i).name, mine.depth(start, overlaps.get(k))));
@@ -162,7 +162,7 @@ public final class StartPoses {
     private static Stream<Body> obstacles(Body body, Pose at, List<Body> others) {
         Overlap mine = new Overlap(body);
         Aabb box = mine.bounds(at);
-        return others.stream().filter(other -> box.overlaps(new Overlap(other).bounds(other.getPose()))
+        return others.stream().filter(other -> !body.ignores(other) && box.overlaps(new Overlap(other).bounds(other.getPose()))
             && mine.overlaps(at, new Overlap(other), other.getPose(), ALLOWED));
     }
 
@@ -174,7 +174,7 @@ public final class StartPoses {
             Overlap other = new Overlap(obstacle);
             Pose there = obstacle.getPose();
             Aabb around = other.bounds(there);
-            if (!box.overlaps(around) || !mine.overlaps(body.getStart(), other, there, ALLOWED)) {
+            if (body.ignores(obstacle) || !box.overlaps(around) || !mine.overlaps(body.getStart(), other, there, ALLOWED)) {
                 continue;
             }
             double in = 0;

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+package org.SEAR.physics.joint;
+
+/**
+ * The free direction of a joint: an angle in radians or a distance in metres, with limits, friction, spring, damper and
+ * drive. A drive has the characteristic of a DC motor: force = stall force (power - speed / no-load speed). "Force" is a
+ * force in N along a distance and a torque in N m about an axis. Simulation thread.
+ */
+public final class JointAxis {
+    /** Speed of approach below which a limit does not bounce, m/s or rad/s. */
+    private static final double MIN_BOUNCE = 0.05;
+    /** Largest share of a radian by which a spring may swing in a substep and still be computed without damping. */
+    private static final double SLOW_SPRING = 0.3;
+
+    /** What a drive controls. */
+    public enum Drive {
+        /** Nothing: the joint moves freely. */
+        NONE,
+        /** The position, as a servo. */
+        POSITION,
+        /** The speed. */
+        SPEED,
+        /** The power of the motor, -1 to 1. */
+        POWER
+    }
+
+    private double lower = Double.NEGATIVE_INFINITY;
+    private double upper = Double.POSITIVE_INFINITY;
+    private double restitution;
+    private double friction;
+    private double damping;
+    private double stiffness;
+    private double rest;
+    private Drive drive = Drive.NONE;
+    private double stall;
+    private double fastest = Double.POSITIVE_INFINITY;
+    /** Position error at which a position drive has full power. */
+    private double range = 1;
+    private double target;
+
+    private double position;
+    private double speed;
+    /** Impulse of the drive in this step. */
+    private double driven;
+    private double effort;
+    private boolean stale;
+    /** Side of the nearer limit: 1 for the lower, -1 for the upper. */
+    private int side = 1;
+
+    /** @param newRestitution of the limits, 0 to 1 */
+    public void setLimits(double newLower, double newUpper, double newRestitution) {
+        stale |= (newLower > Double.NEGATIVE_INFINITY || newUpper < Double.POSITIVE_INFINITY) != isLimited();
+        lower = newLower;
+        upper = newUpper;
+        restitution = newRestitution;
+    }
+
+    /**
+     * @param newFriction Coulomb friction, N or N m
+     * @param newDamping force per speed, N s/m or N m s/rad
+     */
+    public void setLosses(double newFriction, double newDamping) {
+        stale |= newFriction > 0 != friction > 0 || (stiffness > 0 || newDamping > 0) != isSoft();
+        friction = newFriction;
+        damping = newDamping;
+    }
+
+    /**
+     * @param rate of the spring, N/m or N m/rad; 0 for none
+     * @param at position without force
+     */
+    public void setSpring(double rate, double at) {
+        stale |= (rate > 0 || damping > 0) != isSoft();
+        stiffness = rate;
+        rest = at;
+    }
+
+    /**
+     * Sets the motor.
+     * @param stallForce N or N m
+     * @param noLoadSpeed m/s or rad/s; infinite for a force that does not depend on the speed
+     * @param fullPower position error at which a position drive has full power, metres or radians
+     */
+    public void setMotor(double stallForce, double noLoadSpeed, double fullPower) {
+        stall = stallForce;
+        fastest = noLoadSpeed;
+        range = fullPower;
+    }
+
+    /**
+     * Sets what the drive controls.
+     * @param newTarget position, speed or power
+     */
+    public void drive(Drive newDrive, double newTarget) {
+        stale |= (newDrive == Drive.NONE) != (drive == Drive.NONE);
+        drive = newDrive;
+        target = newTarget;
+    }
+
+    private boolean isLimited() {
+        return lower > Double.NEGATIVE_INFINITY || upper < Double.POSITIVE_INFINITY;
+    }
+
+    private boolean isSoft() {
+        return stiffness > 0 || damping > 0;
+    }
+
+    /** Number of its rows. The first one only measures the speed. */
+    int rows() {
+        return 1 + (isLimited() ? 1 : 0) + (friction > 0 ? 1 : 0) + (isSoft() ? 1 : 0) + (drive == Drive.NONE ? 0 : 1);
+    }
+
+    boolean isStale() {
+        return stale;
+    }
+
+    void fresh() {
+        stale = false;
+    }
+
+    void restart(double at) {
+        position = at;
+        speed = 0;
+        driven = 0;
+        effort = 0;
+    }
+
+    void beginStep() {
+        driven = 0;
+    }
+
+    /** Position, m or rad; an angle counts full turns. */
+    public double getPosition() {
+        return position;
+    }
+
+    /** Speed, m/s or rad/s. */
+    public double getSpeed() {
+        return speed;
+    }
+
+    /** Mean force of the drive in the last step, N or N m. */
+    public double getEffort() {
+        return effort;
+    }
+
+    public double getLower() {
+        return lower;
+    }
+
+    public double getUpper() {
+        return upper;
+    }
+
+    public Drive getDrive() {
+        return drive;
+    }
+
+    public double getTarget() {
+        return target;
+    }
+
+    void setPosition(double at) {
+        position = at;
+    }
+
+    /** Takes an angle between -pi and pi; the position changes by less than half a turn. */
+    void setAngle(double angle) {
+        position = angle + 2 * Math.PI * Math.rint((position - angle) / (2 * Math.PI));
+    }
+
+    /** Sets up a row along the axis or about it. */
+    interface Direction {
+        void set(int row, double scale);
+    }
+
+    /** Sets up the rows from number {@code at} on. */
+    void fill(JointRows rows, int at, Direction direction, double seconds) {
+        rows.begin(at);
+        direction.set(at, 1);
+        rows.states[at] = JointRows.State.OFF;
+        int row = at + 1;
+        if (isLimited()) {
+            fillLimit(rows, row++, direction, seconds);
+        }
+        if (friction > 0) {
+            JointRows.State before = rows.states[row];
+            rows.begin(row);
+            direction.set(row, 1);
+            rows.bound(row, before, -friction * seconds, friction * seconds);
+            row++;
+        }
+        if (isSoft()) {
+            rows.begin(row);
+            direction.set(row, 1);
+            rows.kept[row] = false;
+            double swings = stiffness * seconds * seconds * rows.mobility(row, row);
+            soften(rows, row, stiffness, damping, position - rest, swings < SLOW_SPRING ? 0 : 1, seconds);
+            row++;
+        }
+        if (drive != Drive.NONE) {
+            JointRows.State before = rows.states[row];
+            rows.begin(row);
+            direction.set(row, 1);
+            rows.kept[row] = false;
+            fillDrive(rows, row, before, seconds);
+        }
+    }
+
+    private void fillLimit(JointRows rows, int row, Direction direction, double seconds) {
+        JointRows.State before = rows.states[row];
+        int last = side;
+        double ofLower = position - lower;
+        double ofUpper = upper - position;
+        side = ofLower <= ofUpper ? 1 : -1;
+        rows.begin(row);
+        direction.set(row, side);
+        if (lower == upper) {
+            rows.error[row] = side * (position - lower);
+            return;
+        }
+        double gap = Math.min(ofLower, ofUpper);
+        double approach = rows.speed(row);
+        rows.bound(row, side == last && before == JointRows.State.FREE ? before : JointRows.State.LOW, 0, Double.POSITIVE_INFINITY);
+        rows.kept[row] = true;
+        rows.error[row] = Math.min(0, gap);
+        boolean bounces = restitution > 0 && approach < -MIN_BOUNCE && gap + approach * seconds <= 0;
+        rows.target[row] = bounces ? -restitution * approach : -Math.max(0, gap) / seconds;
+    }
+
+    /** Measures the error of the limit after the bodies have moved. */
+    void measure(JointRows rows, int at) {
+        if (isLimited()) {
+            double gap = side > 0 ? position - lower : upper - position;
+            rows.error[at + 1] = lower == upper ? gap : Math.min(0, gap);
+        }
+    }
+
+    /**
+     * Sets up a row as spring and damper: force = -rate offset - damper speed.
+     * @param ahead share of the substep by which the offset is taken ahead: 0 keeps the energy, 1 damps and is always
+     *     stable
+     */
+    private static void soften(JointRows rows, int row, double rate, double damper, double offset, double ahead, double seconds) {
+        double lost = seconds * (damper + ahead * seconds * rate);
+        if (lost > 0) {
+            rows.softness[row] = 1 / lost;
+            rows.target[row] = -rows.softness[row] * seconds * rate * offset;
+        } else {
+            rows.states[row] = JointRows.State.OFF;
+            rows.push(row, -seconds * rate * offset);
+        }
+    }
+
+    private void fillDrive(JointRows rows, int row, JointRows.State before, double seconds) {
+        double losses = stall / fastest;
+        if (drive == Drive.SPEED) {
+            double now = rows.speed(row);
+            rows.bound(row, before, -Math.max(0, stall + losses * now) * seconds, Math.max(0, stall - losses * now) * seconds);
+            rows.target[row] = target;
+        } else if (drive == Drive.POWER) {
+            soften(rows, row, stall, losses, -target, 0, seconds);
+        } else if (Math.abs(position - target) >= range) {
+            soften(rows, row, stall, losses, Math.signum(position - target), 0, seconds);
+        } else {
+            soften(rows, row, stall / range, losses, position - target, 1, seconds);
+        }
+    }
+
+    /** Notes speed and impulses of a substep; returns the whole impulse along the axis. */
+    double note(JointRows rows, int at) {
+        speed = rows.speed(at);
+        double sum = 0;
+        for (int row = at + 1; row < at + rows(); row++) {
+            sum += (isLimited() && row == at + 1 ? side : 1) * rows.impulse[row];
+        }
+        if (drive != Drive.NONE) {
+            driven += rows.impulse[at + rows() - 1];
+        }
+        return sum;
+    }
+
+    /** Ends a step. */
+    void endStep(double seconds) {
+        effort = driven / seconds;
+    }
+}

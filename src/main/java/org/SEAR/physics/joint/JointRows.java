@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+package org.SEAR.physics.joint;
+
+/**
+ * Constraint rows of a mechanism in a substep. A row asks for {@code speed + softness impulse = target}, where the speed
+ * is that of the second body against the first along a direction, within the limits of its impulse. Simulation thread.
+ */
+final class JointRows {
+    /** Largest number of bodies per row: a gear joins four. */
+    private static final int TERMS = 4;
+    private static final int NUMBERS = 6;
+
+    /** State of a row. */
+    enum State {
+        /** Without effect in this substep. */
+        OFF,
+        /** The impulse is that of the equation. */
+        FREE,
+        /** The impulse is at its lower or upper limit. */
+        LOW, HIGH
+    }
+
+    final int size;
+    final State[] states;
+    /** Required speed, m/s or rad/s. */
+    final double[] target;
+    /** Speed per impulse by which a row yields, 1/kg or 1/(kg m^2). */
+    final double[] softness;
+    /** Limits of the impulse, and the impulse of this substep, N s or N m s. */
+    final double[] low;
+    final double[] high;
+    final double[] impulse;
+    /** Position error, metres or radians; it is 0 where a row has no position. */
+    final double[] error;
+    /** Whether the position of the row is kept: that of a limit only against one side. */
+    final boolean[] kept;
+    private final int[] terms;
+    private final JointedBody[] bodies;
+    private final double[] jacobian;
+    /** Velocity change of each body per unit impulse. */
+    private final double[] response;
+
+    JointRows(int size) {
+        this.size = size;
+        states = new State[size];
+        target = new double[size];
+        softness = new double[size];
+        low = new double[size];
+        high = new double[size];
+        impulse = new double[size];
+        error = new double[size];
+        kept = new boolean[size];
+        terms = new int[size];
+        bodies = new JointedBody[size * TERMS];
+        jacobian = new double[size * TERMS * NUMBERS];
+        response = new double[size * TERMS * NUMBERS];
+    }
+
+    /** Begins a row that holds exactly. */
+    void begin(int row) {
+        terms[row] = 0;
+        states[row] = State.FREE;
+        target[row] = 0;
+        softness[row] = 0;
+        low[row] = Double.NEGATIVE_INFINITY;
+        high[row] = Double.POSITIVE_INFINITY;
+        impulse[row] = 0;
+        error[row] = 0;
+        kept[row] = true;
+    }
+
+    /** Limits the impulse of a row. A row that was at a limit in the last substep starts there. */
+    void bound(int row, State before, double least, double most) {
+        low[row] = least;
+        high[row] = most;
+        kept[row] = false;
+        states[row] = before == State.LOW || before == State.HIGH ? before : State.FREE;
+        if (states[row] != State.FREE) {
+            push(row, before == State.LOW ? least : most);
+        }
+    }
+
+    /**
+     * Sets up a row for the motion of points along a unit direction.
+     * @param n direction, world frame
+     * @param p point of application on both bodies, world frame, metres
+     */
+    void linear(int row, double scale, double[] n, double[] p, JointedBody a, JointedBody b) {
+        add(row, a, -scale, n, p);
+        add(row, b, scale, n, p);
+    }
+
+    private void add(int row, JointedBody body, double scale, double[] n, double[] p) {
+        double rx = p[0] - body.place.x;
+        double ry = p[1] - body.place.y;
+        double rz = p[2] - body.place.z;
+        add(row, body, scale * n[0], scale * n[1], scale * n[2], scale * (ry * n[2] - rz * n[1]), scale * (rz * n[0] - rx * n[2]),
+            scale * (rx * n[1] - ry * n[0]));
+    }
+
+    /** Sets up a row for the rotation about a unit direction. */
+    void angular(int row, double scale, double[] n, JointedBody a, JointedBody b) {
+        add(row, a, 0, 0, 0, -scale * n[0], -scale * n[1], -scale * n[2]);
+        add(row, b, 0, 0, 0, scale * n[0], scale * n[1], scale * n[2]);
+    }
+
+    private void add(int row, JointedBody body, double lx, double ly, double lz, double ax, double ay, double az) {
+        int term = row * TERMS + terms[row]++;
+        int at = term * NUMBERS;
+        bodies[term] = body;
+        jacobian[at] = lx;
+        jacobian[at + 1] = ly;
+        jacobian[at + 2] = lz;
+        jacobian[at + 3] = ax;
+        jacobian[at + 4] = ay;
+        jacobian[at + 5] = az;
+        double mass = body.movable ? body.inverseMass : 0;
+        double turns = body.movable ? 1 : 0;
+        response[at] = mass * lx;
+        response[at + 1] = mass * ly;
+        response[at + 2] = mass * lz;
+        response[at + 3] = turns * (body.i00 * ax + body.i01 * ay + body.i02 * az);
+        response[at + 4] = turns * (body.i01 * ax + body.i11 * ay + body.i12 * az);
+        response[at + 5] = turns * (body.i02 * ax + body.i12 * ay + body.i22 * az);
+    }
+
+    /** Returns the change of speed at one row per unit impulse at another. */
+    double mobility(int row, int other) {
+        double sum = 0;
+        for (int i = row * TERMS; i < row * TERMS + terms[row]; i++) {
+            for (int k = other * TERMS; k < other * TERMS + terms[other]; k++) {
+                if (bodies[i] == bodies[k] && bodies[i].movable) {
+                    int p = i * NUMBERS;
+                    int q = k * NUMBERS;
+                    sum += jacobian[p] * response[q] + jacobian[p + 1] * response[q + 1] + jacobian[p + 2] * response[q + 2]
+                        + jacobian[p + 3] * response[q + 3] + jacobian[p + 4] * response[q + 4] + jacobian[p + 5] * response[q + 5];
+                }
+            }
+        }
+        return sum;
+    }
+
+    /** Whether two rows act on a common body that can move. */
+    boolean isCoupled(int row, int other) {
+        for (int i = row * TERMS; i < row * TERMS + terms[row]; i++) {
+            for (int k = other * TERMS; k < other * TERMS + terms[other]; k++) {
+                if (bodies[i] == bodies[k] && bodies[i].inverseMass > 0) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Returns the speed of a row, m/s or rad/s. */
+    double speed(int row) {
+        double sum = 0;
+        for (int i = row * TERMS; i < row * TERMS + terms[row]; i++) {
+            double[] v = bodies[i].v;
+            int p = i * NUMBERS;
+            sum += jacobian[p] * v[0] + jacobian[p + 1] * v[1] + jacobian[p + 2] * v[2] + jacobian[p + 3] * v[3] + jacobian[p + 4] * v[4]
+                + jacobian[p + 5] * v[5];
+        }
+        return sum;
+    }
+
+    /** Returns by how much the speed of a row falls short. */
+    double missing(int row) {
+        return target[row] - softness[row] * impulse[row] - speed(row);
+    }
+
+    /** Adds to a row's impulse. */
+    void push(int row, double change) {
+        impulse[row] += change;
+        apply(row, change);
+    }
+
+    /** Applies an impulse to the velocities of a row's bodies. */
+    void apply(int row, double change) {
+        for (int i = row * TERMS; i < row * TERMS + terms[row]; i++) {
+            add(bodies[i].v, i * NUMBERS, change);
+        }
+    }
+
+    /** Adds to the position correction of a row's bodies. */
+    void shift(int row, double amount) {
+        for (int i = row * TERMS; i < row * TERMS + terms[row]; i++) {
+            add(bodies[i].correction, i * NUMBERS, amount);
+        }
+    }
+
+    private void add(double[] into, int from, double amount) {
+        for (int k = 0; k < NUMBERS; k++) {
+            into[k] += response[from + k] * amount;
+        }
+    }
+}

@@ -154,6 +154,16 @@ class _SEAR(JavaObject):
         """Returns the current speed of a motor's wheels, rad/s, + forward. Several wheels are averaged."""
     def getEncoder(self, name: str) -> int:
         """Returns encoder counts since start or reset, + forward; 0 without an encoder."""
+    def setJointPosition(self, name: str, position: float) -> None:
+        """Moves the motor of a joint to a position at full power."""
+    def setJointSpeed(self, name: str, speed: float) -> None:
+        """Holds the speed of a joint's motor, within its force."""
+    def setJointPower(self, name: str, power: float) -> None:
+        """Powers the motor of a joint: force = force at standstill (power - speed / speed without load)."""
+    def getJoint(self, name: str) -> np.ndarray:
+        """Returns position, speed and motor force of a joint: {degrees, degrees a second, N m} of a hinge, {m, m/s, N} of a slider or rope."""
+    def getJointForce(self, name: str) -> np.ndarray:
+        """Returns the mean force and torque of the last step on a joint's second object, at the joint."""
     def setServo(self, name: str, degrees: float) -> None:
         """Turns a servo and its parts to an angle at full speed."""
     def getServo(self, name: str) -> float:
@@ -532,6 +542,33 @@ class Assembly(JavaObject):
     def setFullName(part: "SearObject", fullName: str) -> None: ...
 
 
+class AxisJoint(Joint):
+    """AxisJoint"""
+    def getDamping(self) -> float: ...
+    def getFriction(self) -> float: ...
+    def getLower(self) -> Any: ...
+    def getNoLoadSpeed(self) -> Any: ...
+    def getRest(self) -> float: ...
+    def getRestitution(self) -> float: ...
+    def getStallForce(self) -> float: ...
+    def getStiffness(self) -> float: ...
+    def getUpper(self) -> Any: ...
+    def setDamping(self, rate: float) -> None: ...
+    def setFriction(self, force: float) -> None: ...
+    def setLimits(self, smallest: float, greatest: float) -> None: ...
+    def setMotor(self, force: float, speed: float) -> None: ...
+    def setRestitution(self, share: float) -> None: ...
+    def setSpring(self, rate: float, position: float) -> None: ...
+
+
+class BallJoint(Joint):
+    """a ball joint: both objects turn freely about a common point, as on the hitch of a trailer"""
+    @overload
+    def __init__(self, name: str, first: "SearObject", second: "SearObject") -> None: ...
+    @overload
+    def __init__(self, name: str, first: "SearObject", second: "SearObject", x: float, y: float, z: float) -> None: ...
+
+
 class Beam(JavaObject):
     """a named beam, a file in the project's beams folder"""
     def getAliases(self) -> List[Any]: ...
@@ -825,6 +862,14 @@ class Dynamics(SearObject):
     def setStreamHeaderSummed(self, summed: bool) -> None: ...
 
 
+class FixedJoint(Joint):
+    """a fixed joint: both objects move as one, until it breaks"""
+    @overload
+    def __init__(self, name: str, first: "SearObject", second: "SearObject") -> None: ...
+    @overload
+    def __init__(self, name: str, first: "SearObject", second: "SearObject", x: float, y: float, z: float) -> None: ...
+
+
 class Floor(Shape):
     """a flat fixed box 0.1 m thick, length along x and width along z; its top is at its own y"""
     @overload
@@ -889,6 +934,16 @@ class Gyroscope(SensorObject):
     def setBandwidth(self, hertz: float) -> None: ...
 
 
+class Hinge(AxisJoint):
+    """a hinge: the second object turns about the hinge's y axis, counter-clockwise seen from its tip"""
+    @overload
+    def __init__(self, name: str, first: "SearObject", second: "SearObject") -> None: ...
+    @overload
+    def __init__(self, name: str, first: "SearObject", second: "SearObject", x: float, y: float, z: float) -> None: ...
+    @overload
+    def __init__(self, name: str, first: "SearObject", second: "SearObject", x: float, y: float, z: float, rx: float, ry: float, rz: float) -> None: ...
+
+
 class IMU(SensorObject):
     """yaw, pitch and roll, acceleration, angular velocity, magnetic field; with ports also a Razor 9DOF"""
     @overload
@@ -898,6 +953,22 @@ class IMU(SensorObject):
     @overload
     def __init__(self, name: str, x: float, y: float, z: float, rx: float, ry: float, rz: float) -> None: ...
     def getSerial(self) -> "SerialParameters": ...
+
+
+class Joint(SearObject):
+    """Joint"""
+    def getBreakingForce(self) -> Any: ...
+    def getFirst(self) -> str: ...
+    def getSecond(self) -> str: ...
+    def isCollide(self) -> bool: ...
+    def setBreakingForce(self, newtons: float) -> None: ...
+    def setCollide(self, on: bool) -> None: ...
+
+
+class JointTypes(JavaObject):
+    """JointTypes"""
+    def __init__(self) -> None: ...
+    def types(self) -> Any: ...
 
 
 class LIDAR(SensorObject):
@@ -1131,6 +1202,14 @@ class Robots(JavaObject):
     def rover(name: str) -> "SEARrobot": ...
 
 
+class Rope(AxisJoint):
+    """a massless rope from (x, y, z) on the first object to (endX, endY, endZ) on the second; its position is its length"""
+    def __init__(self, name: str, first: "SearObject", second: "SearObject", x: float, y: float, z: float, endX: float, endY: float, endZ: float) -> None: ...
+    def getEndX(self) -> float: ...
+    def getEndY(self) -> float: ...
+    def getEndZ(self) -> float: ...
+
+
 class RoundShape(Shape):
     """RoundShape"""
     def getHeight(self) -> float: ...
@@ -1289,6 +1368,16 @@ class Shape(PlacedObject):
     def toFaultsOfLaunch(self, faults: Any, legal: str) -> None: ...
 
 
+class Slider(AxisJoint):
+    """a slider: the second object moves along the slider's y axis without turning"""
+    @overload
+    def __init__(self, name: str, first: "SearObject", second: "SearObject") -> None: ...
+    @overload
+    def __init__(self, name: str, first: "SearObject", second: "SearObject", x: float, y: float, z: float) -> None: ...
+    @overload
+    def __init__(self, name: str, first: "SearObject", second: "SearObject", x: float, y: float, z: float, rx: float, ry: float, rz: float) -> None: ...
+
+
 class Sphere(Shape):
     """a sphere; non-uniform scaling makes it an ellipsoid"""
     @overload
@@ -1386,6 +1475,8 @@ __all__ += [
     "Accelerometer",
     "Arduino",
     "Assembly",
+    "AxisJoint",
+    "BallJoint",
     "Beam",
     "BeamCone",
     "Board",
@@ -1403,11 +1494,15 @@ __all__ += [
     "Draft",
     "DriveErrors",
     "Dynamics",
+    "FixedJoint",
     "Floor",
     "GPS",
     "GroundHeights",
     "Gyroscope",
+    "Hinge",
     "IMU",
+    "Joint",
+    "JointTypes",
     "LIDAR",
     "Led",
     "LineSensor",
@@ -1422,6 +1517,7 @@ __all__ += [
     "Picture",
     "PlacedObject",
     "Robots",
+    "Rope",
     "RoundShape",
     "SEARrobot",
     "ScriptSession",
@@ -1431,6 +1527,7 @@ __all__ += [
     "SerialParameters",
     "Servo",
     "Shape",
+    "Slider",
     "Sphere",
     "SurfaceSensor",
     "Terrain",

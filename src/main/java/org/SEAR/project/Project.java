@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -23,6 +24,7 @@ import org.SEAR.terrain.Ground;
 public final class Project {
     private final Path folder;
     private final List<SearObject> environment;
+    private final List<Joint> joints;
     private final List<SEARrobot> robots;
     private final List<String> warnings;
     private final Assets assets;
@@ -30,9 +32,10 @@ public final class Project {
     private final TerrainGround terrain;
 
     /** @param terrain null if there is none */
-    Project(Path folder, List<SearObject> environment, List<SEARrobot> robots, List<String> warnings, ParsedObject terrain) {
+    Project(Path folder, List<SearObject> environment, List<Joint> joints, List<SEARrobot> robots, List<String> warnings, ParsedObject terrain) {
         this.folder = folder;
         this.environment = List.copyOf(environment);
+        this.joints = List.copyOf(joints);
         this.robots = List.copyOf(robots);
         this.warnings = List.copyOf(warnings);
         this.assets = new Assets(folder.resolve(ProjectFolder.ASSETS));
@@ -70,7 +73,12 @@ public final class Project {
         return folder;
     }
 
-    /** Returns all environment objects, ordered by name. */
+    /** Returns all joints, ordered by name. */
+    public List<Joint> getJoints() {
+        return joints;
+    }
+
+    /** Returns all environment objects but joints, ordered by name. */
     public List<SearObject> getEnvironment() {
         return environment;
     }

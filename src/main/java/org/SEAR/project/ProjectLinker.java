@@ -10,6 +10,7 @@ import java.util.Map;
 import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.PlacedObject;
 import org.SEAR.POJOs.SEARrobot;
@@ -60,6 +61,7 @@ final class ProjectLinker {
         checkTerrain();
         checkPlaced();
         checkReferences();
+        checkJoints();
     }
 
     private void linkRobot(ParsedObject parsed, SEARrobot robot) {
@@ -186,8 +188,44 @@ final class ProjectLinker {
 
     List<SearObject> environment() {
         List<SearObject> objects = new ArrayList<>();
-        environment.values().stream().filter(p -> !p.isBroken()).forEach(p -> objects.add((SearObject) p.object));
+        environment.values().stream().filter(p -> !p.isBroken() && !(p.object instanceof Joint)).forEach(p -> objects.add((SearObject) p.object));
         return objects;
+    }
+
+    List<Joint> joints() {
+        List<Joint> joints = new ArrayList<>();
+        environment.values().stream().filter(p -> p.object instanceof Joint).forEach(p -> joints.add((Joint) p.object));
+        return joints;
+    }
+
+    /** Checks that joints connect existing objects, of which one can move. */
+    private void checkJoints() {
+        for (ParsedObject parsed : environment.values()) {
+            if (parsed.object instanceof Joint) {
+                Joint joint = (Joint) parsed.object;
+                boolean movable = canMove(parsed, "first", joint.getFirst()) | canMove(parsed, "second", joint.getSecond());
+                if (!movable && !problems.isFull()) {
+                    problems.add(parsed.file, parsed.line("second"), "second", joint.getSecond(), "an object that can move: this joint connects only"
+                        + " fixed ones, and setMass(kg) makes one movable");
+                }
+            }
+        }
+    }
+
+    /** Whether an end of a joint can move, or is invalid, which becomes a problem. */
+    private boolean canMove(ParsedObject joint, String element, String name) {
+        if (name == null) {
+            return false;
+        }
+        ParsedObject object = environment.get(name);
+        if (object != null && (object.isBroken() || object.object instanceof Shape)) {
+            return object.isBroken() || ((Shape) object.object).getMass() > 0;
+        }
+        ParsedObject robot = parts.get(name);
+        if (robot == null || !robot.isBroken() && !(robot.object instanceof SEARrobot)) {
+            problems.add(joint.file, joint.line(element), element, name, "the name of an object of the environment or of a robot");
+        }
+        return true;
     }
 
     /** Returns the Terrain; null if there is none. */

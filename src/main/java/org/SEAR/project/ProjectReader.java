@@ -19,6 +19,7 @@ import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
@@ -76,7 +77,7 @@ final class ProjectReader {
         linker.link();
         new AssetCheck(new Assets(folder.resolve(ProjectFolder.ASSETS)), problems, warnings).check(linker.all());
         problems.throwIfAny();
-        return new Project(folder, linker.environment(), linker.robots(), warnings, linker.terrain());
+        return new Project(folder, linker.environment(), linker.joints(), linker.robots(), warnings, linker.terrain());
     }
 
     /** Warns about a folder with the alternative spelling; the dissertation has both. */
@@ -159,8 +160,8 @@ final class ProjectReader {
     private Map<String, Class<? extends SearObject>> roots(String name) {
         Map<String, Class<? extends SearObject>> roots = new TreeMap<>();
         for (Class<? extends SearObject> type : classes.all()) {
-            boolean environment = Shape.class.isAssignableFrom(type) && type != Wheel.class;
-            boolean part = type != Floor.class && type != Terrain.class && (name.equals(ProjectFolder.ROBOT) || type != SEARrobot.class);
+            boolean environment = Shape.class.isAssignableFrom(type) && type != Wheel.class || Joint.class.isAssignableFrom(type);
+            boolean part = type != Floor.class && type != Terrain.class && !Joint.class.isAssignableFrom(type) && (name.equals(ProjectFolder.ROBOT) || type != SEARrobot.class);
             if (name.equals(ProjectFolder.ENVIRONMENT) ? environment : part) {
                 roots.put(type.getSimpleName(), type);
             }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.simulator;
 
+import org.SEAR.physics.joint.JointAxis;
 import org.SEAR.robot.Robot;
 
 /**
@@ -19,7 +20,13 @@ public final class ActuatorOrder {
         /** Light: brightness, 0 to 1. */
         BRIGHTNESS,
         /** Robot: steering angle of an imaginary wheel in the middle, degrees, + to the left. */
-        STEERING
+        STEERING,
+        /** Motor of a joint: position, degrees or metres. */
+        JOINT_POSITION,
+        /** Motor of a joint: speed, degrees or metres a second. */
+        JOINT_SPEED,
+        /** Motor of a joint: power, -1 to 1. */
+        JOINT_POWER
     }
 
     public final Kind kind;
@@ -47,6 +54,15 @@ public final class ActuatorOrder {
                 break;
             case BRIGHTNESS:
                 simulation.getLight(name).setBrightness(value);
+                break;
+            case JOINT_POSITION:
+                simulation.getWorld().getJoints().drive(name, JointAxis.Drive.POSITION, value);
+                break;
+            case JOINT_SPEED:
+                simulation.getWorld().getJoints().drive(name, JointAxis.Drive.SPEED, value);
+                break;
+            case JOINT_POWER:
+                simulation.getWorld().getJoints().drive(name, JointAxis.Drive.POWER, value);
                 break;
             default:
                 robot(simulation).steer(value);

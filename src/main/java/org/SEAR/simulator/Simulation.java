@@ -443,6 +443,25 @@ public final class Simulation implements AutoCloseable {
         return places.find(name);
     }
 
+    /**
+     * Returns {position, speed, force of the motor} of a joint: degrees or metres, the same a second, N m or N.
+     *
+     * @throws IllegalArgumentException that lists the valid names, or if the joint has no position
+     */
+    public double[] getJoint(String name) {
+        return world.getJoints().reading(name);
+    }
+
+    /**
+     * Returns the mean force and torque of the last step on a joint's second object, at the joint: {fx, fy, fz, tx, ty,
+     * tz}, N and N m, world frame.
+     *
+     * @throws IllegalArgumentException that lists the valid names
+     */
+    public double[] getJointForce(String name) {
+        return world.getJoints().wrench(name);
+    }
+
     /** Mass properties of an object or robot in its frame. Throws as {@link World#getMassProperties}. */
     public MassProperties getMassProperties(String name) {
         return world.getMassProperties(name);

@@ -68,6 +68,7 @@ final class World implements PhysicsWorld.Touches {
     private final KillPlane fallen;
     private final Teleports moves;
     private final BodyOrders orders = new BodyOrders();
+    private final WorldJoints joints;
 
     /**
      * Builds the world of a project.
@@ -127,6 +128,7 @@ final class World implements PhysicsWorld.Touches {
             robotOf.put(model.getBody(), model);
         }
         places.end();
+        joints = new WorldJoints(project, physics);
         String crowd = StartPoses.crowd(physics.getBodies());
         if (crowd != null) {
             throw new ProjectException(Collections.singletonList(new Problem("environment", 0, "", crowd, "objects that start apart")));
@@ -215,6 +217,7 @@ final class World implements PhysicsWorld.Touches {
     void restart(long seed) {
         robots.forEach(RobotModel::rewind);
         physics.restart();
+        joints.restart();
         orders.restart();
         fallen.restart();
         moves.restart();
@@ -253,6 +256,10 @@ final class World implements PhysicsWorld.Touches {
     /** See {@link Simulation#hold}. */
     void hold(DragSpring hand, String name) {
         orders.hold(hand, moves.body(name));
+    }
+
+    WorldJoints getJoints() {
+        return joints;
     }
 
     Teleports getMoves() {

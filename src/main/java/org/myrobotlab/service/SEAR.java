@@ -8,6 +8,7 @@ import java.util.Map;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.robot.DriveOrder;
+import org.SEAR.simulator.ActuatorOrder;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.service.config.SEARConfig;
 import org.myrobotlab.service.data.ImageData;
@@ -427,6 +428,66 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      */
     public long getEncoder(String name) {
         return calls.attempt(() -> parts.actuators().counts(name));
+    }
+
+    /**
+     * Moves the motor of a joint to a position at full power.
+     *
+     * @param name hinge, slider or rope with a motor
+     * @param position degrees of a hinge, metres of a slider or rope, within its limits
+     * @throws IllegalArgumentException unknown joint, joint without motor, or illegal position
+     * @example sear.setJointPosition("door_hinge", 80)
+     */
+    public void setJointPosition(String name, double position) {
+        calls.act(() -> parts.actuators().joint(ActuatorOrder.Kind.JOINT_POSITION, name, position));
+    }
+
+    /**
+     * Holds the speed of a joint's motor, within its force.
+     *
+     * @param name hinge, slider or rope with a motor
+     * @param speed degrees a second of a hinge, m/s of a slider or rope
+     * @throws IllegalArgumentException unknown joint, or joint without motor
+     * @example sear.setJointSpeed("door_hinge", 30)
+     */
+    public void setJointSpeed(String name, double speed) {
+        calls.act(() -> parts.actuators().joint(ActuatorOrder.Kind.JOINT_SPEED, name, speed));
+    }
+
+    /**
+     * Powers the motor of a joint: force = force at standstill (power - speed / speed without load).
+     *
+     * @param name hinge, slider or rope with a motor
+     * @param power fraction of full voltage, -1 to 1; 0 brakes
+     * @throws IllegalArgumentException unknown joint, joint without motor, or illegal power
+     * @example sear.setJointPower("door_hinge", 0.5)
+     */
+    public void setJointPower(String name, double power) {
+        calls.act(() -> parts.actuators().joint(ActuatorOrder.Kind.JOINT_POWER, name, power));
+    }
+
+    /**
+     * Returns position, speed and motor force of a joint: {degrees, degrees a second, N m} of a hinge, {m, m/s, N} of a
+     * slider or rope.
+     *
+     * @param name hinge, slider or rope
+     * @throws IllegalArgumentException unknown joint
+     * @example print "%.1f deg, %.1f deg/s, %.2f N m" % tuple(sear.getJoint("door_hinge"))
+     */
+    public double[] getJoint(String name) {
+        return calls.attempt(() -> parts.actuators().joint(name));
+    }
+
+    /**
+     * Returns the mean force and torque of the last step on a joint's second object, at the joint.
+     *
+     * @param name joint
+     * @return {fx, fy, fz, tx, ty, tz}, N and N m, world frame
+     * @throws IllegalArgumentException unknown joint
+     * @example print "%.1f N upwards" % sear.getJointForce("door_hinge")[1]
+     */
+    public double[] getJointForce(String name) {
+        return calls.attempt(() -> parts.actuators().jointForce(name));
     }
 
     /**

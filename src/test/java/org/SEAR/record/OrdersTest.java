@@ -150,10 +150,10 @@ public class OrdersTest {
         ByteBuffer.wrap(bytes).putDouble(at + 2, 20);
         Files.write(file(), bytes);
         assertFalse("the LIDAR looks elsewhere", again().same);
-        bytes[at + 1] = 5;
+        bytes[at + 1] = 8;
         Files.write(file(), bytes);
         String said = assertThrows(IOException.class, this::again).getMessage();
-        assertTrue(said, said.endsWith("can't be read as a record: after 90 steps it names order 5, legal: below 5"));
+        assertTrue(said, said.endsWith("can't be read as a record: after 90 steps it names order 8, legal: below 8"));
     }
 
     /** Commands of a callback during the delivery of a step's outputs come after that step. */

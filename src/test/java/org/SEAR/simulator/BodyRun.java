@@ -64,6 +64,21 @@ public final class BodyRun implements AutoCloseable {
         simulation.move(name, to, to);
     }
 
+    /** Returns {position, speed, force of the motor} of a joint: degrees or metres. */
+    public double[] joint(String name) {
+        return simulation.getJoint(name);
+    }
+
+    /** Returns {fx, fy, fz, tx, ty, tz} on a joint's second object, world frame. */
+    public double[] jointForce(String name) {
+        return simulation.getJointForce(name);
+    }
+
+    /** Commands a motor. */
+    public void order(ActuatorOrder.Kind kind, String name, double value) {
+        simulation.order(new ActuatorOrder(kind, name, value));
+    }
+
     @Override
     public void close() {
         simulation.close();

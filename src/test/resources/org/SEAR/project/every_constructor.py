@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
-    Led, LineSensor, Marker, Model, Motor, Noise, Odometer, Picture, SEARrobot, Servo, Sphere, Terrain, Wheel
+from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, GPS, Gyroscope, Hinge, IMU, LIDAR, \
+    Led, LineSensor, Marker, Model, Motor, Noise, Odometer, Picture, Rope, SEARrobot, Servo, Slider, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -261,7 +261,7 @@ camera.setDepthNoise(0.002)
 camera.setNetd(0.1)
 camera.setSeesOwnRobot(True)
 add(Camera(name())).setKind("infrared")
-warm = Box(name(), 1, 1, 1)
+warm = Box(name(), 1, 1, 1, 2)
 warm.setTemperature(36.6)
 
 for kind, values in ((Marker, ("DICT_4X4_50", 49, 0.1)), (Chessboard, (10, 7, 0.03)), (Picture, (0.6, 0.3, "textures/brick.png"))):
@@ -270,3 +270,17 @@ for kind, values in ((Marker, ("DICT_4X4_50", 49, 0.1)), (Chessboard, (10, 7, 0.
     plate = kind(name(), *(values + pose))
     plate.setThickness(0.02)
 Picture(name(), 0.6, 0.3).setMass(1)
+
+for kind in (Hinge, Slider, BallJoint, FixedJoint):
+    kind(name(), None, warm).setCollide(True)
+    joint = kind(name(), warm, thrown, *pose[:3])
+    joint.setBreakingForce(20)
+for kind in (Hinge, Slider):
+    joint = kind(name(), thrown, robot, *pose)
+    joint.setLimits(-1, 2)
+    joint.setRestitution(0.2)
+    joint.setFriction(0.3)
+    joint.setDamping(0.4)
+    joint.setSpring(5, 1)
+    joint.setMotor(2, 90)
+Rope(name(), thrown, warm, 0, 1, 0, 0.6, 1, 0.8)

@@ -19,6 +19,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.SEAR.POJOs.Beam;
+import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
@@ -53,6 +54,7 @@ final class Import {
         this.target = target;
         if (present != null) {
             present.getEnvironment().forEach(this::take);
+            present.getJoints().forEach(this::take);
             for (SEARrobot robot : present.getRobots()) {
                 lastRobot = Math.max(lastRobot, robot.getOrder() == null ? 1 : robot.getOrder());
                 take(robot);
@@ -79,7 +81,7 @@ final class Import {
     }
 
     /**
-     * Copies the whole environment.
+     * Copies the whole environment, with its joints; those of a robot or of an object that is missing stay behind.
      *
      * @return new names by old names
      */
@@ -92,6 +94,15 @@ final class Import {
         String prefix = copyAssets();
         for (SearObject object : source.getEnvironment()) {
             write(object, ProjectFolder.ENVIRONMENT, renamed.get(object.getName()), prefix);
+        }
+        for (Joint joint : source.getJoints()) {
+            if (renamed.containsKey(joint.getSecond()) && (joint.getFirst() == null || renamed.containsKey(joint.getFirst()))) {
+                set(joint, "first", renamed::get);
+                set(joint, "second", renamed::get);
+                String name = unique(joint.getName(), other -> names.contains(other) || parts.contains(other));
+                names.add(key(name));
+                write(joint, ProjectFolder.ENVIRONMENT, name, prefix);
+            }
         }
         return renamed;
     }

@@ -146,6 +146,8 @@ abstract class Edit {
         References others = new References(draft, place.robot);
         if (place.robot != null) {
             others.forget(place.object);
+        } else {
+            others.deleted().addAll(JointReferences.delete(draft, place.object.getName()));
         }
         return others;
     }

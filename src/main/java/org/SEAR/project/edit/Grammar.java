@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
@@ -55,6 +56,9 @@ public final class Grammar {
         if (type == SEARrobot.class) {
             return "robot";
         }
+        if (Joint.class.isAssignableFrom(type)) {
+            return "joint";
+        }
         return SensorObject.class.isAssignableFrom(type) ? "sensor" : Shape.class.isAssignableFrom(type) && type != Wheel.class ? "shape" : "part";
     }
 
@@ -65,7 +69,7 @@ public final class Grammar {
 
     /** Returns whether an object of a class may be a part of a robot. */
     static boolean standsOnRobot(Class<? extends SearObject> type) {
-        return type != Floor.class && type != Terrain.class && type != SEARrobot.class;
+        return type != Floor.class && type != Terrain.class && type != SEARrobot.class && !Joint.class.isAssignableFrom(type);
     }
 
     private static List<Map<String, Object>> parameters(Class<?> type) {

@@ -37,6 +37,8 @@ final class RenameEdit extends Edit {
         }
         if (place.robot != null) {
             new References(draft, place.robot).follow(place.object, old);
+        } else {
+            JointReferences.follow(draft, old, name);
         }
         return new EditResult("rename " + old + " to " + name, place.address(), List.of());
     }

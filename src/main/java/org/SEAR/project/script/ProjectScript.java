@@ -49,6 +49,7 @@ public final class ProjectScript {
         this.project = project;
         Collection<String> imported = new TreeSet<>();
         project.getEnvironment().forEach(object -> imported.add(object.getClass().getSimpleName()));
+        project.getJoints().forEach(joint -> imported.add(joint.getClass().getSimpleName()));
         variables = new PythonText.Variables(imported);
     }
 
@@ -67,6 +68,7 @@ public final class ProjectScript {
         world.forEach(object -> add(object, ""));
         Map<SEARrobot, String> robots = new LinkedHashMap<>();
         project.getRobots().forEach(robot -> robots.put(robot, addRobot(robot)));
+        project.getJoints().forEach(joint -> add(joint, ""));
         putInPlace(robots, true);
         putInPlace(robots, false);
         return text();

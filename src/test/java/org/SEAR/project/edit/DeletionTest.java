@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.grammar.Parameter;
@@ -107,7 +108,9 @@ public class DeletionTest extends EditedProject {
         TreeSet<String> found = new TreeSet<>();
         TreeSet<String> unknown = new TreeSet<>();
         for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
-            addReferences(found, unknown, all, type, type.getSimpleName());
+            if (!Joint.class.isAssignableFrom(type)) {    // JointEditsTest
+                addReferences(found, unknown, all, type, type.getSimpleName());
+            }
         }
         assertEquals("a beam is no object; any other parameter that is the name of something says so in its @Param", "[Distance.beam]",
             unknown.toString());

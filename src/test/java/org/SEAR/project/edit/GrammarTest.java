@@ -61,6 +61,9 @@ public class GrammarTest {
         ProjectEditor editor = new ProjectEditor(project.folder());
         assertEquals("create2", editor.apply(Map.of("do", "robot", "template", "create2")).object);
         for (Map<String, Object> type : Grammar.types()) {
+            if (type.get("kind").equals("joint")) {
+                continue;    // a script joins objects
+            }
             Map<String, Object> values = new HashMap<>();
             for (Map<String, Object> parameter : parameters(type)) {
                 if (Boolean.TRUE.equals(parameter.get("required")) && "".equals(parameter.get("initial")) && !parameter.get("name").equals("name")) {

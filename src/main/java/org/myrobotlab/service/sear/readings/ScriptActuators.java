@@ -62,6 +62,21 @@ public final class ScriptActuators {
         return control.session().ask(world -> led(world, name).getBrightness());
     }
 
+    /** @param value position of a joint, degrees or metres; speed, the same a second; or power, -1 to 1 */
+    public void joint(ActuatorOrder.Kind kind, String name, double value) throws InterruptedException {
+        order(kind, name, "joint", value);
+    }
+
+    /** Returns {position, speed, force of the motor}. */
+    public double[] joint(String name) throws InterruptedException {
+        return control.session().ask(world -> world.getJoint(given(name, "joint")));
+    }
+
+    /** Returns {fx, fy, fz, tx, ty, tz}, N and N m, world frame. */
+    public double[] jointForce(String name) throws InterruptedException {
+        return control.session().ask(world -> world.getJointForce(given(name, "joint")));
+    }
+
     private static LightHardware led(Simulation world, String name) {
         return world.getLight(given(name, "led"));
     }

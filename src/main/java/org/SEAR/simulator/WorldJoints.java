@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+package org.SEAR.simulator;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import org.SEAR.POJOs.AxisJoint;
+import org.SEAR.POJOs.BallJoint;
+import org.SEAR.POJOs.FixedJoint;
+import org.SEAR.POJOs.Hinge;
+import org.SEAR.POJOs.Rope;
+import org.SEAR.POJOs.Slider;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.TimeStep;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.PhysicsWorld;
+import org.SEAR.physics.joint.DistanceJoint;
+import org.SEAR.physics.joint.HingeJoint;
+import org.SEAR.physics.joint.Joint;
+import org.SEAR.physics.joint.JointAxis;
+import org.SEAR.physics.joint.JointedBody;
+import org.SEAR.physics.joint.SliderJoint;
+import org.SEAR.project.ObjectPose;
+import org.SEAR.project.Project;
+
+/** The joints of a world: from objects of the grammar to the physics, and by name. Simulation thread. */
+final class WorldJoints {
+    /** Position error at which a motor has full power: of a hinge, degrees, and of a slider or rope, metres. */
+    private static final double FULL_POWER_DEGREES = 1;
+    private static final double FULL_POWER_METRES = 0.001;
+
+    private final List<Made> all = new ArrayList<>();
+    private final Map<String, Made> named = new TreeMap<>();
+
+    /** A joint of the grammar and that of the physics. */
+    private static final class Made {
+        final org.SEAR.POJOs.Joint object;
+        final Joint joint;
+        final Body second;
+        /** Pose of the second object as written. */
+        final Pose written;
+        /** Converts positions to metres or radians. */
+        final double unit;
+
+        Made(org.SEAR.POJOs.Joint object, Joint joint, Body second, Pose written) {
+            this.object = object;
+            this.joint = joint;
+            this.second = second;
+            this.written = written;
+            unit = object instanceof Hinge ? Math.toRadians(1) : 1;
+        }
+    }
+
+    /**
+     * Makes the joints of a project and adds them to the physics.
+     * @param physics has all bodies
+     */
+    WorldJoints(Project project, PhysicsWorld physics) {
+        Map<String, Body> bodies = new HashMap<>();
+        physics.getBodies().forEach(body -> bodies.put(body.name, body));
+        Map<String, Pose> written = new HashMap<>();
+        project.getEnvironment().forEach(thing -> written.put(thing.getName(), ObjectPose.of(thing)));
+        project.getRobots().forEach(robot -> written.put(robot.getName(), ObjectPose.of(robot)));
+        for (org.SEAR.POJOs.Joint object : project.getJoints()) {
+            Body first = object.getFirst() == null ? null : bodies.get(object.getFirst());
+            Body second = bodies.get(object.getSecond());
+            Joint joint = make(object, first == null ? null : first.forJoints(), second.forJoints());
+            Made made = new Made(object, joint, second, written.get(object.getSecond()));
+            all.add(made);
+            named.put(object.getName(), made);
+            physics.add(joint, object.isCollide(), first, second);
+            if (object.getBreakingForce() != null) {
+                joint.setBreakingForce(object.getBreakingForce());
+            }
+        }
+    }
+
+    private static Joint make(org.SEAR.POJOs.Joint object, JointedBody first, JointedBody second) {
+        String name = object.getName();
+        if (object instanceof BallJoint) {
+            return new org.SEAR.physics.joint.BallJoint(name, first, second);
+        }
+        if (object instanceof FixedJoint) {
+            return new org.SEAR.physics.joint.FixedJoint(name, first, second);
+        }
+        return object instanceof Hinge ? new HingeJoint(name, first, second)
+            : object instanceof Slider ? new SliderJoint(name, first, second) : new DistanceJoint(name, first, second);
+    }
+
+    /** Attaches all joints to the bodies at their start poses. After the restart of the physics. */
+    void restart() {
+        for (Made made : all) {
+            if (made.object instanceof AxisJoint) {
+                configure((AxisJoint) made.object, axis(made), made.unit);
+            }
+            Pose frame = follow(made, ObjectPose.of(made.object));
+            if (made.object instanceof Rope) {
+                Rope rope = (Rope) made.object;
+                ((DistanceJoint) made.joint).attachEnds(frame, follow(made, new Pose(rope.getEndX(), rope.getEndY(), rope.getEndZ(), 0, 0, 0, 1)));
+            } else {
+                made.joint.attach(frame);
+            }
+            hold(made);
+        }
+    }
+
+    /** A joint moves along with the second object, which may have been set down on the ground or lifted. */
+    private static Pose follow(Made made, Pose frame) {
+        Pose start = made.second.getStart();
+        Pose was = made.written;
+        double[] at = was.rotateBack(frame.x - was.x, frame.y - was.y, frame.z - was.z);
+        Pose back = new Pose(0, 0, 0, -was.qx, -was.qy, -was.qz, was.qw);
+        Pose turned = back.times(new Pose(0, 0, 0, frame.qx, frame.qy, frame.qz, frame.qw));
+        return start.times(new Pose(at[0], at[1], at[2], turned.qx, turned.qy, turned.qz, turned.qw));
+    }
+
+    private static void configure(AxisJoint from, JointAxis axis, double unit) {
+        axis.setLimits(from.getLower() == null ? Double.NEGATIVE_INFINITY : unit * from.getLower(),
+            from.getUpper() == null ? Double.POSITIVE_INFINITY : unit * from.getUpper(), from.getRestitution());
+        axis.setLosses(from.getFriction(), from.getDamping());
+        axis.setSpring(from.getStiffness(), unit * from.getRest());
+        axis.setMotor(from.getStallForce(), from.getNoLoadSpeed() == null ? Double.POSITIVE_INFINITY : unit * from.getNoLoadSpeed(),
+            from instanceof Hinge ? unit * FULL_POWER_DEGREES : FULL_POWER_METRES);
+    }
+
+    /** A motor holds its position until the first command. */
+    private static void hold(Made made) {
+        if (made.object instanceof AxisJoint) {
+            boolean motor = ((AxisJoint) made.object).getStallForce() > 0;
+            axis(made).drive(motor ? JointAxis.Drive.POSITION : JointAxis.Drive.NONE, axis(made).getPosition());
+        }
+    }
+
+    private static JointAxis axis(Made made) {
+        return ((org.SEAR.physics.joint.AxisJoint) made.joint).getAxis();
+    }
+
+    /**
+     * Commands a motor.
+     * @param value position, degrees or metres; speed, the same a second; or power, -1 to 1
+     * @throws IllegalArgumentException if the joint has no motor, or the value is outside the legal range
+     */
+    void drive(String name, JointAxis.Drive drive, double value) {
+        Made made = axisJoint(name);
+        if (((AxisJoint) made.object).getStallForce() == 0) {
+            throw new IllegalArgumentException(made.object + " has no motor; " + made.object.getName() + ".setMotor(force, speed) adds one");
+        }
+        double most = drive == JointAxis.Drive.POWER ? 1 : Double.MAX_VALUE;
+        if (!(Math.abs(value) <= most)) {
+            throw new IllegalArgumentException(made.object + ": " + drive.name().toLowerCase(Locale.ROOT) + " is " + value + ", legal: "
+                + (most == 1 ? "-1 to 1" : "a number"));
+        }
+        AxisJoint object = (AxisJoint) made.object;
+        double least = drive == JointAxis.Drive.POSITION && object.getLower() != null ? object.getLower() : Double.NEGATIVE_INFINITY;
+        double greatest = drive == JointAxis.Drive.POSITION && object.getUpper() != null ? object.getUpper() : Double.POSITIVE_INFINITY;
+        if (value < least || value > greatest) {
+            throw new IllegalArgumentException(made.object + ": position is " + value + ", legal: " + least + " to " + greatest);
+        }
+        axis(made).drive(drive, drive == JointAxis.Drive.POWER ? value : made.unit * value);
+        made.second.wake();
+    }
+
+    /** Returns {position, speed, force of the motor}: degrees or metres, the same a second, N m or N. */
+    double[] reading(String name) {
+        Made made = axisJoint(name);
+        JointAxis axis = axis(made);
+        return new double[] {axis.getPosition() / made.unit, axis.getSpeed() / made.unit, axis.getEffort()};
+    }
+
+    /** Returns force and torque on the second object at the joint, world frame: {fx, fy, fz, tx, ty, tz}, N and N m. */
+    double[] wrench(String name) {
+        double[] wrench = new double[6];
+        found(name).joint.wrench(wrench, TimeStep.SECONDS);
+        return wrench;
+    }
+
+    private Made axisJoint(String name) {
+        Made made = found(name);
+        if (!(made.object instanceof AxisJoint)) {
+            throw new IllegalArgumentException(made.object + " has no position, legal: a Hinge, Slider or Rope");
+        }
+        return made;
+    }
+
+    private Made found(String name) {
+        Made made = named.get(name);
+        if (made == null) {
+            throw new IllegalArgumentException("no joint is called \"" + name + "\", legal: "
+                + (named.isEmpty() ? "none, the project has no joint" : String.join(" ", named.keySet())));
+        }
+        return made;
+    }
+}

@@ -27,15 +27,27 @@ final class ProcessFamily {
     private static final int END_SECONDS = 10;
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
     private static final char ZOMBIE = 'Z';
+    private static final Path SHELL = Path.of("/bin/sh");
+    /** Runs its arguments in a session of their own, where there is a setsid, and stays their parent until they end. */
+    private static final String OWN_SESSION =
+        "if command -v setsid >/dev/null; then setsid \"$@\"; else \"$@\"; fi; exit $?";
 
     /** Name of an environment variable that only processes of this family have. */
     private final String mark = "SEAR_FAMILY_" + UUID.randomUUID().toString().replace('-', '_');
     /** Processor time of each process when last seen. */
     private final Map<ProcessHandle, Duration> members = new HashMap<>();
 
-    /** Starts the program. */
+    /**
+     * Starts the program. On Linux its parent is a shell and its session is new, so that signals to its parent, process
+     * group or terminal reach no other program.
+     */
     synchronized Process start(ProcessBuilder builder) throws IOException {
         builder.environment().put(mark, "1");
+        if (Files.isExecutable(SHELL)) {
+            List<String> command = new ArrayList<>(List.of(SHELL.toString(), "-c", OWN_SESSION, "sear"));
+            command.addAll(builder.command());
+            builder.command(command);
+        }
         Process process = builder.start();
         members.put(process.toHandle(), Duration.ZERO);
         return process;

@@ -37,6 +37,7 @@ public class HostileScriptsTest {
         List<String> words = SearProcess.command("-Xmx256m", "-Dsear.home=" + ROOT);
         words.addAll(List.of("grade", what, "--lesson", "square", "--out", out, "--jobs", "2"));
         File said = folder.newFile();
+        words.add(0, "setsid");     // a signal that gets through ends this command, not the test
         Process process = new ProcessBuilder(words).directory(folder.getRoot()).redirectErrorStream(true)
             .redirectOutput(said).start();
         try {
@@ -74,16 +75,22 @@ public class HostileScriptsTest {
             + "while not os.path.exists('left.txt'): pass\n");
         handIn("nests", START
             + "deep = os.getcwd()\nfor i in range(400):\n    deep += '/d'\n    os.mkdir(deep)\nos.chmod(deep, 0)\n");
+        handIn("ends", START + "os.kill(os.getppid(), 15)\nwhile True: pass\n");
+        handIn("ends2", START + "os.kill(os.getppid(), 9)\nwhile True: pass\n");
+        handIn("ends3", "#!/usr/bin/env python3\nimport os\nos.killpg(0, 9)\n");
         handIn("right", right);
         handIn("right2", right);
         String text = grade(1, "handed-in", "all");
         Map<String, String> rows = rows("all");
-        List<String> pupils = new ArrayList<>(List.of("deletes", "escapes", "leaves", "nests", "pupil", "right",
-            "right2"));
+        List<String> pupils = new ArrayList<>(List.of("deletes", "ends", "ends2", "ends3", "escapes", "leaves",
+            "nests", "pupil", "right", "right2"));
         assertEquals(text, pupils, new ArrayList<>(rows.keySet()));
         assertTrue(text, rows.get("right").startsWith("right,square,passed,7,7,"));
         assertEquals(rows.get("right").replaceFirst("right", "right2"), rows.get("right2"));
         assertTrue(text, rows.get("leaves").startsWith("leaves,square,not yet,"));
+        assertTrue(text, rows.get("ends").startsWith("ends,square,error,"));
+        assertTrue(text, rows.get("ends2").startsWith("ends2,square,error,"));
+        assertTrue(text, rows.get("ends3").startsWith("ends3,square,error,"));
         assertTrue(text, rows.get("escapes").contains("ValueError: ?]0;title?red"));
         assertTrue(text, text.contains("ValueError: ?]0;title?red"));
         assertFalse(text, text.chars().anyMatch(c -> c == 0x1b || c == 0x07));
@@ -91,9 +98,9 @@ public class HostileScriptsTest {
         assertTrue("the process left behind runs", !Files.exists(left) || Files.readString(left).contains(") Z "));
         NodeList cases = DocumentBuilderFactory.newInstance().newDocumentBuilder()
             .parse(new File(folder.getRoot(), "all/marks.xml")).getElementsByTagName("testcase");
-        assertEquals(6, cases.getLength());
+        assertEquals(9, cases.getLength());
         assertTrue(text,
-            Files.readString(folder.getRoot().toPath().resolve("all/marks.txt")).contains("2 of 6 have passed"));
+            Files.readString(folder.getRoot().toPath().resolve("all/marks.txt")).contains("2 of 9 have passed"));
         grade(0, "handed-in/right.py", "alone");
         assertEquals(rows.get("right").replaceFirst("right,square,passed,7,7,", ""),
             rows("alone").get("right").replaceFirst("right,square,passed,7,7,", ""));

@@ -8,6 +8,7 @@ import static org.junit.Assume.assumeTrue;
 
 import java.io.BufferedReader;
 import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.Test;
@@ -27,6 +28,26 @@ public class ProcessFamilyTest {
             family.end();
             assertNull(reader.readLine());
         }
+    }
+
+    /** Its line in /proc begins with process id, name, state, parent, process group and session. */
+    @Test(timeout = 120_000)
+    public void aProgramHasAParentAGroupAndASessionOfItsOwn() throws Exception {
+        assumeTrue(Files.isReadable(Path.of("/proc/self/stat")));
+        ProcessFamily family = new ProcessFamily();
+        Process program = family.start(new ProcessBuilder("cat", "/proc/self/stat"));
+        String[] stat = new String(program.getInputStream().readAllBytes(), StandardCharsets.UTF_8).split(" ");
+        assertEquals(0, program.waitFor());
+        assertEquals("the parent", String.valueOf(program.pid()), stat[3]);
+        assertEquals("the process group", stat[0], stat[4]);
+        assertEquals("the session", stat[0], stat[5]);
+    }
+
+    @Test(timeout = 120_000)
+    public void theStatusIsThatOfTheProgram() throws Exception {
+        ProcessFamily family = new ProcessFamily();
+        assertEquals(7, family.start(new ProcessBuilder("sh", "-c", "exit 7")).waitFor());
+        family.end();
     }
 
     @Test

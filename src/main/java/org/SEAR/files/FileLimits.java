@@ -34,17 +34,8 @@ public final class FileLimits {
      */
     public static InvalidFile wrong(String file, String what, Object value, String legal, Exception cause) {
         String text = String.valueOf(value);
-        return new InvalidFile(printable(file) + ": " + printable(what) + " is " + printable(text.length() > REPORTED
+        return new InvalidFile(PrintableText.line(file) + ": " + PrintableText.line(what) + " is " + PrintableText.line(text.length() > REPORTED
             ? text.substring(0, REPORTED) + "..." : text) + ", legal: " + legal, cause);
-    }
-
-    /** Returns a file's text for a message, with control characters as {@code \x1b}. */
-    public static String printable(String text) {
-        StringBuilder shown = new StringBuilder();
-        for (char c : text.toCharArray()) {
-            shown.append(Character.isISOControl(c) ? String.format("\\x%02x", (int) c) : String.valueOf(c));
-        }
-        return shown.toString();
     }
 
     /**

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.SEAR.files.FileLimits;
+import org.SEAR.files.PrintableText;
 
 /**
  * Definition of a coordinate system of the EPSG register, with the datum shifts to WGS 84 for parts of the Earth. Source:
@@ -151,7 +152,7 @@ final class EpsgSystem {
     /** Returns the exception for a system that SEAR does not read, with the command that converts the map. */
     static IOException unsupported(String file, String system, String legal) {
         return FileLimits.wrong(file, "the coordinate system", system, legal + ": convert the map by gdalwarp -t_srs EPSG:4326 "
-            + FileLimits.printable(file.substring(file.lastIndexOf('/') + 1)) + " wgs84.tif");
+            + PrintableText.line(file.substring(file.lastIndexOf('/') + 1)) + " wgs84.tif");
     }
 
     /** Returns the system as PROJ parameters, without a datum shift. */

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import org.SEAR.project.problems.PrintableText;
+import org.SEAR.files.PrintableText;
 
 /** The mark of one script, with reasons; its texts are safe for a terminal. Immutable. */
 final class Mark {

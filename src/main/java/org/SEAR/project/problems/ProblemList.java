@@ -4,6 +4,7 @@ package org.SEAR.project.problems;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.SEAR.files.PrintableText;
 
 /** Collects the problems of a project, file by file. */
 public final class ProblemList {
@@ -26,9 +27,8 @@ public final class ProblemList {
     }
 
     private static String shortened(String value) {
-        StringBuilder text = new StringBuilder();
-        value.codePoints().limit(LONGEST_VALUE).forEach(c -> text.appendCodePoint(Character.isISOControl(c) ? ' ' : c));
-        return value.length() > LONGEST_VALUE ? text + "..." : text.toString();
+        boolean isLong = value.codePointCount(0, value.length()) > LONGEST_VALUE;
+        return PrintableText.line(isLong ? value.substring(0, value.offsetByCodePoints(0, LONGEST_VALUE)) + "..." : value);
     }
 
     public int size() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /**
- * Problems of a project, each with file, line, field, value and legal values. Uses no other package of SEAR. Immutable,
+ * Problems of a project, each with file, line, field, value and legal values. Uses {@link org.SEAR.files}. Immutable,
  * except for the list.
  */
 package org.SEAR.project.problems;

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import org.SEAR.files.Assets;
 import org.SEAR.files.FileLimits;
+import org.SEAR.files.PrintableText;
 import org.SEAR.terrain.tiff.MapBytes;
 
 /** Opens elevation maps by content, not only by file ending. Any thread. */
@@ -87,7 +88,7 @@ public final class ElevationMaps {
 
     /** Returns the command of GDAL that converts a map. */
     private static String translation(String path) {
-        String name = FileLimits.printable(path.substring(path.lastIndexOf('/') + 1));
+        String name = PrintableText.line(path.substring(path.lastIndexOf('/') + 1));
         return "gdal_translate " + name + ' ' + (name.contains(".") ? name.substring(0, name.lastIndexOf('.')) : name) + "_converted.tif";
     }
 

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
 import org.SEAR.files.FileLimits;
+import org.SEAR.files.PrintableText;
 import org.SEAR.terrain.tiff.TiffFile;
 
 /** Georeference and vertical unit in a GeoTIFF (OGC GeoTIFF 1.1). */
@@ -89,7 +90,7 @@ final class GeoKeys {
 
     /** Returns the command of GDAL that converts the map. */
     private String warp() {
-        return WARP + FileLimits.printable(file.name.substring(file.name.lastIndexOf('/') + 1)) + " wgs84.tif";
+        return WARP + PrintableText.line(file.name.substring(file.name.lastIndexOf('/') + 1)) + " wgs84.tif";
     }
 
     private String system() throws IOException {

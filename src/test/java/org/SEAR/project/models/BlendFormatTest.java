@@ -81,6 +81,6 @@ public class BlendFormatTest {
         project.with("m.blend", size).refuses("m.blend", "m.blend: the size of block 0 (DATA) at byte 12 is 16777");
         project.with("m.blend", Arrays.copyOf(good, good.length - 30)).refuses("m.blend", "block");
         byte[] zstandard = {0x28, (byte) 0xb5, 0x2f, (byte) 0xfd, 0, 1, 2, 3, 4, 5, 6, 7, 8};
-        project.with("m.blend", zstandard).refuses("m.blend", "m.blend: the head is (\u00b5/\u00fd\\x00");
+        project.with("m.blend", zstandard).refuses("m.blend", "m.blend: the head is (\u00b5/\u00fd?");
     }
 }

@@ -178,7 +178,7 @@ public class ObjFormatTest {
             "a corner of the face in line 11 is x, legal: the number of a v line");
         project.with("m.obj", "v 1 2\n").refuses("m.obj",
             "m.obj: line 1 is v 1 2, legal: v and three numbers with decimal points");
-        project.with("m.obj", "v 1 2 \u001b[31m\n").refuses("m.obj", "m.obj: line 1 is v 1 2 \\x1b[31m, legal: ");
+        project.with("m.obj", "v 1 2 \u001b[31m\n").refuses("m.obj", "m.obj: line 1 is v 1 2 ?[31m, legal: ");
         project.with("m.obj", CUBE + "vt x\n").refuses("m.obj", "line 9 is vt x, legal: vt and one to three numbers");
         project.with("m.obj", "v " + " ".repeat(5 << 20) + "\n").refuses("m.obj",
             "the number of characters of line 1 is 5242882, legal: 0 to 4194304");

@@ -11,6 +11,7 @@ import java.util.Collection;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.SEAR.files.FileLimits;
+import org.SEAR.files.PrintableText;
 
 /** Reads the modifiers of Blender files: refuses those that make too many faces, and reports unsupported ones. */
 final class BlendModifiers extends ModifierHelper {
@@ -46,7 +47,7 @@ final class BlendModifiers extends ModifierHelper {
         double faces = faces(object);
         for (Structure modifier : ((Structure) object.getFieldValue("modifiers")).evaluateListBase()) {
             String type = modifier.getType();
-            String name = FileLimits.printable(type.replace(NAME, "") + " modifier of the object " + object.getName());
+            String name = PrintableText.line(type.replace(NAME, "") + " modifier of the object " + object.getName());
             if (!SUPPORTED.contains(type)) {
                 warnings.accept("the " + name + " is left out: apply it in Blender, or export .glb");
             }

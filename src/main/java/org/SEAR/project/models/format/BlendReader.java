@@ -31,6 +31,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import org.SEAR.files.FileLimits;
+import org.SEAR.files.PrintableText;
 
 /**
  * Reader of Blender files without links to other files, which could lie anywhere on the disk. Vertices get the exact
@@ -99,7 +100,7 @@ public final class BlendReader extends BlenderLoader {
             checkLists(object);
             int type = ((Number) object.getFieldValue("type")).intValue();
             if (LEFT_OUT.containsKey(type)) {
-                warnings.accept("the " + LEFT_OUT.get(type) + " object " + FileLimits.printable(object.getName())
+                warnings.accept("the " + LEFT_OUT.get(type) + " object " + PrintableText.line(object.getName())
                     + " is left out: convert it to a mesh in Blender");
             }
         }

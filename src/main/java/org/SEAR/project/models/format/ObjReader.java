@@ -19,6 +19,7 @@ import java.util.StringTokenizer;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import org.SEAR.files.FileLimits;
+import org.SEAR.files.PrintableText;
 
 /**
  * Reader of Wavefront models ("Object Files", Alias, 1995): positions, texture coordinates, normals, faces and
@@ -183,7 +184,7 @@ public final class ObjReader {
                         "polygons in this file: export the model as a mesh");
                 }
                 if (!word.startsWith("#") && !IGNORED.contains(word) && strange++ == 0) {
-                    firstStrange = line + ": " + FileLimits.printable(text.trim());
+                    firstStrange = line + ": " + PrintableText.line(text.trim());
                 }
         }
     }
@@ -294,7 +295,7 @@ public final class ObjReader {
     private void library(String given) {
         for (String file : given.split("(?i)(?<=\\.mtl)\\s+")) {
             if (!file.matches("(?is).*[^/\\\\]\\.mtl")) {
-                warnings.accept("its materials \"" + FileLimits.printable(file)
+                warnings.accept("its materials \"" + PrintableText.line(file)
                     + "\" are left out: their file is no .mtl");
                 continue;
             }
@@ -316,7 +317,7 @@ public final class ObjReader {
             return known;
         }
         if (!of.isEmpty() && hasLibrary) {
-            unknown.add(FileLimits.printable(of));
+            unknown.add(PrintableText.line(of));
         }
         Material white = new Material(info.getManager(), "Common/MatDefs/Light/Lighting.j3md");
         white.setFloat("Shininess", 64);

@@ -17,6 +17,7 @@ import java.util.function.Consumer;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParserFactory;
 import org.SEAR.files.FileLimits;
+import org.SEAR.files.PrintableText;
 import org.xml.sax.Attributes;
 import org.xml.sax.InputSource;
 import org.xml.sax.Locator;
@@ -106,7 +107,7 @@ public final class OgreReader extends DefaultHandler {
             }
         }
         if (!unknown.isEmpty()) {
-            warnings.accept("its .material has no " + FileLimits.printable(String.join(", ", unknown))
+            warnings.accept("its .material has no " + PrintableText.line(String.join(", ", unknown))
                 + "; these submeshes are white");
         }
         return node;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package org.SEAR.project.problems;
+package org.SEAR.files;
 
 import static org.junit.Assert.assertEquals;
 
@@ -20,6 +20,11 @@ public class PrintableTextTest {
     public void linesTabsAndOtherLettersStay() {
         String text = "Zoë 機\r\n\tnext\n\ud83e\udd16";
         assertEquals(text, PrintableText.of(text));
+    }
+
+    @Test
+    public void onOneLineTabsAndLineBreaksAreReplacedToo() {
+        assertEquals("a?b??c ?[31m", PrintableText.line("a\tb\r\nc \u001b[31m"));
     }
 
     @Test

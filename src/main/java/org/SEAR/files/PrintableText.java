@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package org.SEAR.project.problems;
+package org.SEAR.files;
 
 import java.io.FilterWriter;
 import java.io.IOException;
@@ -23,6 +23,17 @@ public final class PrintableText {
             char c = safe.charAt(i);
             boolean breaksLine = c == '\n' || c == '\r' && i + 1 < safe.length() && safe.charAt(i + 1) == '\n';
             if (Character.isISOControl(c) && c != '\t' && !breaksLine) {
+                safe.setCharAt(i, REPLACEMENT);
+            }
+        }
+        return safe.toString();
+    }
+
+    /** Returns the text on one line, with each control character replaced, also tabs and line breaks. */
+    public static String line(String text) {
+        StringBuilder safe = new StringBuilder(text);
+        for (int i = 0; i < safe.length(); i++) {
+            if (Character.isISOControl(safe.charAt(i))) {
                 safe.setCharAt(i, REPLACEMENT);
             }
         }

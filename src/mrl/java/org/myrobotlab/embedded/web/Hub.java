@@ -38,8 +38,8 @@ import org.xnio.XnioExecutor;
  */
 public final class Hub {
     private static final Logger LOG = LoggerFactory.getLogger(Hub.class);
-    /** Limit of open pages; each may hold a message of {@link RequestBody#LONGEST} in memory while it arrives. */
-    private static final int MAX_PAGES = 32;
+    /** Limit of open pages. */
+    static final int MAX_PAGES = 32;
     /**
      * Interval of pings, s. After a quarter of an hour without a route to the page the system closes the connection.
      */
@@ -54,6 +54,7 @@ public final class Hub {
     private final String listener;
     private final LongSupplier clock;
     private final Set<PageClient> clients = ConcurrentHashMap.newKeySet();
+    private final MessageRoom room = new MessageRoom();
     /** Services that pages know. */
     private final Set<String> reported = ConcurrentHashMap.newKeySet();
 
@@ -74,7 +75,7 @@ public final class Hub {
      * @param calls runs the page's calls
      */
     void connect(WebSocketChannel channel, PageCalls calls) {
-        PageClient client = new PageClient(channel, clock);
+        PageClient client = new PageClient(channel, clock, () -> clients.stream().mapToLong(PageClient::unread).sum());
         if (clients.size() >= MAX_PAGES && !closeSilent()) {
             refuse(channel);
             return;
@@ -89,8 +90,16 @@ public final class Hub {
         }
         clients.add(client);
         OpenPages.come();
+        TextReader reader = new TextReader(channel, room, (text, bytes) -> client.inOrder(calls::execute, () -> {
+            try {
+                receive(client, calls, text);
+            } finally {
+                room.release(bytes);
+            }
+        }));
         Runnable gone = () -> {
             pings.remove();
+            reader.close();
             forget(client);
         };
         channel.addCloseTask(closed -> gone.run());
@@ -113,7 +122,7 @@ public final class Hub {
 
             @Override
             protected void onText(WebSocketChannel from, StreamSourceFrameChannel message) {
-                TextReader.read(message, RequestBody.LONGEST, text -> client.inOrder(calls::execute, () -> receive(client, calls, text)));
+                reader.read(message);
             }
 
             @Override

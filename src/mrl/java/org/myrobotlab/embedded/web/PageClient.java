@@ -21,8 +21,10 @@ import org.xnio.IoUtils;
 final class PageClient {
     /** Limit of waiting values per topic; a slow page misses further ones. */
     private static final int MAX_WAITING = 200;
+    /** Limit of unsent characters of all pages; beyond it those with more than an even share are closed. */
+    private static final long MAX_UNREAD_SUM = Math.min(64L << 20, Runtime.getRuntime().maxMemory() / 4);
     /** Limit of unsent characters; beyond it the page counts as not reading and is closed. */
-    private static final long MAX_UNREAD = 32L << 20;
+    private static final long MAX_UNREAD = MAX_UNREAD_SUM / 2;
     /** Limit of a page's messages that wait for their turn; further ones wait in the connection. */
     private static final int MAX_TASKS = 100;
     private static final int MAX_TOPICS = 10_000;
@@ -36,12 +38,17 @@ final class PageClient {
     private final AtomicLong unread = new AtomicLong();
     private final AtomicInteger pings = new AtomicInteger();
     private final LongSupplier clock;
+    private final LongSupplier unreadByAll;
     private volatile long heard;
 
-    /** @param clock nanoseconds */
-    PageClient(WebSocketChannel channel, LongSupplier clock) {
+    /**
+     * @param clock nanoseconds
+     * @param unreadByAll unsent characters of all pages
+     */
+    PageClient(WebSocketChannel channel, LongSupplier clock, LongSupplier unreadByAll) {
         this.channel = channel;
         this.clock = clock;
+        this.unreadByAll = unreadByAll;
         heard = clock.getAsLong();
     }
 
@@ -73,11 +80,20 @@ final class PageClient {
     }
 
     private void send(String text, AtomicInteger count) {
-        if (unread.get() > MAX_UNREAD) {
+        if (isBehind(unread.get())) {
             close();
         } else {
             WebSockets.sendText(text, channel, new Sent(count, text.length()));
         }
+    }
+
+    private boolean isBehind(long own) {
+        return own > MAX_UNREAD || own > MAX_UNREAD_SUM / Hub.MAX_PAGES && unreadByAll.getAsLong() > MAX_UNREAD_SUM;
+    }
+
+    /** Returns the number of unsent characters. */
+    long unread() {
+        return unread.get();
     }
 
     /** Sends a value of a topic, or drops it if the page is too slow for the topic. */

@@ -8,6 +8,7 @@ import static org.junit.Assert.assertTrue;
 import java.io.IOException;
 import java.net.Socket;
 import java.net.SocketException;
+import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -134,6 +135,64 @@ public class SturdyServerTest {
         int bytes = megabytesTaken(BYTES_FRAGMENT);
         assertTrue(bytes + " MB of bytes", bytes < 32);
         server.servesOthers();
+    }
+
+    private static boolean isClosed(Socket page) throws IOException {
+        try {
+            return page.getInputStream().readAllBytes() != null;
+        } catch (SocketException e) {
+            return true;    // reset
+        } catch (SocketTimeoutException e) {
+            return false;
+        }
+    }
+
+    /** Each is legal by itself; all together exceed the limit. */
+    @Test
+    public void theOldestUnfinishedMessageMakesWayForOthers() throws Exception {
+        byte[] part = new byte[RequestBody.LONGEST - MEGABYTE];
+        Arrays.fill(part, (byte) ' ');
+        for (int sum = 0; sum <= 2 * MessageRoom.MOST; sum += part.length) {
+            Socket page = server.webSocket();
+            open.add(page);
+            page.getOutputStream().write(Server.frame(FRAGMENT, part));
+        }
+        Socket last = open.get(open.size() - 1);
+        last.getOutputStream().write(Server.frame(LAST,
+            "{\"id\":1,\"name\":\"talker\",\"method\":\"longText\",\"data\":[3]}".getBytes(StandardCharsets.UTF_8)));
+        assertEquals("{\"id\":1,\"answer\":\"xxx\"}", Server.answer(last));
+        assertTrue(isClosed(open.get(0)));
+        server.servesOthers();
+    }
+
+    /** Each leaves less unread than one page may. */
+    @Test
+    public void pagesThatLeaveTooMuchUnreadTogetherAreClosed() throws Exception {
+        byte[] call = Server.frame(TEXT, ("{\"id\":1,\"name\":\"talker\",\"method\":\"longText\",\"data\":["
+            + 8 * MEGABYTE + "]}").getBytes(StandardCharsets.UTF_8));
+        for (int i = 0; i < MANY; i++) {
+            open.add(server.webSocket());
+            open.get(i).getOutputStream().write(call);
+        }
+        server.talker().awaiting(MANY);
+        for (Socket page : open) {
+            page.getOutputStream().write(call);
+        }
+        server.talker().awaiting(MANY);
+        server.servesOthers();
+        int texts = 0;
+        for (Socket page : open) {
+            texts += isComplete(page) ? 1 : 0;
+        }
+        assertTrue(texts + " of " + MANY + " pages have got all", texts > 0 && texts < MANY);
+    }
+
+    private static boolean isComplete(Socket page) {
+        try {
+            return Server.answer(page).length() + Server.answer(page).length() > 16 * MEGABYTE;
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.SEAR.cli.lessons.ExitHook;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.record.Recorder;
@@ -51,14 +52,14 @@ public final class Contest {
      * Runs the contest.
      *
      * @param record file of the recording
+     * @param atExit called if a script ends this process
      * @throws IOException with an error of the referee
      */
-    void run(Referee referee, Path record) throws IOException, InterruptedException {
+    void run(Referee referee, Path record, Runnable atExit) throws IOException, InterruptedException {
         Files.createDirectories(record.toAbsolutePath().getParent());
         List<String> reported = new ArrayList<>();
         Recorder recorder = Recorder.begin(world, record, Recorder.LIMIT, reported::add);
-        Thread exit = new Thread(this::reportExits);
-        Runtime.getRuntime().addShutdownHook(exit);
+        ExitHook exit = new ExitHook(() -> reportExits(atExit));
         try {
             referee.call("positions", this);
             checkRobots();
@@ -75,7 +76,7 @@ public final class Contest {
             entries.forEach(entry -> entry.timeIsOver(over == null ? "the time was over" : over));
             referee.call("finished", this);
         } finally {
-            Runtime.getRuntime().removeShutdownHook(exit);
+            exit.cancel();
             recorder.leave();
             recorder.end();
             for (Entrant entry : entries) {
@@ -86,11 +87,12 @@ public final class Contest {
     }
 
     /** Reports a script that ends the process during the contest, so that the contest does not look finished. */
-    private void reportExits() {
+    private void reportExits(Runnable atExit) {
         entries.stream().filter(Entrant::exits).findFirst().ifPresent(entry -> {
             System.err.printf(Locale.ROOT, "sear contest: the script of %s ended the whole program at %.1f s, so there are no scores."
                 + " Run the contest without it, or let it end with sys.exit() instead of os._exit()%n", entry.getName(), world.getTime());
             System.err.flush();
+            atExit.run();
             Runtime.getRuntime().halt(ExitCode.SOFTWARE);
         });
     }

@@ -11,9 +11,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import org.SEAR.cli.lessons.ScratchFolder;
 import org.SEAR.files.AtomicFile;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.files.PrintableText;
@@ -94,20 +94,20 @@ public final class ContestCommand implements Callable<Integer> {
     }
 
     private void run(Map<String, Path> entered) throws IOException, ProjectException, InterruptedException {
-        Path unpacked = Files.createTempDirectory("sear-contest");
-        Referee referee = new Referee(folder.resolve(REFEREE), limit);
-        try {
-            Project project = Bundle.load(folder.resolve(WORLD), unpacked.resolve("SEARproject"),
-                new PercentProgress("opening", folder, line -> { }));
-            Contest contest = new Contest(project, entered, seed, limit);
-            contest.run(referee, out.resolve("contest.searlog"));
-            for (Entrant entry : contest.getEntries()) {
-                AtomicFile.write(out.resolve(entry.getName() + ".txt"), entry.printed().getBytes(StandardCharsets.UTF_8));
+        try (ScratchFolder unpacked = ScratchFolder.create("sear-contest")) {
+            Referee referee = new Referee(folder.resolve(REFEREE), limit);
+            try {
+                Project project = Bundle.load(folder.resolve(WORLD), unpacked.path().resolve("SEARproject"),
+                    new PercentProgress("opening", folder, line -> { }));
+                Contest contest = new Contest(project, entered, seed, limit);
+                contest.run(referee, out.resolve("contest.searlog"), unpacked::close);
+                for (Entrant entry : contest.getEntries()) {
+                    AtomicFile.write(out.resolve(entry.getName() + ".txt"), entry.printed().getBytes(StandardCharsets.UTF_8));
+                }
+                report(contest, referee.takePrinted());
+            } finally {
+                referee.close();
             }
-            report(contest, referee.takePrinted());
-        } finally {
-            referee.close();
-            ProjectSwap.delete(unpacked);
         }
     }
 

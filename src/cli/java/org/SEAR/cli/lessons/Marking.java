@@ -104,23 +104,8 @@ final class Marking {
     }
 
     private Mark inFolders(Submission of) throws IOException, InterruptedException, ProjectException {
-        Path pupils = Files.createTempDirectory("sear-mark");
-        try {
-            Path checks = Files.createTempDirectory("sear-check");
-            try {
-                return mark(of, pupils, checks);
-            } finally {
-                delete(checks);
-            }
-        } finally {
-            delete(pupils);
-        }
-    }
-
-    private static void delete(Path folder) {
-        String left = ScratchFolder.delete(folder);
-        if (left != null) {
-            LOG.warn("the temporary folder {} could not be deleted: {}", folder, left);
+        try (ScratchFolder pupils = ScratchFolder.create("sear-mark"); ScratchFolder checks = ScratchFolder.create("sear-check")) {
+            return mark(of, pupils.path(), checks.path());
         }
     }
 

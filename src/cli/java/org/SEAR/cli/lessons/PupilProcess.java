@@ -105,8 +105,7 @@ final class PupilProcess {
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
         builder.environment().keySet().removeAll(SCREENS);
         ProcessFamily family = new ProcessFamily();
-        Thread exit = new Thread(() -> end(family), "end of a script");
-        Runtime.getRuntime().addShutdownHook(exit);
+        ExitHook exit = new ExitHook(() -> end(family));
         try {
             Process process = family.start(builder);
             process.getOutputStream().close();
@@ -117,7 +116,7 @@ final class PupilProcess {
             return pupil;
         } finally {
             family.end();
-            forget(exit);
+            exit.cancel();
         }
     }
 
@@ -133,14 +132,6 @@ final class PupilProcess {
             family.end();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-        }
-    }
-
-    private static void forget(Thread exit) {
-        try {
-            Runtime.getRuntime().removeShutdownHook(exit);
-        } catch (IllegalStateException e) {
-            return;     // this program is ending, and the hook runs
         }
     }
 

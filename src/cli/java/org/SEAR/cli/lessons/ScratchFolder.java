@@ -3,26 +3,59 @@ package org.SEAR.cli.lessons;
 
 import java.io.IOException;
 import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.concurrent.TimeUnit;
 import org.SEAR.project.problems.FileReasons;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
-/** A temporary folder in which a hostile script may have run. One thread. */
-final class ScratchFolder {
+/**
+ * A temporary folder in which a hostile script may run. Its deletion, also at the end of this program, never fails a
+ * result: what is left is only reported. Any thread.
+ */
+public final class ScratchFolder implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(ScratchFolder.class);
     /** Longest time for deleting a folder, s. */
     private static final int DELETE_SECONDS = 60;
 
     private final Path path;
-    private final long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DELETE_SECONDS);
+    private ExitHook exit;
+    private long deadline;
     private int moved;
 
     private ScratchFolder(Path path) {
         this.path = path;
+    }
+
+    /** Makes a folder, which {@link #close} or the end of this program deletes. */
+    public static ScratchFolder create(String prefix) throws IOException {
+        ScratchFolder made = new ScratchFolder(Files.createTempDirectory(prefix));
+        made.exit = new ExitHook(made::delete);
+        return made;
+    }
+
+    public Path path() {
+        return path;
+    }
+
+    @Override
+    public void close() {
+        delete();
+        exit.cancel();
+    }
+
+    private synchronized void delete() {
+        String left = delete(path);
+        if (left != null) {
+            LOG.warn("the temporary folder {} could not be deleted: {}", path, left);
+        }
     }
 
     /**
@@ -33,15 +66,26 @@ final class ScratchFolder {
      */
     static String delete(Path folder) {
         try {
-            ScratchFolder scratch = new ScratchFolder(folder);
-            while (scratch.isFlattened()) {
-                continue;
-            }
-            Files.deleteIfExists(folder);
+            new ScratchFolder(folder).empty();
             return null;
         } catch (IOException | DirectoryIteratorException e) {
             return FileReasons.of(e instanceof DirectoryIteratorException ? ((DirectoryIteratorException) e).getCause()
                 : e);
+        }
+    }
+
+    private void empty() throws IOException {
+        deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DELETE_SECONDS);
+        while (Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
+            checkTime();
+            try {
+                while (isFlattened()) {
+                    continue;
+                }
+                Files.deleteIfExists(path);
+            } catch (DirectoryNotEmptyException | NoSuchFileException e) {
+                LOG.debug("{} is still in use", path, e);
+            }
         }
     }
 

@@ -14,6 +14,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.SEAR.SearProcess;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
@@ -121,7 +123,8 @@ public class ContestTest {
     public void aScriptThatEndsTheProgramIsNamed() throws Exception {
         List<String> arguments = entered(rovers(REFEREE), "good", START + "while True:\n    sear.simSleep(0.5)\n",
             "leaves", START + "sear.simSleep(1)\nimport os\nos._exit(0)\n");
-        List<String> command = SearProcess.command();
+        Path temporary = folder.newFolder().toPath();
+        List<String> command = SearProcess.command("-Djava.io.tmpdir=" + temporary);
         command.add("contest");
         command.addAll(arguments);
         Path said = folder.newFile().toPath();
@@ -130,6 +133,9 @@ public class ContestTest {
         String text = Files.readString(said);
         assertTrue(text, text.contains("sear contest: the script of leaves ended the whole program at 1.0 s"));
         assertEquals(text, 1, status);
+        try (Stream<Path> left = Files.list(temporary)) {
+            assertEquals("[]", left.filter(one -> one.getFileName().toString().startsWith("sear")).collect(Collectors.toList()).toString());
+        }
     }
 
     private static Map<String, String> scores(Path contest) throws Exception {
@@ -170,7 +176,7 @@ public class ContestTest {
         }
         assertEquals("[ping0]", Files.readString(contest.resolve("result/good.txt")).trim());
         assertEquals(List.of(), Thread.getAllStackTraces().keySet().stream().map(Thread::getName).filter(name -> name.startsWith("contest "))
-            .collect(java.util.stream.Collectors.toList()));
+            .collect(Collectors.toList()));
         assertTrue(Files.readString(contest.resolve("result/failing.txt")).contains("ZeroDivisionError"));
     }
 

@@ -45,6 +45,7 @@ class InProcess:
         self._java_list = jpype.JClass("java.util.List")
         self._java_map = jpype.JClass("java.util.Map")
         self._waiter = Waiter(jpype.JClass("java.lang.Thread"))
+        self._interrupter = _signals.Interrupter(jpype.JClass("java.lang.Thread"))
 
     def java_class(self, name):
         """Returns the java.lang.Class."""
@@ -75,7 +76,7 @@ class InProcess:
 
     def _run(self, method, arguments, class_name, name):
         try:
-            return method(*arguments)
+            return self._interrupter.call(method, arguments)
         except self._jpype.JException as error:
             raise self._translated(error) from None
         except OverflowError as error:
@@ -103,7 +104,7 @@ class InProcess:
     def run(self, method, *arguments):
         """Calls a method of such a class; returns JPype's result and translates Java's exceptions."""
         try:
-            return method(*arguments)
+            return self._interrupter.call(method, arguments)
         except self._jpype.JException as error:
             raise self._translated(error) from None
 

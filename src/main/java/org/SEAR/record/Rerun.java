@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
+import org.SEAR.parallel.Interrupts;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.ActuatorOrder;
@@ -181,6 +182,7 @@ public final class Rerun implements RunRecord.Visitor {
 
     @Override
     public void step() {
+        Interrupts.check();
         execute();
         world.step();
         steps++;

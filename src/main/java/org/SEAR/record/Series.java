@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
+import org.SEAR.parallel.Interrupts;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
 
@@ -116,6 +117,7 @@ public final class Series {
         StringBuilder text = new StringBuilder("time (s)");
         names.forEach(name -> text.append(',').append(name.matches("[^\",\n\r]*") ? name : '"' + name.replace("\"", "\"\"") + '"'));
         for (int i = 0; i < times.length; i++) {
+            Interrupts.check();
             text.append('\n').append(String.format(Locale.ROOT, "%.4f", times[i]));
             for (double[] column : values) {
                 text.append(',').append(Double.isNaN(column[i]) || Double.isInfinite(column[i]) ? "" : Double.toString(column[i]));

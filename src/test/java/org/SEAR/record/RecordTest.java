@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
 import org.SEAR.Fuzz;
 import org.SEAR.POJOs.Accelerometer;
@@ -263,6 +264,22 @@ public class RecordTest {
         new Box("new", 1, 1, 1).move(5, 5, 5);
         String said = assertThrows(IOException.class, () -> Rerun.of(RunRecord.open(file()), Project.read(project.folder()))).getMessage();
         assertTrue(said, said.contains("is of another project than"));
+    }
+
+    /** Otherwise Ctrl+C in a Python 3 program would wait for the end of the table. */
+    @Test
+    public void anInterruptEndsTheWritingOfATable() throws Exception {
+        try (Simulation world = world()) {
+            recorded(world);
+        }
+        RunRecord record = RunRecord.open(file());
+        Series series = Series.of(record, new ArrayList<>(Series.names(record.getHeader())), 100);
+        Thread.currentThread().interrupt();
+        try {
+            assertThrows(CancellationException.class, series::csv);
+        } finally {
+            assertTrue(Thread.interrupted());
+        }
     }
 
     @Test

@@ -150,6 +150,29 @@ public class SignalsTest {
         }
     }
 
+    /** Ctrl+C ends calls of Java other than simSleep and step, after which the program and Java go on. */
+    @Test
+    public void otherCallsOfJavaAreInterrupted() throws Exception {
+        String call = String.format(START, MAX) + String.join("\n",
+            "java = sear.java_class('java.lang.Thread')",
+            "main = java.currentThread()",
+            "def report():",
+            "    while str(main.getState()) != 'TIMED_WAITING': time.sleep(0.01)",
+            "    time.sleep(0.3)     # so that the call is no reaction to the signal",
+            "    print('ready', flush=True)",
+            "threading.Thread(target=report, daemon=True).start()",
+            "");
+        assertEquals(BY_SIGNAL + 2, end("INT", "-c", call + "java.sleep(10**9)"));
+        assertEquals(0, end("INT", "-c", call + String.join("\n",
+            "try:",
+            "    java.sleep(10**9)",
+            "except KeyboardInterrupt:",
+            "    robots.step(1)",
+            "    java.sleep(1)",
+            "    sys.exit(0)",
+            "sys.exit(3)")));
+    }
+
     /** A wait goes on after a handler that returns. */
     @Test
     public void aHandlerThatReturnsDoesNotShortenAWait() throws Exception {

@@ -5,31 +5,42 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import java.io.File;
 import java.io.IOException;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.net.Socket;
 import java.net.URI;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.Collections;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.Callable;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import java.util.List;
+import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipFile;
+import java.util.zip.ZipOutputStream;
 import org.junit.After;
 import org.junit.Rule;
 import org.junit.rules.TemporaryFolder;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.SEAR.documents.DocBlock;
 import org.SEAR.FreePort;
 import org.SEAR.SearProcess;
+import org.SEAR.Slow;
 import org.myrobotlab.embedded.web.Token;
 
 /** {@code sear class}: programs that end are started again, the others continue, and none remains at the end. */
@@ -37,6 +48,10 @@ public class ClassCommandTest {
     private static final int PATIENCE_SECONDS = 240;
     private static final String ADA = "Ada-Lovelace";
     private static final String BEN = "Ben";
+    /** Size of a large file, bytes. */
+    private static final int LARGE = 40 << 20;
+    /** Size of a part of an upload, bytes. */
+    private static final int PART = 1 << 19;
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
@@ -233,6 +248,52 @@ public class ClassCommandTest {
         port = FreePort.find();
         sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "96", "--project", "examples/line.sear");
         until("Ada has the project", () -> Files.exists(path("class/Ada/SEARproject/robot/follower.xml")));
+    }
+
+    private Path largeBundle() throws IOException {
+        Path large = path("large.sear");
+        byte[] noise = new byte[LARGE];
+        new Random(1).nextBytes(noise);
+        try (ZipFile example = new ZipFile(new File(System.getProperty("sear.root", "."), "examples/line.sear"));
+                ZipOutputStream to = new ZipOutputStream(Files.newOutputStream(large))) {
+            for (ZipEntry entry : Collections.list(example.entries())) {
+                to.putNextEntry(new ZipEntry(entry.getName()));
+                example.getInputStream(entry).transferTo(to);
+            }
+            to.putNextEntry(new ZipEntry("assets/noise.bin"));
+            to.write(noise);
+        }
+        return large;
+    }
+
+    private static String upload(int index, int count, byte... part) {
+        return "[\"large.sear\"," + index + "," + count + ",\"" + Base64.getEncoder().encodeToString(part) + "\"]";
+    }
+
+    /** An upload has ended a program with that memory. */
+    @Test
+    @Category(Slow.class)
+    public void aLargeUploadIsLoadedInPartsAndRefusedAsAWhole() throws Exception {
+        Files.writeString(path("names.txt"), "Ada\n");
+        port = FreePort.find();
+        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "200", "--project", "examples/line.sear");
+        until("Ada has the project", () -> call(port, token("Ada"), "sear/getProblems", "[]").statusCode() == 200);
+        byte[] bundle = Files.readAllBytes(largeBundle());
+        int count = (bundle.length + PART - 1) / PART;
+        for (int i = 0; i < count; i++) {
+            byte[] part = Arrays.copyOfRange(bundle, i * PART, Math.min(bundle.length, (i + 1) * PART));
+            HttpResponse<String> answer = call(port, token("Ada"), "sear/uploadProject", upload(i, count, part));
+            assertEquals(answer.body(), 200, answer.statusCode());
+        }
+        assertEquals(LARGE, Files.size(path("class/Ada/SEARproject/assets/noise.bin")));
+        try (Socket socket = new Socket("localhost", port)) {
+            socket.getOutputStream().write(("POST /api/service/sear/uploadProject HTTP/1.1\r\nHost: localhost:" + port
+                + "\r\nAuthorization: Bearer " + token("Ada") + "\r\nContent-Type: application/json\r\nContent-Length: " + LARGE
+                + "\r\n\r\n").getBytes(StandardCharsets.US_ASCII));
+            String refusal = new String(socket.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
+            assertTrue(refusal, refusal.startsWith("HTTP/1.1 413") && refusal.endsWith("the arguments are longer than 12 MB\n"));
+        }
+        assertFalse(out(), out().contains("restarting"));
     }
 
     @Test

@@ -18,6 +18,10 @@ START_SECONDS = 180
 LOOK_SECONDS = 0.2
 LOG_BYTES = 64 * 1024 * 1024
 RUNS = 2000    # maximum runs of one process
+SHELL = "/bin/sh"
+# Stays the parent of its arguments, so that signals of a script to its parent don't end the Dask worker
+PARENT = (SHELL, "-c", '"$@"; exit $?', "sear") if os.access(SHELL, os.X_OK) else ()
+BY_SIGNAL = 128    # a shell's exit status for a signal's number
 
 
 class Child:
@@ -25,7 +29,7 @@ class Child:
 
     def __init__(self, folder, kind):
         self._log = tempfile.TemporaryFile(mode="a+b")
-        self._process = subprocess.Popen([sys.executable, "-m", "sear.sweeps._child", kind], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        self._process = subprocess.Popen([*PARENT, sys.executable, "-m", "sear.sweeps._child", kind], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                          stderr=self._log, cwd=folder if os.path.isdir(folder) else None, start_new_session=True)
         self._answers = queue.Queue()
         self.runs = 0
@@ -68,6 +72,8 @@ class Child:
             try:
                 answer = self._answers.get(timeout=min(LOOK_SECONDS, left))
             except queue.Empty:
+                if self._process.poll() is not None:    # the script has ended its parent
+                    return _lost("died", self._death())
                 if memory is not None and self._bytes() > memory * 2 ** 20:
                     return _lost("memory", "the run's process used more than %g MB" % memory)
                 if os.fstat(self._log.fileno()).st_size > LOG_BYTES:
@@ -85,8 +91,9 @@ class Child:
 
     def _death(self):
         status = self._process.wait()
-        if status < 0:
-            return "the run's process was ended by %s" % signal.Signals(-status).name
+        number = -status if status < 0 else status - BY_SIGNAL if PARENT else 0
+        if number in set(signal.Signals):
+            return "the run's process was ended by %s" % signal.Signals(number).name
         return "the run ended its process with status %d" % status
 
     def output(self):

@@ -130,15 +130,17 @@ public class SweepTest {
         Path script = folder.resolve("wrong.py");
         Files.writeString(script, String.join("\n", "#!/usr/bin/env python3", "import os, signal", "sear = Runtime.start('sear', 'SEAR')",
             "kind = sear.getParameter('kind', 'good')", "while kind == 'endless': sleep(0.1)", "if kind == 'dies':",
-            "    os.kill(os.getpid(), signal.SIGKILL)", "if kind == 'greedy':", "    much = b'x' * 1500000000",
+            "    os.kill(os.getpid(), signal.SIGKILL)",
+            "if kind == 'parent': os.kill(os.getppid(), signal.SIGTERM)", "if kind == 'group': os.killpg(0, signal.SIGKILL)",
+            "while kind == 'parent': sleep(0.1)", "if kind == 'greedy':", "    much = b'x' * 1500000000",
             "    while True: sleep(0.1)",
             "if kind == 'fails':", "    sear.loadProject('nowhere.sear')", "if kind == 'escapes':",
             "    raise ValueError('\\x1b[31mred')", "sear.setResult('answer', 42)",
             "sear.setResult('big', kind == 'good')"));
-        String out = sear(1, "sweep", "wrong.py", "--set", "kind=good,endless,dies,greedy,fails,escapes", "--set",
+        String out = sear(1, "sweep", "wrong.py", "--set", "kind=good,endless,dies,greedy,fails,escapes,parent,group", "--set",
             "knd=1", "--workers", "2",
             "--limit", "20", "--memory", "1200", "--out", "out");
-        assertEquals("6 rows in out: 1 ok, 1 died, 2 failed, 1 memory, 1 time\n", out);
+        assertEquals("8 rows in out: 1 ok, 3 died, 2 failed, 1 memory, 1 time\n", out);
         assertTrue(said, said.contains("row 0 has not used parameter knd: does the script pass this name to sear.getParameter?\n"));
         assertTrue(said, said.contains("\ndied: row 2: the run's process was ended by SIGKILL\n"));
         List<String> rows = Files.readAllLines(folder.resolve("out/rows.csv")).stream().map(row -> row.replaceFirst(",[^,]*,[^,]*$", ""))
@@ -148,9 +150,11 @@ public class SweepTest {
         assertEquals("1,1,endless,1,,,time,the run took longer than 20 s", rows.get(2));
         assertEquals("2,1,dies,1,,,died,the run's process was ended by SIGKILL", rows.get(3));
         assertEquals("3,1,greedy,1,,,memory,the run's process used more than 1200 MB", rows.get(4));
-        assertTrue(rows.get(5), rows.get(5).startsWith("4,1,fails,1,,,failed,") && rows.get(5).contains("line 12: ")
+        assertTrue(rows.get(5), rows.get(5).startsWith("4,1,fails,1,,,failed,") && rows.get(5).contains("line 15: ")
             && rows.get(5).contains("nowhere.sear"));
-        assertEquals("5,1,escapes,1,,,failed,line 14: ValueError: ?[31mred", rows.get(6));
+        assertEquals("5,1,escapes,1,,,failed,line 17: ValueError: ?[31mred", rows.get(6));
+        assertEquals("6,1,parent,1,,,died,the run's process was ended by SIGTERM", rows.get(7));
+        assertEquals("7,1,group,1,,,died,the run's process was ended by SIGKILL", rows.get(8));
         sear(0, "sweep", "wrong.py", "--again", "5", "--out", "out");
         assertTrue(said, said.contains("ValueError: ?[31mred") && said.indexOf(0x1b) < 0);
     }

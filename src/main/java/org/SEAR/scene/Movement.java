@@ -5,6 +5,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
 import org.SEAR.geometry.Pose;
+import org.SEAR.simulator.Snapshot;
 
 /**
  * Interpolates between steps for smooth motion from states that arrive at irregular times. Keeps the latest states and
@@ -22,41 +23,41 @@ public final class Movement {
     private static final double FAR = 1;
     private static final double FASTEST = 60;
 
-    private final Deque<SceneState> states = new ArrayDeque<>();
+    private final Deque<Snapshot> states = new ArrayDeque<>();
     private double clock;
-    private SceneState before;
-    private SceneState after;
+    private Snapshot before;
+    private Snapshot after;
     private double share;
 
     /**
      * Adds the newest state and advances the display time.
-     * @param sceneState the newest state; may equal that of the last frame
+     * @param snapshot the newest state; may equal that of the last frame
      * @param speed simulated seconds per real second; 0 while paused
      * @param frameTime real seconds since the last frame
      */
-    public void advance(SceneState sceneState, double speed, double frameTime) {
-        SceneState last = states.peekLast();
-        if (last == null || sceneState.step < last.step) {
+    public void advance(Snapshot snapshot, double speed, double frameTime) {
+        Snapshot last = states.peekLast();
+        if (last == null || snapshot.step < last.step) {
             states.clear();
-            clock = sceneState.time;
+            clock = snapshot.time;
         }
-        if (states.isEmpty() || sceneState.step != states.peekLast().step) {
-            states.addLast(sceneState);
+        if (states.isEmpty() || snapshot.step != states.peekLast().step) {
+            states.addLast(snapshot);
         }
         if (states.size() > KEPT) {
             states.removeFirst();
         }
-        double target = speed > 0 ? sceneState.time - DELAY * speed : sceneState.time;
+        double target = speed > 0 ? snapshot.time - DELAY * speed : snapshot.time;
         clock += frameTime * speed;
         double error = target - clock;
         boolean far = speed <= 0 || Math.abs(error) > JUMP * speed;
         clock += far ? error : error * CORRECTION;
-        clock = Math.max(states.peekFirst().time, Math.min(sceneState.time, clock));
+        clock = Math.max(states.peekFirst().time, Math.min(snapshot.time, clock));
         enclose();
     }
 
     private void enclose() {
-        Iterator<SceneState> all = states.iterator();
+        Iterator<Snapshot> all = states.iterator();
         before = all.next();
         after = before;
         while (all.hasNext() && after.time < clock) {
@@ -68,12 +69,12 @@ public final class Movement {
     }
 
     /** Returns the newest state, for numbers and text. */
-    public SceneState newest() {
+    public Snapshot newest() {
         return states.peekLast();
     }
 
     /** Returns the state whose beams and lights best match the displayed poses. */
-    public SceneState shown() {
+    public Snapshot shown() {
         return share < 0.5 ? before : after;
     }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /**
- * Drawing data that the window and the tab share: the scene at one moment, interpolation between steps, sensor beams,
- * camera cones, text of readings, colours of lights. Uses {@link org.SEAR.simulator} and its dependencies. Any thread;
+ * Drawing data that the window and the tab share: interpolation between steps, sensor beams, camera cones, text of
+ * readings, colours of lights. Uses {@link org.SEAR.simulator} and its dependencies. Any thread;
  * returned objects are immutable.
  *
  * <p>The tab interpolates between two messages itself. Its poses ({@code shared/geometry.js}) follow

@@ -26,7 +26,7 @@ public final class Snapshot {
     /** Warnings for the user. */
     public final List<String> warnings;
 
-    Snapshot(long step, double time, List<Pose> environment, List<RobotState> robots, Map<String, Reading> readings,
+    public Snapshot(long step, double time, List<Pose> environment, List<RobotState> robots, Map<String, Reading> readings,
             List<double[]> contacts, List<String> warnings) {
         this.step = step;
         this.time = time;
@@ -47,7 +47,7 @@ public final class Snapshot {
         /** Its connected pins. */
         public final List<PinState> pins;
 
-        DeviceState(String name, boolean powered, String status, List<PinState> pins) {
+        public DeviceState(String name, boolean powered, String status, List<PinState> pins) {
             this.name = name;
             this.powered = powered;
             this.status = status;
@@ -79,7 +79,7 @@ public final class Snapshot {
         /** Whether one of its devices accepts drive commands, so that its host drives the robot. */
         public final boolean commanded;
 
-        RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<Pose> parts,
+        public RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<Pose> parts,
                 List<Double> lights, List<DeviceState> devices, boolean commanded) {
             this.name = name;
             this.pose = pose;

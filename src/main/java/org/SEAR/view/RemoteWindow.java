@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.SEAR.scene.ReadingTexts;
 import org.SEAR.view.link.WorldLink;
 import org.SEAR.view.platform.DisplayCheck;
 import org.SEAR.view.process.StateMessage;
@@ -76,11 +77,12 @@ final class RemoteWindow implements WindowHandle {
 
     private void feed() {
         try (DataOutputStream out = new DataOutputStream(new BufferedOutputStream(process.getOutputStream()))) {
+            ReadingTexts texts = new ReadingTexts(world.project());
             StateMessage before = null;
             while (process.isAlive() && !closing) {
-                if (world.sceneState() != null) {
+                if (world.snapshot() != null) {
                     StateMessage now = StateMessage.of(world);
-                    now.write(out, before);
+                    now.write(out, before, texts);
                     before = now;
                     out.flush();
                 }

@@ -10,7 +10,8 @@ import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
 import org.SEAR.project.models.ModelLoader;
 import org.SEAR.scene.Movement;
-import org.SEAR.scene.SceneState;
+import org.SEAR.scene.ReadingTexts;
+import org.SEAR.simulator.Snapshot;
 import org.SEAR.view.hud.Hud;
 import org.SEAR.view.hud.StatusText;
 import org.SEAR.view.input.Controls;
@@ -35,6 +36,7 @@ final class WindowScene {
     private static final float LOOK_UP = 0.1f;
 
     private final WorldLink link;
+    private final ReadingTexts texts;
     private final Movement movement = new Movement();
     private final Lighting lighting;
     private final WorldView world;
@@ -60,6 +62,7 @@ final class WindowScene {
     WindowScene(WindowApplication window, WorldLink link, WindowOptions options, ExecutorService background) {
         this.window = window;
         this.link = link;
+        texts = new ReadingTexts(link.project());
         BitmapFont font = window.getAssetManager().loadFont("Interface/Fonts/Default.fnt");
         Materials materials = new Materials(window.getAssetManager(), !window.isSoftware(), options.getWarnings());
         SceneBuilder builder = new SceneBuilder(new ModelLoader(link.project().getAssets()), materials, options.getWarnings());
@@ -88,8 +91,8 @@ final class WindowScene {
 
     /** Draws the newest state, if there is one. */
     void update(float frameTime) {
-        SceneState sceneState = link.sceneState();
-        if (sceneState == null) {
+        Snapshot snapshot = link.snapshot();
+        if (snapshot == null) {
             return;
         }
         state.paused = link.isPaused();
@@ -99,8 +102,9 @@ final class WindowScene {
         state.flying = camera.isFlying();
         state.robot = robot;
         state.picture = picture < 0 ? null : link.picture();
+        state.readings = texts.of(snapshot.readings);
         state.hidden = world.hiddenSensors();
-        movement.advance(sceneState, state.paused ? 0 : state.measuredSpeed, frameTime);
+        movement.advance(snapshot, state.paused ? 0 : state.measuredSpeed, frameTime);
         world.update(movement);
         shapes.update(movement.newest());
         look(frameTime);
@@ -112,7 +116,7 @@ final class WindowScene {
         if (frameRate.count(frameTime)) {
             lighting.hurryShadows();
         }
-        world.label(labels, movement.newest(), window.getCamera());
+        world.label(labels, state.readings, window.getCamera());
         hud.update(frameTime, window.getCamera().getWidth(), window.getCamera().getHeight(), movement.newest(), state);
     }
 

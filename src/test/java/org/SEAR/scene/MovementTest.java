@@ -7,6 +7,7 @@ import static org.junit.Assert.assertSame;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
+import org.SEAR.simulator.Snapshot;
 import org.junit.Test;
 
 /** The view shows objects between two steps, evenly; teleported objects appear at their new place immediately. */
@@ -15,8 +16,8 @@ public class MovementTest {
     private static final double EXACT = 1e-12;
 
     /** Returns the state of one object at z at this step. */
-    private static SceneState state(long step, double z) {
-        return new SceneState(step, step * STEP, List.of(new Pose(0, 0, z, 0, 0, 0, 1)), List.of(), Map.of(), Map.of(), List.of(), List.of());
+    private static Snapshot state(long step, double z) {
+        return new Snapshot(step, step * STEP, List.of(new Pose(0, 0, z, 0, 0, 0, 1)), List.of(), Map.of(), List.of(), List.of());
     }
 
     @Test

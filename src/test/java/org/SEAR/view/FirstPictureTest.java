@@ -29,9 +29,9 @@ public class FirstPictureTest {
             WorldLink link = new RunnerLink(world.runner, () -> false);
             WorldLink watched = (WorldLink) Proxy.newProxyInstance(WorldLink.class.getClassLoader(), new Class<?>[] {WorldLink.class},
                 (proxy, method, arguments) -> {
-                    if (method.getName().equals("sceneState")) {
+                    if (method.getName().equals("snapshot")) {
                         asked.add(isVisible());
-                        return asked.size() < 10 ? null : link.sceneState();
+                        return asked.size() < 10 ? null : link.snapshot();
                     }
                     return method.invoke(link, arguments);
                 });

@@ -7,7 +7,8 @@ import com.jme3.scene.Node;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
-import org.SEAR.scene.SceneState;
+import java.util.Map;
+import org.SEAR.simulator.Snapshot;
 import org.SEAR.view.input.Key;
 import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.scene.Materials;
@@ -77,11 +78,13 @@ public final class Hud {
         public String camera;
         /** That camera's picture, or null. */
         public CameraFrame picture;
+        /** Readings as text with unit, by sensor name. */
+        public Map<String, String> readings = Map.of();
         /** Names of the beam sensors whose beams are hidden. */
         public List<String> hidden = List.of();
     }
 
-    public void update(float frameTime, int width, int height, SceneState sceneState, State state) {
+    public void update(float frameTime, int width, int height, Snapshot snapshot, State state) {
         if (state.hasCameras != cameras) {
             cameras = state.hasCameras;
             hint.setText(hintText());
@@ -95,9 +98,9 @@ public final class Hud {
         }
         if (sinceRefresh >= REFRESH) {
             sinceRefresh = 0;
-            statusWords = StatusText.status(sceneState, state);
-            sensorWords = StatusText.sensors(sceneState, state);
-            warningWords = StatusText.warnings(sceneState);
+            statusWords = StatusText.status(snapshot, state);
+            sensorWords = StatusText.sensors(state);
+            warningWords = StatusText.warnings(snapshot);
             status.setText(helpShown ? "" : folded ? statusWords.split("\n", 2)[0] : statusWords);
             sensors.setText(helpShown || folded ? "" : sensorWords);
             warnings.setText(helpShown ? "" : warningWords);

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
-import org.SEAR.scene.SceneState;
+import org.SEAR.simulator.Snapshot;
 
 /** Text of the window's panels. */
 public final class StatusText {
@@ -17,12 +17,12 @@ public final class StatusText {
     }
 
     /** Returns time, robots and serial devices. */
-    static String status(SceneState sceneState, Hud.State state) {
+    static String status(Snapshot snapshot, Hud.State state) {
         List<String> lines = new ArrayList<>();
-        lines.add(String.format(Locale.ROOT, "time %.2f s   speed %.2f of %s%s", sceneState.time, state.measuredSpeed, factor(state.wantedSpeed),
+        lines.add(String.format(Locale.ROOT, "time %.2f s   speed %.2f of %s%s", snapshot.time, state.measuredSpeed, factor(state.wantedSpeed),
             state.paused ? "   PAUSED" : ""));
-        for (int i = 0; i < sceneState.robots.size(); i++) {
-            lines.addAll(robot(sceneState.robots.get(i), sceneState.robots.size() > 1 && i == state.robot));
+        for (int i = 0; i < snapshot.robots.size(); i++) {
+            lines.addAll(robot(snapshot.robots.get(i), snapshot.robots.size() > 1 && i == state.robot));
         }
         if (state.flying) {
             lines.add("flycam");
@@ -34,9 +34,9 @@ public final class StatusText {
     }
 
     /** Returns all readings, with the number keys that show and hide beams. */
-    static String sensors(SceneState sceneState, Hud.State state) {
+    static String sensors(Hud.State state) {
         List<String> lines = new ArrayList<>();
-        for (Map.Entry<String, String> value : sceneState.values.entrySet()) {
+        for (Map.Entry<String, String> value : state.readings.entrySet()) {
             int number = state.beamSensors.indexOf(value.getKey());
             String key = number < 0 || number > 8 ? "" : (number + 1) + "  ";
             lines.add(key + value.getKey() + ": " + value.getValue() + (state.hidden.contains(value.getKey()) ? "  (hidden)" : ""));
@@ -44,15 +44,15 @@ public final class StatusText {
         return String.join("\n", lines);
     }
 
-    private static List<String> robot(SceneState.RobotState robot, boolean followed) {
+    private static List<String> robot(Snapshot.RobotState robot, boolean followed) {
         Pose pose = robot.pose;
         List<String> lines = new ArrayList<>();
         lines.add(String.format(Locale.ROOT, "%s%s   x %.2f  y %.2f  z %.2f m   heading %.0f deg", followed ? "> " : "", robot.name,
-            hundredths(pose.x), hundredths(pose.y), hundredths(pose.z), Math.rint(robot.heading()) + 0.0));
+            hundredths(pose.x), hundredths(pose.y), hundredths(pose.z), Math.rint(pose.heading()) + 0.0));
         lines.add(String.format(Locale.ROOT, "    %.2f m/s   %.0f deg/s", hundredths(robot.speed),
             Math.rint(Math.toDegrees(robot.turnRate)) + 0.0));
-        for (String status : robot.status) {
-            lines.add("    " + status);
+        for (Snapshot.DeviceState device : robot.devices) {
+            lines.add("    " + device);
         }
         return lines;
     }
@@ -68,8 +68,8 @@ public final class StatusText {
     }
 
     /** Returns the latest warnings. */
-    static String warnings(SceneState sceneState) {
-        List<String> all = sceneState.warnings;
+    static String warnings(Snapshot snapshot) {
+        List<String> all = snapshot.warnings;
         return String.join("\n", all.subList(Math.max(0, all.size() - WARNINGS), all.size()));
     }
 }

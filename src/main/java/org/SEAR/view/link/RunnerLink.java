@@ -9,8 +9,6 @@ import org.SEAR.POJOs.Camera;
 import org.SEAR.project.Project;
 import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.BeamFans;
-import org.SEAR.scene.SceneState;
-import org.SEAR.scene.SceneStates;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
@@ -22,10 +20,7 @@ public final class RunnerLink implements WorldLink {
     private final Simulation simulation;
     private final BooleanSupplier scriptDrives;
     private final ExecutorService steps;
-    private final SceneStates states;
     private final CameraWatch watch;
-    private Snapshot last;
-    private SceneState sceneState;
 
     public RunnerLink(SimulationRunner runner, BooleanSupplier scriptDrives) {
         this.runner = runner;
@@ -36,7 +31,6 @@ public final class RunnerLink implements WorldLink {
             stepper.setDaemon(true);
             return stepper;
         });
-        states = new SceneStates(project());
         watch = new CameraWatch(simulation);
         simulation.post(world -> watch(world, true));
     }
@@ -61,13 +55,8 @@ public final class RunnerLink implements WorldLink {
     }
 
     @Override
-    public synchronized SceneState sceneState() {
-        Snapshot snapshot = simulation.snapshot();
-        if (snapshot != last) {
-            last = snapshot;
-            sceneState = states.of(snapshot, snapshot.readings::get);
-        }
-        return sceneState;
+    public Snapshot snapshot() {
+        return simulation.snapshot();
     }
 
     @Override

@@ -4,7 +4,7 @@ package org.SEAR.view.link;
 import java.util.List;
 import org.SEAR.project.Project;
 import org.SEAR.scene.BeamFan;
-import org.SEAR.scene.SceneState;
+import org.SEAR.simulator.Snapshot;
 
 /** Access of a window to a world. No method waits for the simulation. Any thread. */
 public interface WorldLink {
@@ -14,7 +14,7 @@ public interface WorldLink {
     List<BeamFan> beams();
 
     /** Returns the newest state; null before the first one. */
-    SceneState sceneState();
+    Snapshot snapshot();
 
     boolean isPaused();
 

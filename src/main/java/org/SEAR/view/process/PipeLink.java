@@ -8,7 +8,7 @@ import java.util.List;
 import org.SEAR.project.Project;
 import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.BeamFans;
-import org.SEAR.scene.SceneState;
+import org.SEAR.simulator.Snapshot;
 import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.link.WorldLink;
 
@@ -67,8 +67,8 @@ public final class PipeLink implements WorldLink {
     }
 
     @Override
-    public SceneState sceneState() {
-        return state == null ? null : state.sceneState;
+    public Snapshot snapshot() {
+        return state == null ? null : state.snapshot;
     }
 
     @Override

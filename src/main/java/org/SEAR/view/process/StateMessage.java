@@ -5,15 +5,18 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
-import org.SEAR.scene.SceneState;
+import org.SEAR.scene.ReadingTexts;
+import org.SEAR.sensors.Reading;
+import org.SEAR.simulator.Snapshot;
 import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.link.WorldLink;
 
-/** All values of a {@link WorldLink} at one time, serialised for a window in another process. Immutable, any thread. */
+/** A {@link WorldLink}'s snapshot and settings at one time, as bytes for a window in another process. Immutable, any thread. */
 public final class StateMessage {
     /** Picture of a message: that of the previous message, none, or a new one that follows. */
     private static final int SAME = 0;
@@ -21,7 +24,7 @@ public final class StateMessage {
     private static final int ANOTHER = 2;
     private static final int BYTE = 0xff;
 
-    final SceneState sceneState;
+    final Snapshot snapshot;
     final boolean paused;
     final double measuredSpeed;
     final double wantedSpeed;
@@ -29,8 +32,8 @@ public final class StateMessage {
     /** The newest picture of a camera, or null. */
     final CameraFrame picture;
 
-    StateMessage(SceneState sceneState, boolean paused, double measuredSpeed, double wantedSpeed, boolean scriptDrives, CameraFrame picture) {
-        this.sceneState = sceneState;
+    StateMessage(Snapshot snapshot, boolean paused, double measuredSpeed, double wantedSpeed, boolean scriptDrives, CameraFrame picture) {
+        this.snapshot = snapshot;
         this.paused = paused;
         this.measuredSpeed = measuredSpeed;
         this.wantedSpeed = wantedSpeed;
@@ -40,7 +43,7 @@ public final class StateMessage {
 
     /** Returns the current state of a world after its first step. */
     public static StateMessage of(WorldLink world) {
-        return new StateMessage(world.sceneState(), world.isPaused(), world.measuredSpeed(), world.wantedSpeed(), world.scriptDrives(),
+        return new StateMessage(world.snapshot(), world.isPaused(), world.measuredSpeed(), world.wantedSpeed(), world.scriptDrives(),
             world.picture());
     }
 
@@ -65,14 +68,41 @@ public final class StateMessage {
         for (int i = 0; i < count; i++) {
             values.add(reader.read());
         }
-        return values;
+        return Collections.unmodifiableList(values);
+    }
+
+    /** A reading as the window draws it. */
+    private static final class DrawnReading implements Reading {
+        private final String words;
+        private final double[] beams;
+
+        DrawnReading(String words, double[] beams) {
+            this.words = words;
+            this.beams = beams;
+        }
+
+        @Override
+        public double[] numbers() {
+            return new double[0];
+        }
+
+        @Override
+        public String words(String unit) {
+            return words;
+        }
+
+        @Override
+        public double[] beams() {
+            return beams;
+        }
     }
 
     /**
      * Writes the message.
      * @param before the previous message, whose picture is not repeated; or null
+     * @param texts of the project's readings
      */
-    public void write(DataOutputStream out, StateMessage before) throws IOException {
+    public void write(DataOutputStream out, StateMessage before, ReadingTexts texts) throws IOException {
         boolean same = picture == (before == null ? null : before.picture);
         out.writeByte(same ? SAME : picture == null ? NONE : ANOTHER);
         if (!same && picture != null) {
@@ -82,20 +112,28 @@ public final class StateMessage {
         out.writeDouble(measuredSpeed);
         out.writeDouble(wantedSpeed);
         out.writeBoolean(scriptDrives);
-        out.writeLong(sceneState.step);
-        out.writeDouble(sceneState.time);
-        writeAll(out, sceneState.environment, sceneState.environment.size(), pose -> write(out, pose));
-        writeAll(out, sceneState.robots, sceneState.robots.size(), robot -> write(out, robot));
-        writeAll(out, sceneState.beams.entrySet(), sceneState.beams.size(), beam -> {
+        out.writeLong(snapshot.step);
+        out.writeDouble(snapshot.time);
+        writeAll(out, snapshot.environment, snapshot.environment.size(), pose -> write(out, pose));
+        writeAll(out, snapshot.robots, snapshot.robots.size(), robot -> write(out, robot));
+        Map<String, String> words = texts.of(snapshot.readings);
+        Map<String, double[]> beams = new LinkedHashMap<>();
+        for (String sensor : words.keySet()) {
+            Reading reading = snapshot.readings.get(sensor);
+            if (reading != null && reading.beams() != null) {
+                beams.put(sensor, reading.beams());
+            }
+        }
+        writeAll(out, beams.entrySet(), beams.size(), beam -> {
             out.writeUTF(beam.getKey());
             write(out, beam.getValue());
         });
-        writeAll(out, sceneState.values.entrySet(), sceneState.values.size(), value -> {
+        writeAll(out, words.entrySet(), words.size(), value -> {
             out.writeUTF(value.getKey());
             out.writeUTF(value.getValue());
         });
-        writeAll(out, sceneState.contacts, sceneState.contacts.size(), contact -> write(out, contact));
-        writeAll(out, sceneState.warnings, sceneState.warnings.size(), out::writeUTF);
+        writeAll(out, snapshot.contacts, snapshot.contacts.size(), contact -> write(out, contact));
+        writeAll(out, snapshot.warnings, snapshot.warnings.size(), out::writeUTF);
     }
 
     /** @param before the previous message, or null */
@@ -109,14 +147,18 @@ public final class StateMessage {
         long step = in.readLong();
         double time = in.readDouble();
         List<Pose> environment = readAll(in, () -> pose(in));
-        List<SceneState.RobotState> robots = readAll(in, () -> robot(in));
+        List<Snapshot.RobotState> robots = readAll(in, () -> robot(in));
         Map<String, double[]> beams = new LinkedHashMap<>();
         readAll(in, () -> beams.put(in.readUTF(), numbers(in)));
-        Map<String, String> values = new LinkedHashMap<>();
-        readAll(in, () -> values.put(in.readUTF(), in.readUTF()));
+        Map<String, Reading> readings = new LinkedHashMap<>();
+        readAll(in, () -> {
+            String sensor = in.readUTF();
+            return readings.put(sensor, new DrawnReading(in.readUTF(), beams.get(sensor)));
+        });
         List<double[]> contacts = readAll(in, () -> numbers(in));
-        SceneState sceneState = new SceneState(step, time, environment, robots, beams, values, contacts, readAll(in, in::readUTF));
-        return new StateMessage(sceneState, paused, measuredSpeed, wantedSpeed, scriptDrives, picture);
+        Snapshot snapshot = new Snapshot(step, time, environment, robots, Collections.unmodifiableMap(readings), contacts,
+            readAll(in, in::readUTF));
+        return new StateMessage(snapshot, paused, measuredSpeed, wantedSpeed, scriptDrives, picture);
     }
 
     private static void write(DataOutputStream out, CameraFrame picture) throws IOException {
@@ -151,7 +193,7 @@ public final class StateMessage {
         return new CameraFrame(camera, words, width, height, pixels);
     }
 
-    private static void write(DataOutputStream out, SceneState.RobotState robot) throws IOException {
+    private static void write(DataOutputStream out, Snapshot.RobotState robot) throws IOException {
         out.writeUTF(robot.name);
         write(out, robot.pose);
         out.writeDouble(robot.speed);
@@ -159,12 +201,17 @@ public final class StateMessage {
         writeAll(out, robot.wheels, robot.wheels.size(), wheel -> write(out, wheel));
         writeAll(out, robot.parts, robot.parts.size(), part -> write(out, part));
         writeAll(out, robot.lights, robot.lights.size(), out::writeDouble);
-        writeAll(out, robot.status, robot.status.size(), out::writeUTF);
+        writeAll(out, robot.devices, robot.devices.size(), device -> out.writeUTF(device.toString()));
     }
 
-    private static SceneState.RobotState robot(DataInputStream in) throws IOException {
-        return new SceneState.RobotState(in.readUTF(), pose(in), in.readDouble(), in.readDouble(), readAll(in, () -> pose(in)),
-            readAll(in, () -> pose(in)), readAll(in, in::readDouble), readAll(in, in::readUTF));
+    private static Snapshot.RobotState robot(DataInputStream in) throws IOException {
+        return new Snapshot.RobotState(in.readUTF(), pose(in), in.readDouble(), in.readDouble(), readAll(in, () -> pose(in)),
+            readAll(in, () -> pose(in)), readAll(in, in::readDouble), readAll(in, () -> device(in.readUTF())), false);
+    }
+
+    private static Snapshot.DeviceState device(String line) {
+        String[] nameAndStatus = line.split(": ", 2);
+        return new Snapshot.DeviceState(nameAndStatus[0], true, nameAndStatus[1], List.of());
     }
 
     private static void write(DataOutputStream out, Pose pose) throws IOException {

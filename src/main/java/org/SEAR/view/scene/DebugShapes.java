@@ -24,7 +24,7 @@ import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
-import org.SEAR.scene.SceneState;
+import org.SEAR.simulator.Snapshot;
 
 /**
  * Physics shapes: outlines of collision shapes, crosses at contact points and the wheels' suspension rays. Window
@@ -121,14 +121,14 @@ public final class DebugShapes {
         return lineCount;
     }
 
-    public void update(SceneState sceneState) {
+    public void update(Snapshot snapshot) {
         if (!visible) {
             return;
         }
         points.clear();
         colors.clear();
         lineCount = 0;
-        for (double[] contact : sceneState.contacts) {
+        for (double[] contact : snapshot.contacts) {
             Vector3f middle = new Vector3f((float) contact[0], (float) contact[1], (float) contact[2]);
             line(middle.add(-ARM, 0, 0), middle.add(ARM, 0, 0), CONTACT);
             line(middle.add(0, -ARM, 0), middle.add(0, ARM, 0), CONTACT);

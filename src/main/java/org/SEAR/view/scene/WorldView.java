@@ -8,6 +8,7 @@ import com.jme3.scene.Geometry;
 import com.jme3.scene.Node;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.SEARrobot;
@@ -18,8 +19,9 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.Movement;
-import org.SEAR.scene.SceneState;
 import org.SEAR.scene.ViewCone;
+import org.SEAR.sensors.Reading;
+import org.SEAR.simulator.Snapshot;
 
 /** Scene of a project: objects, robots and beams at poses interpolated between steps. Window thread only. */
 public final class WorldView {
@@ -143,7 +145,7 @@ public final class WorldView {
 
     /** Moves all nodes to their present poses. */
     public void update(Movement movement) {
-        SceneState shown = movement.shown();
+        Snapshot shown = movement.shown();
         for (int i = 0; i < Math.min(environment.size(), shown.environment.size()); i++) {
             move(environment.get(i), movement.environment(i));
         }
@@ -162,7 +164,8 @@ public final class WorldView {
         for (BeamView beam : beams) {
             move(beam.node(), movement.part(beam.fan().robot, beam.fan().part));
             if (beam.isVisible()) {
-                beam.update(shown.beams.get(beam.fan().sensor));
+                Reading reading = shown.readings.get(beam.fan().sensor);
+                beam.update(reading == null ? null : reading.beams());
             }
         }
         for (ConeView view : cones) {
@@ -188,10 +191,11 @@ public final class WorldView {
         }
     }
 
-    public void label(Labels labels, SceneState sceneState, Camera camera) {
+    /** @param readings as text, by sensor name */
+    public void label(Labels labels, Map<String, String> readings, Camera camera) {
         labels.begin();
         for (BeamView beam : beams) {
-            String value = sceneState.values.get(beam.fan().sensor);
+            String value = readings.get(beam.fan().sensor);
             Vector3f point = beam.node().localToWorld(new Vector3f(0, LABEL_HEIGHT, 0), null);
             labels.put(beam.fan().sensor, beam.isVisible() && value != null ? beam.fan().sensor + "  " + value : null, point, camera);
         }

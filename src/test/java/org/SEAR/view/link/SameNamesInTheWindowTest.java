@@ -2,6 +2,7 @@
 package org.SEAR.view.link;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNotNull;
 
 import java.util.List;
 import java.util.Set;
@@ -10,6 +11,7 @@ import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.scene.ReadingTexts;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 import org.junit.Rule;
@@ -33,8 +35,9 @@ public class SameNamesInTheWindowTest {
             RunnerLink link = new RunnerLink(new SimulationRunner(world), () -> false);
             world.step();
             Set<String> both = Set.of("rover/ping", "scout/ping");
-            assertEquals(both, link.sceneState().values.keySet());
-            assertEquals(both, link.sceneState().beams.keySet());
+            assertEquals(both, link.snapshot().readings.keySet());
+            assertEquals(both, new ReadingTexts(link.project()).of(link.snapshot().readings).keySet());
+            both.forEach(name -> assertNotNull(link.snapshot().readings.get(name).beams()));
             assertEquals(both, link.beams().stream().map(fan -> fan.sensor).collect(Collectors.toSet()));
             link.close();
         }

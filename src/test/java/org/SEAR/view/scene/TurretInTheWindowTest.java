@@ -64,7 +64,7 @@ public class TurretInTheWindowTest {
                 world.step();
             }
             Movement movement = new Movement();
-            movement.advance(link.sceneState(), 0, 0);
+            movement.advance(link.snapshot(), 0, 0);
             view.update(movement);
             near(new Vector3f(0.2f, 0.1f, 0), view.robot(0).getChild("head").getLocalTranslation());
             near(new Vector3f(0.25f, 0.1f, 0), view.robot(0).getChild("eye").getLocalTranslation());
@@ -91,7 +91,7 @@ public class TurretInTheWindowTest {
             world.getLight("lamp").setBrightness(1);
             world.step();
             Movement movement = new Movement();
-            movement.advance(link.sceneState(), 0, 0);
+            movement.advance(link.snapshot(), 0, 0);
             view.update(movement);
             ColorRGBA lit = (ColorRGBA) bulb.getMaterial().getParam("Color").getValue();
             assertEquals(0xff8000, lit.asIntARGB() & 0xffffff);

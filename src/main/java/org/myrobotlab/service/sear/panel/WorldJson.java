@@ -31,8 +31,7 @@ import org.SEAR.robot.Stability;
 import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.BeamFans;
 import org.SEAR.scene.Glow;
-import org.SEAR.scene.SceneState;
-import org.SEAR.scene.SceneStates;
+import org.SEAR.scene.ReadingTexts;
 import org.SEAR.scene.ViewCone;
 import org.SEAR.sensors.CameraImage;
 import org.SEAR.sensors.LidarScan;
@@ -59,7 +58,7 @@ final class WorldJson {
     private final LookTable looks;
     private final boolean looking;
     private Project project;
-    private SceneStates states;
+    private ReadingTexts texts;
     private double lastTime;
 
     WorldJson(LookTable looks) {
@@ -103,32 +102,31 @@ final class WorldJson {
         for (int i = 0; i < read.size(); i++) {
             readings.put(names.get(i), read.get(i));
         }
-        SceneState scene = states(world.getProject()).of(snapshot, readings::get);
-        if (scene.time < lastTime) {
+        begin(world.getProject());
+        if (snapshot.time < lastTime) {
             paths.clear();
         }
-        lastTime = scene.time;
-        state.time = scene.time;
-        state.step = scene.step;
-        for (Pose pose : scene.environment) {
+        lastTime = snapshot.time;
+        state.time = snapshot.time;
+        state.step = snapshot.step;
+        for (Pose pose : snapshot.environment) {
             WorldState.Thing thing = new WorldState.Thing();
             thing.pose = numbers(pose);
             state.objects.add(thing);
         }
         for (int i = 0; i < world.getRobots().size(); i++) {
             Robot robot = world.getRobots().get(i);
-            state.robots.add(mover(robot, scene.robots.get(i), snapshot.robots.get(i).devices));
-            robot.getSensors().forEach(sensor -> state.sensors.add(probe(robot, sensor, readings.get(sensor.getName()), scene)));
+            state.robots.add(mover(robot, snapshot.robots.get(i)));
+            robot.getSensors().forEach(sensor -> state.sensors.add(probe(robot, sensor, readings.get(sensor.getName()))));
         }
         return state;
     }
 
-    private SceneStates states(Project of) {
+    private void begin(Project of) {
         if (of != project) {
             project = of;
-            states = new SceneStates(of);
+            texts = new ReadingTexts(of);
         }
-        return states;
     }
 
     private void addFixed(WorldState.Thing thing, SearObject object, Simulation world) {
@@ -184,7 +182,7 @@ final class WorldJson {
         return new double[] {rounded(exact[0], per), rounded(exact[1], per), rounded(exact[2], per)};
     }
 
-    private WorldState.Mover mover(Robot robot, SceneState.RobotState now, List<Snapshot.DeviceState> devices) {
+    private WorldState.Mover mover(Robot robot, Snapshot.RobotState now) {
         WorldState.Mover mover = new WorldState.Mover();
         SEARrobot written = robot.getWritten();
         mover.pose = numbers(now.pose);
@@ -192,7 +190,7 @@ final class WorldJson {
         mover.written = new double[] {written.getX(), written.getY(), written.getZ(), written.getRx(), written.getRy(), written.getRz()};
         mover.speed = rounded(now.speed, FINE);
         mover.turnRate = rounded(now.turnRate, FINE);
-        mover.devices = devices(devices);
+        mover.devices = devices(now.devices);
         mover.wheels = wheels(now.wheels);
         mover.turned = now.parts.isEmpty() ? null : turned(robot.getObject(), now.parts, Shape.class);
         mover.lights = now.lights.isEmpty() ? null : now.lights;
@@ -296,7 +294,7 @@ final class WorldJson {
     }
 
     /** Extends a robot's path; panels do the same with the poses they get. */
-    private void extendPath(SceneState.RobotState robot) {
+    private void extendPath(Snapshot.RobotState robot) {
         List<double[]> path = paths.computeIfAbsent(robot.name, name -> new ArrayList<>());
         double[] last = path.isEmpty() ? null : path.get(path.size() - 1);
         if (last == null || Math.hypot(last[0] - robot.pose.x, last[1] - robot.pose.z) > PATH_STEP) {
@@ -349,7 +347,7 @@ final class WorldJson {
         return list;
     }
 
-    private static WorldState.Probe probe(Robot robot, Sensor<?> sensor, Reading reading, SceneState scene) {
+    private WorldState.Probe probe(Robot robot, Sensor<?> sensor, Reading reading) {
         WorldState.Probe probe = new WorldState.Probe();
         probe.pose = numbers(robot.getPose().times(sensor.getMount()));
         if (sensor.getParameters() instanceof Camera) {
@@ -365,7 +363,7 @@ final class WorldJson {
         if (reading.hits() != null) {
             probe.hit = reading.hits().stream().findFirst().map(hit -> point(hit, MILLIMETRES));
         }
-        probe.words = scene.values.get(sensor.getName());
+        probe.words = texts.of(sensor.getName(), reading);
         probe.numbers = numbers(reading.numbers());
         probe.picture = reading.picture() == null ? null : SmallPicture.of(reading.picture());
         return probe;

@@ -4,6 +4,7 @@ package org.myrobotlab.service.sear.panel;
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -26,6 +27,7 @@ import org.SEAR.project.ProjectRule;
 import org.SEAR.record.Recorder;
 import org.SEAR.record.RunRecord;
 import org.SEAR.record.Series;
+import org.SEAR.scene.ReadingTexts;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 import org.SEAR.view.link.RunnerLink;
@@ -123,8 +125,8 @@ public class OwnReadingTest {
     public void theWindowShowsItsText() {
         RunnerLink link = new RunnerLink(new SimulationRunner(world), () -> false);
         steps(10);
-        assertEquals(words(), link.sceneState().values.get("eye"));
-        assertFalse(link.sceneState().beams.containsKey("eye"));
+        assertEquals(words(), new ReadingTexts(link.project()).of(link.snapshot().readings).get("eye"));
+        assertNull(link.snapshot().readings.get("eye").beams());
         link.close();
     }
 

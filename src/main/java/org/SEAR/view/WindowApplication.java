@@ -17,13 +17,11 @@ import org.SEAR.view.link.WorldLink;
 import org.SEAR.view.platform.EngineVersion;
 import org.SEAR.view.platform.Glfw;
 import org.SEAR.view.platform.LateDisplay;
-import org.SEAR.view.platform.NativeMemory;
-import org.SEAR.view.platform.X11Guard;
 
 /**
  * The jMonkeyEngine window. Everything runs on its own thread except {@link #open}, {@link #close} and {@link #isOpen}.
  */
-final class WindowApplication extends SimpleApplication implements WindowHandle {
+final class WindowApplication extends SimpleApplication {
     private static final Logger LOG = Logger.getLogger(WindowApplication.class.getName());
     /** Referenced so that its level persists. */
     private static final Logger ENGINE = Logger.getLogger("com.jme3");
@@ -50,7 +48,6 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
     private volatile boolean misfit;
     /** Frames drawn since the window opened. */
     volatile long frames;
-    private volatile boolean closing;
     private boolean closedByUser;
     private WindowScene scene;
     /** Null if jMonkeyEngine shows its window itself. */
@@ -85,14 +82,8 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         setShowSettings(false);
         setPauseOnLostFocus(false);
         quieten();
-        ClassLoader before = Thread.currentThread().getContextClassLoader();
-        Thread.currentThread().setContextClassLoader(WindowApplication.class.getClassLoader());
-        try {
-            Glfw.preferX11();
-            start();
-        } finally {
-            Thread.currentThread().setContextClassLoader(before);
-        }
+        Glfw.preferX11();
+        start();
         if (!settled.await(TIMEOUT, TimeUnit.SECONDS)) {
             problem = "the window did not open within " + TIMEOUT + " s";
             stop();
@@ -136,7 +127,6 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
 
     @Override
     public void simpleInitApp() {
-        X11Guard.install(this::displayLost);
         inputManager.deleteMapping(INPUT_MAPPING_EXIT);
         ModelLoader.prepare(assetManager, link.project().getAssets());
         context.getSettings().setFrameRate(isSoftware() ? SOFTWARE_FRAMES : HARDWARE_FRAMES);
@@ -235,14 +225,6 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         settled.countDown();
     }
 
-    /** Handles a lost X server. Leaves the remains of the window alone, as any call could end the process. */
-    private void displayLost() {
-        if (!closing) {
-            options.getWarnings().accept("the simulator window has lost its display; the simulation continues without it");
-        }
-        context.destroy(false);
-    }
-
     @Override
     public void requestClose(boolean escape) {
         closedByUser = true;
@@ -258,7 +240,7 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
             link.close(); // another attempt may use the link after a problem
         }
         shown = false;
-        if (closedByUser && !closing) {
+        if (closedByUser) {
             // no daemon: a process with only this window would end before it sends the message
             new Thread(this::reportClosed, "SEAR window closed").start();
         }
@@ -273,15 +255,13 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         try {
             thread.join();
             background.awaitTermination(TIMEOUT, TimeUnit.SECONDS);
-            NativeMemory.giveBack();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
-    @Override
-    public boolean isOpen() {
-        return shown && !closing;
+    boolean isOpen() {
+        return shown;
     }
 
     /** Returns whether jMonkeyEngine's classes are incompatible, so that another attempt is useless. */
@@ -289,21 +269,15 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         return misfit;
     }
 
-    @Override
-    public String problem() {
+    /** Returns why the window never opened, or null. */
+    String problem() {
         return problem;
     }
 
-    @Override
-    public void close() {
-        if (problem != null || thread == null) {
-            return;
-        }
-        closing = true;
+    /** Closes the window and waits for the end of its thread. */
+    void close() {
         stop();
-        if (Thread.currentThread() != thread) {
-            awaitEnd();
-        }
+        awaitEnd();
     }
 
     /** Returns the window's content. Window thread. */

@@ -6,7 +6,6 @@ import java.nio.file.Paths;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import org.SEAR.view.platform.DisplayCheck;
 
 /**
  * Look and behaviour of a {@link SimulatorWindow}. One thread fills it before the window opens; it is not changed
@@ -26,7 +25,6 @@ public final class WindowOptions {
     private int height = HEIGHT;
     private int samples;
     private boolean debugShapes;
-    private boolean ownProcess = DisplayCheck.needsFirstThread();
     private Path screenshotFolder = Paths.get("screenshots");
     private BooleanSupplier scriptDrives = () -> false;
     private Runnable onClosed = () -> { };
@@ -53,10 +51,10 @@ public final class WindowOptions {
     }
 
     /**
-     * Sets the samples per pixel for smooth edges: 0 (none) to 16, default 0. Each one costs time without a graphics
-     * card.
+     * Sets the samples per pixel for smooth edges of a window in this process: 0 (none) to 16, default 0. Each one costs
+     * time without a graphics card.
      */
-    public WindowOptions setSamples(int count) {
+    WindowOptions setSamples(int count) {
         if (count < 0 || count > MAX_SAMPLES) {
             throw new IllegalArgumentException("window samples is " + count + ", legal: 0 to " + MAX_SAMPLES);
         }
@@ -70,15 +68,6 @@ public final class WindowOptions {
      */
     public WindowOptions setDebugShapes(boolean on) {
         debugShapes = on;
-        return this;
-    }
-
-    /**
-     * Sets whether the window runs in its own process. This is required on macOS, and the default there; elsewhere the
-     * default is false. A separate process isolates crashes of the graphics driver at the cost of another Java process.
-     */
-    public WindowOptions setOwnProcess(boolean on) {
-        ownProcess = on || DisplayCheck.needsFirstThread();
         return this;
     }
 
@@ -129,16 +118,12 @@ public final class WindowOptions {
         return height;
     }
 
-    public int getSamples() {
+    int getSamples() {
         return samples;
     }
 
     public boolean isDebugShapes() {
         return debugShapes;
-    }
-
-    public boolean isOwnProcess() {
-        return ownProcess;
     }
 
     public Path getScreenshotFolder() {

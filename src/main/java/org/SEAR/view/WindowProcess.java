@@ -9,14 +9,15 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.nio.file.Paths;
+import java.util.concurrent.locks.LockSupport;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.view.process.PipeLink;
 import org.SEAR.view.process.WindowProtocol;
 
 /**
- * Main class of a window in its own process. On macOS a window needs a process's first thread, which MyRobotLab
- * occupies; elsewhere this isolates crashes of the graphics driver. Reads states from standard input and writes
+ * Main class of the window's process. It isolates crashes of the graphics driver, and on macOS a window needs a
+ * process's first thread, which MyRobotLab occupies. Reads states from standard input and writes
  * {@link WindowProtocol} to standard output. Ends when its input ends.
  */
 public final class WindowProcess {
@@ -38,9 +39,19 @@ public final class WindowProcess {
         Thread receiver = new Thread(() -> receive(world), "SEAR window feed");
         receiver.setDaemon(true);
         receiver.start();
-        WindowHandle window = WindowStart.open(world, options, () -> world.say(WindowProtocol.OPENED));
-        if (window.problem() != null) {
-            world.say(WindowProtocol.PROBLEM, window.problem());
+        // Ctrl-C in a terminal reaches this process too, which waits for the simulation's to end
+        Runtime.getRuntime().addShutdownHook(new Thread(LockSupport::park));
+        String problem = open(world, options);
+        if (problem != null) {
+            world.say(WindowProtocol.PROBLEM, problem);
+        }
+    }
+
+    private static String open(PipeLink world, WindowOptions options) throws InterruptedException {
+        try {
+            return WindowStart.open(world, options, () -> world.say(WindowProtocol.OPENED)).problem();
+        } catch (RuntimeException | LinkageError e) {
+            return "jMonkeyEngine or its native libraries can't be loaded: " + e;
         }
     }
 

@@ -4,7 +4,7 @@ package org.SEAR.view;
 import com.jme3.system.AppSettings;
 import org.SEAR.view.link.WorldLink;
 
-/** Separates jMonkeyEngine's classes from {@link SimulatorWindow}, which must load without its jars. */
+/** Opens a window in this process. */
 final class WindowStart {
     /** GLFW's error message for an X server that doesn't respond. */
     private static final String NO_SERVER = "Failed to open display";
@@ -18,7 +18,7 @@ final class WindowStart {
      * @param onShown called on the window's thread after the first picture
      * @return the last window tried; check its problem
      */
-    static WindowHandle open(WorldLink link, WindowOptions options, Runnable onShown) throws InterruptedException {
+    static WindowApplication open(WorldLink link, WindowOptions options, Runnable onShown) throws InterruptedException {
         WindowApplication modern = new WindowApplication(link, options, onShown);
         modern.open(AppSettings.LWJGL_OPENGL32);
         if (modern.problem() == null || modern.problem().contains(NO_SERVER) || modern.isMisfit()) {

@@ -104,7 +104,7 @@ public class CameraInTheWindowTest {
     public void aWindowInAProcessOfItsOwnShowsItToo() throws Exception {
         Path pictures = Files.createTempDirectory("pictures");
         RunningWorld world = new RunningWorld(project());
-        SimulatorWindow window = SimulatorWindow.open(world.runner, new WindowOptions().setOwnProcess(true).setSize(WIDTH, HEIGHT)
+        SimulatorWindow window = SimulatorWindow.open(world.runner, new WindowOptions().setSize(WIDTH, HEIGHT)
             .setTitle("SEAR elsewhere").setScreenshotFolder(pictures));
         try {
             assertNull(window.getProblem(), window.getProblem());

@@ -39,7 +39,7 @@ public class ClosedByUserTest {
     /** Returns whether the thread that informs the service has ended; its message is then in the service's inbox. */
     private static boolean isTold() {
         return Thread.getAllStackTraces().keySet().stream().map(Thread::getName)
-            .noneMatch(name -> name.equals("SEAR window closed") || name.equals("jME3 Main"));
+            .noneMatch(name -> name.equals("SEAR window closed") || name.equals("SEAR window commands"));
     }
 
     @Test

@@ -36,7 +36,7 @@ public class FirstPictureTest {
                     return method.invoke(link, arguments);
                 });
             List<Boolean> shown = Collections.synchronizedList(new ArrayList<>());
-            WindowHandle window = WindowStart.open(watched, new WindowOptions(), () -> shown.add(isVisible()));
+            WindowApplication window = WindowStart.open(watched, new WindowOptions(), () -> shown.add(isVisible()));
             assertNull(window.problem());
             try {
                 assertEquals("without anything to draw", Collections.nCopies(10, false), new ArrayList<>(asked.subList(0, 10)));

@@ -17,9 +17,10 @@ import org.junit.Before;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** A window in a separate process, as on macOS, behaves like one in this process. */
+/** The window in its own process. */
 @RunWith(UnderXvfb.class)
 public class OwnProcessTest {
+    private static final int TIMES = 5;
     private final List<String> warnings = Collections.synchronizedList(new ArrayList<>());
     private final AtomicInteger closed = new AtomicInteger();
     private RunningWorld world;
@@ -30,7 +31,7 @@ public class OwnProcessTest {
     public void open() throws Exception {
         pictures = Files.createTempDirectory("pictures");
         world = new RunningWorld(ViewProjects.room());
-        window = SimulatorWindow.open(world.runner, new WindowOptions().setOwnProcess(true).setSize(640, 400).setTitle("SEAR elsewhere")
+        window = SimulatorWindow.open(world.runner, new WindowOptions().setSize(640, 400).setTitle("SEAR elsewhere")
             .setWarnings(warnings::add).setOnClosed(closed::incrementAndGet).setScreenshotFolder(pictures));
         assertNull(window.getProblem(), window.getProblem());
         Views.tool("mousemove", "640", "400");
@@ -76,6 +77,37 @@ public class OwnProcessTest {
         assertFalse(child.isAlive());
         assertEquals(0, closed.get());
         assertEquals(List.of(), warnings);
+    }
+
+    @Test
+    public void windowsOneAfterAnotherLeaveNothingBehind() throws Exception {
+        window.close();
+        window.close();
+        int most = 0;
+        for (int i = 0; i < TIMES; i++) {
+            window = SimulatorWindow.open(world.runner, new WindowOptions().setSize(200, 160).setWarnings(warnings::add));
+            assertTrue("window " + i + ": " + warnings, window.isOpen());
+            window.close();
+            assertFalse(window.isOpen());
+            most = i == 0 ? threads() : most;
+        }
+        int threads = most;
+        Views.until("no more threads than " + threads, () -> threads() <= threads);    // a thread that is ending may still run
+        assertEquals("processes", 0, ProcessHandle.current().children().count());
+    }
+
+    private static int threads() {
+        return (int) Thread.getAllStackTraces().keySet().stream().filter(thread -> !thread.getName().startsWith("process reaper")).count();
+    }
+
+    @Test
+    public void twoWindowsShowTwoWorlds() throws Exception {
+        try (RunningWorld second = new RunningWorld(ViewProjects.room());
+                SimulatorWindow other = SimulatorWindow.open(second.runner, new WindowOptions().setSize(320, 200))) {
+            assertTrue(other.getProblem(), other.isOpen());
+            assertTrue(window.isOpen());
+        }
+        assertTrue(window.isOpen());
     }
 
     @Test

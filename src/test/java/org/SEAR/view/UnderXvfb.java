@@ -32,8 +32,6 @@ import org.junit.runners.model.TestClass;
  * back line by line, as if the tests ran here. The process's folder of temporary files is deleted afterwards.
  */
 public final class UnderXvfb extends Runner {
-    /** A fixed heap, so that growth of the process is not Java's heap. */
-    private static final List<String> FIXED_HEAP = List.of("-Xms192m", "-Xmx192m", "-XX:+AlwaysPreTouch");
     /** Optimizing compiler as users have it, for tests that compare times. */
     private static final List<String> OPTIMIZED = List.of("-XX:TieredStopAtLevel=4");
     private static final String MARK = "##view-test ";
@@ -64,8 +62,7 @@ public final class UnderXvfb extends Runner {
         TemporaryFolder temporary = new TemporaryFolder();
         try (Xvfb server = new Xvfb()) {
             temporary.create();
-            List<String> options = new ArrayList<>(FIXED_HEAP);
-            options.add("-Djava.io.tmpdir=" + temporary.getRoot());
+            List<String> options = new ArrayList<>(List.of("-Xmx192m", "-Djava.io.tmpdir=" + temporary.getRoot()));
             options.addAll(tests.getName().endsWith("ClockTest") ? OPTIMIZED : List.of());
             Process process = Xvfb.java(server.display(), options, Inside.class.getName(), tests.getName()).start();
             BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));

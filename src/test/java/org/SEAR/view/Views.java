@@ -20,18 +20,20 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import javax.imageio.ImageIO;
+import org.SEAR.view.link.RunnerLink;
 
-/** A running simulation with its window, for tests. */
+/** A running simulation with its window in the test's process, for tests that look inside. */
 final class Views implements AutoCloseable {
     private static final long PATIENCE = 120;
     final RunningWorld world;
-    final SimulatorWindow window;
+    final WindowApplication window;
     final List<String> warnings = Collections.synchronizedList(new ArrayList<>());
 
     Views(Path project, WindowOptions options) throws Exception {
         world = new RunningWorld(project);
-        window = SimulatorWindow.open(world.runner, options.setWarnings(warnings::add).setScreenshotFolder(report()));
-        assertNull(window.getProblem(), window.getProblem());
+        window = WindowStart.open(new RunnerLink(world.runner, options.getScriptDrives()), options.setWarnings(warnings::add)
+            .setScreenshotFolder(report()), () -> { });
+        assertNull(window.problem(), window.problem());
         until("the window shows the world", () -> app().frames > 2);
         tool("mousemove", "640", "400");
     }
@@ -42,7 +44,7 @@ final class Views implements AutoCloseable {
     }
 
     WindowApplication app() {
-        return (WindowApplication) window.body();
+        return window;
     }
 
     WindowScene scene() {

@@ -11,12 +11,6 @@ public final class LateDisplay extends LwjglDisplay {
         // show() does this later
     }
 
-    /** Returns false when the X server is gone. Called before each picture. Window thread. */
-    @Override
-    public boolean isRenderable() {
-        return super.isRenderable() && X11Guard.answers();
-    }
-
     /** Shows the window. Window thread. */
     public void show() {
         GLFW.glfwShowWindow(getWindowHandle());

@@ -69,6 +69,7 @@ public class StateMessageTest {
 
     @Test
     public void aPictureIsSentOnce() throws Exception {
+        new Box("crate", 1, 0.2, 0.2, 0.2, 0, 1, 2, 0, 0, 0);
         try (Simulation world = Simulation.load(project.folder(), 1)) {
             ReadingTexts texts = new ReadingTexts(world.getProject());
             CameraFrame picture = new CameraFrame("eye", "2 x 1", 2, 1, 0xff8000, 0x123456);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.POJOs;
 
+import java.util.Map;
+import java.util.Objects;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Param;
 
@@ -86,6 +88,15 @@ public class Floor extends Shape {
     @Override
     public Double getPictureTile() {
         return imageSize == null ? super.getPictureTile() : imageSize;
+    }
+
+    /** Adds {@code tile}, for a picture of the floor's own: size of its repetition, metres; 0 if it covers the floor once. */
+    @Override
+    protected void addDrawingProperties(Map<String, Object> properties) {
+        super.addDrawingProperties(properties);
+        if (getImage() != null) {
+            properties.put("tile", Objects.requireNonNullElse(getPictureTile(), 0.0));
+        }
     }
 
     @Override

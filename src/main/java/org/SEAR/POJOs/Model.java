@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.POJOs;
 
+import java.util.Map;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Param;
@@ -84,6 +85,13 @@ public class Model extends Shape {
 
     public boolean isTerrain() {
         return terrain;
+    }
+
+    /** Adds {@code terrain}: whether it is ground. */
+    @Override
+    protected void addDrawingProperties(Map<String, Object> properties) {
+        super.addDrawingProperties(properties);
+        properties.put("terrain", terrain);
     }
 
     @Override

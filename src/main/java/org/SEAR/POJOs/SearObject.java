@@ -4,6 +4,7 @@ package org.SEAR.POJOs;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.grammar.Faults;
@@ -305,6 +306,20 @@ public abstract class SearObject {
      * @throws IllegalArgumentException if the values don't fit to the object's other data
      */
     void valuesSet() {
+    }
+
+    /**
+     * Returns the constant properties by which the tab draws the object, besides pose and surface, by the names of their
+     * JSON fields.
+     */
+    public final Map<String, Object> getDrawingProperties() {
+        Map<String, Object> properties = new LinkedHashMap<>();
+        addDrawingProperties(properties);
+        return properties;
+    }
+
+    /** Adds the kind's {@link #getDrawingProperties}: numbers, texts and booleans. Most kinds have none. */
+    protected void addDrawingProperties(Map<String, Object> properties) {
     }
 
     /** Returns class and name: {@code Box "Box1_name"}. */

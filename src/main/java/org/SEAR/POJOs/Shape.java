@@ -156,6 +156,14 @@ public abstract class Shape extends PlacedObject {
         return visibleToSensors;
     }
 
+    /** Adds {@code color}, {@code colored}: whether it is the object's own, {@code loose}: whether it has a mass. */
+    @Override
+    protected void addDrawingProperties(Map<String, Object> properties) {
+        properties.put("color", getColor());
+        properties.put("colored", hasColor());
+        properties.put("loose", mass > 0);
+    }
+
     /** Returns whether the object is ground, on which robots drive and objects are placed: a floor or the terrain. */
     public boolean isGround() {
         return false;

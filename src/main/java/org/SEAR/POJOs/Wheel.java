@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.Map;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Param;
@@ -150,6 +151,13 @@ public class Wheel extends Shape {
 
     public int getType() {
         return type;
+    }
+
+    /** Adds {@code driven}: whether it can be driven. */
+    @Override
+    protected void addDrawingProperties(Map<String, Object> properties) {
+        super.addDrawingProperties(properties);
+        properties.put("driven", isDriven());
     }
 
     public boolean isDriven() {

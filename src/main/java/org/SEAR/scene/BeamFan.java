@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.scene;
 
+import java.util.List;
+import org.SEAR.POJOs.BeamCone;
 import org.SEAR.geometry.Pose;
 
 /**
@@ -27,11 +29,13 @@ public final class BeamFan {
     public final int hitColor;
     /** Radius of these spheres, metres. */
     public final float hitRadius;
+    /** Cones of a distance sensor; empty for a plane of beams. */
+    public final List<BeamCone> cones;
     /** Whether a beam ends at its hit. Otherwise it has its full length, and only the sphere shows the hit. */
     public final boolean cut;
 
     BeamFan(String sensor, int robot, int part, Pose mount, float[] directions, float[] ranges, float[] colors, int[] lines, int hitColor,
-            float hitRadius, boolean cut) {
+            float hitRadius, List<BeamCone> cones) {
         this.sensor = sensor;
         this.robot = robot;
         this.part = part;
@@ -42,7 +46,8 @@ public final class BeamFan {
         this.lines = lines;
         this.hitColor = hitColor;
         this.hitRadius = hitRadius;
-        this.cut = cut;
+        this.cones = cones;
+        cut = cones.isEmpty();
     }
 
     public int size() {

@@ -58,7 +58,7 @@ public final class BeamFans {
             paint(colors, i, pattern.getColor(i));
         }
         return new BeamFan(sensor.getFullName(), robot, part, ObjectPose.of(sensor), directions, ranges, colors,
-            lines(sensor.getCones(), count), DISTANCE_HIT, DISTANCE_RADIUS, false);
+            lines(sensor.getCones(), count), DISTANCE_HIT, DISTANCE_RADIUS, sensor.getCones());
     }
 
     private static BeamFan plane(LIDAR lidar, int robot, int part) {
@@ -74,7 +74,7 @@ public final class BeamFans {
             paint(colors, i, LIDAR_BEAM);
         }
         return new BeamFan(lidar.getFullName(), robot, part, ObjectPose.of(lidar), directions, ranges, colors,
-            everyNth(count, stride(count)), LIDAR_HIT, LIDAR_RADIUS, true);
+            everyNth(count, stride(count)), LIDAR_HIT, LIDAR_RADIUS, List.of());
     }
 
     private static void paint(float[] colors, int beam, int color) {

@@ -13,7 +13,7 @@ import org.SEAR.project.Project;
 
 /**
  * Field of view of a camera as drawn: the edge of its picture at some distance, and lines from the camera to its
- * corners. Immutable, any thread.
+ * corners. Any thread.
  */
 public final class ViewCone {
     /** Colour of the lines, 0xrrggbb. */
@@ -25,6 +25,7 @@ public final class ViewCone {
     /** Distance at which the edge is drawn, metres, limited by the camera's far plane. */
     private static final double REACH = 1.5;
 
+    public final Camera camera;
     public final String sensor;
     /** Number of the robot that carries the camera. */
     public final int robot;
@@ -36,7 +37,8 @@ public final class ViewCone {
     public final float[] edge;
 
     private ViewCone(Camera camera, int robot, int part) {
-        this.sensor = camera.getFullName();
+        this.camera = camera;
+        sensor = camera.getFullName();
         this.robot = robot;
         this.part = part;
         mount = ObjectPose.of(camera);
@@ -59,7 +61,7 @@ public final class ViewCone {
     }
 
     /** Returns the edge of a camera's picture, see {@link #edge}. */
-    public static float[] edge(Camera camera) {
+    private static float[] edge(Camera camera) {
         double reach = Math.min(REACH, camera.getFar());
         double right = camera.getWidth() - 1.0;
         double bottom = camera.getHeight() - 1.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.sensors;
 
+import java.util.List;
 import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.camera.CameraRenderer;
@@ -49,6 +50,16 @@ public final class CameraSensor extends Sensor<CameraImage> {
         camera = parameters;
         exposure = new Exposure(parameters);
         random = new CounterRandom(seed, parameters.getFullName());
+    }
+
+    @Override
+    public boolean takesPictures() {
+        return true;
+    }
+
+    @Override
+    public List<String> names(Truth truth) {
+        return CameraImage.names(camera.getKind());
     }
 
     @Override

@@ -64,6 +64,16 @@ public abstract class Sensor<R extends Reading> {
         mount = newMount;
     }
 
+    /** Returns whether the sensor is a camera, which readers must ask for pictures because each costs time. */
+    public boolean takesPictures() {
+        return false;
+    }
+
+    /** Returns the {@link Reading#names} of its readings. */
+    public List<String> names(Truth truth) {
+        return read(truth).names();
+    }
+
     /** Returns the reading at the current step; measures at most once per step, on demand. */
     public final R read(Truth truth) {
         if (!isRead(truth)) {

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.BooleanSupplier;
-import org.SEAR.POJOs.Camera;
 import org.SEAR.project.Project;
 import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.BeamFans;
@@ -38,7 +37,7 @@ public final class RunnerLink implements WorldLink {
     /** Watches all sensors except cameras, whose pictures are taken on request. */
     private static void watch(Simulation world, boolean on) {
         for (String name : world.getSensorNames()) {
-            if (!(world.getSensor(name).getParameters() instanceof Camera)) {
+            if (!world.getSensor(name).takesPictures()) {
                 world.watch(name, on);
             }
         }

@@ -73,7 +73,7 @@ public final class CameraPicture {
         answer.name = name;
         answer.time = image.getTime();
         answer.words = image.words("");
-        answer.numbers = WorldJson.numbers(image.numbers());
+        answer.numbers = JsonNumbers.numbers(image.numbers());
         return answer.map();
     }
 

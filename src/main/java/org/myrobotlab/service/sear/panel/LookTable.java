@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
+import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.files.Assets;
 import org.SEAR.geometry.SurfaceMesh;
@@ -55,11 +56,15 @@ final class LookTable {
     }
 
     /**
-     * Adds the look of a shape to its object.
+     * Adds the look of an object with a surface.
      *
      * @param inWorld the world passed to {@link #begin}
      */
-    synchronized void add(WorldState.Thing thing, Shape shape, Simulation inWorld) {
+    synchronized void add(WorldState.Thing thing, SearObject object, Simulation inWorld) {
+        if (!(object instanceof Shape)) {
+            return;
+        }
+        Shape shape = (Shape) object;
         thing.look = known.computeIfAbsent(shape, one -> learn(inWorld.getSurface(one)));
         thing.picture = Optional.ofNullable(shape.getPicture());
         thing.picture.ifPresent(picture -> pictures.put(PICTURE + picture, picture));

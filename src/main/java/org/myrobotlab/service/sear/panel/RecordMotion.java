@@ -9,8 +9,10 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.record.Rerun;
@@ -64,9 +66,9 @@ public final class RecordMotion {
         /** Simulated seconds since the record began. */
         double time;
         /** By robot, see {@link WorldState.Mover}. */
-        double[][][] wheels;
-        double[][][] turned;
-        double[][][] leds;
+        Object[] wheels;
+        Object[] turned;
+        Object[] leds;
         /** Pose of each sensor. */
         double[][] poses;
         /**
@@ -134,7 +136,7 @@ public final class RecordMotion {
     }
 
     private static int poses(WorldState.Mover robot) {
-        return robot.wheels.length + (robot.turned == null ? 0 : robot.turned.length) + (robot.turnedLeds == null ? 0 : robot.turnedLeds.length);
+        return robot.wheels.size() + (robot.turned == null ? 0 : robot.turned.size()) + (robot.turnedLeds == null ? 0 : robot.turnedLeds.size());
     }
 
     private static boolean isSeen(WorldState.Probe sensor) {
@@ -161,27 +163,31 @@ public final class RecordMotion {
     private static float[] rounded(float[] direction) {
         float[] shorter = new float[direction.length];
         for (int i = 0; i < shorter.length; i++) {
-            shorter[i] = (float) WorldJson.rounded(direction[i], FINE);
+            shorter[i] = (float) JsonNumbers.rounded(direction[i], FINE);
         }
         return shorter;
     }
 
     private Frame frame(WorldState now) {
         Frame frame = new Frame();
-        frame.time = WorldJson.rounded(steps * Simulation.STEP, FINE);
-        frame.wheels = now.robots.stream().map(robot -> robot.wheels).toArray(double[][][]::new);
-        frame.turned = now.robots.stream().map(robot -> robot.turned).toArray(double[][][]::new);
-        frame.leds = now.robots.stream().map(robot -> robot.turnedLeds).toArray(double[][][]::new);
+        frame.time = JsonNumbers.rounded(steps * Simulation.STEP, FINE);
+        frame.wheels = poses(now, robot -> robot.wheels);
+        frame.turned = poses(now, robot -> robot.turned);
+        frame.leds = poses(now, robot -> robot.turnedLeds);
         frame.poses = new double[seeing.length][];
         frame.ranges = new String[seeing.length];
         frame.hits = new double[seeing.length][];
         for (int i = 0; i < seeing.length; i++) {
             WorldState.Probe sensor = now.sensors.get(seeing[i]);
-            frame.poses[i] = sensor.pose;
+            frame.poses[i] = JsonNumbers.numbers(sensor.pose);
             frame.ranges[i] = sensor.ranges == null ? null : packed(sensor.ranges, beams.get(i));
             frame.hits[i] = sensor.hit == null ? null : sensor.hit.orElse(null);
         }
         return frame;
+    }
+
+    private static Object[] poses(WorldState now, Function<WorldState.Mover, List<Pose>> of) {
+        return now.robots.stream().map(of).map(JsonForm::plain).toArray();
     }
 
     private static String packed(ScanRanges ranges, int[] some) {

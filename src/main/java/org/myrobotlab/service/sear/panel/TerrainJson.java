@@ -87,7 +87,7 @@ final class TerrainJson extends JsonForm {
         lowest = Arrays.stream(posts).min().orElseThrow();
         highest = Arrays.stream(posts).max().orElseThrow();
         heights = encoded(posts, lowest, highest);
-        this.altitude = Optional.ofNullable(origin).map(place -> WorldJson.rounded(altitude, MILLIMETRES));
+        this.altitude = Optional.ofNullable(origin).map(place -> JsonNumbers.rounded(altitude, MILLIMETRES));
         places = Optional.ofNullable(origin).map(place -> places(field, place));
     }
 
@@ -132,7 +132,7 @@ final class TerrainJson extends JsonForm {
             GeoOrigin.GeoPoint place = origin.at(between(field.x(0), field.x(field.rows - 1), i / PLACES, PLACES), 0,
                 between(field.z(0), field.z(field.columns - 1), i % PLACES, PLACES));
             double longitude = origin.getLongitude() + Math.IEEEremainder(place.longitude - origin.getLongitude(), 360);
-            places.add(new double[] {WorldJson.rounded(place.latitude, PLACE), WorldJson.rounded(longitude, PLACE)});
+            places.add(new double[] {JsonNumbers.rounded(place.latitude, PLACE), JsonNumbers.rounded(longitude, PLACE)});
         }
         return places;
     }

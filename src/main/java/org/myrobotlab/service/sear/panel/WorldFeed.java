@@ -97,7 +97,7 @@ public final class WorldFeed {
             running = true;
             paused = session.isPaused();
             lockStep = session.isLockStep();
-            speed = WorldJson.rounded(session.getMeasuredSpeed(), ROUNDING);
+            speed = JsonNumbers.rounded(session.getMeasuredSpeed(), ROUNDING);
             wantedSpeed = Math.min(session.getWantedSpeed(), FASTEST);
         }
 

@@ -9,37 +9,28 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.SEAR.POJOs.BeamCone;
-import org.SEAR.POJOs.Camera;
-import org.SEAR.POJOs.Distance;
-import org.SEAR.POJOs.Floor;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.SEAR.POJOs.Led;
-import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
-import org.SEAR.POJOs.Wheel;
-import org.SEAR.devices.PinState;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
-import org.SEAR.robot.Stability;
 import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.BeamFans;
-import org.SEAR.scene.Glow;
 import org.SEAR.scene.ReadingTexts;
 import org.SEAR.scene.ViewCone;
-import org.SEAR.sensors.CameraImage;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.Snapshot;
-import org.myrobotlab.service.sear.readings.EulerAngles;
 
 /**
  * Converts the state of the world for panels. Stores each robot's path. {@link WorldFeed} adds the fields of a running
@@ -47,10 +38,7 @@ import org.myrobotlab.service.sear.readings.EulerAngles;
  */
 final class WorldJson {
     private static final double FINE = 1e4;
-    /** Resolution of numbers: seven digits of a degree are a centimetre on Earth. */
-    private static final double FINEST = 1e8;
     private static final double MILLIMETRES = 1e3;
-    private static final double ANGLE = 1e3;
     private static final double PATH_STEP = 0.02;
     private static final int LONGEST_PATH = 500;
 
@@ -86,17 +74,21 @@ final class WorldJson {
                 addFixed(state.sensors.get(sensor++), robot, one, world);
             }
         }
+        Map<String, WorldState.Probe> probes = state.sensors.stream().collect(Collectors.toMap(probe -> probe.name, probe -> probe));
         for (BeamFan fan : BeamFans.of(world.getProject())) {
-            state.sensors.stream().filter(probe -> probe.ranges != null && probe.name.equals(fan.sensor)).forEach(probe -> probe.fan = fan(fan));
+            WorldState.Probe probe = probes.get(fan.sensor);
+            probe.fan = probe.ranges == null ? null : fan(fan);
+            probe.cones = fan.cones.isEmpty() ? null : fan.cones.stream().map(WorldState.BeamForm::new).collect(Collectors.toList());
         }
+        ViewCone.of(world.getProject()).forEach(cone -> probes.get(cone.sensor).eye = new WorldState.EyeForm(cone));
         return state;
     }
 
     /** Fills in the fields that can change in each step, in the same order as the whole state. */
     synchronized <T extends WorldState> T moving(Simulation world, T state) {
         Snapshot snapshot = world.snapshot();
-        List<String> names = world.getSensorNames().stream()
-            .filter(name -> looking || !(world.getSensor(name).getParameters() instanceof Camera)).collect(Collectors.toList());
+        List<String> names = world.getSensorNames().stream().filter(name -> looking || !world.getSensor(name).takesPictures())
+            .collect(Collectors.toList());
         List<Reading> read = world.read(names);
         Map<String, Reading> readings = new LinkedHashMap<>();
         for (int i = 0; i < read.size(); i++) {
@@ -109,11 +101,7 @@ final class WorldJson {
         lastTime = snapshot.time;
         state.time = snapshot.time;
         state.step = snapshot.step;
-        for (Pose pose : snapshot.environment) {
-            WorldState.Thing thing = new WorldState.Thing();
-            thing.pose = numbers(pose);
-            state.objects.add(thing);
-        }
+        snapshot.environment.forEach(pose -> state.objects.add(new WorldState.Thing(pose)));
         for (int i = 0; i < world.getRobots().size(); i++) {
             Robot robot = world.getRobots().get(i);
             state.robots.add(mover(robot, snapshot.robots.get(i)));
@@ -132,34 +120,24 @@ final class WorldJson {
     private void addFixed(WorldState.Thing thing, SearObject object, Simulation world) {
         thing.name = object.getName();
         thing.type = object.getClass().getSimpleName();
-        thing.corners = corners(world.getOutline(object));
-        if (object instanceof Shape) {
-            looks.add(thing, (Shape) object, world);
-            thing.color = ((Shape) object).getColor();
-            thing.loose = ((Shape) object).getMass() > 0;
-            thing.colored = ((Shape) object).hasColor();
-        }
-        if (object instanceof Model) {
-            thing.terrain = ((Model) object).isTerrain();
-        }
-        if (object instanceof Floor && ((Floor) object).getImage() != null) {
-            thing.tile = Optional.ofNullable(((Floor) object).getPictureTile()).orElse(0.0);
-        }
+        thing.corners = JsonNumbers.points(world.getOutline(object));
+        looks.add(thing, object, world);
+        thing.more = object.getDrawingProperties();
         if (object instanceof Terrain) {
-            thing.ground = ground(world.getProject());
+            thing.more.put("ground", ground(world.getProject()));
         }
     }
 
     private void addFixed(WorldState.Mover mover, Robot robot, Simulation world) {
         mover.name = robot.getObject().getName();
-        mover.radius = rounded(robot.getHardware().getBodyRadius(), FINE);
+        mover.radius = JsonNumbers.rounded(robot.getHardware().getBodyRadius(), FINE);
         mover.drives = robot.getHardware().getWheelRadius() > 0;
         mover.turns = robot.getHardware().getWheelBase() > 0;
         mover.steered = SteeringKeys.of(robot.getObject());
         mover.path = new ArrayList<>(paths.get(mover.name));
-        mover.parts = parts(world, robot);
-        mover.leds = mover.lights == null ? null : lamps(robot);
-        mover.balance = balance(robot.getStability());
+        mover.parts = visibleParts(world, robot);
+        mover.leds = mover.lights == null ? null : parts(robot, Led.class).map(WorldState.Lamp::new).collect(Collectors.toList());
+        mover.balance = new WorldState.Balance(robot.getStability());
     }
 
     private static String ground(Project project) {
@@ -170,28 +148,16 @@ final class WorldJson {
         }
     }
 
-    private static double[][] corners(double[][] exact) {
-        double[][] corners = new double[exact.length][];
-        for (int i = 0; i < exact.length; i++) {
-            corners[i] = point(exact[i], FINE);
-        }
-        return corners;
-    }
-
-    private static double[] point(double[] exact, double per) {
-        return new double[] {rounded(exact[0], per), rounded(exact[1], per), rounded(exact[2], per)};
-    }
-
     private WorldState.Mover mover(Robot robot, Snapshot.RobotState now) {
         WorldState.Mover mover = new WorldState.Mover();
         SEARrobot written = robot.getWritten();
-        mover.pose = numbers(now.pose);
-        mover.start = numbers(robot.getStart());
+        mover.pose = now.pose;
+        mover.start = robot.getStart();
         mover.written = new double[] {written.getX(), written.getY(), written.getZ(), written.getRx(), written.getRy(), written.getRz()};
-        mover.speed = rounded(now.speed, FINE);
-        mover.turnRate = rounded(now.turnRate, FINE);
-        mover.devices = devices(now.devices);
-        mover.wheels = wheels(now.wheels);
+        mover.speed = JsonNumbers.rounded(now.speed, FINE);
+        mover.turnRate = JsonNumbers.rounded(now.turnRate, FINE);
+        mover.devices = now.devices.stream().map(WorldState.Device::new).collect(Collectors.toList());
+        mover.wheels = now.wheels;
         mover.turned = now.parts.isEmpty() ? null : turned(robot.getObject(), now.parts, Shape.class);
         mover.lights = now.lights.isEmpty() ? null : now.lights;
         mover.turnedLeds = now.parts.isEmpty() || now.lights.isEmpty() ? null : turned(robot.getObject(), now.parts, Led.class);
@@ -199,98 +165,24 @@ final class WorldJson {
         return mover;
     }
 
-    /** Returns the rotated wheels' poses in the body, in their order among the parts. */
-    private static double[][] wheels(List<Pose> poses) {
-        double[][] all = new double[poses.size()][];
-        for (int i = 0; i < all.length; i++) {
-            all[i] = numbers(poses.get(i));
-        }
-        return all;
-    }
-
     /** Returns the poses of one kind of parts in the body, as turned by servos. */
-    private static double[][] turned(SEARrobot robot, List<Pose> poses, Class<? extends SearObject> kind) {
-        List<double[]> list = new ArrayList<>();
-        for (int i = 0; i < poses.size(); i++) {
-            if (kind.isInstance(robot.getComponents().get(i))) {
-                list.add(numbers(poses.get(i)));
-            }
-        }
-        return list.toArray(new double[0][]);
+    private static List<Pose> turned(SEARrobot robot, List<Pose> poses, Class<? extends SearObject> kind) {
+        return IntStream.range(0, poses.size()).filter(i -> kind.isInstance(robot.getComponents().get(i))).mapToObj(poses::get)
+            .collect(Collectors.toList());
     }
 
-    private static List<WorldState.Pin> pins(List<PinState> states) {
-        List<WorldState.Pin> list = new ArrayList<>();
-        for (PinState state : states) {
-            WorldState.Pin pin = new WorldState.Pin();
-            pin.pin = state.pin;
-            pin.wired = state.wired;
-            pin.mode = state.mode;
-            pin.value = state.value;
-            list.add(pin);
-        }
-        return list;
+    private static <T extends SearObject> Stream<T> parts(Robot robot, Class<T> kind) {
+        return robot.getObject().getComponents().stream().filter(kind::isInstance).map(kind::cast);
     }
 
-    private static List<WorldState.Device> devices(List<Snapshot.DeviceState> states) {
-        List<WorldState.Device> list = new ArrayList<>();
-        for (Snapshot.DeviceState state : states) {
-            WorldState.Device device = new WorldState.Device();
-            device.name = state.name;
-            device.on = state.powered;
-            device.status = state.status;
-            device.pins = state.pins.isEmpty() ? null : pins(state.pins);
-            list.add(device);
-        }
-        return list;
-    }
-
-    private List<WorldState.Thing> parts(Simulation world, Robot robot) {
-        List<SearObject> visible = new ArrayList<>();
-        robot.getObject().getComponents().stream().filter(part -> part instanceof Shape).forEach(visible::add);
-        visible.addAll(robot.getObject().getWheels());
-        List<WorldState.Thing> list = new ArrayList<>();
-        for (SearObject part : visible) {
-            WorldState.Thing thing = new WorldState.Thing();
-            thing.pose = numbers(ObjectPose.of(part));
+    private List<WorldState.Thing> visibleParts(Simulation world, Robot robot) {
+        return Stream.concat(parts(robot, Shape.class), robot.getObject().getWheels().stream()).map(part -> {
+            WorldState.Thing thing = new WorldState.Thing(ObjectPose.of(part));
             addFixed(thing, part, world);
-            if (part instanceof Wheel) {
-                thing.driven = ((Wheel) part).isDriven();
-                thing.motor = motorOf(part.getName(), robot.getObject());
-            }
-            list.add(thing);
-        }
-        return list;
-    }
-
-    private static String motorOf(String wheel, SEARrobot robot) {
-        return robot.getComponents().stream().filter(part -> part instanceof Motor && ((Motor) part).getWheelNames().contains(wheel))
-            .map(SearObject::getName).findFirst().orElse(null);
-    }
-
-    private static List<WorldState.Lamp> lamps(Robot robot) {
-        List<WorldState.Lamp> list = new ArrayList<>();
-        for (SearObject part : robot.getObject().getComponents()) {
-            if (part instanceof Led) {
-                WorldState.Lamp lamp = new WorldState.Lamp();
-                lamp.pose = numbers(ObjectPose.of(part));
-                lamp.name = part.getName();
-                lamp.color = ((Led) part).getColor();
-                lamp.dark = Glow.of(lamp.color, 0);
-                lamp.size = ((Led) part).getSize();
-                list.add(lamp);
-            }
-        }
-        return list;
-    }
-
-    private static WorldState.Balance balance(Stability stability) {
-        WorldState.Balance balance = new WorldState.Balance();
-        balance.centre = point(stability.getCentre(), FINE);
-        balance.support = corners(stability.getSupport());
-        balance.critical = stability.isCritical();
-        balance.words = stability.getWords();
-        return balance;
+            parts(robot, Motor.class).filter(motor -> motor.getWheelNames().contains(part.getName())).findFirst()
+                .ifPresent(motor -> thing.more.put("motor", motor.getName()));
+            return thing;
+        }).collect(Collectors.toList());
     }
 
     /** Extends a robot's path; panels do the same with the poses they get. */
@@ -298,7 +190,7 @@ final class WorldJson {
         List<double[]> path = paths.computeIfAbsent(robot.name, name -> new ArrayList<>());
         double[] last = path.isEmpty() ? null : path.get(path.size() - 1);
         if (last == null || Math.hypot(last[0] - robot.pose.x, last[1] - robot.pose.z) > PATH_STEP) {
-            path.add(new double[] {rounded(robot.pose.x, FINE), rounded(robot.pose.z, FINE)});
+            path.add(new double[] {JsonNumbers.rounded(robot.pose.x, FINE), JsonNumbers.rounded(robot.pose.z, FINE)});
         }
         if (path.size() > LONGEST_PATH) {
             for (int i = path.size() - 2; i > 0; i -= 2) {
@@ -313,18 +205,7 @@ final class WorldJson {
         probe.type = sensor.getClass().getSimpleName();
         probe.robot = robot.getObject().getName();
         probe.unit = world.getUnit(of.getName());
-        probe.names = sensor instanceof Camera ? CameraImage.names(((Camera) sensor).getKind()) : world.read(of.getName()).names();
-        probe.eye = sensor instanceof Camera ? eye((Camera) sensor) : null;
-        probe.cones = sensor instanceof Distance ? cones((Distance) sensor) : null;
-    }
-
-    private static WorldState.EyeForm eye(Camera camera) {
-        WorldState.EyeForm form = new WorldState.EyeForm();
-        form.kind = camera.getKind();
-        form.width = camera.getWidth();
-        form.height = camera.getHeight();
-        form.edge = ViewCone.edge(camera);
-        return form;
+        probe.names = of.names(robot.getTruth());
     }
 
     private static List<float[]> fan(BeamFan of) {
@@ -335,23 +216,14 @@ final class WorldJson {
         return directions;
     }
 
-    private static List<WorldState.BeamForm> cones(Distance sensor) {
-        List<WorldState.BeamForm> list = new ArrayList<>();
-        for (BeamCone cone : sensor.getCones()) {
-            WorldState.BeamForm form = new WorldState.BeamForm();
-            form.halfAngle = cone.getHalfAngle();
-            form.range = cone.getRange();
-            form.yaw = cone.getYaw();
-            list.add(form);
-        }
-        return list;
-    }
-
     private WorldState.Probe probe(Robot robot, Sensor<?> sensor, Reading reading) {
         WorldState.Probe probe = new WorldState.Probe();
-        probe.pose = numbers(robot.getPose().times(sensor.getMount()));
-        if (sensor.getParameters() instanceof Camera) {
-            addSeen(probe, (Camera) sensor.getParameters(), reading);
+        probe.pose = robot.getPose().times(sensor.getMount());
+        probe.words = texts.of(sensor.getName(), reading);
+        probe.numbers = reading == null ? new ArrayList<>(Collections.nCopies(sensor.names(robot.getTruth()).size(), null))
+            : JsonNumbers.numbers(reading.numbers());
+        probe.picture = reading == null || reading.picture() == null ? null : SmallPicture.of(reading.picture());
+        if (sensor.takesPictures()) {      // a camera's value and hits are too many; the picture shows them
             return probe;
         }
         LidarScan scan = reading.scan();
@@ -361,46 +233,8 @@ final class WorldJson {
             probe.ranges = new ScanRanges(scan.ranges());
         }
         if (reading.hits() != null) {
-            probe.hit = reading.hits().stream().findFirst().map(hit -> point(hit, MILLIMETRES));
+            probe.hit = reading.hits().stream().findFirst().map(hit -> JsonNumbers.point(hit, MILLIMETRES));
         }
-        probe.words = texts.of(sensor.getName(), reading);
-        probe.numbers = numbers(reading.numbers());
-        probe.picture = reading.picture() == null ? null : SmallPicture.of(reading.picture());
         return probe;
-    }
-
-    /**
-     * Fills in a camera without its pixels: they are too many, and the picture shows them.
-     *
-     * @param reading null without a picture
-     */
-    private static void addSeen(WorldState.Probe probe, Camera camera, Reading reading) {
-        if (reading == null) {
-            probe.words = camera.getWidth() + " x " + camera.getHeight();
-            probe.numbers = new ArrayList<>(Collections.nCopies(CameraImage.names(camera.getKind()).size(), null));
-        } else {
-            probe.words = reading.words("");
-            probe.numbers = numbers(reading.numbers());
-            probe.picture = SmallPicture.of(reading.picture());
-        }
-    }
-
-    /** Returns a reading's numbers; null for NaN and infinity. */
-    static List<Double> numbers(double[] exact) {
-        List<Double> numbers = new ArrayList<>(exact.length);
-        for (double number : exact) {
-            numbers.add(Double.isNaN(number) || Double.isInfinite(number) ? null : Double.valueOf(rounded(number, FINEST)));
-        }
-        return numbers;
-    }
-
-    private static double[] numbers(Pose pose) {
-        double[] angles = EulerAngles.degrees(pose);
-        return new double[] {rounded(pose.x, FINE), rounded(pose.y, FINE), rounded(pose.z, FINE), rounded(angles[0], ANGLE),
-            rounded(angles[1], ANGLE), rounded(angles[2], ANGLE)};
-    }
-
-    static double rounded(double value, double per) {
-        return Double.isNaN(value) || Double.isInfinite(value) ? 0 : Math.round(value * per) / per;
     }
 }

@@ -3,11 +3,23 @@ package org.myrobotlab.service.sear.panel;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.BeamCone;
+import org.SEAR.POJOs.Led;
+import org.SEAR.geometry.Pose;
+import org.SEAR.project.ObjectPose;
+import org.SEAR.robot.Stability;
+import org.SEAR.scene.Glow;
+import org.SEAR.scene.ViewCone;
+import org.SEAR.simulator.Snapshot;
 
 /**
- * The state of the world for panels. Metres, degrees and seconds; a pose is {x, y, z, rx, ry, rz}, rounded to tenths of
- * a millimetre and thousandths of a degree. Constant fields are null in a state of movement.
+ * A snapshot and the constant data of its world as JSON for panels. Metres, degrees and seconds; a pose is {x, y, z, rx,
+ * ry, rz}, rounded to tenths of a millimetre and thousandths of a degree. Constant fields are null in a state of
+ * movement. An object's {@link #more} has the properties of its kind, see
+ * {@link org.SEAR.POJOs.SearObject#getDrawingProperties}.
  */
 class WorldState extends JsonForm {
     /** Seconds; null in an empty world. */
@@ -20,39 +32,27 @@ class WorldState extends JsonForm {
     /** An object of the environment, or a visible part of a robot. */
     static final class Thing extends JsonForm {
         /** For a part: pose in its robot's body. */
-        double[] pose;
+        final Pose pose;
         String name;
         /** For example {@code Box}. */
         String type;
         /** Points that give the outline from any side, in the object's frame. */
         double[][] corners;
-        /** See {@link LookTable}; empty for a look without mesh. Shapes only, like the next three. */
+        /** See {@link LookTable}; empty for a look without mesh. Shapes only. */
         String look;
         /** For example {@code textures/cardboard.png}. */
         Optional<String> picture;
-        /** For example {@code #c49a6c}. */
-        String color;
-        /** Whether the colour is set, not the type's default. */
-        Boolean colored;
-        /** Whether the object has a mass and can be moved. */
-        Boolean loose;
-        /** For a floor with its own picture: size of its repetition, metres; 0 if it covers the floor once. */
-        Double tile;
-        /** For a wheel: whether it can be driven. */
-        Boolean driven;
-        /** For a wheel: name of its motor, if any. */
-        String motor;
-        /** For a model: whether it is ground. */
-        Boolean terrain;
-        /** For a terrain: its stamp, see {@link TerrainMap}. */
-        String ground;
+
+        Thing(Pose pose) {
+            this.pose = pose;
+        }
     }
 
     /** A robot. */
     static final class Mover extends JsonForm {
-        double[] pose;
+        Pose pose;
         /** Pose after a reset. */
-        double[] start;
+        Pose start;
         /** Start pose in the robot's file. */
         double[] written;
         /** Metres per second along the forward axis. */
@@ -61,13 +61,13 @@ class WorldState extends JsonForm {
         Double turnRate;
         List<Device> devices;
         /** Poses of the rotated wheels in the body, in their order among the parts. */
-        double[][] wheels;
+        List<Pose> wheels;
         /** Poses of the other parts in the body, if the robot has servos. */
-        double[][] turned;
+        List<Pose> turned;
         /** Brightness of each light, 0 to 1, if the robot has any. */
         List<Double> lights;
         /** Poses of the lights in the body, if the robot also has servos. */
-        double[][] turnedLeds;
+        List<Pose> turnedLeds;
         String name;
         Double radius;
         /** Whether the robot has driven wheels. */
@@ -86,49 +86,63 @@ class WorldState extends JsonForm {
 
     /** A device of a robot. */
     static final class Device extends JsonForm {
-        String name;
+        final String name;
         /** Whether the device has power. */
-        boolean on;
+        final boolean on;
         /** Activity as text. */
-        String status;
-        /** Boards only. */
-        List<Pin> pins;
-    }
+        final String status;
+        /** See {@link org.SEAR.devices.PinState}; boards only. */
+        final List<Map<String, Object>> pins;
 
-    /** A pin of a board. */
-    static final class Pin extends JsonForm {
-        String pin;
-        String wired;
-        String mode;
-        String value;
+        Device(Snapshot.DeviceState state) {
+            name = state.name;
+            on = state.powered;
+            status = state.status;
+            pins = state.pins.isEmpty() ? null : state.pins.stream().map(JsonForm::fields).collect(Collectors.toList());
+        }
     }
 
     /** A light of a robot. */
     static final class Lamp extends JsonForm {
         /** Pose in the body. */
-        double[] pose;
-        String name;
+        final Pose pose;
+        final String name;
         /** For example {@code #00ff00}. */
-        String color;
+        final String color;
         /** Colour of the unlit light. */
-        String dark;
-        double size;
+        final String dark;
+        final double size;
+
+        Lamp(Led led) {
+            pose = ObjectPose.of(led);
+            name = led.getName();
+            color = led.getColor();
+            dark = Glow.of(color, 0);
+            size = led.getSize();
+        }
     }
 
     /** Stability of a robot. */
     static final class Balance extends JsonForm {
         /** Centre of mass in the body. */
-        double[] centre;
+        final double[] centre;
         /** Corners of the support polygon. */
-        double[][] support;
+        final double[][] support;
         /** Whether the robot tips over easily. */
-        boolean critical;
-        String words;
+        final boolean critical;
+        final String words;
+
+        Balance(Stability stability) {
+            centre = JsonNumbers.point(stability.getCentre());
+            support = JsonNumbers.points(stability.getSupport());
+            critical = stability.isCritical();
+            words = stability.getWords();
+        }
     }
 
     /** A sensor and its reading. */
     static final class Probe extends JsonForm {
-        double[] pose;
+        Pose pose;
         /** The value for scripts; a scanner has ranges instead. */
         Optional<Object> value;
         /** Scanners only. */
@@ -160,18 +174,31 @@ class WorldState extends JsonForm {
     /** Properties of a camera; panels request its pictures, see {@link CameraPicture}. */
     static final class EyeForm extends JsonForm {
         /** For example {@code depth}. */
-        String kind;
+        final String kind;
         /** Pixels per row. */
-        int width;
-        int height;
-        /** Edge of the field of view, see {@link org.SEAR.scene.ViewCone}: x, y, z of each point. */
-        float[] edge;
+        final int width;
+        final int height;
+        /** Edge of the field of view, see {@link ViewCone}: x, y, z of each point. */
+        final float[] edge;
+
+        EyeForm(ViewCone cone) {
+            kind = cone.camera.getKind();
+            width = cone.camera.getWidth();
+            height = cone.camera.getHeight();
+            edge = cone.edge;
+        }
     }
 
     /** A cone of beams. */
     static final class BeamForm extends JsonForm {
-        double halfAngle;
-        double range;
-        double yaw;
+        final double halfAngle;
+        final double range;
+        final double yaw;
+
+        BeamForm(BeamCone cone) {
+            halfAngle = cone.getHalfAngle();
+            range = cone.getRange();
+            yaw = cone.getYaw();
+        }
     }
 }

@@ -56,7 +56,7 @@ public final class ScriptCameras {
     }
 
     private static String cameras(Simulation world) {
-        List<String> names = world.getSensorNames().stream().filter(name -> world.getSensor(name).getParameters() instanceof Camera)
+        List<String> names = world.getSensorNames().stream().filter(name -> world.getSensor(name).takesPictures())
             .collect(Collectors.toList());
         return names.isEmpty() ? "none, the project has no cameras" : String.join(", ", names);
     }
@@ -72,7 +72,7 @@ public final class ScriptCameras {
 
     /** Returns whether a sensor is a camera. */
     boolean isCamera(String name) {
-        return control.session().getSimulation().getSensor(name).getParameters() instanceof Camera;
+        return control.session().getSimulation().getSensor(name).takesPictures();
     }
 
     /**
@@ -116,7 +116,7 @@ public final class ScriptCameras {
     }
 
     private static boolean isThere(Simulation world, String name) {
-        return world.getSensorNames().contains(name) && world.getSensor(name).getParameters() instanceof Camera;
+        return world.getSensorNames().contains(name) && world.getSensor(name).takesPictures();
     }
 
     /** Returns a PNG file. */

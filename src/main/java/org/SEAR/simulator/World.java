@@ -85,21 +85,7 @@ final class World implements PhysicsWorld.Touches {
             Body body = body(object, project, warnings);
             environment.add(body);
             if (body != null) {
-                shapes.put(object, body.solids.get(0));
-                physics.add(body);
-                orders.add(object, body);
-                Shape shape = (Shape) object;
-                if (shape instanceof Terrain) {
-                    colors.addTerrain((Terrain) shape, body.solids.get(0), project.getGround());
-                    project.checkGroundPicture();
-                } else {
-                    colors.add(shape, body.solids.get(0));
-                }
-                body.addTo(scenes, Collections.singletonList(shape.isVisibleToSensors() && (groundVisible || !shape.isGround())), -1, 1);
-                if (shape.isGround()) {
-                    scenes.addGround(body);
-                }
-                virtualWalls.consider(body);
+                add((Shape) object, body, project, groundVisible, colors);
             }
         }
         environment.stream().filter(Objects::nonNull).forEach(body -> body.mirror(scenes));
@@ -117,32 +103,59 @@ final class World implements PhysicsWorld.Touches {
         for (SEARrobot robot : project.getRobots()) {
             RobotBuilder builder = RobotBuilder.of(robot, project, warnings);
             places.setDownRobot(robot, builder.body, builder.feet());
-            physics.add(builder.body);
-            shapes.putAll(builder.shapes);
-            builder.shapes.forEach((part, solid) -> colors.add((Shape) part, solid));
-            builder.addTo(scenes, robots.size());
-            RobotTruth truth = new RobotTruth(builder, scenes, colors, robots.size(), Earth.of(project, robot), epochMillis,
-                workers);
-            RobotModel model = new RobotModel(builder, robots.size(), scenes, truth, virtualWalls, reported);
-            robots.add(model);
-            robotOf.put(model.getBody(), model);
+            add(builder, Earth.of(project, robot), epochMillis, colors, reported);
         }
         places.end();
         joints = new WorldJoints(project, physics);
-        String crowd = StartPoses.crowd(physics.getBodies());
-        if (crowd != null) {
-            throw new ProjectException(Collections.singletonList(new Problem("environment", 0, "", crowd, "objects that start apart")));
-        }
-        StartPoses.lift(physics.getBodies(), warnings);
-        StartPoses.reportOverlaps(physics.getBodies(), warnings);
-        GroundDistanceCheck.report(physics.getBodies(), scenes, warnings);
-        DensityCheck.report(physics.getBodies(), warnings);
-        HullCheck.report(physics.getBodies(), warnings);
-        SizeCheck.report(physics.getBodies(), scenes.grounds(), warnings);
+        liftAndCheck();
         fallen = new KillPlane(physics.getBodies(), reported);
         moves = new Teleports(this);
         restart(seed);
         robots.forEach(robot -> StartChecks.check(robot, scenes, warnings));
+    }
+
+    private void add(Shape shape, Body body, Project project, boolean groundVisible, SurfaceColors colors) throws ProjectException {
+        Solid solid = body.solids.get(0);
+        shapes.put(shape, solid);
+        physics.add(body);
+        orders.add(shape, body);
+        if (shape instanceof Terrain) {
+            colors.addTerrain((Terrain) shape, solid, project.getGround());
+            project.checkGroundPicture();
+        } else {
+            colors.add(shape, solid);
+        }
+        body.addTo(scenes, Collections.singletonList(shape.isVisibleToSensors() && (groundVisible || !shape.isGround())), -1, 1);
+        if (shape.isGround()) {
+            scenes.addGround(body);
+        }
+        virtualWalls.consider(body);
+    }
+
+    private void add(RobotBuilder builder, Earth earth, long epochMillis, SurfaceColors colors, Consumer<String> reported) {
+        physics.add(builder.body);
+        shapes.putAll(builder.shapes);
+        builder.shapes.forEach((part, solid) -> colors.add((Shape) part, solid));
+        builder.addTo(scenes, robots.size());
+        RobotTruth truth = new RobotTruth(builder, scenes, colors, robots.size(), earth, epochMillis, workers);
+        RobotModel model = new RobotModel(builder, robots.size(), scenes, truth, virtualWalls, reported);
+        robots.add(model);
+        robotOf.put(model.getBody(), model);
+    }
+
+    /** Lifts bodies out of the ground, and warns of start poses, densities, hulls and sizes that are mistakes. */
+    private void liftAndCheck() throws ProjectException {
+        List<Body> bodies = physics.getBodies();
+        String crowd = StartPoses.crowd(bodies);
+        if (crowd != null) {
+            throw new ProjectException(Collections.singletonList(new Problem("environment", 0, "", crowd, "objects that start apart")));
+        }
+        StartPoses.lift(bodies, warnings);
+        StartPoses.reportOverlaps(bodies, warnings);
+        GroundDistanceCheck.report(bodies, scenes, warnings);
+        DensityCheck.report(bodies, warnings);
+        HullCheck.report(bodies, warnings);
+        SizeCheck.report(bodies, scenes.grounds(), warnings);
     }
 
     /**

@@ -13,7 +13,7 @@ import org.junit.runner.notification.Failure;
 import org.junit.runner.notification.RunListener;
 
 /**
- * Runs test classes in this JVM with the summary of {@code ./gradlew test}, for Javas that Gradle's own runner does not
+ * Runs test classes in this JVM with the summary of {@code ./gradlew check}, for Javas that Gradle's own runner does not
  * support.
  */
 public final class TestRun {

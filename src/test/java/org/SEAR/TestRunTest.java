@@ -9,7 +9,7 @@ import org.junit.Ignore;
 import org.junit.Test;
 import org.junit.runner.JUnitCore;
 
-/** The last line of {@code ./gradlew test} counts correctly on Javas that Gradle's own runner does not support. */
+/** The last line of {@code ./gradlew check} counts correctly on Javas that Gradle's own runner does not support. */
 public class TestRunTest {
     /** One test of each result. */
     public static class Mixed {

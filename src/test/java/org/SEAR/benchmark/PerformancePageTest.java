@@ -17,6 +17,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.SEAR.Needs;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
 import org.junit.Rule;
@@ -26,6 +27,7 @@ import org.junit.rules.TemporaryFolder;
 
 /** {@code scripts/benchmark} runs, and docs/performance.md matches its figures. */
 @Category(Slow.class)
+@Needs("jmhClasses")
 public class PerformancePageTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
     /** Timeout, seconds. A busy machine can take many times as long as a quiet one. */

@@ -17,6 +17,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.Needs;
 import org.SEAR.Slow;
 import org.junit.Rule;
 import org.junit.Test;
@@ -28,6 +29,7 @@ import org.junit.rules.TemporaryFolder;
  * shortened.
  */
 @Category(Slow.class)
+@Needs("jmhClasses")
 public class GradleCommandsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final String GRADLE = "./gradlew ";
@@ -70,6 +72,17 @@ public class GradleCommandsTest {
         for (String call : calls) {
             assertTrue(call + "\n" + plan, plan.contains(":" + call.replaceAll(" .*", "") + " SKIPPED"));
         }
+    }
+
+    /** The plan of a test has the fetching tasks of its class, and no others. */
+    @Test
+    public void aTestPlansOnlyWhatItNeeds() throws Exception {
+        for (String quick : List.of("test", "test --tests '*RoomsTest'", "test --tests '*GradleCommandsTest.the*'")) {
+            String plan = dryRun(quick);
+            assertFalse(plan, Pattern.compile(":(uv|rasterio|python3|opencv|style|installDist|distZip) SKIPPED").matcher(plan).find());
+        }
+        String plan = dryRun("test --tests '*RasterioTest'");
+        assertTrue(plan, plan.contains(":rasterio SKIPPED") && !plan.contains(":opencv SKIPPED"));
     }
 
     @Test

@@ -10,11 +10,14 @@ import java.nio.file.Path;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.Slow;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** The Python 3 package writes files whole or not at all. */
+@Category(Slow.class)
 public class PythonFilesTest {
     private static final Path PACKAGE = Path.of(System.getProperty("sear.root", "."), "python/src/sear");
     private static final String SCRIPT = String.join("\n",

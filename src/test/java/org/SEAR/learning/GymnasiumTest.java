@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.SEAR.Needs;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
 import org.junit.Rule;
@@ -26,6 +27,7 @@ import org.junit.rules.TemporaryFolder;
  * docs/learning.md.
  */
 @Category(Slow.class)
+@Needs({"installDist", "python3", "gymnasium"})
 public class GymnasiumTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final Path SCRIPTS = ROOT.resolve("src/test/gymnasium");

@@ -15,6 +15,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.Needs;
 import org.SEAR.Slow;
 import org.junit.Rule;
 import org.junit.Test;
@@ -23,6 +24,7 @@ import org.junit.rules.TemporaryFolder;
 
 /** Coordinate systems of the EPSG register, chosen at random, compared with PROJ. */
 @Category(Slow.class)
+@Needs("pyproj")
 public class ProjTest {
     private static final int SYSTEMS = Boolean.getBoolean("sear.full") ? 2000 : 300;
     private static final long SEED = Long.getLong("sear.fuzzSeed", 1);

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.Needs;
 import org.SEAR.Slow;
 import org.SEAR.files.Assets;
 import org.SEAR.terrain.format.ElevationMap;
@@ -29,6 +30,7 @@ import org.junit.rules.TemporaryFolder;
 
 /** Maps that GDAL writes, in many encodings and projections, compared with GDAL's own values. */
 @Category(Slow.class)
+@Needs("rasterio")
 public class RasterioTest {
     private static final int MAPS = 36;
     private static final long SEED = Long.getLong("sear.fuzzSeed", 1);

@@ -174,7 +174,7 @@ public final class Browser implements AutoCloseable {
             }
         }
         throw new AssertionError("the browser tests need one of " + names + " on the PATH: install Chromium and its driver"
-            + " (on Debian: apt-get install chromium-headless-shell chromium-driver; ./gradlew test does it by itself)");
+            + " (on Debian: apt-get install chromium-headless-shell chromium-driver; ./gradlew check does it by itself)");
     }
 
     /** Returns the driver, for calls without a shorter form here. */

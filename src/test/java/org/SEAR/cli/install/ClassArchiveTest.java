@@ -14,8 +14,10 @@ import java.util.stream.Stream;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.SEAR.Needs;
 
 /** The distribution starts with the classes of the archive that the build made. */
+@Needs("classArchive")
 public class ClassArchiveTest {
     private static final Path HOME = Path.of(System.getProperty("sear.classArchive")).getParent().getParent();
     private static final String SHARED = "source: shared objects file";

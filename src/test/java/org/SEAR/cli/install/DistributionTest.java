@@ -34,8 +34,10 @@ import org.junit.ClassRule;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.SEAR.Needs;
 
 /** The release zip: its content, its launcher in any folder, and its installer. */
+@Needs("distZip")
 public class DistributionTest {
     @ClassRule
     public static final TemporaryFolder SHARED = new TemporaryFolder();

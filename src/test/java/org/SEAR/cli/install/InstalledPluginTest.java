@@ -23,11 +23,13 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.SEAR.Needs;
 
 /**
  * The plug-in in a folder laid out as MyRobotLab's, with the embedded MyRobotLab as myrobotlab.jar. It starts with
  * MyRobotLab's class path order and command line and is used over its WebGui only.
  */
+@Needs("distZip")
 public class InstalledPluginTest {
     private static final int PATIENCE = 240;
     private static final String THREADS = "from java.lang import Thread\n"

@@ -20,6 +20,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.SEAR.HowMany;
+import org.SEAR.Needs;
 import org.SEAR.SearProcess;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
@@ -31,6 +32,7 @@ import org.junit.rules.TemporaryFolder;
 
 /** {@code sear sweep} and {@code sear.sweep} with Dask workers: programs and commands of docs/sweeps.md. */
 @Category(Slow.class)
+@Needs({"installDist", "python3", "gymnasium", "sweep"})
 public class SweepTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final String HOME = System.getProperty("sear.home.built", ROOT.resolve("build/install/sear").toString());

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.Needs;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
 import org.junit.Rule;
@@ -23,6 +24,7 @@ import org.junit.rules.TemporaryFolder;
 
 /** SEAR in notebooks: scripts of src/test/jupyter, the notebook of the examples, programs of docs/notebooks.md. */
 @Category(Slow.class)
+@Needs({"installDist", "python3", "numpy1", "jupyter"})
 public class JupyterTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final Path SCRIPTS = ROOT.resolve("src/test/jupyter");

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.Needs;
 import org.SEAR.SearProcess;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
@@ -23,6 +24,7 @@ import org.junit.rules.TemporaryFolder;
 
 /** The Python 3 package {@code sear}, with Java in Python's process and over the gateway; the page docs/python3.md. */
 @Category(Slow.class)
+@Needs({"installDist", "python3", "numpy1"})
 public class Python3PackageTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final String LIBRARIES = System.getProperty("sear.python3");

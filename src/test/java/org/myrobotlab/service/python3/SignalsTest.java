@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.Needs;
 import org.SEAR.Slow;
 import org.junit.Rule;
 import org.junit.Test;
@@ -25,6 +26,7 @@ import org.junit.rules.TemporaryFolder;
 
 /** Signals end Python programs with SEAR inside as they end plain ones, and links of exports go with the program. */
 @Category(Slow.class)
+@Needs({"installDist", "python3", "gymnasium"})
 public class SignalsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final String PACKAGES = String.join(File.pathSeparator, ROOT.resolve("python/src").toString(),

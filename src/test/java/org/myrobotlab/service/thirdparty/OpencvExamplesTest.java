@@ -16,6 +16,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.Needs;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
 import org.SEAR.web.MyRobotLab;
@@ -29,6 +30,7 @@ import org.junit.rules.TemporaryFolder;
 
 /** The OpenCV programs of examples/python3 drive a robot of the embedded MyRobotLab to their goals. */
 @Category(Slow.class)
+@Needs("opencv")
 public class OpencvExamplesTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final Path EXAMPLES = ROOT.resolve("examples/python3");

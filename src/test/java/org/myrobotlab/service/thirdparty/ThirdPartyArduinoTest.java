@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.IntSummaryStatistics;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.SEAR.Needs;
 import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Distance;
@@ -29,6 +30,7 @@ import org.junit.experimental.categories.Category;
  * 20 and 600 in the long run.
  */
 @Category(Slow.class)
+@Needs({"drivers", "johnnyFive"})
 public class ThirdPartyArduinoTest extends WithPrograms {
     private static final String PORT = "/dev/SEAR_UNO_01";
     private static final double STEP = 5.0 / 1024;

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.SEAR.Needs;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.Robots;
@@ -21,6 +22,7 @@ import org.junit.experimental.categories.Category;
 
 /** Programs for real network cameras read simulated ones. */
 @Category(Slow.class)
+@Needs("opencv")
 public class ThirdPartyCameraTest extends WithPrograms {
     private static final int PICTURES = 5;
     /** Mean error of JPEG and its colours, of 255. */

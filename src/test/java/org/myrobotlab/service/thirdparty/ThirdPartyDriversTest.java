@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.SEAR.FreePort;
+import org.SEAR.Needs;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.GPS;
@@ -29,6 +30,7 @@ import org.junit.experimental.categories.Category;
  * {@code sear.driverSeconds} makes each run longer than the default few seconds.
  */
 @Category(Slow.class)
+@Needs("drivers")
 public class ThirdPartyDriversTest extends WithPrograms {
     private static final int SECONDS = Programs.SECONDS;
     private static final double LATITUDE = 35.3;

@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import org.SEAR.Needs;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
@@ -25,6 +26,7 @@ import org.junit.experimental.categories.Category;
  * and 600 in the long run.
  */
 @Category(Slow.class)
+@Needs("drivers")
 public class ThirdPartyEnduranceTest extends WithPrograms {
     private static final int KILLS = Integer.getInteger("sear.driverRestarts", 2);
     private static final String SCANNER = "/dev/SEAR_LIDAR_01";

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.SEAR.FreePort;
+import org.SEAR.Needs;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Robots;
@@ -21,6 +22,7 @@ import org.junit.experimental.categories.Category;
 
 /** Third-party programs for real u-blox receivers on the exported port of a simulated NEO-M8N. */
 @Category(Slow.class)
+@Needs("drivers")
 public class ThirdPartyGpsTest extends WithPrograms {
     private static final String PORT = "/dev/SEAR_GPS_01";
     private static final double LATITUDE = 35.3;

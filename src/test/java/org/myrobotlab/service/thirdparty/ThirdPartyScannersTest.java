@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.TreeSet;
+import org.SEAR.Needs;
 import org.SEAR.SearProcess;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
@@ -23,6 +24,7 @@ import org.myrobotlab.service.devices.ScannedRoom;
  * {@code sear.getLidarResult}.
  */
 @Category(Slow.class)
+@Needs("drivers")
 public class ThirdPartyScannersTest extends WithPrograms {
     private static final int STARTING = 15;
     private static final int TURNS = 5;

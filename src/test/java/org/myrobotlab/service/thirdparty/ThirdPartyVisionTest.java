@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.Needs;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.Chessboard;
@@ -34,6 +35,7 @@ import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** OpenCV measures simulated pictures: the camera by a chessboard, poses by markers. */
 @Category(Slow.class)
+@Needs("opencv")
 public class ThirdPartyVisionTest {
     private static final double FIELD_OF_VIEW = 60;
     private static final int VIEWS = 20;

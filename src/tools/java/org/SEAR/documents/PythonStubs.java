@@ -72,7 +72,7 @@ public final class PythonStubs {
 
     /** Returns the module of type hints. */
     String hints() throws IOException {
-        StringBuilder out = new StringBuilder(Files.readString(root.resolve("src/test/resources/org/SEAR/documents/python-hints-head.pyi"))
+        StringBuilder out = new StringBuilder(Files.readString(root.resolve("src/tools/resources/org/SEAR/documents/python-hints-head.pyi"))
             .replace("\r\n", "\n").replace("WRITTEN", WRITTEN));
         ScriptDocs docs = new ScriptDocs(root);
         for (String service : ScriptDocs.SERVICES) {

@@ -57,11 +57,11 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     private transient int nextBaud;
     /** Model before the receiver reported another one; null if it did not. */
     private transient String chosenModel;
-    private String firmware;
-    private boolean connected;
+    private volatile String firmware;
+    private volatile boolean connected;
     private volatile boolean silent;
-    private boolean fix;
-    private long sentences;
+    private volatile boolean fix;
+    private volatile long sentences;
     /** Number of connections so far; panels clear their data when it changes. */
     private long connections;
 

@@ -45,14 +45,14 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     private transient SerialLink link;
     private transient volatile LidarDevice device;
     private transient String driven;
-    private boolean connected;
-    private boolean streaming;
+    private volatile boolean connected;
+    private volatile boolean streaming;
     /** Whether the unit was set since the connection opened. */
     private transient volatile boolean unitAsked;
-    private String unit = MILLIMETRES;
-    private double spread;
-    private double resolution;
-    private long scans;
+    private volatile String unit = MILLIMETRES;
+    private volatile double spread;
+    private volatile double resolution;
+    private volatile long scans;
 
     /** Called by MyRobotLab. */
     public LIDAR(String name, String id) {

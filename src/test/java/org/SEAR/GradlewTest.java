@@ -34,7 +34,7 @@ public class GradlewTest {
     }
 
     /** @param failing how many times apt-get prints this message and fails */
-    private String run(int failing, String message) throws Exception {
+    private String run(int failing, String message, String... variables) throws Exception {
         Assume.assumeTrue("a POSIX shell", Files.exists(Paths.get("/bin/sh")));
         tools = temporary.newFolder().toPath();
         calls = tools.resolve("calls");
@@ -50,6 +50,10 @@ public class GradlewTest {
             "echo '" + message + "'", "exit 100");
         ProcessBuilder builder = new ProcessBuilder("/bin/sh", Paths.get(System.getProperty("sear.root", ".")).resolve("gradlew").toString(), "help");
         builder.environment().put("PATH", tools.toString());
+        builder.environment().remove("SEAR_INSTALL");
+        for (int i = 0; i < variables.length; i += 2) {
+            builder.environment().put(variables[i], variables[i + 1]);
+        }
         Process process = builder.redirectErrorStream(true).start();
         String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         return process.waitFor() + " " + output;
@@ -70,5 +74,14 @@ public class GradlewTest {
         String output = run(Integer.MAX_VALUE, "E: Temporary failure resolving");
         assertTrue(output, output.startsWith("1 ") && output.contains("E: Temporary failure resolving") && output.contains("could not install"));
         assertTrue(output, !output.contains("gradle help"));
+    }
+
+    @Test
+    public void itNamesWhatItInstallsAndInstallsNothingIfToldSo() throws Exception {
+        String installed = run(0, "");
+        assertTrue(installed, installed.contains("installing with apt-get") && installed.contains("default-jdk-headless"));
+        String refused = run(0, "", "SEAR_INSTALL", "no");
+        assertTrue(refused, refused.startsWith("1 ") && refused.contains("default-jdk-headless"));
+        assertEquals("", Files.readString(calls));
     }
 }

@@ -127,6 +127,29 @@ public final class ConvexHull implements ConvexShape {
         return centre.clone();
     }
 
+    /** Returns x, y, z of each corner, metres. */
+    double[] corners() {
+        return corners.clone();
+    }
+
+    /**
+     * Clips a line along x to the hull.
+     * @param range least and greatest x, metres; the least is above the greatest if no point is inside
+     * @param near distance outside a face that counts as inside, metres
+     */
+    void clip(double y, double z, double near, double[] range) {
+        for (int i = 0; i < planes.length; i += 4) {
+            double room = planes[i + 3] + near - planes[i + 1] * y - planes[i + 2] * z;
+            if (Math.abs(planes[i]) < NOTHING) {
+                range[0] = room < 0 ? Double.POSITIVE_INFINITY : range[0];
+            } else if (planes[i] > 0) {
+                range[1] = Math.min(range[1], room / planes[i]);
+            } else {
+                range[0] = Math.max(range[0], room / planes[i]);
+            }
+        }
+    }
+
     private static final class Face {
         final int a;
         final int b;
@@ -173,11 +196,16 @@ public final class ConvexHull implements ConvexShape {
 
     /** @param points x, y, z of each, metres; at least one */
     public static ConvexHull of(double[] points) {
+        return of(points, MAX_CORNERS);
+    }
+
+    /** @param most largest number of corners; those furthest out come first */
+    static ConvexHull of(double[] points, int most) {
         int[] start = start(points);
         if (start == null) {
-            return of(thickened(points));
+            return of(thickened(points), most);
         }
-        return new ConvexHull(points, grow(points, start));
+        return new ConvexHull(points, grow(points, most, start));
     }
 
     /** Replaces each point by six points around it. */
@@ -233,7 +261,7 @@ public final class ConvexHull implements ConvexShape {
         return found == 2 ? n[0] * n[0] + n[1] * n[1] + n[2] * n[2] : Math.abs(n[0] * x + n[1] * y + n[2] * z);
     }
 
-    private static List<Face> grow(double[] p, int[] start) {
+    private static List<Face> grow(double[] p, int most, int[] start) {
         List<Face> faces = new ArrayList<>();
         faces.add(new Face(p, start[0], start[1], start[2]));
         faces.add(new Face(p, start[0], start[3], start[1]));
@@ -242,17 +270,17 @@ public final class ConvexHull implements ConvexShape {
         for (int i = 0; i < p.length / 3; i++) {
             share(p, i, faces, 0);
         }
-        for (int count = 4; count < MAX_CORNERS; count++) {
-            Face most = faces.get(0);
+        for (int count = 4; count < most; count++) {
+            Face next = faces.get(0);
             for (Face face : faces) {
-                if (face.most > most.most) {
-                    most = face;
+                if (face.most > next.most) {
+                    next = face;
                 }
             }
-            if (most.farthest < 0) {
+            if (next.farthest < 0) {
                 break;
             }
-            add(p, most.farthest, faces);
+            add(p, next.farthest, faces);
         }
         return faces;
     }

@@ -14,11 +14,25 @@ import org.SEAR.grammar.TextRule;
  */
 @Described("a model from a file: an obstacle, a part of a robot, or the terrain")
 public class Model extends Shape {
+    /** Collision shape: the convex hull. */
+    public static final String HULL = "hull";
+    /** Collision shape: convex parts. */
+    public static final String PARTS = "parts";
+    /** Collision shape of fixed models: the triangles. */
+    public static final String EXACT = "exact";
+
+    /** Legal collision shapes of a model that moves. */
+    public static final String MOVABLE = "parts or hull for a model that moves: only fixed models (mass 0, on no robot)"
+        + " collide by their exact triangles";
+
     @Param(doc = "model file below assets: .mesh.xml, .j3o, .obj, .gltf, .glb or .blend", text = TextRule.ASSET,
         required = true)
     private String path;
     @Param(doc = "whether it is the terrain: fixed, its centre is the world's origin")
     private boolean terrain;
+    @Param(doc = "shape in collisions: its convex hull, convex parts, or its exact triangles (fixed models only); "
+        + "default hull if it has a mass or belongs to a robot, else exact", values = {HULL, PARTS, EXACT})
+    private String collision;
 
     /** For reading from a file. */
     protected Model() {
@@ -68,6 +82,9 @@ public class Model extends Shape {
 
     @Override
     String whyNoComponent() {
+        if (EXACT.equals(collision)) {
+            return " collides by its exact triangles, which is only legal for fixed models; legal: setCollision(\"parts\") before";
+        }
         return terrain ? " is the terrain, which can't be a component" : super.whyNoComponent();
     }
 
@@ -76,6 +93,12 @@ public class Model extends Shape {
         super.crossCheck(faults);
         if (terrain && getMass() != 0) {
             faults.add("mass", getMass(), "0 kg for a terrain");
+        }
+        if (EXACT.equals(collision) && getMass() != 0) {
+            faults.add("collision", collision, MOVABLE);
+        }
+        if (terrain && collision != null && !EXACT.equals(collision)) {
+            faults.add("collision", collision, "exact for a terrain");
         }
     }
 
@@ -102,13 +125,57 @@ public class Model extends Shape {
     /**
      * Makes the model the terrain: fixed, its centre is the world's origin.
      *
-     * @throws IllegalArgumentException if it has a mass
+     * @throws IllegalArgumentException if it has a mass or collides by its hull or by parts
      */
     public void setTerrain(boolean on) {
         if (on && getMass() != 0) {
             throw new IllegalArgumentException(label() + ": mass is " + Parameter.format(getMass()) + ", legal: 0 kg for a terrain");
         }
+        if (on && collision != null && !EXACT.equals(collision)) {
+            throw new IllegalArgumentException(label() + ": collision is \"" + collision + "\", legal: exact for a terrain");
+        }
         terrain = checked("terrain", on);
+        changed();
+    }
+
+    /**
+     * Returns the shape in collisions: {@code hull}, {@code parts} or {@code exact}. The default is {@code hull} with a
+     * mass or on a robot, else {@code exact}.
+     */
+    public String getCollision() {
+        return collision != null ? collision : getMass() != 0 || robot() != null ? HULL : EXACT;
+    }
+
+    /** Returns whether the shape in collisions is set, and not the default. */
+    public boolean hasCollision() {
+        return collision != null;
+    }
+
+    /** @throws IllegalArgumentException also if the model collides by its exact triangles and the mass isn't 0 */
+    @Override
+    public void setMass(double kg) {
+        if (EXACT.equals(collision) && kg != 0) {
+            throw new IllegalArgumentException(label() + ": collision is \"exact\", legal: " + MOVABLE);
+        }
+        super.setMass(kg);
+    }
+
+    /**
+     * Sets the shape in collisions. Beams and cameras always use the triangles.
+     *
+     * @param shape {@code hull}: the convex hull, which fills hollows; {@code parts}: at most 32 convex parts, made at
+     *     the start, from at most 250,000 triangles; {@code exact}: the triangles, for a fixed model only; null for
+     *     the default
+     * @throws IllegalArgumentException if the shape is none of these, or doesn't suit a model that moves or the terrain
+     */
+    public void setCollision(String shape) {
+        String checked = checked("collision", shape);
+        String legal = !EXACT.equals(checked) ? checked != null && terrain ? "exact for a terrain" : null
+            : getMass() != 0 || robot() != null ? MOVABLE : null;
+        if (legal != null) {
+            throw new IllegalArgumentException(label() + ": collision is \"" + checked + "\", legal: " + legal);
+        }
+        collision = checked;
         changed();
     }
 

@@ -91,11 +91,8 @@ public final class Body {
         this.start = start;
         this.pose = start;
         inner = new InnerMotion(solids, places, centre);
-        placed = new PlacedSolid[places.length];
-        for (int i = 0; i < placed.length; i++) {
-            placed[i] = new PlacedSolid(solids.get(i), mass > 0);
-        }
-        if (solids.size() == 1 && mass > 0 && places[0].qw == 1) {
+        placed = PlacedSolid.of(solids, mass > 0);
+        if (placed.length == 1 && mass > 0 && places[0].qw == 1) {
             ConvexShape shape = solids.get(0).convex();
             symmetry = shape.isBall() ? Symmetry.BALL : shape.isTurned() ? Symmetry.ABOUT_Y : Symmetry.NONE;
         }
@@ -137,7 +134,7 @@ public final class Body {
     void restart() {
         pose = start;
         reach = reach();
-        leastHalf = mass > 0 ? solids.stream().mapToDouble(solid -> solid.convex().least()).min().orElse(0) : 0;
+        leastHalf = mass > 0 ? Arrays.stream(placed).mapToDouble(part -> part.shape.least()).min().orElse(0) : 0;
         rolls = !robot && mass > 0 && solids.stream().anyMatch(solid -> solid.convex().isRound());
         solver.setMass(mass, principal.atLeast(MIN_INERTIA * mass * reach * reach));
         put(start);
@@ -206,7 +203,12 @@ public final class Body {
         return shapeVersion;
     }
 
-    /** Returns the solids at their current world poses. */
+    /** Whether it collides as one shape. */
+    boolean isSingle() {
+        return placed.length == 1;
+    }
+
+    /** Returns the colliding parts of its solids at their current world poses. */
     PlacedSolid[] place() {
         if (placedAt == solver.getMoves()) {
             return placed;
@@ -215,7 +217,7 @@ public final class Body {
         Placement at = solver.place;
         for (int i = 0; i < placed.length; i++) {
             Placement into = placed[i].place;
-            set(places[i], into);
+            set(places[placed[i].number], into);
             into.x -= cx;
             into.y -= cy;
             into.z -= cz;

@@ -147,7 +147,7 @@ final class ContactRows {
         data[at + 2] = of.nz;
         data[at + MASS_A] = of.massA;
         data[at + MASS_B] = of.massB;
-        data[at + LOOSE] = of.massA > 0 && of.massB > 0 && of.bodyA.solids.size() == 1 && of.bodyB.solids.size() == 1 ? 1 : 0;
+        data[at + LOOSE] = of.massA > 0 && of.massB > 0 && of.bodyA.isSingle() && of.bodyB.isSingle() ? 1 : 0;
         data[at + SECONDS] = of.seconds;
         data[at + FRICTION] = of.friction;
         data[at + RESTITUTION] = of.restitution;

@@ -41,7 +41,10 @@ final class Manifold {
     SolverBody b;
     Body bodyA;
     Body bodyB;
-    /** Indices of the solids in their bodies. */
+    /** Indices of the colliding parts in {@link Body#place}. */
+    int partA;
+    int partB;
+    /** Indices of their solids in their bodies. */
     int solidA;
     int solidB;
     /** Normal from b to a, length 1, world frame. */

@@ -153,7 +153,7 @@ final class NarrowPhase {
             high.set((float) box.maxX, (float) box.maxY, (float) box.maxZ);
             inner.clear();
             b.getTriangles().find(triangles, low, high);
-            double ball = a.solid.convex().isBall() ? a.solid.convex().skin() : 0;
+            double ball = a.shape.isBall() ? a.shape.skin() : 0;
             for (int i = 0; i < inner.size(); i++) {
                 if (!inner.isInner(i, ball, contacts) && measure(solid, inner.get(i), inner.get(i), 0)) {
                     touch(inner.get(i));
@@ -176,7 +176,7 @@ final class NarrowPhase {
             if (isNear()) {
                 clipper.find(gjk, contacts);
             }
-        } else if (measure(a, b.core(), b, b.solid.convex().skin())) {
+        } else if (measure(a, b.core(), b, b.shape.skin())) {
             if (touched && pair.isFlat()) {
                 gjk.keep(a, b, guess, CHANGE);
             }
@@ -203,7 +203,7 @@ final class NarrowPhase {
 
     /** Tests whether a face of one of them separates them best, as in most contacts with fixed bodies. */
     private boolean byFace(PlacedSolid a, PlacedSolid b) {
-        double skins = a.solid.convex().skin() + b.solid.convex().skin();
+        double skins = a.shape.skin() + b.shape.skin();
         b.feature(guess[0], guess[1], guess[2], clipper.ofB);
         if (gjk.byFace(clipper.ofB, true, a, skins)) {
             a.feature(-gjk.nx, -gjk.ny, -gjk.nz, clipper.ofA);
@@ -222,7 +222,7 @@ final class NarrowPhase {
      * convex radii cost more.
      */
     private boolean measure(PlacedSolid a, Convex coreOfB, Convex b, double skinOfB) {
-        double skins = a.solid.convex().skin() + skinOfB;
+        double skins = a.shape.skin() + skinOfB;
         if (!gjk.measure(a.core(), coreOfB, reach + 2 * skins, guess[0], guess[1], guess[2])) {
             if (!current.isOfMesh()) {
                 current.parted(gjk.nx, gjk.ny, gjk.nz);
@@ -309,7 +309,7 @@ final class NarrowPhase {
                 write(i, into);
             }
         } else {
-            support.choose(contacts, a.solid.convex().isBall(), margin > FAST);
+            support.choose(contacts, a.shape.isBall(), margin > FAST);
             for (int k = 0; k < support.size(); k++) {
                 Manifold into = add(pair, a, solidA, b, solidB, support.getNormal(k));
                 for (int i = 0; i < support.size(k); i++) {

@@ -87,7 +87,7 @@ final class PairContacts {
         boolean rolls = a.canRoll() || b.canRoll();
         tolerance = rolls ? TOLERANCE_ROUND : TOLERANCE;
         still = rolls ? 0 : STILL;
-        single = a.solids.size() == 1 && b.solids.size() == 1 && !b.isMesh();
+        single = a.isSingle() && b.isSingle() && !b.isMesh();
         flat = single && !rolls;
         count = 0;
         near = false;
@@ -257,7 +257,7 @@ final class PairContacts {
     }
 
     /** Adds an empty manifold; {@link #inherit} sets the impulses. */
-    Manifold add(int solidA, int solidB) {
+    Manifold add(int partA, int partB) {
         if (count == now.length) {
             now = Arrays.copyOf(now, 2 * count);
             before = Arrays.copyOf(before, 2 * count);
@@ -270,8 +270,10 @@ final class PairContacts {
         manifold.bodyB = b;
         manifold.a = a.getSolver();
         manifold.b = b.getSolver();
-        manifold.solidA = solidA;
-        manifold.solidB = solidB;
+        manifold.partA = partA;
+        manifold.partB = partB;
+        manifold.solidA = a.place()[partA].number;
+        manifold.solidB = b.place()[partB].number;
         manifold.count = 0;
         manifold.fresh();
         return manifold;
@@ -290,12 +292,12 @@ final class PairContacts {
         return touched;
     }
 
-    /** Whether both bodies are single solids and neither is a mesh. */
+    /** Whether both bodies are single convex shapes. */
     boolean isSingle() {
         return single;
     }
 
-    /** Whether both bodies are single solids and neither is round. */
+    /** Whether both bodies are single convex shapes and neither is round. */
     boolean isFlat() {
         return flat;
     }
@@ -309,12 +311,12 @@ final class PairContacts {
     }
 
     /**
-     * Copies former impulses to the manifolds of two solids.
+     * Copies former impulses to the manifolds of two colliding parts.
      * @param from index of the first of them; they are the last ones
      */
     void inherit(int from) {
         for (int i = 0; i < countBefore && from < count; i++) {
-            if (before[i].solidA == now[from].solidA && before[i].solidB == now[from].solidB) {
+            if (before[i].partA == now[from].partA && before[i].partB == now[from].partB) {
                 before[i].passOn(now, from, count);
             }
         }

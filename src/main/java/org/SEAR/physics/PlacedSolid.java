@@ -1,29 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.physics;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.SEAR.collision.ContactFeature;
 import org.SEAR.collision.Convex;
+import org.SEAR.collision.ConvexShape;
 import org.SEAR.collision.PlacedConvex;
 import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Placement;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.TriangleSearch;
 
-/** Solid of a body at its current world pose, with its bounding box. Simulation thread. */
+/** Solid of a body, or one of its convex parts, at its current world pose, with its bounding box. Simulation thread. */
 final class PlacedSolid implements Convex {
     final Solid solid;
     final Placement place;
+    /** Index of the solid in its body. */
+    final int number;
+    /** Part of the solid that collides; null if it collides by triangles. */
+    final ConvexShape shape;
     private final PlacedConvex convex = new PlacedConvex();
     private final TriangleSearch triangles;
     /** World frame. */
     final Aabb box = new Aabb();
+    /** Centre of the shape's bounding box and its half extents, in the solid's frame. */
+    private final double[] middle = new double[3];
+    private final double[] half;
     private final double[] low = new double[3];
     private final double[] high = new double[3];
 
-    PlacedSolid(Solid solid, boolean moves) {
+    private PlacedSolid(Solid solid, int number, ConvexShape shape) {
         this.solid = solid;
-        triangles = solid.isMesh() && !moves ? solid.triangles() : null;
-        place = isMesh() ? new Placement() : convex.set(solid.convex());
+        this.number = number;
+        this.shape = shape;
+        half = new double[] {solid.halfX, solid.halfY, solid.halfZ};
+        triangles = shape == null ? solid.triangles() : null;
+        place = isMesh() ? new Placement() : convex.set(shape);
+        for (int axis = 0; axis < 3 && !isMesh() && solid.pieces().size() > 1; axis++) {
+            shape.support(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, high);
+            shape.support(axis == 0 ? -1 : 0, axis == 1 ? -1 : 0, axis == 2 ? -1 : 0, low);
+            middle[axis] = (high[axis] + low[axis]) / 2;
+            half[axis] = (high[axis] - low[axis]) / 2;
+        }
+    }
+
+    /** Returns the parts of a body's solids that collide, in the order of the solids. */
+    static PlacedSolid[] of(List<Solid> solids, boolean move) {
+        List<PlacedSolid> all = new ArrayList<>();
+        for (int i = 0; i < solids.size(); i++) {
+            if (solids.get(i).isMesh() && !move) {
+                all.add(new PlacedSolid(solids.get(i), i, null));
+            } else {
+                for (ConvexShape piece : solids.get(i).pieces()) {
+                    all.add(new PlacedSolid(solids.get(i), i, piece));
+                }
+            }
+        }
+        return all.toArray(new PlacedSolid[0]);
     }
 
     /** Whether it collides by triangles. */
@@ -52,10 +86,11 @@ final class PlacedSolid implements Convex {
 
     /** Updates the box after a change of the pose. */
     void bound() {
-        double x = Math.abs(place.m00) * solid.halfX + Math.abs(place.m01) * solid.halfY + Math.abs(place.m02) * solid.halfZ;
-        double y = Math.abs(place.m10) * solid.halfX + Math.abs(place.m11) * solid.halfY + Math.abs(place.m12) * solid.halfZ;
-        double z = Math.abs(place.m20) * solid.halfX + Math.abs(place.m21) * solid.halfY + Math.abs(place.m22) * solid.halfZ;
-        box.set(0, place.x - x, place.x + x).set(1, place.y - y, place.y + y).set(2, place.z - z, place.z + z);
+        double x = Math.abs(place.m00) * half[0] + Math.abs(place.m01) * half[1] + Math.abs(place.m02) * half[2];
+        double y = Math.abs(place.m10) * half[0] + Math.abs(place.m11) * half[1] + Math.abs(place.m12) * half[2];
+        double z = Math.abs(place.m20) * half[0] + Math.abs(place.m21) * half[1] + Math.abs(place.m22) * half[2];
+        place.transform(middle[0], middle[1], middle[2], low, 0);
+        box.set(0, low[0] - x, low[0] + x).set(1, low[1] - y, low[1] + y).set(2, low[2] - z, low[2] + z);
     }
 
     /** Returns the largest separation of both boxes along a coordinate axis, metres; negative if they overlap. */

@@ -179,6 +179,9 @@ final class ProjectLinker {
             problems.add(parsed.file, parsed.line(element), element, placed.hasPlaceOnEarth() ? Parameter.format(placed.getPlaceLatitude()) : "true",
                 "none for " + placed + ", a part of a robot; the robot may have it");
         }
+        if (part instanceof Model && ((Model) part).hasCollision() && ((Model) part).getCollision().equals(Model.EXACT)) {
+            problems.add(parsed.file, parsed.line("collision"), "collision", Model.EXACT, Model.MOVABLE);
+        }
         if (part instanceof Shape && !(part instanceof Wheel)) {
             ((Shape) part).toFaultsOfLaunch((element, value, legal) ->
                 problems.add(parsed.file, parsed.line(element), element, Parameter.format((Double) value), legal),

@@ -121,7 +121,11 @@ public class StartWarningsTest {
         Model pair = new Model("pair", "pair.obj");
         assertEquals(List.of(), warnings());
         pair.setMass(100);
-        assertTold("contacts of a model of pair use its convex hull, which has 2.0 times the volume inside its triangles");
+        assertTold("contacts of a model of pair use its convex hull, which has 2.0 times the volume inside its triangles",
+            "setCollision(\"parts\")");
+        pair.setCollision("parts");
+        assertEquals(List.of(), warnings());
+        pair.setCollision(null);
         putCubes("pair.obj", 0, 1);
         assertEquals(List.of(), warnings());
         project.put("assets/pair.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 1 0\nf 1 2 4\nf 1 4 3\n");

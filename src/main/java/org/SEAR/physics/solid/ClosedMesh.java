@@ -73,6 +73,33 @@ final class ClosedMesh {
         return mesh.size() == 0 ? null : new ClosedMesh(mesh, points).integrate();
     }
 
+    /**
+     * Whether a closed mesh encloses a point: the solid angles of its triangles add up to a sphere (Van Oosterom and
+     * Strackee 1983, "The solid angle of a plane triangle").
+     */
+    static boolean encloses(double[] points, int[] corners, double x, double y, double z) {
+        double sum = 0;
+        for (int i = 0; i < corners.length; i += 3) {
+            double[] a = from(points, corners[i], x, y, z);
+            double[] b = from(points, corners[i + 1], x, y, z);
+            double[] c = from(points, corners[i + 2], x, y, z);
+            double triple = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+            sum += 2 * Math.atan2(triple, a[3] * b[3] * c[3] + dot(a, b) * c[3] + dot(b, c) * a[3] + dot(c, a) * b[3]);
+        }
+        return Math.abs(sum) > 2 * Math.PI;
+    }
+
+    /** Returns the vector to a vertex and its length. */
+    private static double[] from(double[] points, int vertex, double x, double y, double z) {
+        double[] v = {points[3 * vertex] - x, points[3 * vertex + 1] - y, points[3 * vertex + 2] - z, 0};
+        v[3] = Math.sqrt(dot(v, v));
+        return v;
+    }
+
+    private static double dot(double[] a, double[] b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+
     private VolumeIntegrals integrate() {
         if (!isClosed()) {
             return null;

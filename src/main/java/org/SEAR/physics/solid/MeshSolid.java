@@ -2,7 +2,9 @@
 package org.SEAR.physics.solid;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.SEAR.POJOs.Model;
 import org.SEAR.collision.ConvexHull;
 import org.SEAR.collision.ConvexShape;
@@ -24,20 +26,33 @@ class MeshSolid extends Solid {
     private final Triangles mesh;
     private final double[] scale;
     private final double[][] corners;
+    /** How it collides, see {@link Model#getCollision}; exact also for the default: only fixed bodies use triangles. */
+    private final String collision;
+    private List<ConvexShape> pieces;
     private boolean integrated;
     private VolumeIntegrals integrals;
 
     /** @param scale along x, y and z */
     MeshSolid(Triangles mesh, double[] scale, Pose offset) {
+        this(mesh, scale, offset, Model.EXACT);
+    }
+
+    private MeshSolid(Triangles mesh, double[] scale, Pose offset, String collision) {
         super(half(mesh, scale, 0), half(mesh, scale, 1), half(mesh, scale, 2), offset);
         this.mesh = mesh;
+        this.collision = collision;
         this.scale = scale;
         corners = MeshShapes.corners(mesh, scale[0], scale[1], scale[2], DRAWN_DIRECTIONS).stream()
             .map(corner -> new double[] {corner.x, corner.y, corner.z}).toArray(double[][]::new);
     }
 
     static MeshSolid of(Model model, ModelLoader models) throws IOException {
-        return new MeshSolid(models.triangles(model), new double[] {model.getScaleX(), model.getScaleY(), model.getScaleZ()}, Pose.IDENTITY);
+        Triangles mesh = models.triangles(model);
+        if (model.getCollision().equals(Model.PARTS)) {
+            MeshPieces.check(mesh, model);
+        }
+        return new MeshSolid(mesh, new double[] {model.getScaleX(), model.getScaleY(), model.getScaleZ()}, Pose.IDENTITY,
+            model.hasCollision() ? model.getCollision() : Model.EXACT);
     }
 
     private static double half(Triangles mesh, double[] scale, int axis) {
@@ -58,6 +73,14 @@ class MeshSolid extends Solid {
         return ConvexHull.of(points());
     }
 
+    @Override
+    public List<ConvexShape> pieces() {
+        if (pieces == null) {
+            pieces = collision.equals(Model.PARTS) ? MeshPieces.of(mesh, scale, points()) : super.pieces();
+        }
+        return pieces;
+    }
+
     private double[] points() {
         double[] points = new double[mesh.vertices.length];
         for (int i = 0; i < points.length; i++) {
@@ -66,18 +89,22 @@ class MeshSolid extends Solid {
         return points;
     }
 
-    /** Returns the volume that the mesh encloses; of an open mesh that of its convex hull. */
+    /** Returns the volume that the mesh encloses; of an open mesh that of its convex parts. */
     @Override
     public double volume() {
         VolumeIntegrals inside = integrals();
-        return inside == null ? super.volume() : inside.volume();
+        return inside == null ? pieces().stream().mapToDouble(ConvexShape::volume).sum() : inside.volume();
     }
 
-    /** Returns the solid that the mesh encloses; of an open mesh its convex hull. */
+    /** Returns the solid that the mesh encloses; of an open mesh its convex parts. */
     @Override
     public MassProperties perKilogram() {
         VolumeIntegrals inside = integrals();
-        return inside == null ? super.perKilogram() : new MassProperties(1, inside.centre(), inside.inertia());
+        if (inside != null) {
+            return new MassProperties(1, inside.centre(), inside.inertia());
+        }
+        return pieces().size() == 1 ? MassProperties.of(pieces().get(0)) : MassProperties.sum(pieces().stream()
+            .map(piece -> MassProperties.of(piece).withMass(piece.volume())).collect(Collectors.toList())).withMass(1);
     }
 
     /** Returns the integrals over the enclosed volume; null if it is not closed or encloses next to nothing. */
@@ -109,7 +136,7 @@ class MeshSolid extends Solid {
 
     @Override
     public boolean isMesh() {
-        return true;
+        return collision.equals(Model.EXACT);
     }
 
     @Override
@@ -124,6 +151,11 @@ class MeshSolid extends Solid {
             }
         }
         return false;
+    }
+
+    @Override
+    public boolean encloses(double x, double y, double z) {
+        return integrals() != null && ClosedMesh.encloses(points(), mesh.indices, x, y, z);
     }
 
     @Override

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.physics.solid;
 
+import java.util.List;
 import java.util.function.Predicate;
 import org.SEAR.collision.ConvexShape;
 import org.SEAR.geometry.Aabb;
@@ -67,6 +68,11 @@ public abstract class Solid {
         return convex;
     }
 
+    /** Returns the convex parts that collide; their order never changes. */
+    public List<ConvexShape> pieces() {
+        return List.of(convex());
+    }
+
     /** Volume at uniform density, m^3. */
     public double volume() {
         return convex().volume();
@@ -86,7 +92,7 @@ public abstract class Solid {
         return surface;
     }
 
-    /** Whether it is a triangle mesh: fixed bodies collide by the triangles, not by the convex hull. */
+    /** Whether it is a triangle mesh by whose triangles fixed bodies collide, not by {@link #pieces}. */
     public boolean isMesh() {
         return false;
     }
@@ -99,6 +105,11 @@ public abstract class Solid {
      */
     public boolean anyTriangle(Aabb box, Predicate<double[]> test) {
         throw new UnsupportedOperationException("only a mesh has triangles");
+    }
+
+    /** Whether a point of its frame is inside its mesh; false without a closed mesh. */
+    public boolean encloses(double x, double y, double z) {
+        return false;
     }
 
     /** Returns the furthest point in a direction, both in the solid's frame: {x, y, z}. */

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.physics.start;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.SEAR.collision.Convex;
+import org.SEAR.collision.ConvexShape;
 import org.SEAR.collision.GjkDistance;
 import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
@@ -23,13 +26,36 @@ final class Overlap {
         this.body = body;
     }
 
+    Body getBody() {
+        return body;
+    }
+
+    /** Returns the colliding parts of a body's solid at a pose of the body. */
+    private static List<Placed> parts(Body of, int solid, Pose pose) {
+        Pose place = pose.times(of.places[solid]);
+        Solid whole = of.solids.get(solid);
+        List<Placed> parts = new ArrayList<>();
+        if (whole.isMesh() || whole.pieces().size() == 1) {
+            parts.add(new Placed(whole::farthest, place));
+        } else {
+            whole.pieces().forEach(piece -> parts.add(new Placed((x, y, z) -> farthest(piece, x, y, z), place)));
+        }
+        return parts;
+    }
+
+    private static double[] farthest(ConvexShape shape, double x, double y, double z) {
+        double[] point = new double[3];
+        shape.support(x, y, z, point);
+        return point;
+    }
+
     /** Returns the bounding box of the body at a pose. */
     Aabb bounds(Pose pose) {
         Aabb box = new Aabb();
         double[] low = new double[3];
         double[] high = new double[3];
         for (int i = 0; i < body.solids.size(); i++) {
-            Placed part = new Placed(body.solids.get(i), pose.times(body.places[i]));
+            Placed part = new Placed(body.solids.get(i)::farthest, pose.times(body.places[i]));
             for (int axis = 0; axis < 3; axis++) {
                 part.support(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, high);
                 box.add(high[0], high[1], high[2]);
@@ -61,16 +87,39 @@ final class Overlap {
     /** The same with the other body at another pose. */
     boolean overlaps(Pose pose, Overlap other, Pose otherPose, double allowed) {
         for (int i = 0; i < body.solids.size(); i++) {
-            Placed mine = new Placed(body.solids.get(i), pose.times(body.places[i]));
-            for (int k = 0; k < other.body.solids.size(); k++) {
-                Solid solid = other.body.solids.get(k);
-                Pose place = otherPose.times(other.body.places[k]);
-                if (solid.isMesh() ? intersects(mine, bounds(pose), solid, place, allowed) : isDeeper(mine, new Placed(solid, place), allowed)) {
-                    return true;
+            for (Placed mine : parts(body, i, pose)) {
+                for (int k = 0; k < other.body.solids.size(); k++) {
+                    Solid solid = other.body.solids.get(k);
+                    Pose place = otherPose.times(other.body.places[k]);
+                    if (solid.isMesh() ? intersects(mine, bounds(pose), solid, place, allowed)
+                            : isDeeper(mine, parts(other.body, k, otherPose), allowed)) {
+                        return true;
+                    }
                 }
             }
         }
         return false;
+    }
+
+    /** Whether the body at a pose overlaps another one, or its centre of mass is inside a closed mesh of it. */
+    boolean isIn(Pose pose, Overlap other, Pose otherPose) {
+        double[] centre = body.getCentre();
+        double[] at = pose.transform(centre[0], centre[1], centre[2]);
+        boolean inside = overlaps(pose, other, otherPose, 0);
+        for (int i = 0; i < other.body.solids.size() && !inside; i++) {
+            Pose place = otherPose.times(other.body.places[i]);
+            double[] own = place.rotateBack(at[0] - place.x, at[1] - place.y, at[2] - place.z);
+            inside = other.body.solids.get(i).encloses(own[0], own[1], own[2]);
+        }
+        return inside;
+    }
+
+    private boolean isDeeper(Convex mine, List<Placed> others, double allowed) {
+        boolean deeper = false;
+        for (int i = 0; i < others.size() && !deeper; i++) {
+            deeper = isDeeper(mine, others.get(i), allowed);
+        }
+        return deeper;
     }
 
     /** Returns the largest depth of the body at a pose in another at its start, metres. */
@@ -108,20 +157,25 @@ final class Overlap {
         return around;
     }
 
-    /** Solid at a pose. */
+    /** Finds the furthest point of a shape in a direction, both in its frame. */
+    private interface Farthest {
+        double[] point(double x, double y, double z);
+    }
+
+    /** Convex shape at a pose. */
     private static final class Placed implements Convex {
-        private final Solid solid;
+        private final Farthest shape;
         private final Pose pose;
 
-        Placed(Solid solid, Pose pose) {
-            this.solid = solid;
+        Placed(Farthest shape, Pose pose) {
+            this.shape = shape;
             this.pose = pose;
         }
 
         @Override
         public void support(double dx, double dy, double dz, double[] into) {
             double[] inside = pose.rotateBack(dx, dy, dz);
-            double[] point = solid.farthest(inside[0], inside[1], inside[2]);
+            double[] point = shape.point(inside[0], inside[1], inside[2]);
             double[] world = pose.transform(point[0], point[1], point[2]);
             System.arraycopy(world, 0, into, 0, 3);
         }

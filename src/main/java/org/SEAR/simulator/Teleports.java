@@ -63,7 +63,7 @@ final class Teleports {
     }
 
     /**
-     * Start of an object in a newer state of the project, lifted above what stands there now.
+     * Start of an object in a newer state of the project, moved out of what stands there now.
      *
      * @return null if this world doesn't have it
      * @throws ProjectException if it has no valid place there
@@ -88,7 +88,7 @@ final class Teleports {
         if (!body.isFixed()) {
             List<Body> others = new ArrayList<>(world.getPhysics().getBodies());
             others.remove(body);
-            StartPoses.liftOut(fresh, others);
+            StartPoses.moveOut(fresh, others, world.getScenes().grounds());
         }
         return fresh.getStart();
     }

@@ -107,7 +107,7 @@ final class World implements PhysicsWorld.Touches {
         }
         places.end();
         joints = new WorldJoints(project, physics);
-        liftAndCheck();
+        moveOutAndCheck();
         fallen = new KillPlane(physics.getBodies(), reported);
         moves = new Teleports(this);
         restart(seed);
@@ -144,13 +144,13 @@ final class World implements PhysicsWorld.Touches {
     }
 
     /** Lifts bodies out of the ground, and warns of start poses, densities, hulls and sizes that are mistakes. */
-    private void liftAndCheck() throws ProjectException {
+    private void moveOutAndCheck() throws ProjectException {
         List<Body> bodies = physics.getBodies();
         String crowd = StartPoses.crowd(bodies);
         if (crowd != null) {
             throw new ProjectException(Collections.singletonList(new Problem("environment", 0, "", crowd, "objects that start apart")));
         }
-        StartPoses.lift(bodies, warnings);
+        StartPoses.moveOut(bodies, scenes.grounds(), warnings);
         StartPoses.reportOverlaps(bodies, warnings);
         GroundDistanceCheck.report(bodies, scenes, warnings);
         DensityCheck.report(bodies, warnings);

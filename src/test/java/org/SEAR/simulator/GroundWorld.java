@@ -56,7 +56,7 @@ public final class GroundWorld {
                     WorkerPool.ALONE),
                 new VirtualWalls(scenes), warnings::add);
         }
-        StartPoses.lift(physics.getBodies(), warnings);
+        StartPoses.moveOut(physics.getBodies(), scenes.grounds(), warnings);
         physics.restart();
         body.mirror(scenes);
         bodies.forEach(one -> one.mirror(scenes));

@@ -177,6 +177,6 @@ public class StartWarningsTest {
         new Floor("floor", 20, 20);
         new Box("wall", 1, 1, 1).move(0, 0.5, 0);
         Robots.rover("rover");
-        assertTold("rover started inside a fixed object (wall); SEAR lifted it by", "or change x or z");
+        assertTold("rover started inside a fixed object (wall); SEAR moved it by (0.000, 0.000, -0.560) m, the shortest way out");
     }
 }

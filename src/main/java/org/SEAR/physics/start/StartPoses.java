@@ -2,6 +2,7 @@
 package org.SEAR.physics.start;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -25,41 +26,50 @@ public final class StartPoses {
     private static final int MAX_PAIRS = 50_000;
     /** Largest number of obstacles named in a warning. */
     private static final int MAX_OBSTACLES = 3;
-    /** Rounds of lifting: a body lifted out of one obstacle may be inside the next. */
+    /** Rounds of moves: a body moved out of one obstacle may be inside the next. */
     private static final int ROUNDS = 16;
     private static final int HALVINGS = 24;
+    /** Horizontal directions along an obstacle's axes, and the least length of such an axis seen from above. */
+    private static final int SIDES = 4;
+    private static final double UPRIGHT = 0.7;
 
     private StartPoses() {
     }
 
-    /** Lifts all bodies with mass out of fixed ones. */
-    public static void lift(List<Body> bodies, List<String> warnings) {
+    /**
+     * Moves all bodies with mass out of fixed ones, the shortest way: up or sideways.
+     * @param grounds bodies that others leave upwards only
+     */
+    public static void moveOut(List<Body> bodies, Collection<Body> grounds, List<String> warnings) {
         List<Body> fixed = bodies.stream().filter(Body::isFixed).collect(Collectors.toList());
         for (Body body : bodies) {
             if (!body.isFixed()) {
                 Pose before = body.getStart();
-                double lifted = liftOut(body, fixed);
-                if (lifted > 0) {
+                moveOut(body, fixed, grounds);
+                Pose after = body.getStart();
+                if (after != before) {
                     String inside = obstacles(body, before, fixed).map(obstacle -> obstacle.name).limit(MAX_OBSTACLES)
                         .collect(Collectors.joining(" and "));
-                    warnings.add(String.format(Locale.ROOT, "%s started inside a fixed object (%s); SEAR lifted it by %.3f m. Raise y in its"
-                        + " move(x, y, z) by that, or change x or z", body.name, inside, lifted));
+                    boolean up = after.x == before.x && after.z == before.z;
+                    warnings.add(body.name + " started inside a fixed object (" + inside + "); SEAR " + (up
+                        ? String.format(Locale.ROOT, "lifted it by %.3f m. Raise y in its move(x, y, z) by that, or change x or z",
+                            after.y - before.y)
+                        : String.format(Locale.ROOT, "moved it by (%.3f, %.3f, %.3f) m, the shortest way out. Change its move(x, y, z) by that",
+                            after.x - before.x, after.y - before.y, after.z - before.z)));
                 }
             }
         }
     }
 
     /**
-     * Lifts the start of a body out of others at their present poses.
-     * @return height of the lift, metres
+     * Moves the start of a body out of others at their present poses, up or sideways.
+     * @param grounds bodies that it leaves upwards only
      */
-    public static double liftOut(Body body, List<Body> others) {
-        double before = body.getStart().y;
+    public static void moveOut(Body body, List<Body> others, Collection<Body> grounds) {
         int round = 0;
-        while (round < ROUNDS && liftOnce(body, others)) {
+        while (round < ROUNDS && moveOnce(body, others, grounds)) {
             round++;
         }
-        return body.getStart().y - before;
     }
 
     /**
@@ -166,32 +176,68 @@ public final class StartPoses {
             && mine.overlaps(at, new Overlap(other), other.getPose(), ALLOWED));
     }
 
-    private static boolean liftOnce(Body body, List<Body> others) {
+    private static boolean moveOnce(Body body, List<Body> others, Collection<Body> grounds) {
         Overlap mine = new Overlap(body);
         Aabb box = mine.bounds(body.getStart());
-        boolean lifted = false;
+        boolean moved = false;
         for (Body obstacle : others) {
             Overlap other = new Overlap(obstacle);
-            Pose there = obstacle.getPose();
-            Aabb around = other.bounds(there);
-            if (body.ignores(obstacle) || !box.overlaps(around) || !mine.overlaps(body.getStart(), other, there, ALLOWED)) {
+            Aabb around = other.bounds(obstacle.getPose());
+            if (body.ignores(obstacle) || !box.overlaps(around) || !mine.overlaps(body.getStart(), other, obstacle.getPose(), ALLOWED)) {
                 continue;
             }
-            double in = 0;
-            double out = around.maxY - box.minY + ALLOWED;
-            for (int i = 0; i < HALVINGS; i++) {
-                double middle = (in + out) / 2;
-                if (mine.overlaps(up(body.getStart(), middle), other, there, 0)) {
-                    in = middle;
-                } else {
-                    out = middle;
-                }
+            Pose out = out(mine, obstacle, 0, 1, 0, Double.POSITIVE_INFINITY);
+            for (int side = 0; side < SIDES && !grounds.contains(obstacle); side++) {
+                double[] way = obstacle.getPose().rotate(side == 0 ? 1 : side == 1 ? -1 : 0, 0, side == 2 ? 1 : side == 3 ? -1 : 0);
+                double length = Math.hypot(way[0], way[2]);
+                Pose beside = length < UPRIGHT ? null
+                    : out(mine, obstacle, way[0] / length, 0, way[2] / length, distance(out, body.getStart()) - ALLOWED);
+                out = beside != null && obstacles(body, beside, others).count() == 0 ? beside : out;
             }
-            body.setStart(up(body.getStart(), out));
-            box = mine.bounds(body.getStart());
-            lifted = true;
+            body.setStart(out);
+            box = mine.bounds(out);
+            moved = true;
         }
-        return lifted;
+        return moved;
+    }
+
+    private static double distance(Pose a, Pose b) {
+        return Math.sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
+    }
+
+    /**
+     * Returns the pose in which a body has left another along a direction.
+     * @param most largest distance, metres
+     * @return null if it is larger
+     */
+    private static Pose out(Overlap mine, Body obstacle, double x, double y, double z, double most) {
+        Overlap other = new Overlap(obstacle);
+        Pose there = obstacle.getPose();
+        Pose start = mine.getBody().getStart();
+        Aabb box = mine.bounds(start);
+        Aabb around = other.bounds(there);
+        double in = 0;
+        double out = Double.POSITIVE_INFINITY;
+        out = Math.min(out, x == 0 ? out : (x > 0 ? around.maxX - box.minX + ALLOWED : around.minX - box.maxX - ALLOWED) / x);
+        out = Math.min(out, y == 0 ? out : around.maxY - box.minY + ALLOWED);
+        out = Math.min(out, z == 0 ? out : (z > 0 ? around.maxZ - box.minZ + ALLOWED : around.minZ - box.maxZ - ALLOWED) / z);
+        if (out > most && mine.isIn(along(start, x, y, z, most), other, there)) {
+            return null;
+        }
+        out = Math.min(out, most);
+        for (int i = 0; i < HALVINGS; i++) {
+            double middle = (in + out) / 2;
+            if (mine.isIn(along(start, x, y, z, middle), other, there)) {
+                in = middle;
+            } else {
+                out = middle;
+            }
+        }
+        return along(start, x, y, z, out);
+    }
+
+    private static Pose along(Pose pose, double x, double y, double z, double metres) {
+        return new Pose(pose.x + x * metres, pose.y + y * metres, pose.z + z * metres, pose.qx, pose.qy, pose.qz, pose.qw);
     }
 
     private static Pose up(Pose pose, double metres) {

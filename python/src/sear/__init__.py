@@ -19,6 +19,7 @@ from . import _objects
 from ._callbacks import PythonService as _PythonService
 from ._errors import (IllegalArgumentException, IllegalStateException, IOException, JavaError, NullPointerException,
                       UnsupportedOperationException)
+from ._errors import install as _install_hints
 from ._names import OBJECTS as _OBJECTS
 from ._objects import JavaObject, java_class
 from ._record import Record
@@ -99,4 +100,5 @@ def close():
 
 
 _objects.connection.start = start
+_install_hints()
 _atexit.register(close)

@@ -31,6 +31,7 @@ def main(arguments):
     import sear
     from sear import _errors
     from sear import _modules
+    from sear._hints import silent
     if remote:
         sear.connect(int(remote))
     _modules.install()
@@ -41,6 +42,8 @@ def main(arguments):
     except OSError as error:
         print("sear: %s can't be read: %s" % (script, error.strerror), file=sys.stderr)
         return 2
+    for text in silent.mistakes(source, script):
+        print("[WARN] " + text, file=sys.stderr)
     module = types.ModuleType("__main__")
     module.__dict__.update(__file__=os.path.abspath(script), Runtime=sear.Runtime, python=sear.python, sleep=time.sleep)
     sys.modules["__main__"] = module

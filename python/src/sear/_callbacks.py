@@ -2,6 +2,7 @@
 """Callbacks: a Python thread polls the service Python3 for calls from MyRobotLab and runs them one by one."""
 import sys
 import threading
+import types
 
 from . import _errors
 from ._objects import java_class
@@ -63,12 +64,14 @@ class PythonService:
         if function is None:
             if name in UNNEEDED and publisher.endswith(UNNEEDED[name][0]) and any(hasattr(main, one) for one in UNNEEDED[name][1]):
                 return
-            self._tell("%s calls back %s, but the script has no function of that name" % (publisher, name))
+            from ._hints.names import nearest
+            meant = nearest(name, [one for one, value in vars(main).items() if isinstance(value, types.FunctionType)])
+            self._tell("%s calls back %s, but the script has no function of that name%s" % (publisher, name, meant and "; " + meant))
             return
         try:
             function(*arguments)
         except Exception as error:
-            self._tell("%s called back %s, which failed:\n%s" % (publisher, name, _errors.told(error)))
+            self._tell("%s called back %s, which failed:\n%s" % (publisher, name, _errors.told(error, function)))
 
     def _tell(self, text):
         self.failed = True

@@ -102,9 +102,8 @@ class OverGateway:
         except KeyboardInterrupt:
             self._hang_up()
             raise
-        kind = self.java_class(class_name)
-        legal = self._members.constructors(kind) if name is None else self._members.methods(kind, name)
-        raise TypeError(_errors.misfit(name or class_name.rpartition(".")[2], arguments, list(legal)))
+        from ._hints.python3 import misfit
+        raise TypeError(misfit(class_name, name, arguments))
 
     def _hang_up(self):
         """Closes this thread's connection: answers that still arrive belong to the interrupted call."""
@@ -143,6 +142,14 @@ class OverGateway:
             self._members.assign(java, name, value)
         except Py4JJavaError as error:
             raise self._translated(error) from None
+
+    def exists(self, class_name):
+        """Whether Java has a class of that full name."""
+        return self._members.find(class_name) is not None
+
+    def ask(self, question, class_name, *more):
+        """Returns names or signatures: the answer of the Java class Members."""
+        return list(getattr(self._members, question)(self.java_class(class_name), *more))
 
     def names(self, class_name):
         """Returns the names of its members."""

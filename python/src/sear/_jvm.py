@@ -80,13 +80,14 @@ class InProcess:
         except self._jpype.JException as error:
             raise self._translated(error) from None
         except OverflowError as error:
-            raise _errors.too_large(name or class_name.rpartition(".")[2], arguments, 31 if "Java int" in str(error) else 63) from None
+            from ._hints.python3 import misfit
+            raise (OverflowError(misfit(class_name, name, arguments, 31)) if "Java int" in str(error)
+                   else _errors.too_large(name or class_name.rpartition(".")[2], arguments)) from None
         except TypeError as error:
             if "No matching overloads" not in str(error):
                 raise
-            kind = self.java_class(class_name)
-            legal = self._members.constructors(kind) if name is None else self._members.methods(kind, name)
-            raise TypeError(_errors.misfit(name or class_name.rpartition(".")[2], arguments, [str(one) for one in legal])) from None
+            from ._hints.python3 import misfit
+            raise TypeError(misfit(class_name, name, arguments)) from None
 
     def wait(self, java, name, argument):
         """Makes a waiting call that an interrupt ends. Main thread."""
@@ -138,6 +139,14 @@ class InProcess:
             self._members.assign(java, name, value)
         except self._jpype.JException as error:
             raise self._translated(error) from None
+
+    def exists(self, class_name):
+        """Whether Java has a class of that full name."""
+        return self._members.find(class_name) is not None
+
+    def ask(self, question, class_name, *more):
+        """Returns names or signatures: the answer of the Java class Members."""
+        return [str(one) for one in getattr(self._members, question)(self.java_class(class_name), *more)]
 
     def names(self, class_name):
         """Returns the names of its members."""

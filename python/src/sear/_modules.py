@@ -20,6 +20,8 @@ class _Package(types.ModuleType):
             raise AttributeError(name)
         if self.__name__ == "java.lang" and isinstance(getattr(_errors, name, None), type):
             return getattr(_errors, name)
+        if self.__name__ == POJOS and name not in OBJECTS:
+            raise AttributeError(name)
         if not name[:1].isupper():
             raise AttributeError("Java has no package %s.%s here" % (self.__name__, name))
         found = java_class(self.__name__ + "." + name)
@@ -34,6 +36,8 @@ class _Finder:
     def find_spec(name, path=None, target=None):
         """Returns the spec of a Java package; None for anything else, including classes."""
         parts = name.split(".")
+        if POJOS.lower().startswith(name.lower()) and not POJOS.startswith(name):
+            return None    # in other letters
         if parts[0] not in ROOTS or (parts[-1][:1].isupper() and parts[-1] not in ("SEAR", "POJOs")):
             return None
         return importlib.machinery.ModuleSpec(name, _Finder, is_package=True)

@@ -2,7 +2,6 @@
 """Java's objects in Python. The backends _jvm and _gateway implement the access to Java."""
 import builtins
 import collections.abc
-import difflib
 import os
 import threading
 
@@ -64,11 +63,11 @@ def to_java(value):
     return value
 
 
-def _refuse_names(name, named):
+def _refuse_names(class_name, name):
     """Raises TypeError: Java has no argument names at run time. Names in the documentation and stubs are for readers
     only."""
-    raise TypeError("%s takes its arguments in their order, without names: %s" % (name, ", ".join("%s and not %s=%s" % (repr(value), key, repr(value))
-                                                                                           for key, value in named.items())))
+    from ._hints.python3 import named
+    raise TypeError(named(class_name, name))
 
 
 class _Call:
@@ -83,7 +82,7 @@ class _Call:
 
     def __call__(self, *arguments, **named):
         if named:
-            _refuse_names(self.name, named)
+            _refuse_names(self.class_name, self.name)
         return connection.backend.call(self.method, [one if type(one) in _PLAIN else to_java(one) for one in arguments], self.class_name, self.name)
 
     def __repr__(self):
@@ -96,8 +95,8 @@ class _Wait(_Call):
     __slots__ = ("owner",)
 
     def __call__(self, *arguments, **named):
-        if named or len(arguments) != 1 or not isinstance(arguments[0], (int, float)) or arguments[0] < _WAITS[self.class_name, self.name] \
-                or threading.current_thread() is not threading.main_thread():
+        if named or len(arguments) != 1 or not isinstance(arguments[0], (int, float)) \
+                or not _WAITS[self.class_name, self.name] <= arguments[0] < 2 ** 31 or threading.current_thread() is not threading.main_thread():
             return super().__call__(*arguments, **named)
         return connection.backend.wait(self.owner.__dict__["java"], self.name, arguments[0])
 
@@ -147,9 +146,11 @@ def _method(owner, method, class_name, name):
     return call
 
 
-def _unknown(owner, name, names):
-    near = difflib.get_close_matches(name, names, 1)
-    return AttributeError("%s has no %s%s" % (owner, name, ": did you mean %s?" % near[0] if near else ""))
+def _unknown(class_name, name):
+    from ._hints.python3 import unknown
+    error = AttributeError(unknown(class_name, name))
+    error.obj = class_name    # so that Python adds no suggestion of its own
+    return error
 
 
 class _Statics(type):
@@ -164,7 +165,7 @@ class _Statics(type):
             setattr(cls, name, call)
             return call
         if kind is None:
-            raise _unknown(cls.__name__, name, backend().names(cls.java_name))
+            raise _unknown(cls.java_name, name)
         return backend().to_python(value)
 
 
@@ -176,7 +177,8 @@ class JavaObject(metaclass=_Statics):
 
     def __init__(self, *arguments, **named):
         if named:
-            _refuse_names(type(self).__name__, named)
+            backend()
+            _refuse_names(self.java_name, None)
         self.__dict__["java"] = backend().new(self.java_name, [to_java(one) for one in arguments])
 
     def __getattr__(self, name):
@@ -188,7 +190,7 @@ class JavaObject(metaclass=_Statics):
             self.__dict__[name] = call
             return call
         if kind is None:
-            raise _unknown(type(self).__name__, name, backend().names(self.java_name))
+            raise _unknown(self.java_name, name)
         return backend().to_python(value)
 
     def __setattr__(self, name, value):

@@ -352,14 +352,17 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
             return;
         }
         if (!current.has(msg.method)) {
-            String missing = current.missing(CodecUtils.getShortName(msg.sender) + "." + msg.sendingMethod, msg.method);
-            if (callbackErrors.isNew(missing)) {
-                error("%s", missing);
-            }
+            current.occupied(() -> reportMissing(current.missing(CodecUtils.getShortName(msg.sender) + "." + msg.sendingMethod, msg.method)));
             return;
         }
         String publisher = "msg_" + CodecUtils.getSafeReferenceName(msg.sender) + "_" + msg.sendingMethod;
         current.occupied(() -> reportOnce(current.callBack(publisher, msg.method, msg.data == null ? new Object[0] : msg.data)));
+    }
+
+    private void reportMissing(String missing) {
+        if (callbackErrors.isNew(missing)) {
+            error("%s", missing);
+        }
     }
 
     /**

@@ -96,15 +96,16 @@ public final class PythonEngine {
     }
 
     private ScriptResult run(byte[] code, String fileName) {
-        SourceLine.remember(fileName, code);
+        SourceText.remember(fileName, code);
         byte[] source = PythonSource.withEncoding(code);
-        SilentMistakes.in(source, fileName).forEach(warned);
+        Py.setSystemState(interpreter.getSystemState());
+        ScriptHints.silent(source, fileName).forEach(warned);
         threads.hook(new String(code, StandardCharsets.ISO_8859_1));
         try {
             last = guarded(() -> interpreter.execfile(new ByteArrayInputStream(source), fileName));
         } catch (RuntimeException e) { // Jython can't represent non-ASCII text in its own errors
             LOG.debug("{} could not be run", fileName, e);
-            String foreign = SyntaxErrors.foreign(fileName);
+            String foreign = ScriptHints.foreign(fileName);
             last = ScriptResult.failed(foreign == null ? fileName + " can't be run: " + e.getMessage() : foreign);
         }
         return last;
@@ -207,8 +208,9 @@ public final class PythonEngine {
 
     /** Returns the error for a callback to a function that the script doesn't have. */
     public String missing(String publisher, String function) {
+        Py.setSystemState(interpreter.getSystemState());
         failure = publisher + " calls back " + function + ", but the script has no function of that name"
-            + DidYouMean.function(function, interpreter.getLocals());
+            + ScriptHints.function(function, interpreter.getLocals());
         return failure;
     }
 

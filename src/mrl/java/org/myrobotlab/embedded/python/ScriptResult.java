@@ -50,14 +50,13 @@ public final class ScriptResult {
             return exit(e);
         }
         e.normalize();
-        String syntax = SyntaxErrors.of(e);
+        String syntax = ScriptHints.syntax(e);
         if (syntax != null) {
             return failed(syntax);
         }
         String message = letters(e.value.__str__().toString().trim());
         String headline = message.contains("\n") ? message.substring(0, message.indexOf('\n')) + "\n" : "";
-        return new ScriptResult(1, headline + traceback(e) + (calledBack == null ? "" : CallbackErrors.hint(e,
-            calledBack)) + ScriptHints.of(e), false);
+        return failed(headline + traceback(e) + ScriptHints.of(e, message, calledBack));
     }
 
     /** Ends as Python does: sys.exit(n) with n, sys.exit() with 0, sys.exit(text) with 1 and the text. */
@@ -84,7 +83,7 @@ public final class ScriptResult {
         }
         shown = spelt(shown, message);
         if (e.value.__tojava__(Throwable.class) instanceof Throwable) {
-            String foreign = SyntaxErrors.ofModule(message);
+            String foreign = ScriptHints.ofModule(message);
             if (message.contains("\n") || foreign != null) {
                 return shown.lines().takeWhile(line -> line.startsWith("Traceback") || line.startsWith("  "))
                     .collect(Collectors.joining("\n")) + "\n" + (foreign == null ? message : foreign);

@@ -66,8 +66,8 @@ public final class ServiceTypes {
         return "there is no service type " + type + (near.isEmpty() ? "; the types here are " + String.join(", ", here()) : "; " + near);
     }
 
-    /** Returns a hint for a type that only the real MyRobotLab has; empty for any other name. */
-    static String hint(String type) {
+    /** Returns a hint for a type that only the real MyRobotLab has; empty for any other name. Python calls it. */
+    public static String hint(String type) {
         return onlyReal().contains(type) ? advice(type) : "";
     }
 

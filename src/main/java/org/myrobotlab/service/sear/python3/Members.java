@@ -5,6 +5,7 @@ import java.lang.reflect.Array;
 import java.lang.reflect.Executable;
 import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Member;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.lang.reflect.Parameter;
@@ -17,7 +18,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Queries of the Python 3 package about Java objects. Public because Python calls it. Any thread. */
+/** Queries of the Python package about Java objects. Public because Python calls it. Any thread. */
 public final class Members {
     private static final String METHOD = "method";
     private static final String VALUE = "value";
@@ -72,6 +73,27 @@ public final class Members {
             Arrays.stream(type.getFields()).map(Field::getName)).distinct().sorted().collect(Collectors.toList());
     }
 
+    /** Returns the names of the public methods and fields that the class itself declares, sorted. */
+    public static List<String> ownNames(Class<?> type) {
+        return Stream.of(type.getDeclaredMethods(), type.getDeclaredFields()).flatMap(Arrays::stream)
+            .filter(one -> Modifier.isPublic(one.getModifiers()) && !one.isSynthetic()).map(Member::getName).distinct().sorted()
+            .collect(Collectors.toList());
+    }
+
+    /** Returns a class by its full name; null if there is none. */
+    public static Class<?> find(String className) {
+        try {
+            return Class.forName(className, false, Members.class.getClassLoader());
+        } catch (ClassNotFoundException | LinkageError e) {
+            return null;
+        }
+    }
+
+    /** Returns the full name of a class, or of an object's class. */
+    public static String typeName(Object of) {
+        return of instanceof Class ? ((Class<?>) of).getName() : className(of);
+    }
+
     /** Returns the signatures of a method, such as {@code drive(speed: float, radius: float)}, shortest first. */
     public static List<String> methods(Class<?> type, String name) {
         return calls(Arrays.stream(type.getMethods()).filter(one -> one.getName().equals(name)), name);
@@ -88,7 +110,14 @@ public final class Members {
     }
 
     private static String described(Parameter parameter) {
-        return (parameter.isNamePresent() ? parameter.getName() + ": " : "") + python(parameter.getType());
+        return (parameter.isNamePresent() ? documented(parameter.getName()) + ": " : "") + python(parameter.getType());
+    }
+
+    /** Returns the name of a parameter as in the docs: mass for newMass. */
+    private static String documented(String name) {
+        String plain = name.replaceAll("^new(?=[A-Z])", "");
+        return plain.length() > 1 && Character.isUpperCase(plain.charAt(1)) ? plain
+            : plain.substring(0, 1).toLowerCase(Locale.ROOT) + plain.substring(1);
     }
 
     /** Returns Python's name of a type. */

@@ -32,12 +32,13 @@ def _constructors(kind, java):
 def _methods(name, failure, java):
     """Returns pairs of written name and signature: of the objects that the line names, else of all objects."""
     named = [one for one in re.findall(r"(\w+)\.%s\(" % re.escape(name), failure.line) if one in failure.scope]
-    found = []
-    for owner in sorted(named or failure.scope):
-        kind = java.type_of(failure.scope[owner])
-        if kind:
-            found += [(owner + "." + name, one) for one in java.calls(kind, name)]
-    return found
+    objects = [one for one in failure.scope if failure.line or not isinstance(failure.scope[one], type)]
+    for owners in (named or objects, failure.scope):
+        kinds = [(owner, java.type_of(failure.scope[owner])) for owner in sorted(owners)]
+        found = [(owner + "." + name, one) for owner, kind in kinds if kind for one in java.calls(kind, name)]
+        if found:
+            return found
+    return []
 
 
 def misfit(name, signatures, failure, java, number=None, types=None):

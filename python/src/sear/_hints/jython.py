@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Hints in Jython, in the embedded MyRobotLab and a real one. Java calls these functions after an error."""
+import __builtin__
 import re
 import types
 
@@ -68,6 +69,27 @@ def failed(kind, message, traceback, function, source):
             scope.update(part)
     failure = Failure([one.__name__ for one in kind.__mro__], message, line, scope, text)
     return "\n".join(([called] if called else []) + explain(failure, _Java()))
+
+
+def printed(text, scope):
+    """Returns a hint for an exception that a real MyRobotLab has published, whose frames are gone.
+
+    text: Python's traceback, perhaps with Java's. scope: the interpreter's global names.
+    """
+    found = re.search(r"(?m)^(\w+): (.*)$", text[max(0, text.rfind('\n  File "')):])
+    if not found:
+        return ""
+    kind, message = found.groups()
+    kinds = [one.__name__ for one in getattr(getattr(__builtin__, kind, None), "__mro__", ())]
+    if "SyntaxError" in kinds:
+        import ast
+        from . import syntax
+        reason = re.match(r"\((?P<text>'.*'|\".*\"), \(.*?, \d+, -?\d+, (?P<line>.*)\)\)", message)
+        line = ast.literal_eval(reason.group("line")) if reason else ""
+        return syntax.hint(syntax.Scan(u"%s" % line.rstrip("\n")), 1, reason.group("text")) if line else ""
+    known = dict(vars(__builtin__))
+    known.update(scope)
+    return "\n".join(explain(Failure(kinds, message, "", known), _Java()))
 
 
 def invalid(value, source):

@@ -19,6 +19,7 @@ import org.myrobotlab.service.sear.files.Edits;
 import org.myrobotlab.service.sear.files.ExampleScripts;
 import org.myrobotlab.service.sear.files.ScriptCalls;
 import org.myrobotlab.service.sear.panel.Preview;
+import org.myrobotlab.service.sear.python3.ScriptErrors;
 import org.myrobotlab.service.sear.records.Plots;
 import org.myrobotlab.service.sear.records.Recording;
 import org.myrobotlab.service.sear.records.Records;
@@ -70,6 +71,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         if (parts == null) {
             try {
                 parts = new SearParts(new SearHost(this, calls));
+                ScriptErrors.listen(getName());
             } catch (LinkageError e) {
                 error("%s", SearCalls.missing(e));
             }
@@ -1665,7 +1667,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     private boolean isOurs(Message message) {
-        return SearParts.takesBytes(parts, message) || SearParts.isFence(message);
+        return SearParts.takesBytes(parts, message) || SearParts.isFence(message) || ScriptErrors.takes(message, hint -> warn("%s", hint));
     }
 
     boolean isWhole() {

@@ -12,12 +12,16 @@ public final class ContactFeature {
     static final int MOST = 32;
     /** Smallest cosine between contact direction and normal of a face contact (6 degrees). */
     static final double ALIGNED = 0.995;
+    /** Sine of the slope of a face below which it counts as level. */
+    private static final double LEVEL = 1e-6;
 
     int count;
     /** Whether it is a face with a normal. */
     boolean flat;
     /** Whether the face's outline is a circle, which has no straight edges. */
     private boolean circle;
+    /** Whether the first corner of a circle is the lowest, since the face is tilted. */
+    private boolean tilted;
     /** Radius of curvature across a line, at its first and last corner, metres; 0: a sharp edge. */
     private double firstRadius;
     private double lastRadius;
@@ -36,6 +40,7 @@ public final class ContactFeature {
         count = 0;
         flat = false;
         circle = false;
+        tilted = false;
         firstRadius = 0;
         lastRadius = 0;
         nx = 0;
@@ -57,9 +62,43 @@ public final class ContactFeature {
         nz = z;
     }
 
-    /** Makes it a face with a round outline. */
-    void setCircle() {
+    /**
+     * Makes it a face with a round outline.
+     * @param isTilted whether its first corner has to stay where it is
+     */
+    void setCircle(boolean isTilted) {
         circle = true;
+        tilted = isTilted;
+    }
+
+    boolean isCircle() {
+        return circle;
+    }
+
+    /** Turns the corners of a level circle about its centre, the first one into the direction {dx, dy, dz}. */
+    void turnCircle(double[] direction) {
+        double along = nx * direction[0] + ny * direction[1] + nz * direction[2];
+        double ux = direction[0] - along * nx;
+        double uy = direction[1] - along * ny;
+        double uz = direction[2] - along * nz;
+        double length = Math.sqrt(ux * ux + uy * uy + uz * uz);
+        if (!circle || tilted || length < LEVEL) {
+            return;
+        }
+        int half = 3 * (count / 2);
+        double mx = (at[0] + at[half]) / 2;
+        double my = (at[1] + at[half + 1]) / 2;
+        double mz = (at[2] + at[half + 2]) / 2;
+        double radius = Math.sqrt((at[0] - mx) * (at[0] - mx) + (at[1] - my) * (at[1] - my) + (at[2] - mz) * (at[2] - mz));
+        double scale = radius / length;
+        for (int i = 0; i < count; i++) {
+            double angle = 2 * Math.PI * i / count;
+            double u = scale * Math.cos(angle);
+            double w = scale * Math.sin(angle);
+            at[3 * i] = mx + u * ux + w * (ny * uz - nz * uy);
+            at[3 * i + 1] = my + u * uy + w * (nz * ux - nx * uz);
+            at[3 * i + 2] = mz + u * uz + w * (nx * uy - ny * ux);
+        }
     }
 
     /** Sets the radius of curvature across a line of two corners, at each of them, metres. */

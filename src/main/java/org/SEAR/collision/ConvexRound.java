@@ -101,7 +101,7 @@ public final class ConvexRound implements ConvexShape {
             into.add(radius * (cosine * ux - sine * uz), y, radius * (sine * ux + cosine * uz));
         }
         into.setNormal(0, Math.signum(dy), 0);
-        into.setCircle();
+        into.setCircle(across > ON_AXIS);
     }
 
     @Override

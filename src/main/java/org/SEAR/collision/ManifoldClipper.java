@@ -7,6 +7,7 @@ package org.SEAR.collision;
  * clipped by the side planes of the reference face (Sutherland and Hodgman, "Reentrant polygon clipping", 1974). Its
  * corners below or little above the reference face are the contact points, all in one step, so that bodies rest stably.
  * Of more than four it keeps the lowest, the one furthest from it, and those furthest to either side of their line.
+ * Of a round face the first one is in the direction of the load, where the body would tip over.
  * Without a face, {@link LineContact} finds the ends of a common line; otherwise it keeps the one point.
  */
 public final class ManifoldClipper {
@@ -17,6 +18,8 @@ public final class ManifoldClipper {
     /** Difference of cosines within which both faces are equally aligned. */
     private static final double EVEN = 1e-3;
     private static final int CORNERS = 4;
+    /** Tilt towards the load that decides between corners of equal height, radians. */
+    private static final double TILT = 1e-3;
 
     /** Features of both sets, in the world; filled by the caller. */
     public final ContactFeature ofA = new ContactFeature();
@@ -24,6 +27,23 @@ public final class ManifoldClipper {
     private final LineContact line = new LineContact();
     private final int[] chosen = new int[CORNERS];
     private double reach = BREAKING;
+    /** Direction in which the load tips the body, in the world; zeros if it is unknown. */
+    private final double[] load = new double[3];
+    private boolean byLoad;
+
+    /**
+     * Sets the direction in which the load tips the body.
+     * @param direction {x, y, z} in the world; its part along the normal doesn't count
+     */
+    public void setLoad(double[] direction) {
+        System.arraycopy(direction, 0, load, 0, load.length);
+        byLoad = false;
+    }
+
+    /** Whether the last contact points depend on the direction of the load. */
+    public boolean isByLoad() {
+        return byLoad;
+    }
 
     /** @param metres largest height of a contact point */
     public void setReach(double metres) {
@@ -51,7 +71,10 @@ public final class ManifoldClipper {
         if (Math.max(alongA, alongB) < ContactFeature.ALIGNED) {
             return false;
         }
-        boolean onB = alongB >= alongA - EVEN;
+        ofA.turnCircle(load);
+        ofB.turnCircle(load);
+        byLoad = ofA.isCircle() || ofB.isCircle();
+        boolean onB = alongB >= alongA - EVEN && !(ofB.isCircle() && !ofA.isCircle() && alongA >= alongB - EVEN);
         ContactFeature reference = onB ? ofB : ofA;
         ContactFeature incident = onB ? ofA : ofB;
         incident.clip(reference);
@@ -69,15 +92,7 @@ public final class ManifoldClipper {
 
     /** Chooses the lowest corner, the one furthest from it, and those furthest from their line on either side. */
     private int choose(ContactFeature reference, ContactFeature incident) {
-        int lowest = -1;
-        double least = reach;
-        for (int i = 0; i < incident.count; i++) {
-            double height = reference.height(incident.x(i), incident.y(i), incident.z(i));
-            if (height < least) {
-                least = height;
-                lowest = i;
-            }
-        }
+        int lowest = lowest(reference, incident);
         if (lowest < 0) {
             return 0;
         }
@@ -112,6 +127,25 @@ public final class ManifoldClipper {
             }
         }
         return count;
+    }
+
+    /**
+     * Returns the lowest corner within the reach, or -1. If the load counts, a small tilt in its direction decides
+     * between corners of equal height.
+     */
+    private int lowest(ContactFeature reference, ContactFeature incident) {
+        int lowest = -1;
+        double least = Double.POSITIVE_INFINITY;
+        double tilt = byLoad ? TILT : 0;
+        for (int i = 0; i < incident.count; i++) {
+            double height = reference.height(incident.x(i), incident.y(i), incident.z(i));
+            double tilted = height - tilt * (load[0] * incident.x(i) + load[1] * incident.y(i) + load[2] * incident.z(i));
+            if (height < reach && tilted < least) {
+                least = tilted;
+                lowest = i;
+            }
+        }
+        return lowest;
     }
 
     private static double square(double value) {

@@ -38,7 +38,7 @@ final class IslandSolver {
     private static final double MAX_TURN_ALONE = 0.03;
     /** Largest rotation of a body with a joint per substep, radians. */
     private static final double MAX_TURN_JOINTED = 0.05;
-    /** Largest island, in bodies, with extra substeps for fast rotation. */
+    /** Largest island, in bodies, with extra substeps for fast rotation and with a small residual. */
     private static final int FEW = 4;
     /**
      * Limit of points, and of the cost of searches, times substeps. Above it there are fewer substeps, but at least
@@ -63,6 +63,11 @@ final class IslandSolver {
      * gravity adds in a substep, divided by the number of levels: errors add up from level to level.
      */
     private static final double RESIDUAL = 0.01;
+    /**
+     * The same in a calm island of at most {@link #FEW} bodies. Friction is bounded by the normal impulse of the pass
+     * before, so the residual is speed that a body gains as it breaks away.
+     */
+    private static final double RESIDUAL_OF_FEW = 1e-3;
     /** Approach speed up to which an island is calm, m/s: passes go on until its contacts have converged. */
     private static final double CALM = 0.05;
     /** Limit of passes per substep of a calm island; reached for some substeps after the start of a high wall. */
@@ -384,7 +389,7 @@ final class IslandSolver {
 
     /** Solves passes until the contacts have converged or the limit of passes is reached. */
     private void solve(double seconds) {
-        double converged = RESIDUAL / Math.max(1, height) * gravity * seconds;
+        double converged = (calm && bodies.size() <= FEW ? RESIDUAL_OF_FEW : RESIDUAL) / Math.max(1, height) * gravity * seconds;
         directions.begin();
         boolean last = false;
         for (int pass = 1; !last; pass++) {

@@ -22,6 +22,10 @@ final class Manifold {
     private static final double SIMILAR = 0.9;
     /** Rotation per substep above which a body spins fast, radians. */
     private static final double SPINNING = 0.02;
+    /** Distance of the centre of pressure from the middle of the points at which its direction counts, as a share. */
+    private static final double EDGE = 0.6;
+    /** Cosine between directions of the load within which the points stay (3 degrees). */
+    private static final double SAME_LOAD = 0.9986;
 
     /** Contact point, or one that may become one within the step. Simulation thread. */
     static final class Point {
@@ -75,6 +79,10 @@ final class Manifold {
     /** Time by which each body's lever arm is rotated ahead, seconds. */
     double leadA;
     double leadB;
+    /** Direction of the load for which the points were chosen, world frame, length 1; zeros if that does not matter. */
+    private final double[] load = new double[3];
+    /** From the middle of the points to the centre of pressure, metres. */
+    private final double[] pressed = new double[3];
     /** Buffer for a lever arm. */
     final double[] arm = new double[3];
     /** Friction impulse against sliding, N s, world frame. */
@@ -97,6 +105,72 @@ final class Manifold {
         boolean rolls = bodyA.canRoll() || bodyB.canRoll();
         rolling = rolls ? ofA.rollingFriction() + ofB.rollingFriction() : 0;
         rocks = !rolls && !bodyA.isRobot() && !bodyB.isRobot();
+    }
+
+    /** Sets the direction of the load for which its points are chosen; null if that does not matter. */
+    void setLoad(double[] direction) {
+        for (int i = 0; i < 3; i++) {
+            load[i] = direction == null ? 0 : direction[i];
+        }
+    }
+
+    /**
+     * Sets the direction of the load for the next choice of points. While the centre of pressure is far from the edge,
+     * the points stay.
+     * @return false if the load does not matter
+     */
+    boolean load(double[] into) {
+        boolean edge = isAtEdge();
+        double[] from = edge ? pressed : load;
+        double length = Math.sqrt(from[0] * from[0] + from[1] * from[1] + from[2] * from[2]);
+        for (int i = 0; i < 3 && length > 0; i++) {
+            into[i] = from[i] / length;
+        }
+        return length > 0;
+    }
+
+    /** Whether the load tips the body in a direction other than that for which the points were chosen. */
+    boolean isLoadedElsewhere() {
+        if (load[0] == 0 && load[1] == 0 && load[2] == 0 || !isAtEdge()) {
+            return false;
+        }
+        double along = load[0] * nx + load[1] * ny + load[2] * nz;
+        double length = Math.sqrt(pressed[0] * pressed[0] + pressed[1] * pressed[1] + pressed[2] * pressed[2])
+            * Math.sqrt(Math.max(0, 1 - along * along));
+        return load[0] * pressed[0] + load[1] * pressed[1] + load[2] * pressed[2] <= SAME_LOAD * length;
+    }
+
+    /** Finds the centre of pressure; returns whether it is near the edge. */
+    private boolean isAtEdge() {
+        double total = 0;
+        double furthest = 0;
+        for (int i = 0; i < count; i++) {
+            total += points[i].impulse;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            pressed[axis] = 0;
+        }
+        if (total <= 0 || load[0] == 0 && load[1] == 0 && load[2] == 0) {
+            return false;
+        }
+        double mx = 0;
+        double my = 0;
+        double mz = 0;
+        for (int i = 0; i < count; i++) {
+            mx += points[i].x / count;
+            my += points[i].y / count;
+            mz += points[i].z / count;
+        }
+        for (int i = 0; i < count; i++) {
+            double x = points[i].x - mx;
+            double y = points[i].y - my;
+            double z = points[i].z - mz;
+            furthest = Math.max(furthest, x * x + y * y + z * z);
+            pressed[0] += points[i].impulse / total * x;
+            pressed[1] += points[i].impulse / total * y;
+            pressed[2] += points[i].impulse / total * z;
+        }
+        return pressed[0] * pressed[0] + pressed[1] * pressed[1] + pressed[2] * pressed[2] > EDGE * EDGE * furthest;
     }
 
     /**

@@ -59,6 +59,7 @@ final class NarrowPhase {
     private double clear;
     private PairContacts current;
     private final double[] guess = {1, 0, 0};
+    private final double[] load = new double[3];
     private final TriangleCallback triangles = new TriangleCallback() {
         @Override
         public void processTriangle(Vector3f[] corners, int part, int index) {
@@ -145,6 +146,8 @@ final class NarrowPhase {
         contacts.clear();
         clipper.setReach(margin);
         boolean touched = pair.guess(guess);
+        pair.load(load);
+        clipper.setLoad(load);
         if (b.isMesh()) {
             solid = a;
             mesh = b;
@@ -326,6 +329,7 @@ final class NarrowPhase {
         manifold.nx = contacts.nx(point);
         manifold.ny = contacts.ny(point);
         manifold.nz = contacts.nz(point);
+        manifold.setLoad(clipper.isByLoad() ? load : null);
         manifold.setSurfaces(a.solid.getSurface(), b.solid.getSurface());
         return manifold;
     }

@@ -115,7 +115,7 @@ final class PairContacts {
         double next = ahead / MIN_SUBSTEPS;
         boolean same = known && a.getShapeVersion() + b.getShapeVersion() == version;
         boolean stale = isListed() ? travelled + fast * ahead > still : clear - went() < MARGIN + speed * (ahead + next);
-        if (!same || stale) {
+        if (!same || stale || count == 1 && now[0].isLoadedElsewhere()) {
             version = a.getShapeVersion() + b.getShapeVersion();
             within = false;
             find(speed, ahead, next);
@@ -290,6 +290,15 @@ final class PairContacts {
         into[1] = touched ? before[0].ny : ny;
         into[2] = touched ? before[0].nz : nz;
         return touched;
+    }
+
+    /** Sets the direction in which the load tips a body over: that of the centre of pressure, or else downhill. */
+    void load(double[] into) {
+        if (countBefore != 1 || !before[0].load(into)) {
+            into[0] = 0;
+            into[1] = -1;
+            into[2] = 0;
+        }
     }
 
     /** Whether both bodies are single convex shapes. */

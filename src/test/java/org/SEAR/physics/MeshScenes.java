@@ -25,7 +25,7 @@ final class MeshScenes {
     }
 
     /** Makes a model of two planes of triangles without friction. */
-    private static Model ground(Stage stage, int cells, double degrees) throws IOException {
+    static Model ground(Stage stage, int cells, double degrees) throws IOException {
         StringBuilder obj = new StringBuilder();
         double up = Math.toRadians(degrees);
         for (int i = 0; i <= 2 * cells; i++) {

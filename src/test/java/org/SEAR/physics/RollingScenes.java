@@ -132,7 +132,7 @@ final class RollingScenes {
     }
 
     /** Returns the rotation of a pose in the convention of {@code rotate}: degrees about x, y and z. */
-    private static double[] degrees(Pose pose) {
+    static double[] degrees(Pose pose) {
         double[] x = pose.rotate(1, 0, 0);
         double[] y = pose.rotate(0, 1, 0);
         double[] z = pose.rotate(0, 0, 1);

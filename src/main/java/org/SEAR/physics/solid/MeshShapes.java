@@ -18,7 +18,7 @@ final class MeshShapes {
     private MeshShapes() {
     }
 
-    /** Builds the triangle shape of a fixed body. */
+    /** Builds the search tree of a mesh. */
     static BvhTriangleMeshShape fixed(Triangles mesh, double sx, double sy, double sz) {
         double[] scale = {sx, sy, sz};
         ByteBuffer vertices = ByteBuffer.allocateDirect(mesh.vertices.length * Float.BYTES).order(ByteOrder.nativeOrder());

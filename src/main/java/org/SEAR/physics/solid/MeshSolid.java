@@ -119,7 +119,7 @@ class MeshSolid extends Solid {
 
     @Override
     public TriangleSearch triangles() {
-        return MeshShapes.fixed(mesh, scale[0], scale[1], scale[2])::processAllTriangles;
+        return new MeshTriangles(mesh, scale);
     }
 
     @Override

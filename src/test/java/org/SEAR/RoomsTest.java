@@ -43,7 +43,7 @@ public class RoomsTest {
         "org.SEAR.lessons", "org.SEAR.learning", "org.SEAR.plan", "org.SEAR.scene",
         "org.SEAR.record", "org.SEAR.simulator", "org.SEAR.simulator.orders", "org.SEAR.robot", "org.SEAR.robot.wheel", "org.SEAR.robot.servo",
         "org.SEAR.robot.surface",
-        "org.SEAR.physics.start", "org.SEAR.physics", "org.SEAR.physics.solid",
+        "org.SEAR.physics.start", "org.SEAR.physics", "org.SEAR.physics.joint", "org.SEAR.physics.solid",
         "org.SEAR.devices.oi", "org.SEAR.devices.lms", "org.SEAR.devices.cola", "org.SEAR.devices.scip", "org.SEAR.devices.rplidar",
         "org.SEAR.devices.gps", "org.SEAR.devices.imu", "org.SEAR.devices.arduino", "org.SEAR.devices",
         "org.SEAR.sensors", "org.SEAR.camera", "org.SEAR.camera.image", "org.SEAR.raycast", "org.SEAR.raycast.solid", "org.SEAR.raycast.tree",

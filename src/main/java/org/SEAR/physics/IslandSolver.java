@@ -265,7 +265,8 @@ final class IslandSolver {
             }
         }
         double ratio = lightest > 0 ? lightest / heaviest : 1;
-        double turning = bodies.size() > FEW || pairs.isEmpty() && !mechanisms.isEmpty() ? 0 : fastest() * seconds / (alone ? MAX_TURN_ALONE : MAX_TURN);
+        boolean swinging = pairs.isEmpty() && !mechanisms.isEmpty();
+        double turning = bodies.size() > FEW || swinging ? 0 : fastest() * seconds / (alone ? MAX_TURN_ALONE : MAX_TURN);
         for (int i = 0; i < mechanisms.size(); i++) {
             turning = Math.max(turning, mechanisms.get(i).mechanism.fastest() * seconds / MAX_TURN_JOINTED);
         }

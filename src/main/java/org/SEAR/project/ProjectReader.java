@@ -161,7 +161,8 @@ final class ProjectReader {
         Map<String, Class<? extends SearObject>> roots = new TreeMap<>();
         for (Class<? extends SearObject> type : classes.all()) {
             boolean environment = Shape.class.isAssignableFrom(type) && type != Wheel.class || Joint.class.isAssignableFrom(type);
-            boolean part = type != Floor.class && type != Terrain.class && !Joint.class.isAssignableFrom(type) && (name.equals(ProjectFolder.ROBOT) || type != SEARrobot.class);
+            boolean part = type != Floor.class && type != Terrain.class && !Joint.class.isAssignableFrom(type)
+                && (name.equals(ProjectFolder.ROBOT) || type != SEARrobot.class);
             if (name.equals(ProjectFolder.ENVIRONMENT) ? environment : part) {
                 roots.put(type.getSimpleName(), type);
             }

@@ -56,13 +56,13 @@ public final class ActuatorOrder {
                 simulation.getLight(name).setBrightness(value);
                 break;
             case JOINT_POSITION:
-                simulation.getWorld().getJoints().drive(name, JointAxis.Drive.POSITION, value);
+                simulation.getJoints().drive(name, JointAxis.Drive.POSITION, value);
                 break;
             case JOINT_SPEED:
-                simulation.getWorld().getJoints().drive(name, JointAxis.Drive.SPEED, value);
+                simulation.getJoints().drive(name, JointAxis.Drive.SPEED, value);
                 break;
             case JOINT_POWER:
-                simulation.getWorld().getJoints().drive(name, JointAxis.Drive.POWER, value);
+                simulation.getJoints().drive(name, JointAxis.Drive.POWER, value);
                 break;
             default:
                 robot(simulation).steer(value);

@@ -89,9 +89,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Reads a SEARproject folder and builds its world. Waits while this program replaces the project; no replacement
-     * starts meanwhile.
-     *
+     * Reads a SEARproject folder and builds its world; this program does not replace the project meanwhile.
      * @param groundVisible false: beams pass through all floors and terrain
      */
     public static Simulation load(Path folder, long seed, boolean groundVisible) throws ProjectException {
@@ -433,9 +431,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Pose of an object in the world. A wheel's pose includes its suspension and rotation. A Dynamics has its robot's
-     * pose.
-     *
+     * Pose of an object in the world. A wheel's includes suspension and rotation; a Dynamics has that of its robot.
      * @param name of a robot, an environment object or a part, {@code rover/ping} where several robots have such a part
      * @throws IllegalArgumentException if the name is unknown
      */
@@ -443,23 +439,9 @@ public final class Simulation implements AutoCloseable {
         return places.find(name);
     }
 
-    /**
-     * Returns {position, speed, force of the motor} of a joint: degrees or metres, the same a second, N m or N.
-     *
-     * @throws IllegalArgumentException that lists the valid names, or if the joint has no position
-     */
-    public double[] getJoint(String name) {
-        return world.getJoints().reading(name);
-    }
-
-    /**
-     * Returns the mean force and torque of the last step on a joint's second object, at the joint: {fx, fy, fz, tx, ty,
-     * tz}, N and N m, world frame.
-     *
-     * @throws IllegalArgumentException that lists the valid names
-     */
-    public double[] getJointForce(String name) {
-        return world.getJoints().wrench(name);
+    /** Returns the joints; the simulation thread's. */
+    public WorldJoints getJoints() {
+        return world.getJoints();
     }
 
     /** Mass properties of an object or robot in its frame. Throws as {@link World#getMassProperties}. */

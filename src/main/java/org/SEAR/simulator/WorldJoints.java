@@ -27,7 +27,7 @@ import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 
 /** The joints of a world: from objects of the grammar to the physics, and by name. Simulation thread. */
-final class WorldJoints {
+public final class WorldJoints {
     /** Position error at which a motor has full power: of a hinge, degrees, and of a slider or rope, metres. */
     private static final double FULL_POWER_DEGREES = 1;
     private static final double FULL_POWER_METRES = 0.001;
@@ -163,15 +163,22 @@ final class WorldJoints {
         made.second.wake();
     }
 
-    /** Returns {position, speed, force of the motor}: degrees or metres, the same a second, N m or N. */
-    double[] reading(String name) {
+    /**
+     * Returns {position, speed, force of the motor}: degrees or metres, the same a second, N m or N.
+     * @throws IllegalArgumentException that lists the valid names, or if the joint has no position
+     */
+    public double[] reading(String name) {
         Made made = axisJoint(name);
         JointAxis axis = axis(made);
         return new double[] {axis.getPosition() / made.unit, axis.getSpeed() / made.unit, axis.getEffort()};
     }
 
-    /** Returns force and torque on the second object at the joint, world frame: {fx, fy, fz, tx, ty, tz}, N and N m. */
-    double[] wrench(String name) {
+    /**
+     * Returns the mean force and torque of the last step on a joint's second object, at the joint: {fx, fy, fz, tx, ty,
+     * tz}, N and N m, world frame.
+     * @throws IllegalArgumentException that lists the valid names
+     */
+    public double[] wrench(String name) {
         double[] wrench = new double[6];
         found(name).joint.wrench(wrench, TimeStep.SECONDS);
         return wrench;

@@ -15,9 +15,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.Needs;
 import org.SEAR.SearProcess;
+import org.SEAR.Slow;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /**
@@ -26,6 +29,8 @@ import org.junit.rules.TemporaryFolder;
  * {@code endless}), the expected output lines, and after {@code without} text that must not appear. What is marked
  * {@code in Jython} does not hold in Python 3, nor do the lines that warnings of the simulation name.
  */
+@Category(Slow.class)
+@Needs("python3")
 public class MistakesTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final int LEAST = 42;

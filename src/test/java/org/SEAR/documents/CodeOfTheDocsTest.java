@@ -48,8 +48,8 @@ import org.myrobotlab.service.thirdparty.ThirdPartyScannersTest;
 public class CodeOfTheDocsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     /** Pages whose Python runs here. Each page gets a new project, and its blocks run in order. */
-    private static final List<String> HERE = List.of("docs/arduino.md", "docs/building.md", "docs/cameras.md", "docs/joints.md", "docs/objects.md", "docs/physics.md",
-        "docs/projects.md", "docs/records.md", "docs/sensors.md", "docs/terrain.md", "docs/vehicles.md", "docs/window.md");
+    private static final List<String> HERE = List.of("docs/arduino.md", "docs/building.md", "docs/cameras.md", "docs/joints.md", "docs/objects.md",
+        "docs/physics.md", "docs/projects.md", "docs/records.md", "docs/sensors.md", "docs/terrain.md", "docs/vehicles.md", "docs/window.md");
     /**
      * By page and language, and for commands also by their beginning: the class that takes the block from the page and
      * runs it.

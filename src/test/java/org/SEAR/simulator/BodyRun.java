@@ -66,12 +66,12 @@ public final class BodyRun implements AutoCloseable {
 
     /** Returns {position, speed, force of the motor} of a joint: degrees or metres. */
     public double[] joint(String name) {
-        return simulation.getJoint(name);
+        return simulation.getJoints().reading(name);
     }
 
     /** Returns {fx, fy, fz, tx, ty, tz} on a joint's second object, world frame. */
     public double[] jointForce(String name) {
-        return simulation.getJointForce(name);
+        return simulation.getJoints().wrench(name);
     }
 
     /** Commands a motor. */

@@ -12,7 +12,7 @@ public final class JointAxis {
     /** Largest share of a radian by which a spring may swing in a substep and still be computed without damping. */
     private static final double SLOW_SPRING = 0.3;
 
-    /** What a drive controls. */
+    /** Quantity that a drive controls. */
     public enum Drive {
         /** Nothing: the joint moves freely. */
         NONE,

@@ -132,6 +132,10 @@ public class OpenPagesTest {
                         headers.put("Origin", List.of("http://127.0.0.1:" + port));
                     }
                 }).connect().get();
+            long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+            while (OpenPages.count() == 0 && System.nanoTime() < deadline) {
+                Thread.onSpinWait();    // the server counts its end a moment after the answer
+            }
             stopping.shutdown();
             assertTrue(stopping.awaitTermination(PATIENCE_SECONDS, TimeUnit.SECONDS));
             int there = OpenPages.count();

@@ -69,12 +69,12 @@ public final class ScriptActuators {
 
     /** Returns {position, speed, force of the motor}. */
     public double[] joint(String name) throws InterruptedException {
-        return control.session().ask(world -> world.getJoint(given(name, "joint")));
+        return control.session().ask(world -> world.getJoints().reading(given(name, "joint")));
     }
 
     /** Returns {fx, fy, fz, tx, ty, tz}, N and N m, world frame. */
     public double[] jointForce(String name) throws InterruptedException {
-        return control.session().ask(world -> world.getJointForce(given(name, "joint")));
+        return control.session().ask(world -> world.getJoints().wrench(given(name, "joint")));
     }
 
     private static LightHardware led(Simulation world, String name) {

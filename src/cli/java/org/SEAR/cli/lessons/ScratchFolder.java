@@ -27,7 +27,7 @@ public final class ScratchFolder implements AutoCloseable {
 
     private final Path path;
     private ExitHook exit;
-    private long deadline;
+    private volatile long deadline;
     private int moved;
 
     private ScratchFolder(Path path) {

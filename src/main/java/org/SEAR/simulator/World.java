@@ -106,7 +106,7 @@ final class World implements PhysicsWorld.Touches {
             add(builder, Earth.of(project, robot), epochMillis, colors, reported);
         }
         places.end();
-        joints = new WorldJoints(project, physics);
+        joints = new WorldJoints(project, physics, reported);
         moveOutAndCheck();
         fallen = new KillPlane(physics.getBodies(), reported);
         moves = new Teleports(this);
@@ -300,6 +300,7 @@ final class World implements PhysicsWorld.Touches {
         orders.act(reported);
         physics.step();
         fallen.look();
+        joints.reportBroken();
         boolean moved = false;
         for (int i = 0; i < movable.length; i++) {
             Body body = movable[i];

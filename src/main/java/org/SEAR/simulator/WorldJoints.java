@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import org.SEAR.POJOs.AxisJoint;
 import org.SEAR.POJOs.BallJoint;
 import org.SEAR.POJOs.FixedJoint;
@@ -15,6 +16,7 @@ import org.SEAR.POJOs.Rope;
 import org.SEAR.POJOs.Slider;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.grammar.Parameter;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.joint.DistanceJoint;
@@ -34,6 +36,9 @@ public final class WorldJoints {
 
     private final List<Made> all = new ArrayList<>();
     private final Map<String, Made> named = new TreeMap<>();
+    /** Joints that can break and have not yet. */
+    private final List<Made> breakable = new ArrayList<>();
+    private final Consumer<String> reported;
 
     /** A joint of the grammar and that of the physics. */
     private static final class Made {
@@ -57,8 +62,10 @@ public final class WorldJoints {
     /**
      * Makes the joints of a project and adds them to the physics.
      * @param physics has all bodies
+     * @param reported receives the joints that break
      */
-    WorldJoints(Project project, PhysicsWorld physics) {
+    WorldJoints(Project project, PhysicsWorld physics, Consumer<String> reported) {
+        this.reported = reported;
         Map<String, Body> bodies = new HashMap<>();
         physics.getBodies().forEach(body -> bodies.put(body.name, body));
         Map<String, Pose> written = new HashMap<>();
@@ -79,20 +86,23 @@ public final class WorldJoints {
     }
 
     private static Joint make(org.SEAR.POJOs.Joint object, JointedBody first, JointedBody second) {
-        String name = object.getName();
         if (object instanceof BallJoint) {
-            return new org.SEAR.physics.joint.BallJoint(name, first, second);
+            return new org.SEAR.physics.joint.BallJoint(first, second);
         }
         if (object instanceof FixedJoint) {
-            return new org.SEAR.physics.joint.FixedJoint(name, first, second);
+            return new org.SEAR.physics.joint.FixedJoint(first, second);
         }
-        return object instanceof Hinge ? new HingeJoint(name, first, second)
-            : object instanceof Slider ? new SliderJoint(name, first, second) : new DistanceJoint(name, first, second);
+        return object instanceof Hinge ? new HingeJoint(first, second)
+            : object instanceof Slider ? new SliderJoint(first, second) : new DistanceJoint(first, second);
     }
 
     /** Attaches all joints to the bodies at their start poses. After the restart of the physics. */
     void restart() {
+        breakable.clear();
         for (Made made : all) {
+            if (made.object.getBreakingForce() != null) {
+                breakable.add(made);
+            }
             if (made.object instanceof AxisJoint) {
                 configure((AxisJoint) made.object, axis(made), made.unit);
             }
@@ -104,6 +114,16 @@ public final class WorldJoints {
                 made.joint.attach(frame);
             }
             hold(made);
+        }
+    }
+
+    /** Reports the joints that broke in this step. */
+    void reportBroken() {
+        for (int i = breakable.size() - 1; i >= 0; i--) {
+            if (breakable.get(i).joint.isBroken()) {
+                org.SEAR.POJOs.Joint object = breakable.remove(i).object;
+                reported.accept(object + " broke: its force was above its breakingForce, " + Parameter.format(object.getBreakingForce()) + " N");
+            }
         }
     }
 

@@ -274,6 +274,8 @@ public class JointsTest {
             run.run(0.5);
             assertEquals(5, run.pose("light").y, 1e-6);
             assertTrue("it fell", run.pose("heavy").y < 4);
+            assertTrue(run.warnings(), run.warnings().contains("FixedJoint \"breaks\" broke: its force was above its breakingForce, 20 N"));
+            assertFalse(run.warnings(), run.warnings().contains("\"holds\""));
         }
     }
 }

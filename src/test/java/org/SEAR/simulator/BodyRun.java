@@ -79,6 +79,11 @@ public final class BodyRun implements AutoCloseable {
         simulation.order(new ActuatorOrder(kind, name, value));
     }
 
+    /** Returns the warnings so far. */
+    public String warnings() {
+        return simulation.snapshot().warnings.toString();
+    }
+
     @Override
     public void close() {
         simulation.close();

@@ -9,8 +9,8 @@ public abstract class AxisJoint extends Joint {
     private JointRows filled;
     private final JointAxis.Direction direction = (row, scale) -> fillAxis(filled, row, scale);
 
-    AxisJoint(String name, JointedBody a, JointedBody b) {
-        super(name, a, b);
+    AxisJoint(JointedBody a, JointedBody b) {
+        super(a, b);
     }
 
     /** The free direction. */

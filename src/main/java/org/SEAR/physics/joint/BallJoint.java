@@ -8,8 +8,8 @@ public final class BallJoint extends Joint {
     private static final double[][] AXES = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
     /** See {@link Joint#Joint}. */
-    public BallJoint(String name, JointedBody a, JointedBody b) {
-        super(name, a, b);
+    public BallJoint(JointedBody a, JointedBody b) {
+        super(a, b);
     }
 
     @Override

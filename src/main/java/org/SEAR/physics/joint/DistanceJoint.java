@@ -12,8 +12,8 @@ public final class DistanceJoint extends AxisJoint {
     private static final double LEAST = 1e-9;
 
     /** See {@link Joint#Joint}. */
-    public DistanceJoint(String name, JointedBody a, JointedBody b) {
-        super(name, a, b);
+    public DistanceJoint(JointedBody a, JointedBody b) {
+        super(a, b);
         along[1] = 1;
     }
 

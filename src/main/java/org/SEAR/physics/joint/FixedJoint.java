@@ -4,8 +4,8 @@ package org.SEAR.physics.joint;
 /** Fixed joint: both bodies move as one, until the joint breaks. Simulation thread. */
 public final class FixedJoint extends Joint {
     /** See {@link Joint#Joint}. */
-    public FixedJoint(String name, JointedBody a, JointedBody b) {
-        super(name, a, b);
+    public FixedJoint(JointedBody a, JointedBody b) {
+        super(a, b);
     }
 
     @Override

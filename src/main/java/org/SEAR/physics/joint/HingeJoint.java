@@ -9,8 +9,8 @@ public final class HingeJoint extends AxisJoint {
     private final double[] beside = new double[3];
 
     /** See {@link Joint#Joint}. */
-    public HingeJoint(String name, JointedBody a, JointedBody b) {
-        super(name, a, b);
+    public HingeJoint(JointedBody a, JointedBody b) {
+        super(a, b);
     }
 
     @Override

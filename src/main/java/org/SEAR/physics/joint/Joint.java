@@ -12,7 +12,6 @@ import org.SEAR.geometry.Pose;
 public abstract class Joint {
     private static final JointedBody WORLD = new JointedBody.World();
 
-    private final String name;
     private final JointedBody a;
     private final JointedBody b;
     private final JointedBody[] ends;
@@ -35,16 +34,10 @@ public abstract class Joint {
      * @param a first body; null for the world
      * @param b second body; null for the world
      */
-    Joint(String name, JointedBody a, JointedBody b) {
-        this(name, a == null ? WORLD : a, b == null ? WORLD : b, a == null ? WORLD : a, b == null ? WORLD : b);
-    }
-
-    /** @param ends bodies on which its rows act */
-    Joint(String name, JointedBody a, JointedBody b, JointedBody... ends) {
-        this.name = name;
-        this.a = a;
-        this.b = b;
-        this.ends = ends;
+    Joint(JointedBody a, JointedBody b) {
+        this.a = a == null ? WORLD : a;
+        this.b = b == null ? WORLD : b;
+        ends = new JointedBody[] {this.a, this.b};
     }
 
     /** Bodies on which its rows act. Not a copy. */
@@ -188,17 +181,8 @@ public abstract class Joint {
     }
 
     /** Whether it has no effect any more. */
-    public boolean isBroken() {
+    public final boolean isBroken() {
         return broken;
-    }
-
-    public final String getName() {
-        return name;
-    }
-
-    /** Returns the first body, or the second. */
-    public final JointedBody body(boolean first) {
-        return first ? a : b;
     }
 
     final JointedBody a() {

@@ -144,22 +144,6 @@ public final class JointAxis {
         return effort;
     }
 
-    public double getLower() {
-        return lower;
-    }
-
-    public double getUpper() {
-        return upper;
-    }
-
-    public Drive getDrive() {
-        return drive;
-    }
-
-    public double getTarget() {
-        return target;
-    }
-
     void setPosition(double at) {
         position = at;
     }

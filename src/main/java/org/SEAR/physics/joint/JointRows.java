@@ -6,8 +6,8 @@ package org.SEAR.physics.joint;
  * is that of the second body against the first along a direction, within the limits of its impulse. Simulation thread.
  */
 final class JointRows {
-    /** Largest number of bodies per row: a gear joins four. */
-    private static final int TERMS = 4;
+    /** Largest number of bodies per row. */
+    private static final int TERMS = 2;
     private static final int NUMBERS = 6;
 
     /** State of a row. */

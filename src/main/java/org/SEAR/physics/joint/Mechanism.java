@@ -2,7 +2,6 @@
 package org.SEAR.physics.joint;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -341,11 +340,5 @@ public final class Mechanism {
             most = Math.max(most, v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
         }
         return Math.sqrt(most);
-    }
-
-    /** Restarts all joints at the present poses of their bodies. */
-    public void restart() {
-        rows = new JointRows(0);
-        Arrays.fill(errorBefore, 0);
     }
 }

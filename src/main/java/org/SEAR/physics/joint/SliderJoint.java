@@ -10,8 +10,8 @@ public final class SliderJoint extends AxisJoint {
     private final double[] off = new double[3];
 
     /** See {@link Joint#Joint}. */
-    public SliderJoint(String name, JointedBody a, JointedBody b) {
-        super(name, a, b);
+    public SliderJoint(JointedBody a, JointedBody b) {
+        super(a, b);
     }
 
     @Override

@@ -37,6 +37,7 @@ public class ScriptErrorsTest extends InRealMrl {
     public void searWarnsWithTheWordsOfTheEmbeddedMyRobotLab() throws Exception {
         String[] parts = mistake().split("\n=> .*\n");
         List<String> words = Arrays.stream(parts[1].split("\n")).map(one -> one.replaceAll("^in Jython |,? ?\\(?line \\d+( of script\\.py)?\\)?", ""))
+            .flatMap(one -> Arrays.stream(one.split(",? ?legal: ")))    // other scripts' variables may come first
             .filter(one -> !one.isBlank()).collect(Collectors.toList());
         mrl.python("sear = Runtime.start('sear', 'SEAR')");
         int before = mrl.log().length();

@@ -30,7 +30,7 @@ import org.junit.rules.TemporaryFolder;
  * {@code in Jython} does not hold in Python 3, nor do the lines that warnings of the simulation name.
  */
 @Category(Slow.class)
-@Needs("python3")
+@Needs({"installDist", "python3"})
 public class MistakesTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final int LEAST = 42;

@@ -30,6 +30,9 @@ public class ScriptExamplesTest {
     private static final List<String> VEHICLES = Arrays.asList("setMotorPower", "setMotorSpeed", "getMotorSpeed", "getEncoder", "setServo",
         "getServo", "setLed", "getLed", "setSteering");
 
+    /** Calls that need a joint with a motor. */
+    private static final List<String> JOINTS = Arrays.asList("setJointPosition", "setJointSpeed", "setJointPower", "getJoint", "getJointForce");
+
     /** Calls that need a camera; their examples run with the world of its page. */
     private static final List<String> CAMERAS = Arrays.asList("getImage", "getPixels", "getDepth", "getTemperatures", "getPointCloud", "getBlobs",
         "saveImage", "exportCamera", "stopExportCamera");
@@ -38,7 +41,8 @@ public class ScriptExamplesTest {
     private static final String READY = String.join("\n",
         "import os",
         "def ready(running):",
-        "    special = os.path.exists('SEARproject/robot/car.xml') or os.path.exists('SEARproject/robot/thermal.xml')",
+        "    special = any(os.path.exists('SEARproject/' + one + '.xml') for one in ('robot/car', 'robot/thermal',"
+            + " 'environment/door_hinge'))",
         "    if sear.isSimulating() and (not running or special): sear.stopSimulation()",
         "    if running and not sear.isSimulating():",
         "        if 'gpsUnit1.xml' not in ''.join(os.listdir('SEARproject/robot') if os.path.exists('SEARproject/robot') else []):",
@@ -50,6 +54,13 @@ public class ScriptExamplesTest {
         "    if sear.isSimulating(): sear.stopSimulation()",
         "    sear.newProject()",
         "    exec VEHICLE in globals()",
+        "def joints():",
+        "    if os.path.exists('SEARproject/environment/door_hinge.xml'): return",
+        "    if sear.isSimulating(): sear.stopSimulation()",
+        "    sear.newProject()",
+        "    from org.SEAR.POJOs import Box, Hinge",
+        "    Hinge('door_hinge', None, Box('door', 0.8, 0.04, 2, 20, 0.4, 1, 0), 0, 1, 0).setMotor(50, 90)",
+        "    sear.startSimulation()",
         "def cameras():",
         "    if os.path.exists('SEARproject/robot/thermal.xml'): return",
         "    if sear.isSimulating(): sear.stopSimulation()",
@@ -77,6 +88,7 @@ public class ScriptExamplesTest {
             }
             for (ScriptCall call : docs.calls(service)) {
                 script.append(VEHICLES.contains(call.name) ? "vehicle()\n" : CAMERAS.contains(call.name) ? "cameras()\n"
+                    : JOINTS.contains(call.name) ? "joints()\n"
                     : "ready(" + (WHILE_STOPPED.contains(call.name) ? "False" : "True") + ")\n");
                 if (service.equals("LIDAR") && !call.name.equals("connect")) {
                     script.append("connected(lidar, '/dev/SEAR_LIDAR_01', 38400)\n");

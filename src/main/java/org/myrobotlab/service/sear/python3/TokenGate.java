@@ -41,6 +41,7 @@ final class TokenGate implements AutoCloseable {
     private final Consumer<Socket> next;
     private final Selector selector;
     private final TcpListener listener;
+    private volatile boolean closed;
     /** The oldest comes first. */
     private final Deque<Pending> pending = new ArrayDeque<>();
 
@@ -100,7 +101,7 @@ final class TokenGate implements AutoCloseable {
 
     private void serve() {
         try {
-            while (selector.isOpen()) {
+            while (!closed) {
                 long longest = listener.selectMillis();
                 selector.select(pending.isEmpty() ? longest : LOOK_MILLIS);
                 for (Iterator<SelectionKey> keys = selector.selectedKeys().iterator(); keys.hasNext();) {
@@ -118,7 +119,7 @@ final class TokenGate implements AutoCloseable {
             LOG.warn("Python 3 gateway ended: {}", e.toString());
         } finally {
             pending.forEach(one -> close(one.channel));
-            close();
+            closeAll();
         }
     }
 
@@ -174,9 +175,14 @@ final class TokenGate implements AutoCloseable {
         }
     }
 
-    /** Closes the port and the connections without a token. */
+    /** Closes the port and the connections without a token, on this gate's thread: only it uses the selector. */
     @Override
     public void close() {
+        closed = true;
+        selector.wakeup();
+    }
+
+    private void closeAll() {
         try {
             listener.close();
             selector.close();

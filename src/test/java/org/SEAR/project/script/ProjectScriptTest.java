@@ -132,7 +132,8 @@ public class ProjectScriptTest {
             never.addAll(every.never());
         }
         assertEquals("[Arduino.wire, BallJoint.first, Chessboard.image, FixedJoint.first, Hinge.first, Marker.image, Rope.first, Slider.first,"
-            + " Terrain.mass, Terrain.onGround, Terrain.placeLatitude, Terrain.placeLongitude, Terrain.rx, Terrain.ry, Terrain.rz, Terrain.scaleX, Terrain.scaleY, Terrain.scaleZ, Terrain.spinX, Terrain.spinY, Terrain.spinZ,"
+            + " Terrain.mass, Terrain.onGround, Terrain.placeLatitude, Terrain.placeLongitude, Terrain.rx, Terrain.ry, Terrain.rz,"
+            + " Terrain.scaleX, Terrain.scaleY, Terrain.scaleZ, Terrain.spinX, Terrain.spinY, Terrain.spinZ,"
             + " Terrain.velocityX, Terrain.velocityY, Terrain.velocityZ, Terrain.x, Terrain.y, Terrain.z, Wheel.spinX, Wheel.spinY,"
             + " Wheel.spinZ, Wheel.trail, Wheel.velocityX, Wheel.velocityY, Wheel.velocityZ]", never.toString());
         assertTrue("objects: " + count, count > 200);

@@ -161,6 +161,10 @@ public class ReconnectTest {
         serial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
         for (boolean lockStep : new boolean[] {true, false, true}) {
             sear.stopSimulation();
+            long lost = System.nanoTime() + PATIENCE;    // in real time the services' own threads notice it
+            while ((lidar.isConnected() || gps.isConnected() || serial.isConnected()) && System.nanoTime() < lost) {
+                Thread.yield();
+            }
             assertFalse(lidar.isConnected() || gps.isConnected() || serial.isConnected());
             start(lockStep);
             assertBothMeasure();

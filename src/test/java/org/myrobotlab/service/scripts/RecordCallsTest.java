@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
@@ -111,6 +112,10 @@ public class RecordCallsTest {
         String file = sear.recordRun(record);
         sear.startSimulation();
         sear.simSleep(1);
+        long deadline = System.nanoTime() + TimeUnit.MINUTES.toNanos(1);
+        while (Files.size(Path.of(file)) == 0 && System.nanoTime() < deadline) {
+            Thread.yield();    // a thread of its own writes the record
+        }
         Map<String, Object> frames = sear.getRecordFrames(file);
         assertEquals(Map.of("whole", false, "written", true), Map.of("whole", frames.get("whole"), "written", frames.get("written")));
         assertTrue(heard.getStatuses().toString(), heard.awaitStatus(file + " is still being written: SEAR reads it up to its latest event"));

@@ -61,10 +61,10 @@ export class Project {
             onLoadProject: () => this.onLoaded(),
             onNewProject: backup => {
                 view.fit()
-                if (this.asked.anew) {
+                if (this.asked.newProject) {
                     this.path = NEW
                 }
-                this.asked.anew = false
+                this.asked.newProject = false
                 messages.say('info', 'new project' + (backup ? '; the previous one is stored in ' + backup : ''))
             },
             onCopyTemplate: path => {
@@ -98,7 +98,7 @@ export class Project {
     }
 
     startAnew() {
-        this.asked.anew = true
+        this.asked.newProject = true
         this.left.tell()
         this.msg.send('newProject')
     }

@@ -119,6 +119,7 @@ public final class Recorder implements RunListener {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
             List<SearObject> all = new ArrayList<>(project.getEnvironment());
+            all.addAll(project.getJoints());
             for (SEARrobot robot : project.getRobots()) {
                 all.add(robot);
                 all.addAll(robot.getComponents());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.physics;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.SEAR.collision.ConvexShape;
@@ -58,8 +59,8 @@ public final class Body {
     private Symmetry symmetry = Symmetry.NONE;
     private Pose start;
     private Pose pose;
-    /** Bodies with which it does not collide, because a joint connects them. */
-    private Body[] ignored = {};
+    /** Joints that connect it with bodies with which it does not collide meanwhile. */
+    private final List<JointedBodies.Link> passing = new ArrayList<>();
     private final Aabb near = new Aabb();
     private State state = State.ASLEEP;
     private final SolverBody solver = new SolverBody();
@@ -252,16 +253,15 @@ public final class Body {
         return rolls;
     }
 
-    /** Lets both bodies pass through each other. */
-    void ignore(Body other) {
-        ignored = Arrays.copyOf(ignored, ignored.length + 1);
-        ignored[ignored.length - 1] = other;
+    /** Lets it pass through the other end of a joint until the joint breaks. */
+    void pass(JointedBodies.Link link) {
+        passing.add(link);
     }
 
     /** Whether both bodies pass through each other. */
     public boolean ignores(Body other) {
-        for (Body one : ignored) {
-            if (one == other) {
+        for (int i = 0; i < passing.size(); i++) {
+            if (passing.get(i).holds(other)) {
                 return true;
             }
         }

@@ -5,9 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Divides the movable bodies into islands. Bodies that touch, that joints connect, or that wheels press on, are solved together
- * and sleep together. Fixed bodies connect nothing. Union-find (Tarjan 1975) over the pairs; islands are in the order of their
- * first bodies. Simulation thread.
+ * Divides the movable bodies into islands. Bodies that touch, that joints connect, or that wheels press on, are solved
+ * together and sleep together. Fixed bodies connect nothing. Union-find (Tarjan 1975) over the pairs; islands are in
+ * the order of their first bodies. Simulation thread.
  */
 final class Islands {
     private int[] parent = {};

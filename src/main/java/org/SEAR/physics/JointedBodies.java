@@ -37,9 +37,14 @@ final class JointedBodies {
         final Joint joint;
         final Body[] ends;
 
-        Link(Joint joint, Body... ends) {
+        Link(Joint joint, Body first, Body second) {
             this.joint = joint;
-            this.ends = ends;
+            ends = new Body[] {first, second};
+        }
+
+        /** Whether a body is one of its ends and it is not broken. */
+        boolean holds(Body body) {
+            return !joint.isBroken() && (ends[0] == body || ends[1] == body);
         }
 
         boolean isConnected(List<Link> others) {

@@ -9,6 +9,7 @@ import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.joint.Joint;
+import org.SEAR.physics.joint.Mechanism;
 
 /**
  * World of rigid bodies; searches only pairs that can touch an awake body. Each awake body has a zone, a box that
@@ -90,21 +91,25 @@ public final class PhysicsWorld {
 
     /**
      * Adds a joint; call {@link #restart} afterwards, and attach the joint then.
-     * @param collide whether its bodies collide with each other
-     * @param ends the bodies that it connects; null for the world
+     * @param collide whether its bodies collide with each other before it breaks
+     * @param first body that it connects with the second one; null for the world
      */
-    public void add(Joint joint, boolean collide, Body... ends) {
-        links.add(new JointedBodies.Link(joint, ends));
-        for (Body one : ends) {
+    public void add(Joint joint, boolean collide, Body first, Body second) {
+        JointedBodies.Link link = new JointedBodies.Link(joint, first, second);
+        links.add(link);
+        for (Body one : link.ends) {
             if (one != null) {
                 one.getSolver().setJointed(true);
-            }
-            for (Body other : ends) {
-                if (!collide && one != null && other != null && one != other) {
-                    one.ignore(other);
+                if (!collide) {
+                    one.pass(link);
                 }
             }
         }
+    }
+
+    /** Returns the largest number of couplings in a mechanism, see {@link Mechanism#getCouplings}. After a restart. */
+    public int getCouplings() {
+        return mechanisms.stream().mapToInt(one -> one.mechanism.getCouplings()).max().orElse(0);
     }
 
     public List<Body> getBodies() {

@@ -26,6 +26,8 @@ import org.SEAR.project.xml.ParsedObject;
 
 /** Links components to their robots and checks the relations between the objects of a project. One use. */
 final class ProjectLinker {
+    private static final int MAX_JOINTS = 1000;
+
     private final Map<String, ParsedObject> environment;
     private final Map<String, ParsedObject> parts;
     private final ProblemList problems;
@@ -203,6 +205,9 @@ final class ProjectLinker {
 
     /** Checks that joints connect existing objects, of which one can move. */
     private void checkJoints() {
+        if (joints().size() > MAX_JOINTS) {
+            problems.add(ProjectFolder.ENVIRONMENT, 0, "", "it has " + joints().size() + " joints", "at most " + MAX_JOINTS);
+        }
         for (ParsedObject parsed : environment.values()) {
             if (parsed.object instanceof Joint) {
                 Joint joint = (Joint) parsed.object;

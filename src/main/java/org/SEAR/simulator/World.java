@@ -111,6 +111,7 @@ final class World implements PhysicsWorld.Touches {
         fallen = new KillPlane(physics.getBodies(), reported);
         moves = new Teleports(this);
         restart(seed);
+        WorldJoints.check(physics);
         robots.forEach(robot -> StartChecks.check(robot, scenes, warnings));
     }
 
@@ -290,7 +291,6 @@ final class World implements PhysicsWorld.Touches {
 
     /**
      * Physics of a step: wheels find their ground, bodies move, wheels turn, scenes follow.
-     *
      * @param reported receives the forces of drag springs
      */
     void step(Consumer<BodyOrder> reported) {

@@ -27,12 +27,16 @@ import org.SEAR.physics.joint.JointedBody;
 import org.SEAR.physics.joint.SliderJoint;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
+import org.SEAR.project.problems.Problem;
+import org.SEAR.project.problems.ProjectException;
 
 /** The joints of a world: from objects of the grammar to the physics, and by name. Simulation thread. */
 public final class WorldJoints {
     /** Position error at which a motor has full power: of a hinge, degrees, and of a slider or rope, metres. */
     private static final double FULL_POWER_DEGREES = 1;
     private static final double FULL_POWER_METRES = 0.001;
+    /** Largest number of couplings of a mechanism: a chain has one per joint, n joints of one object n^2 / 2. */
+    private static final int MAX_COUPLINGS = 10_000;
 
     private final List<Made> all = new ArrayList<>();
     private final Map<String, Made> named = new TreeMap<>();
@@ -44,17 +48,21 @@ public final class WorldJoints {
     private static final class Made {
         final org.SEAR.POJOs.Joint object;
         final Joint joint;
+        final Body first;
         final Body second;
-        /** Pose of the second object as written. */
-        final Pose written;
+        /** Poses of both objects as written. */
+        final Pose firstWritten;
+        final Pose secondWritten;
         /** Converts positions to metres or radians. */
         final double unit;
 
-        Made(org.SEAR.POJOs.Joint object, Joint joint, Body second, Pose written) {
+        Made(org.SEAR.POJOs.Joint object, Joint joint, Map<String, Body> bodies, Map<String, Pose> written) {
             this.object = object;
             this.joint = joint;
-            this.second = second;
-            this.written = written;
+            first = object.getFirst() == null ? null : bodies.get(object.getFirst());
+            second = bodies.get(object.getSecond());
+            firstWritten = written.get(object.getFirst());
+            secondWritten = written.get(object.getSecond());
             unit = object instanceof Hinge ? Math.toRadians(1) : 1;
         }
     }
@@ -75,7 +83,7 @@ public final class WorldJoints {
             Body first = object.getFirst() == null ? null : bodies.get(object.getFirst());
             Body second = bodies.get(object.getSecond());
             Joint joint = make(object, first == null ? null : first.forJoints(), second.forJoints());
-            Made made = new Made(object, joint, second, written.get(object.getSecond()));
+            Made made = new Made(object, joint, bodies, written);
             all.add(made);
             named.put(object.getName(), made);
             physics.add(joint, object.isCollide(), first, second);
@@ -106,14 +114,23 @@ public final class WorldJoints {
             if (made.object instanceof AxisJoint) {
                 configure((AxisJoint) made.object, axis(made), made.unit);
             }
-            Pose frame = follow(made, ObjectPose.of(made.object));
+            Pose frame = ObjectPose.of(made.object);
             if (made.object instanceof Rope) {
                 Rope rope = (Rope) made.object;
-                ((DistanceJoint) made.joint).attachEnds(frame, follow(made, new Pose(rope.getEndX(), rope.getEndY(), rope.getEndZ(), 0, 0, 0, 1)));
+                ((DistanceJoint) made.joint).attachEnds(made.first == null ? frame : follow(frame, made.first, made.firstWritten),
+                    follow(new Pose(rope.getEndX(), rope.getEndY(), rope.getEndZ(), 0, 0, 0, 1), made.second, made.secondWritten));
             } else {
-                made.joint.attach(frame);
+                made.joint.attach(follow(frame, made.second, made.secondWritten));
             }
             hold(made);
+        }
+    }
+
+    /** @throws ProjectException if a mechanism has too many couplings for memory and time */
+    static void check(PhysicsWorld physics) throws ProjectException {
+        if (physics.getCouplings() > MAX_COUPLINGS) {
+            throw new ProjectException(List.of(new Problem("environment", 0, "", physics.getCouplings()
+                + " pairs of joints act on a common object, directly or by other joints", "at most " + MAX_COUPLINGS + ": fewer joints per object")));
         }
     }
 
@@ -127,10 +144,9 @@ public final class WorldJoints {
         }
     }
 
-    /** A joint moves along with the second object, which may have been set down on the ground or lifted. */
-    private static Pose follow(Made made, Pose frame) {
-        Pose start = made.second.getStart();
-        Pose was = made.written;
+    /** A joint moves along with its object, which may have been set down on the ground or lifted. */
+    private static Pose follow(Pose frame, Body body, Pose was) {
+        Pose start = body.getStart();
         double[] at = was.rotateBack(frame.x - was.x, frame.y - was.y, frame.z - was.z);
         Pose back = new Pose(0, 0, 0, -was.qx, -was.qy, -was.qz, was.qw);
         Pose turned = back.times(new Pose(0, 0, 0, frame.qx, frame.qy, frame.qz, frame.qw));
@@ -181,6 +197,9 @@ public final class WorldJoints {
         }
         axis(made).drive(drive, drive == JointAxis.Drive.POWER ? value : made.unit * value);
         made.second.wake();
+        if (made.first != null) {
+            made.first.wake();
+        }
     }
 
     /**

@@ -3,6 +3,7 @@ package org.SEAR.physics;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
 import java.util.ArrayList;
@@ -14,6 +15,7 @@ import org.SEAR.POJOs.Hinge;
 import org.SEAR.POJOs.Rope;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Slider;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.ActuatorOrder.Kind;
 import org.SEAR.simulator.BodyRun;
 import org.junit.Test;
@@ -276,6 +278,58 @@ public class JointsTest {
             assertTrue("it fell", run.pose("heavy").y < 4);
             assertTrue(run.warnings(), run.warnings().contains("FixedJoint \"breaks\" broke: its force was above its breakingForce, 20 N"));
             assertFalse(run.warnings(), run.warnings().contains("\"holds\""));
+        }
+    }
+
+    @Test
+    public void brokenHalvesCollideAgain() throws Exception {
+        try (Stage stage = new Stage(10)) {
+            Box low = new Box("low", 0.2, 0.2, 0.2, 1, 0, 0.1, 0);
+            Box high = new Box("high", 0.2, 0.2, 0.2, 1, 0, 0.31, 0);
+            new FixedJoint("weld", low, high, 0, 0.2, 0).setBreakingForce(5);
+            BodyRun run = stage.start();
+            run.run(2);
+            assertTrue(run.warnings(), run.warnings().contains("\"weld\" broke"));
+            assertEquals("it lies on the other one", 0.3, run.pose("high").y, 0.002);
+        }
+    }
+
+    @Test
+    public void aMotorWakesTheObjectThatCanMove() throws Exception {
+        try (Stage stage = new Stage()) {
+            Box frame = new Box("frame", 0.1, 0.1, 0.1);
+            frame.move(0, 1, 0);
+            Box door = new Box("door", 0.8, 0.04, 2, 20, 0.5, 1, 0);
+            new Hinge("hinge", door, frame, 0, 1, 0).setMotor(50, 90);
+            BodyRun run = stage.start();
+            run.run(3);
+            assertFalse(run.body("door").isActive());
+            run.order(Kind.JOINT_POSITION, "hinge", 45);
+            run.run(3);
+            assertEquals(45, run.joint("hinge")[0], 0.1);
+        }
+    }
+
+    @Test
+    public void aRopeHangsFromWhereItIsTied() throws Exception {
+        try (Stage stage = new Stage(10)) {
+            Box weight = new Box("weight", 0.2, 0.2, 0.2, 1);
+            weight.placeAt(0, 0);
+            new Rope("rope", null, weight, 0, 2, 0, 0, 0.1, 0).setLimits(1.5, 1.8);
+            BodyRun run = stage.start();
+            assertEquals("its lower end is lifted by 0.1 m with the weight, its upper end is not", 1.8, run.joint("rope")[0], 1e-3);
+        }
+    }
+
+    @Test
+    public void tooManyJointsOfOneObjectAreRefused() throws Exception {
+        try (Stage stage = new Stage()) {
+            Box hub = new Box("hub", 1, 1, 1, 5, 0, 5, 0);
+            for (int i = 0; i < 150; i++) {
+                new BallJoint("joint" + i, null, hub, 0, 5, 0);
+            }
+            String said = assertThrows(ProjectException.class, stage::start).getMessage();
+            assertTrue(said, said.contains("11175 pairs of joints act on a common object") && said.contains("at most 10000"));
         }
     }
 }

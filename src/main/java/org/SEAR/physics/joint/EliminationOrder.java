@@ -11,11 +11,11 @@ import java.util.TreeSet;
  * trees cause no fill-in. Joints are neighbours if they act on a common movable body.
  */
 final class EliminationOrder {
-    private EliminationOrder() {
-    }
+    private final List<Joint> order = new ArrayList<>();
+    private int couplings;
 
-    /** Returns the joints in this order; equal ones keep theirs. */
-    static List<Joint> of(List<Joint> joints) {
+    /** @param joints equal ones keep their order */
+    EliminationOrder(List<Joint> joints) {
         List<Set<Integer>> neighbours = new ArrayList<>();
         for (int i = 0; i < joints.size(); i++) {
             Set<Integer> near = new TreeSet<>();
@@ -30,7 +30,6 @@ final class EliminationOrder {
         for (int i = 0; i < joints.size(); i++) {
             left.add(i);
         }
-        List<Joint> order = new ArrayList<>();
         while (!left.isEmpty()) {
             int next = left.iterator().next();
             for (int i : left) {
@@ -38,9 +37,18 @@ final class EliminationOrder {
             }
             left.remove(next);
             order.add(joints.get(next));
+            couplings += neighbours.get(next).size();
             eliminate(next, neighbours);
         }
+    }
+
+    List<Joint> getJoints() {
         return order;
+    }
+
+    /** Number of neighbours that the joints had when they were eliminated. */
+    int getCouplings() {
+        return couplings;
     }
 
     /** The neighbours of an eliminated joint become neighbours of each other. */

@@ -167,12 +167,10 @@ public abstract class Joint {
         }
     }
 
-    /** Breaks the joint if its force in the last step was too large. Returns whether it broke now. */
-    final boolean breaks(double seconds) {
+    /** Breaks the joint if its force in the last step was too large. */
+    final void breakIfOverloaded(double seconds) {
         double square = wrench[0] * wrench[0] + wrench[1] * wrench[1] + wrench[2] * wrench[2];
-        boolean now = !broken && Math.sqrt(square) / seconds > breakingForce;
-        broken |= now;
-        return now;
+        broken |= Math.sqrt(square) / seconds > breakingForce;
     }
 
     /** @param newtons force beyond which the joint breaks */

@@ -47,12 +47,15 @@ public final class Mechanism {
     private double[] errorBefore = {};
     /** Acceleration of each position error by the curvature of the bodies' paths, m/s^2 or rad/s^2. */
     private double[] curvature = {};
+    private final int couplings;
     private boolean factored;
     private double seconds;
 
     /** @param joints those of all connected bodies */
     public Mechanism(List<Joint> joints) {
-        this.joints = EliminationOrder.of(joints);
+        EliminationOrder order = new EliminationOrder(joints);
+        this.joints = order.getJoints();
+        couplings = order.getCouplings();
         for (Joint joint : joints) {
             for (JointedBody body : joint.ends()) {
                 if (body.inverseMass > 0 && !bodies.contains(body)) {
@@ -62,13 +65,9 @@ public final class Mechanism {
         }
     }
 
-    public List<Joint> getJoints() {
-        return joints;
-    }
-
-    /** Bodies that can move. */
-    public List<JointedBody> getBodies() {
-        return bodies;
+    /** Number of pairs of joints that share an entry of the factored matrix: memory and time grow with it. */
+    public int getCouplings() {
+        return couplings;
     }
 
     /** Begins a step. */
@@ -82,7 +81,7 @@ public final class Mechanism {
     public void endStep(double stepSeconds) {
         for (int i = 0; i < joints.size(); i++) {
             joints.get(i).endStep(stepSeconds);
-            joints.get(i).breaks(stepSeconds);
+            joints.get(i).breakIfOverloaded(stepSeconds);
         }
     }
 

@@ -209,7 +209,8 @@ public final class WorldJoints {
     public double[] reading(String name) {
         Made made = axisJoint(name);
         JointAxis axis = axis(made);
-        return new double[] {axis.getPosition() / made.unit, axis.getSpeed() / made.unit, axis.getEffort()};
+        boolean moves = made.second.isActive() || made.first != null && made.first.isActive();
+        return new double[] {axis.getPosition() / made.unit, moves ? axis.getSpeed() / made.unit : 0, axis.getEffort()};
     }
 
     /**

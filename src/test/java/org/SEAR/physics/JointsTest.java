@@ -304,6 +304,7 @@ public class JointsTest {
             BodyRun run = stage.start();
             run.run(3);
             assertFalse(run.body("door").isActive());
+            assertEquals("asleep", 0, run.joint("hinge")[1], 0);
             run.order(Kind.JOINT_POSITION, "hinge", 45);
             run.run(3);
             assertEquals(45, run.joint("hinge")[0], 0.1);

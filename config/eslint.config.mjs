@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that MyRobotLab loads are scripts for AngularJS 1.5, files that they load are modules. No semicolons. Browsers provide the globals.
+// Files that MyRobotLab loads are scripts for AngularJS 1.5, files that they load are modules. No semicolons. Browsers
+// provide the globals.
 import js from '@eslint/js'
 
-const browser = ['angular', 'clearInterval', 'clearTimeout', 'console', 'document', 'location', 'navigator', 'setInterval', 'setTimeout', 'window',
-    'FileReader', 'WebSocket', 'Blob', 'URL', 'XMLHttpRequest', 'history', 'confirm', 'atob', 'btoa', 'Uint8Array', 'localStorage', 'fetch', '$']
+const browser = ['angular', 'clearInterval', 'clearTimeout', 'console', 'document', 'location', 'navigator',
+    'setInterval', 'setTimeout', 'window', 'FileReader', 'WebSocket', 'Blob', 'URL', 'XMLHttpRequest', 'history',
+    'confirm', 'atob', 'btoa', 'Uint8Array', 'localStorage', 'fetch', '$']
 
 export default [
     js.configs.recommended,
@@ -29,6 +31,7 @@ export default [
             'no-throw-literal': 'error',
             'no-unused-expressions': 'error',
             'no-console': ['error', {allow: ['error', 'warn']}],
+            'max-len': ['error', {code: 120}],
             'max-lines-per-function': ['error', {max: 80, IIFEs: true}],
             'no-var': 'error',
             'prefer-const': 'error',

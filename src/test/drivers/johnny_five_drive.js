@@ -1,10 +1,11 @@
-// Drives a robot and reads its sensors through an Arduino with StandardFirmata, with johnny-five, a library for real ones.
+// Drives a robot and reads its sensors through an Arduino with StandardFirmata, with johnny-five, a library for real
+// ones.
 //
 // usage: NODE_PATH=... node johnny_five_drive.js TCP_PORT SECONDS
 //
 // Pins 9 and 10 are the motors' power, 7 and 8 their direction, A0 is a Sharp sensor, 4 a PING))). Prints the board's
-// program and pins, the Sharp sensor's value, the echo in centimetres, and "drove" after a second of driving. Then turns in
-// place and prints the number, minimum and maximum of A0's values each second, and "done" after SECONDS.
+// program and pins, the Sharp sensor's value, the echo in centimetres, and "drove" after a second of driving. Then
+// turns in place and prints the number, minimum and maximum of A0's values each second, and "done" after SECONDS.
 const net = require('net')
 const {Firmata} = require('firmata-io')
 const five = require('johnny-five')

@@ -5,7 +5,8 @@ import {Edits} from '../../../resources/resource/WebGui/app/service/js/sear/buil
 import {sizesOf} from '../../../resources/resource/WebGui/app/service/js/sear/build/handles.js'
 import {mounted, tilted, withGround} from '../../../resources/resource/WebGui/app/service/js/sear/build/mounting.js'
 import * as places from '../../../resources/resource/WebGui/app/service/js/sear/build/places.js'
-import {besideBody, drivenWheels, wheelToTurn} from '../../../resources/resource/WebGui/app/service/js/sear/build/wheels.js'
+import {besideBody, drivenWheels, wheelToTurn} from
+    '../../../resources/resource/WebGui/app/service/js/sear/build/wheels.js'
 import {Listeners} from '../../../resources/resource/WebGui/app/service/js/sear/shared/listeners.js'
 import {Messages} from '../../../resources/resource/WebGui/app/service/js/sear/shared/messages.js'
 
@@ -24,8 +25,10 @@ test('a place on Earth is written as such, and a height as on the ground', () =>
 test('objects that the simulation has moved are written where they are', () => {
     assert.deepEqual(written({pose: [1, 2, 3, 0, 0, 90]}, {x: '1', y: '2', z: '0', ry: '0'}, true, {x: '4'}),
         {rx: '0', ry: '0', rz: '90', z: '3', x: '4'}, 'a crate that was tipped over and pushed')
-    assert.deepEqual(written({parts: [], pose: [5, 0, 5, 0, 90, 0], start: [1, 0, 2, 0, 0, 0], written: [1, 0, 0, 0, 0, 0]},
-        {x: '1', y: '0', z: '0', ry: '0'}, true, {z: '6'}), {x: '3', z: '6', ry: '90'}, 'a robot whose Dynamics is 2 m ahead of it')
+    assert.deepEqual(written({parts: [], pose: [5, 0, 5, 0, 90, 0], start: [1, 0, 2, 0, 0, 0],
+        written: [1, 0, 0, 0, 0, 0]},
+        {x: '1', y: '0', z: '0', ry: '0'}, true, {z: '6'}), {x: '3', z: '6', ry: '90'},
+            'a robot whose Dynamics is 2 m ahead of it')
 })
 
 test('numbers of a file are rounded to a tenth of a millimetre, angles to half a turn', () => {
@@ -42,10 +45,12 @@ test('a handle changes the size along its axis', () => {
 
 const BODY = {name: 'body', type: 'Box', pose: [0, 0, 0, 0, 0, 0], corners: [[-0.1, -0.05, -0.2], [0.1, 0.05, 0.2]]}
 function wheel(name, x, driven, motor) {
-    return {name, type: 'Wheel', pose: [x, 0, 0, 0, 0, 0], corners: [[-0.01, -0.03, -0.03], [0.01, 0.03, 0.03]], driven, motor}
+    return {name, type: 'Wheel', pose: [x, 0, 0, 0, 0, 0], corners: [[-0.01, -0.03, -0.03], [0.01, 0.03, 0.03]],
+        driven, motor}
 }
 function worldOf(...wheels) {
-    return {objects: [], sensors: [], robots: [{name: 'rover', pose: [0, 0.04, 0, 0, 0, 0], parts: [BODY].concat(wheels)}]}
+    return {objects: [], sensors: [],
+        robots: [{name: 'rover', pose: [0, 0.04, 0, 0, 0, 0], parts: [BODY].concat(wheels)}]}
 }
 
 test('new wheels go to the left, then to the right, at the height of the other wheels', () => {
@@ -67,7 +72,8 @@ test('a motor turns the first driven wheel without a motor', () => {
 
 test('a sensor on a side looks away from it, and a cone above the ground', () => {
     const sonar = {parameters: [{name: 'seesOwnRobot'}, {name: 'cone'}]}
-    assert.deepEqual(mounted({local: [0.1, 0.05, 0.01], normal: [1, 0, 0]}, sonar, true, value => value), {x: '0.1', y: '0.05', z: '0.01', ry: '90'})
+    assert.deepEqual(mounted({local: [0.1, 0.05, 0.01], normal: [1, 0, 0]}, sonar, true, value => value),
+        {x: '0.1', y: '0.05', z: '0.01', ry: '90'})
     assert.deepEqual([tilted(sonar), tilted({parameters: []})], [{rx: '-20'}, {}])
 })
 
@@ -82,7 +88,8 @@ function editsOf() {
     const sent = []
     const panel = {msg: {send: (...call) => sent.push(call)}, timeout: () => {}}
     const messages = new Messages()
-    const edits = new Edits(panel, messages, {previewed: new Listeners(), look: () => {}}, {choose: () => {}}, {repaint: () => {}})
+    const edits = new Edits(panel, messages, {previewed: new Listeners(), look: () => {}}, {choose: () => {}},
+        {repaint: () => {}})
     return {sent, messages, edits, last: () => sent.filter(call => call[0] === 'tryEdit').pop()[1]}
 }
 
@@ -91,7 +98,8 @@ test('an edit sends what the user saw, and reports why it failed', () => {
     assert.deepEqual(edits.setting('box1', {x: '2', mass: '1'}, {x: '1'}),
         {'do': 'set', object: 'box1', set: {x: '2', mass: '1'}, was: {x: '1', mass: ''}})
     edits.edit(edits.setting('box1', {x: '2'}, {x: '1'}))
-    edits.handlers.onEdit({page: last().page, done: false, problems: [{file: 'a.xml', field: 'x', value: '2', legal: 'a value'}]})
+    edits.handlers.onEdit({page: last().page, done: false,
+        problems: [{file: 'a.xml', field: 'x', value: '2', legal: 'a value'}]})
     assert.deepEqual([messages.last.level, messages.last.text], ['error', 'a.xml: x is "2", legal: a value'])
 })
 

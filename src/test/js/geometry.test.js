@@ -2,12 +2,15 @@
 import assert from 'node:assert/strict'
 import {readFileSync} from 'node:fs'
 import {test} from 'node:test'
-import {area, between, frame, isLight, onGround, shapesOf, times} from '../../../resources/resource/WebGui/app/service/js/sear/shared/geometry.js'
-import {alongAxis, contains, extent, find, onMap, onPlane} from '../../../resources/resource/WebGui/app/service/js/sear/world/pointing.js'
+import {area, between, frame, isLight, onGround, shapesOf, times} from
+    '../../../resources/resource/WebGui/app/service/js/sear/shared/geometry.js'
+import {alongAxis, contains, extent, find, onMap, onPlane} from
+    '../../../resources/resource/WebGui/app/service/js/sear/world/pointing.js'
 
 const CUBE = [-1, 1].flatMap(x => [-1, 1].flatMap(y => [-1, 1].map(z => [x, y, z])))
 const WORLD = {
-    objects: [{name: 'floor', type: 'Floor', pose: [0, -1, 0, 0, 0, 0], corners: CUBE.map(([x, y, z]) => [9 * x, y, 9 * z])},
+    objects: [{name: 'floor', type: 'Floor', pose: [0, -1, 0, 0, 0, 0],
+        corners: CUBE.map(([x, y, z]) => [9 * x, y, 9 * z])},
         {name: 'crate', type: 'Box', color: 'red', pose: [3, 1, 0, 0, 45, 0], corners: CUBE}],
     robots: [{name: 'rover', pose: [-3, 0, 2, 0, 90, 0], radius: 0.5,
         parts: [{name: 'body', type: 'Box', pose: [0, 0.5, 0, 0, 0, 0], corners: CUBE}]}],

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 import assert from 'node:assert/strict'
 import {test} from 'node:test'
-import {metresBetween, offsetText, plotOf, timeText} from '../../../resources/resource/WebGui/app/service/js/sear/gps/track.js'
+import {metresBetween, offsetText, plotOf, timeText} from
+    '../../../resources/resource/WebGui/app/service/js/sear/gps/track.js'
 import * as plot from '../../../resources/resource/WebGui/app/service/js/sear/lidar/plot.js'
 import {robotsAt, sensorsAt} from '../../../resources/resource/WebGui/app/service/js/sear/records/frames.js'
 import {csv, valueAt} from '../../../resources/resource/WebGui/app/service/js/sear/records/table.js'
-import {firstOf, titleWithin, unitOf, valuesOf} from '../../../resources/resource/WebGui/app/service/js/sear/records/values.js'
+import {firstOf, titleWithin, unitOf, valuesOf} from
+    '../../../resources/resource/WebGui/app/service/js/sear/records/values.js'
 import {drive, isFixed} from '../../../resources/resource/WebGui/app/service/js/sear/run/steering.js'
 import {Messages} from '../../../resources/resource/WebGui/app/service/js/sear/shared/messages.js'
 import {count, fileName} from '../../../resources/resource/WebGui/app/service/js/sear/shared/words.js'
 import {rangesOf, unpackRanges} from '../../../resources/resource/WebGui/app/service/js/sear/world/ranges.js'
 import {Terrain} from '../../../resources/resource/WebGui/app/service/js/sear/world/terrain.js'
 
-const SCAN = {angles: [0, 90, 180], metres: [null, 2.5, 1], raw: [8183, 2500, 1000], unit: 'mm', spread: 180, resolution: 90}
+const SCAN = {angles: [0, 90, 180], metres: [null, 2.5, 1], raw: [8183, 2500, 1000], unit: 'mm', spread: 180,
+    resolution: 90}
 
 test('the plot of a scan has round rings beyond the farthest object, and shrinks only if much is empty', () => {
     assert.equal(plot.reachOf(SCAN, 0), 2.5)
@@ -83,7 +86,8 @@ test('values of a world have names and units', () => {
     const values = valuesOf(WORLD)
     assert.deepEqual([values['rover.z'], values['ping.distance'], values['gps.altitude']], [2, 1.5, 100])
     assert.ok(Math.abs(values['rover.heading']) < 1e-9)
-    assert.deepEqual(['gps.altitude', 'rover.speed', 'port sent', 'other'].map(name => unitOf(name, WORLD)), ['m', 'm/s', 'bytes', ''])
+    assert.deepEqual(['gps.altitude', 'rover.speed', 'port sent', 'other'].map(name => unitOf(name, WORLD)),
+        ['m', 'm/s', 'bytes', ''])
     assert.equal(unitOf('rover.x', null), 'm')
     assert.deepEqual(firstOf(WORLD, Object.keys(values)), ['rover.speed', 'ping.distance'])
     assert.deepEqual(firstOf(null, []), [])
@@ -93,24 +97,28 @@ test('a long name leaves its unit beside the axis', () => {
     const length = text => text.length
     assert.equal(titleWithin(['a.speed'], 'm/s', 30, length), 'a.speed (m/s)')
     const title = titleWithin(['the vacuum cleaner of the living room upstairs.speed'], 'm/s', 30, length)
-    assert.ok(title.length <= 30 && title.startsWith('the v') && title.endsWith('.speed (m/s)') && title.includes('…'), title)
+    assert.ok(title.length <= 30 && title.startsWith('the v') && title.endsWith('.speed (m/s)')
+        && title.includes('…'), title)
     assert.equal(titleWithin(['a', 'b'], 'm/s', 30, length), 'speed (m/s)')
 })
 
 test('plotted lines are a table in which equal times are one column', () => {
     const times = [0, 1]
     assert.equal(csv([{name: 'a', unit: 'm', times, values: [1, 2]}, {name: 'b,c', times, values: [3]},
-        {name: 'a', source: 'r', times: [0], values: [null]}]), 'time (s),a (m),"b,c",time (s) r,a r\n0,1,3,0,\n1,2,,,\n')
+        {name: 'a', source: 'r', times: [0], values: [null]}]),
+            'time (s),a (m),"b,c",time (s) r,a r\n0,1,3,0,\n1,2,,,\n')
     assert.deepEqual([-1, 0, 0.5, 9].map(time => valueAt({times, values: [1, 2]}, time)), [undefined, 1, 1, 2])
 })
 
 test('a frame of a record sets poses, paths and readings', () => {
-    const record = {robots: ['rover'], robotPoses: [[[0, 0, 0]], [[1, 0, 2]]], speeds: [[[0, 0]], [[0.2, 1]]], lights: [[0, 1]],
+    const record = {robots: ['rover'], robotPoses: [[[0, 0, 0]], [[1, 0, 2]]], speeds: [[[0, 0]], [[0.2, 1]]],
+        lights: [[0, 1]],
         brightness: [[0], [1]], sensors: ['ping'], words: [['near'], ['far']]}
     const rover = {lights: [0, 0]}
     robotsAt({rover}, record, 1)
     assert.deepEqual([rover.speed, rover.path, rover.lights], [0.2, [[0, 0], [1, 2]], [0, 1]])
-    assert.deepEqual(sensorsAt([{name: 'ping'}, {name: 'gps'}], record, 1).map(sensor => sensor.words), ['far', 'not in the record'])
+    assert.deepEqual(sensorsAt([{name: 'ping'}, {name: 'gps'}], record, 1).map(sensor => sensor.words),
+        ['far', 'not in the record'])
 })
 
 function packed(...numbers) {
@@ -145,13 +153,15 @@ test('repeated messages are counted, and repetitions of a failed call are droppe
 })
 
 test('words', () => {
-    assert.deepEqual([count(1, 'problem'), count(2, 'problem'), fileName('a/b\\c.sear')], ['1 problem', '2 problems', 'c.sear'])
+    assert.deepEqual([count(1, 'problem'), count(2, 'problem'), fileName('a/b\\c.sear')],
+        ['1 problem', '2 problems', 'c.sear'])
 })
 
 /** Returns a slope that rises by 10 m per 100 m to the north, 100 m wide. */
 function slope() {
     globalThis.window = {Image: class { }}
-    return new Terrain({rows: 3, columns: 3, south: -50, north: 50, west: -50, east: 50, lowest: 0, highest: 10, altitude: 200,
+    return new Terrain({rows: 3, columns: 3, south: -50, north: 50, west: -50, east: 50, lowest: 0, highest: 10,
+        altitude: 200,
         heights: packed(0, 0, 0, 32768, 32768, 32768, 65535, 65535, 65535)}, () => {})
 }
 

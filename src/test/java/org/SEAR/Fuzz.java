@@ -20,7 +20,8 @@ public final class Fuzz {
 
     private static long seed() {
         long seed = Long.getLong("sear.fuzzSeed", HowMany.FULL ? System.nanoTime() : FIXED_SEED);
-        System.out.println("fuzz: " + BYTES + " bytes a device, " + FILES + " bundles, " + FILES + " models, -Dsear.fuzzSeed=" + seed);
+        System.out.println("fuzz: " + BYTES + " bytes a device, " + FILES + " bundles, " + FILES
+            + " models, -Dsear.fuzzSeed=" + seed);
         return seed;
     }
 }

@@ -63,7 +63,8 @@ public final class Golden {
     private String telegram(String words) {
         String telegram = telegrams.get(words);
         if (telegram == null) {
-            throw new AssertionError(device + ".txt has no \"" + words + "\", but " + new TreeSet<>(telegrams.keySet()));
+            throw new AssertionError(device + ".txt has no \"" + words + "\", but "
+                + new TreeSet<>(telegrams.keySet()));
         }
         return telegram;
     }

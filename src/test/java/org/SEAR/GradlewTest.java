@@ -46,9 +46,11 @@ public class GradlewTest {
         program("id", "echo 0");
         program("sleep", "echo slept $1 >>" + calls);
         program("gradle", "echo gradle \"$@\"");
-        program("apt-get", "echo apt-get \"$@\" >>" + calls, "[ $(grep -c ^apt-get " + calls + ") -gt " + failing + " ] && exit 0",
+        program("apt-get", "echo apt-get \"$@\" >>" + calls, "[ $(grep -c ^apt-get " + calls + ") -gt " + failing
+            + " ] && exit 0",
             "echo '" + message + "'", "exit 100");
-        ProcessBuilder builder = new ProcessBuilder("/bin/sh", Paths.get(System.getProperty("sear.root", ".")).resolve("gradlew").toString(), "help");
+        ProcessBuilder builder = new ProcessBuilder("/bin/sh", Paths.get(System.getProperty("sear.root", "."))
+            .resolve("gradlew").toString(), "help");
         builder.environment().put("PATH", tools.toString());
         builder.environment().remove("SEAR_INSTALL");
         for (int i = 0; i < variables.length; i += 2) {
@@ -66,20 +68,23 @@ public class GradlewTest {
         assertTrue(output, output.startsWith("0 ") && output.contains("gradle help"));
         String done = Files.readString(calls);
         assertEquals(done, 4, done.split("slept 5", -1).length);
-        assertTrue(done, done.contains("DPkg::Lock::Timeout=600 update") && done.contains("install -y --no-install-recommends default-jdk-headless"));
+        assertTrue(done, done.contains("DPkg::Lock::Timeout=600 update")
+            && done.contains("install -y --no-install-recommends default-jdk-headless"));
     }
 
     @Test
     public void anotherFailureEndsItWithTheMessageOfApt() throws Exception {
         String output = run(Integer.MAX_VALUE, "E: Temporary failure resolving");
-        assertTrue(output, output.startsWith("1 ") && output.contains("E: Temporary failure resolving") && output.contains("could not install"));
+        assertTrue(output, output.startsWith("1 ") && output.contains("E: Temporary failure resolving")
+            && output.contains("could not install"));
         assertTrue(output, !output.contains("gradle help"));
     }
 
     @Test
     public void itNamesWhatItInstallsAndInstallsNothingIfToldSo() throws Exception {
         String installed = run(0, "");
-        assertTrue(installed, installed.contains("installing with apt-get") && installed.contains("default-jdk-headless"));
+        assertTrue(installed, installed.contains("installing with apt-get")
+            && installed.contains("default-jdk-headless"));
         String refused = run(0, "", "SEAR_INSTALL", "no");
         assertTrue(refused, refused.startsWith("1 ") && refused.contains("default-jdk-headless"));
         assertEquals("", Files.readString(calls));

@@ -26,16 +26,19 @@ import org.junit.Test;
 /** Packages of the panels' JavaScript and the modules that each may import, like RoomsTest for Java packages. */
 public class ModulesTest {
     /** Each package with the packages that it may import besides itself. */
-    private static final Map<String, Set<String>> ROOMS = Map.of("shared", Set.of(), "world", Set.of("shared"), "scene", Set.of("world", "shared"),
+    private static final Map<String, Set<String>> ROOMS = Map.of("shared", Set.of(), "world", Set.of("shared"), "scene",
+        Set.of("world", "shared"),
         "build", Set.of("world", "shared"), "records", Set.of("shared"),
-        "run", Set.of("build", "records", "scene", "world", "shared"), "lidar", Set.of("shared"), "gps", Set.of("shared"));
+        "run", Set.of("build", "records", "scene", "world", "shared"), "lidar", Set.of("shared"), "gps",
+            Set.of("shared"));
     /** Package of third-party modules that the build adds, see {@code gradle/resources.gradle}. */
     private static final String LIBRARIES = "lib";
     private static final int MOST_FILES = 30;
     private static final int MOST_COLUMNS = 150;
     private static final Pattern IMPORT = Pattern.compile("(?m)^(?:import|export)\\b[^'\\n]*'([^']+)'$");
     private static final Pattern ANY_IMPORT = Pattern.compile("(?m)^import\\b|\\bimport\\(|^export\\b.*\\bfrom\\b");
-    private static final Path SERVICE = Paths.get(System.getProperty("sear.root", "."), "resources/resource/WebGui/app/service");
+    private static final Path SERVICE = Paths.get(System.getProperty("sear.root", "."),
+        "resources/resource/WebGui/app/service");
     private static final Path MODULES = SERVICE.resolve("js/sear");
 
     @Test
@@ -70,22 +73,26 @@ public class ModulesTest {
     @Test
     public void modulesShareOnlyTheirExports() throws IOException {
         for (Path file : imports().keySet()) {
-            assertFalse(file.toString(), Pattern.compile("window\\.\\w+(\\.\\w+)* = ").matcher(Files.readString(file)).find());
+            assertFalse(file.toString(), Pattern.compile("window\\.\\w+(\\.\\w+)* = ")
+                .matcher(Files.readString(file)).find());
         }
     }
 
     @Test
     public void aPackageHasThirtyFilesAtMost() throws IOException {
         imports().keySet().stream().collect(Collectors.groupingBy(ModulesTest::room, Collectors.counting()))
-            .forEach((room, count) -> assertTrue(room + " has " + count + " files, legal: " + MOST_FILES, count <= MOST_FILES));
+            .forEach((room, count) -> assertTrue(room + " has " + count + " files, legal: " + MOST_FILES,
+                count <= MOST_FILES));
     }
 
     @Test
     public void linesHaveAsManyColumnsAsInJava() throws IOException {
         List<String> wrong = new ArrayList<>();
         try (Stream<Path> files = Files.walk(SERVICE.resolve("js"))) {
-            for (Path file : files.filter(path -> path.toString().matches(".*\\.(js|css)")).collect(Collectors.toList())) {
-                Files.readAllLines(file).stream().filter(line -> line.length() > MOST_COLUMNS).forEach(line -> wrong.add(file + ": " + line.trim()));
+            for (Path file : files.filter(path -> path.toString().matches(".*\\.(js|css)"))
+                .collect(Collectors.toList())) {
+                Files.readAllLines(file).stream().filter(line -> line.length() > MOST_COLUMNS)
+                    .forEach(line -> wrong.add(file + ": " + line.trim()));
             }
         }
         assertEquals(Collections.emptyList(), wrong);
@@ -104,11 +111,13 @@ public class ModulesTest {
                     Path other = file.resolveSibling(matcher.group(1)).normalize();
                     if (room(other).equals(LIBRARIES)) {
                         String name = "/resource/WebGui/app/service/js/sear/lib/" + other.getFileName();
-                        assertNotNull(file + " imports " + name + ", which the build does not bring along", ModulesTest.class.getResource(name));
+                        assertNotNull(file + " imports " + name + ", which the build does not bring along",
+                            ModulesTest.class.getResource(name));
                         count--;
                         continue;
                     }
-                    assertTrue(file + " imports " + matcher.group(1) + ", which is not there", Files.isRegularFile(other));
+                    assertTrue(file + " imports " + matcher.group(1) + ", which is not there",
+                        Files.isRegularFile(other));
                     imported.add(other);
                 }
                 assertEquals("imports that this test does not read in " + file, count, imported.size());

@@ -25,11 +25,13 @@ import org.junit.Test;
 /** The classes that the developers' pages name exist. */
 public class NamesInPagesTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
-    private static final List<String> PAGES = Arrays.asList("CONTRIBUTING.md", "docs/architecture.md", "docs/panels.md", "docs/add-a-sensor.md",
+    private static final List<String> PAGES = Arrays.asList("CONTRIBUTING.md", "docs/architecture.md", "docs/panels.md",
+        "docs/add-a-sensor.md",
         "docs/physics.md");
     private static final Pattern CODE = Pattern.compile("(?s)```.*?```|`([^`]+)`");
     /** Optional packages, a class, optional members. */
-    private static final Pattern NAME = Pattern.compile("((?:[a-z]\\w*\\.)*)([A-Z]\\w*[a-z]\\w*)(?:\\.\\w+)*(?:\\(.*\\))?");
+    private static final Pattern NAME =
+        Pattern.compile("((?:[a-z]\\w*\\.)*)([A-Z]\\w*[a-z]\\w*)(?:\\.\\w+)*(?:\\(.*\\))?");
     private static final Pattern FILE = Pattern.compile(".*\\.(js|java|py|xml|html|css|sear)");
     private static final Pattern IMPORT = Pattern.compile("(?m)^import (?:static )?(?:\\w+\\.)*(\\w+);$");
     private static final Pattern DECLARED = Pattern.compile("\\b(?:class|interface|enum) (\\w+)");
@@ -43,7 +45,8 @@ public class NamesInPagesTest {
         Set<String> known = known(sources);
         int seen = 0;
         for (String page : PAGES) {
-            for (MatchResult code : CODE.matcher(Files.readString(ROOT.resolve(page))).results().collect(Collectors.toList())) {
+            for (MatchResult code : CODE.matcher(Files.readString(ROOT.resolve(page))).results()
+                .collect(Collectors.toList())) {
                 String said = code.group(1) == null ? "" : OBJECTS.matcher(code.group(1)).replaceFirst("");
                 Matcher name = NAME.matcher(said);
                 if (name.matches() && !FILE.matcher(said).matches()) {

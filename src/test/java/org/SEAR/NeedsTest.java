@@ -23,11 +23,13 @@ public class NeedsTest {
     private static final Pattern NEEDS = Pattern.compile("(?m)^@Needs\\(([^)]*)\\)");
     private static final Pattern PROPERTY = Pattern.compile("getProperty\\(\"sear\\.(\\w+(?:\\.built)?)\"");
     /** Each system property that {@code gradle/tests.gradle} sets, with the task that makes its file or folder. */
-    private static final Map<String, String> TASKS = new TreeMap<>(Map.of("zip", "distZip", "jmhClasspath", "jmhClasses", "classArchive",
+    private static final Map<String, String> TASKS =
+        new TreeMap<>(Map.of("zip", "distZip", "jmhClasspath", "jmhClasses", "classArchive",
         "classArchive", "home.built", "installDist"));
 
     static {
-        List.of("drivers", "johnnyFive", "rasterio", "pyproj", "opencv", "python3", "numpy1", "gymnasium", "sweep", "jupyter")
+        List.of("drivers", "johnnyFive", "rasterio", "pyproj", "opencv", "python3", "numpy1", "gymnasium",
+            "sweep", "jupyter")
             .forEach(fetched -> TASKS.put(fetched, fetched));
     }
 

@@ -6,7 +6,8 @@ import java.lang.management.ManagementFactory;
 
 /** CPU time of this process, seconds. Unlike the clock it hardly depends on other work on the machine. */
 public final class ProcessorTime {
-    private static final OperatingSystemMXBean SYSTEM = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+    private static final OperatingSystemMXBean SYSTEM =
+        (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
     private final long start = SYSTEM.getProcessCpuTime();
 
     public double seconds() {

@@ -30,31 +30,41 @@ import org.junit.Test;
 public class RoomsTest {
     /** Every package, top to bottom. */
     private static final List<String> ROOMS = Arrays.asList(
-        "org.myrobotlab.service", "org.myrobotlab.service.lidar", "org.myrobotlab.service.lidar.requests", "org.myrobotlab.service.gps",
+        "org.myrobotlab.service", "org.myrobotlab.service.lidar", "org.myrobotlab.service.lidar.requests",
+        "org.myrobotlab.service.gps",
         "org.myrobotlab.service.meta",
         "org.myrobotlab.service.config",
-        "org.myrobotlab.service.sear.panel", "org.myrobotlab.service.sear.records", "org.myrobotlab.service.sear.netcam",
+        "org.myrobotlab.service.sear.panel", "org.myrobotlab.service.sear.records",
+        "org.myrobotlab.service.sear.netcam",
         "org.myrobotlab.service.sear.python3",
         "org.myrobotlab.service.sear.readings", "org.myrobotlab.service.sear.files",
         "org.myrobotlab.service.sear.export", "org.myrobotlab.service.sear.run", "org.myrobotlab.service.sear.lockstep",
-        "org.myrobotlab.service.sear.tcp", "org.myrobotlab.service.sear", "org.myrobotlab.service.link", "org.myrobotlab.serial",
-        "org.SEAR.view", "org.SEAR.view.hud", "org.SEAR.view.input", "org.SEAR.view.scene", "org.SEAR.view.terrain", "org.SEAR.view.process",
+        "org.myrobotlab.service.sear.tcp", "org.myrobotlab.service.sear", "org.myrobotlab.service.link",
+        "org.myrobotlab.serial",
+        "org.SEAR.view", "org.SEAR.view.hud", "org.SEAR.view.input", "org.SEAR.view.scene", "org.SEAR.view.terrain",
+        "org.SEAR.view.process",
         "org.SEAR.view.link", "org.SEAR.view.platform",
         "org.SEAR.lessons", "org.SEAR.learning", "org.SEAR.plan", "org.SEAR.scene",
-        "org.SEAR.record", "org.SEAR.simulator", "org.SEAR.simulator.orders", "org.SEAR.robot", "org.SEAR.robot.wheel", "org.SEAR.robot.servo",
+        "org.SEAR.record", "org.SEAR.simulator", "org.SEAR.simulator.orders", "org.SEAR.robot", "org.SEAR.robot.wheel",
+        "org.SEAR.robot.servo",
         "org.SEAR.robot.surface",
         "org.SEAR.physics.start", "org.SEAR.physics", "org.SEAR.physics.joint", "org.SEAR.physics.solid",
-        "org.SEAR.devices.oi", "org.SEAR.devices.lms", "org.SEAR.devices.cola", "org.SEAR.devices.scip", "org.SEAR.devices.rplidar",
+        "org.SEAR.devices.oi", "org.SEAR.devices.lms", "org.SEAR.devices.cola", "org.SEAR.devices.scip",
+        "org.SEAR.devices.rplidar",
         "org.SEAR.devices.gps", "org.SEAR.devices.imu", "org.SEAR.devices.arduino", "org.SEAR.devices",
-        "org.SEAR.sensors", "org.SEAR.camera", "org.SEAR.camera.image", "org.SEAR.raycast", "org.SEAR.raycast.solid", "org.SEAR.raycast.tree",
+        "org.SEAR.sensors", "org.SEAR.camera", "org.SEAR.camera.image", "org.SEAR.raycast", "org.SEAR.raycast.solid",
+        "org.SEAR.raycast.tree",
         "org.SEAR.collision",
-        "org.SEAR.project.bundle", "org.SEAR.project.edit", "org.SEAR.project.script", "org.SEAR.project", "org.SEAR.project.wiring",
+        "org.SEAR.project.bundle", "org.SEAR.project.edit", "org.SEAR.project.script", "org.SEAR.project",
+        "org.SEAR.project.wiring",
         "org.SEAR.project.xml", "org.SEAR.project.models", "org.SEAR.project.models.format",
         "org.SEAR.project.problems",
         "org.SEAR.terrain", "org.SEAR.terrain.format", "org.SEAR.terrain.tiff", "org.SEAR.terrain.relief",
         "org.SEAR.plot", "org.SEAR.files",
-        "org.SEAR.parallel", "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.grammar", "org.SEAR.protocol.scip", "org.SEAR.protocol.rplidar",
-        "org.SEAR.protocol.lidar", "org.SEAR.protocol.lms", "org.SEAR.protocol.cola", "org.SEAR.protocol.nmea", "org.SEAR.protocol.ubx",
+        "org.SEAR.parallel", "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.grammar", "org.SEAR.protocol.scip",
+        "org.SEAR.protocol.rplidar",
+        "org.SEAR.protocol.lidar", "org.SEAR.protocol.lms", "org.SEAR.protocol.cola", "org.SEAR.protocol.nmea",
+        "org.SEAR.protocol.ubx",
         "org.SEAR.protocol.firmata", "org.SEAR.protocol.mrlcomm", "org.SEAR.protocol.arduino",
         "org.SEAR.protocol");
     private static final List<String> CORE = ROOMS.subList(ROOMS.indexOf("org.SEAR.simulator"), ROOMS.size());
@@ -94,7 +104,8 @@ public class RoomsTest {
         List<String> wrong = new ArrayList<>();
         for (Path file : sources()) {
             if (CORE.contains(packageOf(file)) && THREADS.stream().noneMatch(file::endsWith)) {
-                lines(file).filter(line -> forbidden.matcher(line).find() && !line.contains("com.jme3.system.JmeSystem"))
+                lines(file).filter(line -> forbidden.matcher(line).find()
+                    && !line.contains("com.jme3.system.JmeSystem"))
                     .forEach(line -> wrong.add(file + ": " + line.trim()));
             }
         }
@@ -105,7 +116,8 @@ public class RoomsTest {
     public void protocolsKnowNothingButTheJdk() throws IOException {
         for (Path file : sources()) {
             if (packageOf(file).startsWith("org.SEAR.protocol")) {
-                assertTrue(file.toString(), namesIn(file).stream().allMatch(name -> name.startsWith("org.SEAR.protocol")));
+                assertTrue(file.toString(), namesIn(file).stream()
+                    .allMatch(name -> name.startsWith("org.SEAR.protocol")));
             }
         }
     }
@@ -130,7 +142,8 @@ public class RoomsTest {
     public void onlyPhysicsKnowsJbullet() throws IOException {
         for (Path file : sources()) {
             if (CORE.contains(packageOf(file)) && !packageOf(file).startsWith("org.SEAR.physics")) {
-                assertTrue(file.toString(), namesIn(file).stream().noneMatch(name -> name.startsWith("com.bulletphysics")));
+                assertTrue(file.toString(), namesIn(file).stream()
+                    .noneMatch(name -> name.startsWith("com.bulletphysics")));
             }
         }
     }
@@ -143,7 +156,8 @@ public class RoomsTest {
             Map<String, Set<String>> reachable = new TreeMap<>();
             room.getValue().forEach((file, used) -> reachable.put(file, reachable(file, room.getValue())));
             for (String file : reachable.keySet()) {
-                List<String> knot = reachable.get(file).stream().filter(other -> reachable.get(other).contains(file)).collect(Collectors.toList());
+                List<String> knot = reachable.get(file).stream().filter(other -> reachable.get(other).contains(file))
+                    .collect(Collectors.toList());
                 if (knot.size() > most) {
                     wrong.add(room.getKey() + ": " + knot);
                 }
@@ -177,7 +191,8 @@ public class RoomsTest {
     private static Map<String, Map<String, Set<String>>> uses() throws IOException {
         Map<String, Map<String, Set<String>>> rooms = new TreeMap<>();
         for (Path file : sources()) {
-            rooms.computeIfAbsent(packageOf(file), name -> new TreeMap<>()).put(file.getFileName().toString().replace(".java", ""), new TreeSet<>());
+            rooms.computeIfAbsent(packageOf(file), name -> new TreeMap<>())
+                .put(file.getFileName().toString().replace(".java", ""), new TreeSet<>());
         }
         for (Path file : sources()) {
             Map<String, Set<String>> room = rooms.get(packageOf(file));
@@ -208,7 +223,8 @@ public class RoomsTest {
 
     /** Returns the listed package that contains a class or member, or an empty text. */
     private static String room(String name) {
-        return ROOMS.stream().filter(room -> name.equals(room) || name.startsWith(room + ".")).max(Comparator.comparingInt(String::length))
+        return ROOMS.stream().filter(room -> name.equals(room) || name.startsWith(room + "."))
+            .max(Comparator.comparingInt(String::length))
             .orElse("");
     }
 

@@ -34,15 +34,18 @@ public final class SearProcess {
 
     /** Returns the command line for another main class; its name is the first argument to add. */
     public static List<String> java(String moreClasses, String[] options) {
-        List<String> command = new ArrayList<>(List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-XX:+UseSerialGC",
+        List<String> command = new ArrayList<>(
+            List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-XX:+UseSerialGC",
             "-XX:TieredStopAtLevel=1"));
         String archive = System.getProperty("sear.classArchive");
         if (archive != null) {
-            command.addAll(List.of("-XX:+UnlockDiagnosticVMOptions", "-XX:ArchiveRelocationMode=0", "-XX:SharedArchiveFile=" + archive));
+            command.addAll(List.of("-XX:+UnlockDiagnosticVMOptions", "-XX:ArchiveRelocationMode=0",
+                "-XX:SharedArchiveFile=" + archive));
         }
         command.addAll(Arrays.asList(options));
         String classPath = System.getProperty(archive != null ? "sear.cliJars" : "sear.cliClasspath");
-        command.addAll(List.of("-cp", moreClasses.isEmpty() ? classPath : classPath + File.pathSeparator + moreClasses));
+        command.addAll(List.of("-cp", moreClasses.isEmpty() ? classPath : classPath + File.pathSeparator
+            + moreClasses));
         return command;
     }
 }

@@ -38,10 +38,12 @@ public class SizesTest {
         List<String> list = List.of("# comment", "", "lines 410 a.A one parser");
         assertEquals(List.of(), complaints(sizes("lines a.A", 405, "lines a.B", 400), list));
         assertEquals(List.of("lines a.A: 411, legal: at most 410"), complaints(sizes("lines a.A", 411), list));
-        assertEquals(List.of("lines a.A: 410, legal: at most 400, or 410 by config/sizes.txt"), complaints(sizes("lines a.A", 410), List.of()));
+        assertEquals(List.of("lines a.A: 410, legal: at most 400, or 410 by config/sizes.txt"),
+            complaints(sizes("lines a.A", 410), List.of()));
         assertEquals(List.of("lines a.A: remove it from config/sizes.txt"), complaints(sizes("lines a.A", 400), list));
         assertEquals(List.of("lines a.A: remove it from config/sizes.txt"), complaints(Map.of(), list));
-        assertEquals(List.of("lines a.A: state the reason in config/sizes.txt"), complaints(sizes("lines a.A", 410), List.of("lines 410 a.A")));
+        assertEquals(List.of("lines a.A: state the reason in config/sizes.txt"),
+            complaints(sizes("lines a.A", 410), List.of("lines 410 a.A")));
     }
 
     private static Map<String, Integer> sizes(Object... pairs) {
@@ -109,15 +111,18 @@ public class SizesTest {
     private static void measure(String name, Map<String, Integer> sizes) {
         try {
             Class<?> type = Class.forName(name, false, SizesTest.class.getClassLoader());
-            sizes.put("fields " + name, (int) Arrays.stream(type.getDeclaredFields()).filter(SizesTest::isState).count());
-            sizes.put("methods " + name, (int) Arrays.stream(type.getDeclaredMethods()).filter(method -> !method.isSynthetic()).count());
+            sizes.put("fields " + name, (int) Arrays.stream(type.getDeclaredFields())
+                .filter(SizesTest::isState).count());
+            sizes.put("methods " + name, (int) Arrays.stream(type.getDeclaredMethods())
+                .filter(method -> !method.isSynthetic()).count());
         } catch (ClassNotFoundException e) {
             throw new AssertionError(name, e);
         }
     }
 
     private static boolean isState(Field field) {
-        return !field.isSynthetic() && !(Modifier.isStatic(field.getModifiers()) && Modifier.isFinal(field.getModifiers()));
+        return !field.isSynthetic() && !(Modifier.isStatic(field.getModifiers())
+            && Modifier.isFinal(field.getModifiers()));
     }
 
     private static List<Path> files(Path root, String end) throws IOException {

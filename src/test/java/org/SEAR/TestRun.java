@@ -13,8 +13,8 @@ import org.junit.runner.notification.Failure;
 import org.junit.runner.notification.RunListener;
 
 /**
- * Runs test classes in this JVM with the summary of {@code ./gradlew check}, for Javas that Gradle's own runner does not
- * support.
+ * Runs test classes in this JVM with the summary of {@code ./gradlew check}, for Javas that Gradle's own runner does
+ * not support.
  */
 public final class TestRun {
     private TestRun() {
@@ -50,7 +50,8 @@ public final class TestRun {
     static String summary(Result result) {
         int failed = result.getFailureCount();
         int skipped = result.getIgnoreCount() + result.getAssumptionFailureCount();
-        return Math.max(0, result.getRunCount() - failed - result.getAssumptionFailureCount()) + " passed, " + failed + " failed, " + skipped
+        return Math.max(0, result.getRunCount() - failed - result.getAssumptionFailureCount()) + " passed, " + failed
+            + " failed, " + skipped
             + " skipped";
     }
 }

@@ -24,7 +24,8 @@ public final class OtherJar {
      * @param types names of classes of this package, such as {@code ThermometerSensor$Type}
      */
     public static void at(Path folder, String... types) throws IOException {
-        Path registry = Files.createDirectories(folder.resolve("META-INF/services")).resolve("org.SEAR.sensors.SensorType");
+        Path registry = Files.createDirectories(folder.resolve("META-INF/services"))
+            .resolve("org.SEAR.sensors.SensorType");
         StringBuilder lines = new StringBuilder();
         for (String type : types) {
             lines.append("org.example.").append(type).append('\n');

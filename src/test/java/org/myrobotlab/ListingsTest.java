@@ -50,7 +50,8 @@ public class ListingsTest {
     private static String printed(int... numbers) throws IOException {
         StringBuilder all = new StringBuilder();
         for (int number : numbers) {
-            try (InputStream in = ListingsTest.class.getResourceAsStream(String.format("/org/SEAR/dissertation/listing%02d.txt", number))) {
+            try (InputStream in = ListingsTest.class.getResourceAsStream(
+                String.format("/org/SEAR/dissertation/listing%02d.txt", number))) {
                 all.append(new String(in.readAllBytes(), StandardCharsets.UTF_8)).append('\n');
             }
         }
@@ -62,7 +63,8 @@ public class ListingsTest {
         int[][] length = new int[one.size() + 1][other.size() + 1];
         for (int i = one.size() - 1; i >= 0; i--) {
             for (int k = other.size() - 1; k >= 0; k--) {
-                length[i][k] = one.get(i).code.equals(other.get(k).code) ? length[i + 1][k + 1] + 1 : Math.max(length[i + 1][k], length[i][k + 1]);
+                length[i][k] = one.get(i).code.equals(other.get(k).code) ? length[i + 1][k + 1] + 1
+                    : Math.max(length[i + 1][k], length[i][k + 1]);
             }
         }
         return length;
@@ -121,9 +123,11 @@ public class ListingsTest {
     @Test
     public void unexplainedDifferencesAreFound() {
         List<Line> print = code("a = 1\nb = 2\nc = 3\n");
-        assertEquals("[]", faults(print, code("a = 1  # comment\nb = 4  # SEAR: printed 2\nc = 3\nd()  # SEAR: added\n")).toString());
+        assertEquals("[]", faults(print,
+            code("a = 1  # comment\nb = 4  # SEAR: printed 2\nc = 3\nd()  # SEAR: added\n")).toString());
         assertEquals(2, faults(print, code("a = 1\nb = 4\nc = 3\n")).size());
         assertTrue(faults(print, code("a = 1\nb = 2\n")).toString().contains("printed, but left out: c = 3"));
-        assertTrue(faults(print, code("a = 1  # SEAR: changed\nb = 2\nc = 3\n")).toString().contains("as printed, but named"));
+        assertTrue(faults(print, code("a = 1  # SEAR: changed\nb = 2\nc = 3\n")).toString()
+            .contains("as printed, but named"));
     }
 }

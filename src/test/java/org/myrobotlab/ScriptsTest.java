@@ -84,7 +84,8 @@ public class ScriptsTest {
             String name = String.format(LISTING, one);
             String text = Files.readString(ROOT.resolve("scripts").resolve(name));
             Files.writeString(folder.resolve(name),
-                text.replace("from time import sleep", SLEEP).replaceAll("roomba\\.sleep\\( ?(\\d+) ?\\)", "sleep($1 / 1000.0)"));
+                text.replace("from time import sleep", SLEEP)
+                    .replaceAll("roomba\\.sleep\\( ?(\\d+) ?\\)", "sleep($1 / 1000.0)"));
         }
         return run(folder.resolve(String.format(LISTING, number)).toString());
     }
@@ -107,7 +108,8 @@ public class ScriptsTest {
     public void theListingsDoAsTheDissertationDescribes() throws Exception {
         temporary.newFile("nothing");
         assertTrue(listing(1).contains("Done creating Environment"));
-        assertTrue(exists("environment/Box1_name.xml") && exists("environment/trash Can.xml") && exists("environment/Tree1_name.xml"));
+        assertTrue(exists("environment/Box1_name.xml") && exists("environment/trash Can.xml")
+            && exists("environment/Tree1_name.xml"));
         listing(2);
         assertTrue(exists("robot/robotDynamics1.xml") && exists("robot/myRoomba.xml"));
         String drive = listing(3);
@@ -116,10 +118,12 @@ public class ScriptsTest {
         listing(4);
         String scans = listing(5);
         assertEquals(3, count(scans, "received 101 readings"));
-        assertEquals("the trunk of the tree, 3 m from the robot's middle", 2650, number(scans, "the nearest at (\\d+)"), 30);
+        assertEquals("the trunk of the tree, 3 m from the robot's middle", 2650,
+            number(scans, "the nearest at (\\d+)"), 30);
         String points = listing(6);
         assertEquals(2, count(points, "received 101readings:"));
-        assertTrue("the trunk is dead ahead:\n" + points, Pattern.compile("(?m)^-?0\\.0\\d+\t26[0-9]{2}\\.").matcher(points).find());
+        assertTrue("the trunk is dead ahead:\n" + points, Pattern.compile("(?m)^-?0\\.0\\d+\t26[0-9]{2}\\.")
+            .matcher(points).find());
         listing(7);
         String positions = listing(8);
         assertTrue(positions, count(positions, "Lat: 3336.6") >= 4);
@@ -156,7 +160,8 @@ public class ScriptsTest {
         assertEquals(130, number(answers, "Sonar 1: (\\d+) cm"), 2);
         assertEquals(130, number(answers, "Sonar 2: (\\d+) cm"), 2);
         assertTrue(answers, answers.contains("Acceleration x, y, z: 0.0, 0.0, 0.0 m/s^2"));
-        assertTrue("nothing turns, so the gyroscope says 0:\n" + answers, answers.contains("Rotation x, y, z: 0, 0, 0 degrees/s"));
+        assertTrue("nothing turns, so the gyroscope says 0:\n" + answers,
+            answers.contains("Rotation x, y, z: 0, 0, 0 degrees/s"));
         assertEquals(270, number(answers, "Heading: (-?[0-9.]+) degrees"), 0.5);
     }
 
@@ -168,11 +173,13 @@ public class ScriptsTest {
         Files.writeString(script.toPath(), String.join("\n", "sear = Runtime.start('sear', 'SEAR')",
             "for run in range(2):", "    kept = sear.newProject()",
             "    sear.copyTemplate('arduino.py', 'SEARproject')", "    python.execFile('SEARproject/arduino.py')",
-            "    x, y, z = sear.getPose('rover')[:3]", "    print 'in the room:', abs(x) < 1.9 and abs(z) < 1.9", "    sear.stopSimulation()", ""));
+            "    x, y, z = sear.getPose('rover')[:3]", "    print 'in the room:', abs(x) < 1.9 and abs(z) < 1.9",
+                "    sear.stopSimulation()", ""));
         String text = run(script.toString());
         double turns = number(text, "(\\d+) turns in 30 s");
         assertTrue(text, turns >= 3);
-        assertEquals("the same again in one session", 2, count(text, Math.round(turns) + " turns in 30 s\nin the room: True\n"));
+        assertEquals("the same again in one session", 2,
+            count(text, Math.round(turns) + " turns in 30 s\nin the room: True\n"));
     }
 
     @Test

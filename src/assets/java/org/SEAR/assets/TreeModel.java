@@ -12,9 +12,12 @@ import java.util.Locale;
 final class TreeModel {
     private static final int SIDES = 12;
     private static final int RINGS = 10;
-    private static final double[][] BRANCHES = {{0, 0, 0, 0.05, 2.6, 0.02, 0.16, 0.07}, {0, 1.5, 0, 0.75, 2.4, 0.25, 0.06, 0.03},
-        {0, 1.7, 0, -0.6, 2.6, 0.4, 0.06, 0.03}, {0, 1.6, 0, -0.2, 2.5, -0.75, 0.06, 0.03}, {0.02, 2.2, 0.01, 0.2, 3.2, 0.1, 0.06, 0.02}};
-    private static final double[][] BALLS = {{0.05, 3.1, 0.05, 0.85}, {0.8, 2.6, 0.3, 0.62}, {-0.65, 2.75, 0.45, 0.6}, {-0.25, 2.65, -0.8, 0.62},
+    private static final double[][] BRANCHES =
+        {{0, 0, 0, 0.05, 2.6, 0.02, 0.16, 0.07}, {0, 1.5, 0, 0.75, 2.4, 0.25, 0.06, 0.03},
+        {0, 1.7, 0, -0.6, 2.6, 0.4, 0.06, 0.03}, {0, 1.6, 0, -0.2, 2.5, -0.75, 0.06, 0.03},
+            {0.02, 2.2, 0.01, 0.2, 3.2, 0.1, 0.06, 0.02}};
+    private static final double[][] BALLS = {{0.05, 3.1, 0.05, 0.85}, {0.8, 2.6, 0.3, 0.62}, {-0.65, 2.75, 0.45, 0.6},
+        {-0.25, 2.65, -0.8, 0.62},
         {0.5, 2.9, -0.5, 0.6}, {0.1, 2.5, 0.75, 0.55}, {-0.6, 2.5, -0.2, 0.55}};
 
     private final List<double[]> vertices = new ArrayList<>();
@@ -42,7 +45,8 @@ final class TreeModel {
     }
 
     private static String material(String name, String picture) {
-        return "material " + name + "\n{\n  technique\n  {\n    pass\n    {\n      ambient 1 1 1 1\n      diffuse 1 1 1 1\n      specular 0 0 0 1 0\n"
+        return "material " + name + "\n{\n  technique\n  {\n    pass\n    {\n      ambient 1 1 1 1\n      diffuse 1 1 "
+            + "1 1\n      specular 0 0 0 1 0\n"
             + "      texture_unit\n      {\n        texture " + picture + "\n      }\n    }\n  }\n}\n";
     }
 
@@ -60,7 +64,8 @@ final class TreeModel {
                 double x = Math.cos(angle);
                 double z = Math.sin(angle);
                 double radius = b[6 + end];
-                vertex(b[3 * end] + radius * x, b[3 * end + 1], b[3 * end + 2] + radius * z, x, 0.1, z, 2.0 * i / SIDES, end * 2);
+                vertex(b[3 * end] + radius * x, b[3 * end + 1], b[3 * end + 2] + radius * z, x, 0.1, z,
+                    2.0 * i / SIDES, end * 2);
             }
         }
         vertex(b[3], b[4] + b[7], b[5], 0, 1, 0, 0.5, 2.2);
@@ -84,7 +89,8 @@ final class TreeModel {
                 double z = Math.cos(up) * Math.sin(angle);
                 boolean pole = ring == 0 || ring == RINGS;
                 double radius = c[3] * (0.88 + 0.24 * Noise.at(pole ? 0 : i % SIDES, ring, 40 + seed));
-                vertex(c[0] + radius * x, c[1] + radius * y, c[2] + radius * z, x, y, z, 3.0 * i / SIDES, 1.5 * ring / RINGS);
+                vertex(c[0] + radius * x, c[1] + radius * y, c[2] + radius * z, x, y, z, 3.0 * i / SIDES,
+                    1.5 * ring / RINGS);
             }
         }
         int row = SIDES + 1;
@@ -103,17 +109,21 @@ final class TreeModel {
 
     private void submesh(StringBuilder out, String material) {
         out.append("    <submesh material=\"").append(material)
-            .append("\" usesharedvertices=\"false\" use32bitindexes=\"false\" operationtype=\"triangle_list\">\n      <faces count=\"")
+            .append("\" usesharedvertices=\"false\" use32bitindexes=\"false\" operationtype=\"triangle_list\">\n      "
+                + "<faces count=\"")
             .append(faces.size()).append("\">\n");
         for (int[] f : faces) {
-            out.append(String.format(Locale.ROOT, "        <face v1=\"%d\" v2=\"%d\" v3=\"%d\"/>%n", f[0], f[1], f[2]).replace("\r", ""));
+            out.append(String.format(Locale.ROOT, "        <face v1=\"%d\" v2=\"%d\" v3=\"%d\"/>%n", f[0], f[1], f[2])
+                .replace("\r", ""));
         }
         out.append("      </faces>\n      <geometry vertexcount=\"").append(vertices.size())
-            .append("\">\n        <vertexbuffer positions=\"true\" normals=\"true\" texture_coords=\"1\" texture_coord_dimensions_0=\"2\">\n");
+            .append("\">\n        <vertexbuffer positions=\"true\" normals=\"true\" texture_coords=\"1\" "
+                + "texture_coord_dimensions_0=\"2\">\n");
         for (double[] v : vertices) {
             out.append(String.format(Locale.ROOT, "          <vertex><position x=\"%.5f\" y=\"%.5f\" z=\"%.5f\"/>"
                 + "<normal x=\"%.4f\" y=\"%.4f\" z=\"%.4f\"/>"
-                + "<texcoord u=\"%.4f\" v=\"%.4f\"/></vertex>", v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7])).append('\n');
+                + "<texcoord u=\"%.4f\" v=\"%.4f\"/></vertex>", v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]))
+                .append('\n');
         }
         out.append("        </vertexbuffer>\n      </geometry>\n    </submesh>\n");
     }

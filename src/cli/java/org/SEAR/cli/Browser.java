@@ -22,7 +22,8 @@ final class Browser {
         List<String> command = command(address);
         if (!command.isEmpty()) {
             try {
-                new ProcessBuilder(command).redirectOutput(ProcessBuilder.Redirect.DISCARD).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+                new ProcessBuilder(command).redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                    .redirectError(ProcessBuilder.Redirect.DISCARD).start();
             } catch (IOException e) {
                 LOG.debug("no browser opens {}", address, e);
             }

@@ -14,7 +14,8 @@ import picocli.CommandLine.Spec;
 
 /** {@code sear modem-lines -- python3 my.py}: runs a program that sets DTR or RTS, which a pseudo-terminal lacks. */
 @Command(name = "modem-lines", mixinStandardHelpOptions = true,
-    description = "Runs a program with modem lines (DTR, RTS, CTS, DSR, CD) on pseudo-terminals. Drivers that switch something by DTR, such as "
+    description = "Runs a program with modem lines (DTR, RTS, CTS, DSR, CD) on pseudo-terminals. Drivers that switch "
+    + "something by DTR, such as "
         + "the RPLIDAR's, fail without them. Setting a line has no effect. Linux only; needs a C compiler (cc).",
     footer = "Exit status: the program's.")
 final class ModemLinesCommand implements Callable<Integer> {

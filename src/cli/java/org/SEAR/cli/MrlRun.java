@@ -92,7 +92,8 @@ final class MrlRun {
     private void watch(Python python, double until) {
         try {
             while (!shutdown.await(WATCH_MILLIS, TimeUnit.MILLISECONDS)) {
-                timeIsUp |= Runtime.getServices().stream().anyMatch(one -> one instanceof SEAR && isPast((SEAR) one, until));
+                timeIsUp |= Runtime.getServices().stream()
+                    .anyMatch(one -> one instanceof SEAR && isPast((SEAR) one, until));
                 if (timeIsUp) {
                     python.stop();
                 }
@@ -117,7 +118,8 @@ final class MrlRun {
      * @param until simulated seconds after which the script is stopped
      * @return the exit status
      */
-    int script(Path script, List<String> arguments, boolean keep, double until) throws IOException, InterruptedException {
+    int script(Path script, List<String> arguments, boolean keep, double until)
+        throws IOException, InterruptedException {
         Python python = start();
         PythonEngine engine = PythonEngine.of(PYTHON);
         if (python == null || engine == null) {

@@ -12,7 +12,8 @@ final class ParentProcess {
     static void watch() {
         Long parent = Long.getLong(PROPERTY);
         if (parent != null) {
-            ProcessHandle.of(parent).ifPresentOrElse(one -> one.onExit().thenRun(() -> System.exit(1)), () -> System.exit(1));
+            ProcessHandle.of(parent).ifPresentOrElse(one -> one.onExit().thenRun(() -> System.exit(1)),
+                () -> System.exit(1));
         }
     }
 }

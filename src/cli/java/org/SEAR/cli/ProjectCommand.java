@@ -26,7 +26,8 @@ abstract class ProjectCommand implements Callable<Integer> {
     private static final String PROJECT = "SEARproject";
 
     @Parameters(paramLabel = "FOLDER_OR_FILE.sear", arity = "0..1", defaultValue = PROJECT,
-        description = "A SEARproject folder, its parent folder, or a bundle; examples are found from any folder. Default: ${DEFAULT-VALUE}.")
+        description = "A SEARproject folder, its parent folder, or a bundle; examples are found from any folder. "
+            + "Default: ${DEFAULT-VALUE}.")
     private Path path;
     @Spec
     private CommandSpec spec;

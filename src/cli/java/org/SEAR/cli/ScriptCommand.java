@@ -11,7 +11,8 @@ import picocli.CommandLine.Command;
 
 /** {@code sear script FOLDER_OR_FILE.sear}: the Python script that makes a project. */
 @Command(name = "script", mixinStandardHelpOptions = true,
-    description = "Prints a Python script that creates a project's objects; with the same assets it creates the same files.",
+    description = "Prints a Python script that creates a project's objects; with the same assets it creates "
+    + "the same files.",
     footer = "Exit status: 0, or 2 after printing the project's problems.")
 final class ScriptCommand extends ProjectCommand {
     @Override

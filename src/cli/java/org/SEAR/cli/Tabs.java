@@ -41,14 +41,17 @@ final class Tabs {
             return null;
         }
         Token token = Token.current();
-        String address = Address.current().url(port) + "/" + (token.isAskedFor() && !isKnown ? "?token=" + token.text() : "");
-        err.println((port == wanted ? "" : "Port " + wanted + " is in use by another program. ") + "Open this in a browser:");
+        String address = Address.current().url(port) + "/"
+            + (token.isAskedFor() && !isKnown ? "?token=" + token.text() : "");
+        err.println((port == wanted ? "" : "Port " + wanted + " is in use by another program. ")
+            + "Open this in a browser:");
         err.println(address);
         if (token.isAskedFor() && !isKnown) {
             keep(token, port, err);
         }
         if (!Address.current().isLoopback()) {
-            err.println("Other computers can reach this address. The connection is not encrypted: see docs/classroom.md.");
+            err.println("Other computers can reach this address. The connection is not encrypted: see "
+                + "docs/classroom.md.");
         }
         err.flush();
         return address;

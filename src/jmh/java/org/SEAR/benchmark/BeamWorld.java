@@ -67,14 +67,17 @@ public final class BeamWorld {
         boxes = new double[number + 4][];
         for (int wall = 0; wall < 4; wall++) {
             double at = (wall % 2 == 0 ? 1 : -1) * (side + WALL) / 2;
-            boxes[wall] = wall < 2 ? new double[] {side / 2, WALL_HEIGHT / 2, WALL / 2, 0, WALL_HEIGHT / 2, at, 0, 0, 0, 1}
+            boxes[wall] = wall < 2 ? new double[] {side / 2, WALL_HEIGHT / 2, WALL / 2, 0, WALL_HEIGHT / 2,
+                at, 0, 0, 0, 1}
                 : new double[] {WALL / 2, WALL_HEIGHT / 2, side / 2, at, WALL_HEIGHT / 2, 0, 0, 0, 0, 1};
         }
         for (int i = 4; i < boxes.length; i++) {
             double half = side / 2 - 0.5;
-            Pose turned = Pose.ofDegrees(between(-half, half), BEAM_HEIGHT, between(-half, half), between(-180, 180), between(-180, 180),
+            Pose turned = Pose.ofDegrees(between(-half, half), BEAM_HEIGHT, between(-half, half), between(-180, 180),
+                between(-180, 180),
                 between(-180, 180));
-            boxes[i] = new double[] {between(0.125, 0.5), between(0.125, 0.5), between(0.125, 0.5), turned.x, turned.y, turned.z, turned.qx,
+            boxes[i] = new double[] {between(0.125, 0.5), between(0.125, 0.5), between(0.125, 0.5), turned.x, turned.y,
+                turned.z, turned.qx,
                 turned.qy, turned.qz, turned.qw};
         }
     }

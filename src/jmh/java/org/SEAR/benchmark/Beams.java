@@ -27,7 +27,8 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 300, timeUnit = TimeUnit.MILLISECONDS)
 @Fork(1)
 public class Beams {
-    @Param({"room-20", "room-100", "room-1000", "hall-10", "hall-100", "hall-1000", "hall-10000", "hills-1000", "hills-10000", "hills-110000",
+    @Param({"room-20", "room-100", "room-1000", "hall-10", "hall-100", "hall-1000", "hall-10000", "hills-1000",
+        "hills-10000", "hills-110000",
         "hills-1000000"})
     public String world;
 
@@ -57,7 +58,8 @@ public class Beams {
     @OperationsPerInvocation(BeamWorld.BEAMS)
     public double[] fan() {
         advance();
-        scene.castFan(pose, BeamWorld.startAngle(), BeamWorld.stepAngle(), BeamWorld.BEAMS, BeamWorld.RANGE, BeamScene.WORLD, ranges, null);
+        scene.castFan(pose, BeamWorld.startAngle(), BeamWorld.stepAngle(), BeamWorld.BEAMS, BeamWorld.RANGE,
+            BeamScene.WORLD, ranges, null);
         return ranges;
     }
 
@@ -67,7 +69,8 @@ public class Beams {
     public double[] single() {
         int at = advance();
         for (int i = 0; i < BeamWorld.BEAMS; i++) {
-            ranges[i] = scene.cast(pose.x, pose.y, pose.z, directions[at], directions[at + 1], directions[at + 2], BeamWorld.RANGE,
+            ranges[i] = scene.cast(pose.x, pose.y, pose.z, directions[at], directions[at + 1], directions[at + 2],
+                BeamWorld.RANGE,
                 BeamScene.WORLD, null);
             at += 3;
         }

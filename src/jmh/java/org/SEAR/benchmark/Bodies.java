@@ -25,8 +25,10 @@ public final class Bodies {
     public static void main(String[] args) throws IOException {
         try (RestWorld world = new RestWorld(args[0])) {
             Files.writeString(Paths.get(args[1]), String.format(Locale.ROOT,
-                "{\"name\": \"%s\", \"side\": %s, \"mass\": %s, \"friction\": %s, \"seconds\": %s, \"watch\": %s, \"boxes\": %s}%n", args[0],
-                world.side, RestWorld.MASS, RestWorld.FRICTION, world.seconds, RestWorld.WATCH, Arrays.deepToString(world.posed())));
+                "{\"name\": \"%s\", \"side\": %s, \"mass\": %s, \"friction\": %s, \"seconds\": %s, \"watch\": %s, "
+                + "\"boxes\": %s}%n", args[0],
+                world.side, RestWorld.MASS, RestWorld.FRICTION, world.seconds, RestWorld.WATCH,
+                    Arrays.deepToString(world.posed())));
             if (args.length > 2) {
                 measure(world, Paths.get(args[2]));
             }
@@ -50,7 +52,8 @@ public final class Bodies {
             took += seconds() - from;
             all += took;
         }
-        Files.writeString(into, String.format(Locale.ROOT, "{\"cpu\": %s, \"before\": %s, \"after\": %s}%n", took, Arrays.deepToString(before),
+        Files.writeString(into, String.format(Locale.ROOT, "{\"cpu\": %s, \"before\": %s, \"after\": %s}%n", took,
+            Arrays.deepToString(before),
             Arrays.deepToString(world.poses())));
     }
 

@@ -70,7 +70,8 @@ public final class Cameras {
                 count++;
             }
         }
-        return String.format(Locale.ROOT, "%d %.6f %.6f %08x", count, cpu() - began, (System.nanoTime() - from) * 1e-9, hash);
+        return String.format(Locale.ROOT, "%d %.6f %.6f %08x", count, cpu() - began,
+            (System.nanoTime() - from) * 1e-9, hash);
     }
 
     private static double cpu() {

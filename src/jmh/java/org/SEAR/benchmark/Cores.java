@@ -47,7 +47,8 @@ public final class Cores {
         cores.lidars(false);
         cores.lidars(true);
         cores.fleets(Arrays.copyOfRange(args, 3, args.length));
-        Files.write(Paths.get(args[0]), ("[" + String.join(",\n ", cores.found) + "]\n").getBytes(StandardCharsets.UTF_8));
+        Files.write(Paths.get(args[0]), ("[" + String.join(",\n ", cores.found) + "]\n")
+            .getBytes(StandardCharsets.UTF_8));
     }
 
     private static double median(double... values) {
@@ -79,7 +80,8 @@ public final class Cores {
                 }
             }
             double best = Arrays.stream(ratios).max().orElse(0);
-            found.add(String.format(Locale.ROOT, "{\"lidars\": %d, \"noise\": %b, \"one\": %.6g, \"two\": %.6g, \"ratio\": %.6g, \"best\": %.6g}",
+            found.add(String.format(Locale.ROOT, "{\"lidars\": %d, \"noise\": %b, \"one\": %.6g, \"two\": %.6g, "
+                + "\"ratio\": %.6g, \"best\": %.6g}",
                 LIDARS, noise, median(micros[0]), median(micros[1]), median(ratios), best));
         }
     }
@@ -91,7 +93,8 @@ public final class Cores {
         double[][][] micros = new double[names.length][3][rounds];
         for (int i = 0; i < names.length; i++) {
             robots[i] = Integer.parseInt(names[i].substring(0, names[i].indexOf('x')));
-            worlds.add(new FleetWorld(robots[i], Integer.parseInt(names[i].substring(names[i].indexOf('x') + 1)), false));
+            worlds.add(new FleetWorld(robots[i],
+                Integer.parseInt(names[i].substring(names[i].indexOf('x') + 1)), false));
         }
         for (int round = -rounds; round < rounds; round++) {
             for (int i = 0; i < names.length; i++) {
@@ -106,13 +109,15 @@ public final class Cores {
                     int slot = Math.max(0, round);
                     micros[i][threads][slot] = (System.nanoTime() - wall) / MICRO / steps;
                     if (threads == 1) {
-                        micros[i][0][slot] = (ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - cpu) / MICRO / steps;
+                        micros[i][0][slot] = (ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - cpu)
+                            / MICRO / steps;
                     }
                 }
             }
         }
         for (int i = 0; i < names.length; i++) {
-            found.add(String.format(Locale.ROOT, "{\"fleet\": \"%s\", \"robots\": %d, \"cpu\": %.6g, \"one\": %.6g, \"two\": %.6g}", names[i],
+            found.add(String.format(Locale.ROOT, "{\"fleet\": \"%s\", \"robots\": %d, \"cpu\": %.6g, \"one\": %.6g, "
+                + "\"two\": %.6g}", names[i],
                 robots[i], median(micros[i][0]), median(micros[i][1]), median(micros[i][2])));
             worlds.get(i).close();
         }
@@ -144,7 +149,8 @@ public final class Cores {
             project = new BenchmarkProject(null, () -> build(robots, lidars, noise));
             simulation = project.getSimulation();
             sensors = simulation.getSensorNames();
-            simulation.post(world -> world.getRobots().forEach(robot -> robot.drive(StepWorld.SPEED, StepWorld.CIRCLE)));
+            simulation.post(world -> world.getRobots()
+                .forEach(robot -> robot.drive(StepWorld.SPEED, StepWorld.CIRCLE)));
         }
 
         private static void build(int robots, int lidars, boolean noise) {
@@ -154,8 +160,10 @@ public final class Cores {
             double depth = rows * CELL;
             new Floor("floor", width, depth);
             for (int side = -1; side <= 1; side += 2) {
-                Room.add("wallx" + side, new double[] {WALL, WALL_HEIGHT, depth, side * width / 2, WALL_HEIGHT / 2, 0, 0, 0, 0}, 0);
-                Room.add("wallz" + side, new double[] {width, WALL_HEIGHT, WALL, 0, WALL_HEIGHT / 2, side * depth / 2, 0, 0, 0}, 0);
+                Room.add("wallx" + side, new double[] {WALL, WALL_HEIGHT, depth, side * width / 2, WALL_HEIGHT / 2, 0,
+                    0, 0, 0}, 0);
+                Room.add("wallz" + side, new double[] {width, WALL_HEIGHT, WALL, 0, WALL_HEIGHT / 2, side * depth / 2,
+                    0, 0, 0}, 0);
             }
             Random random = new Random(2026);
             for (int i = 0; i < robots; i++) {
@@ -177,12 +185,14 @@ public final class Cores {
             } while (Math.hypot(x, z) < CLEAR);
             double[] sizes = random.doubles(3, 0.25, 1).toArray();
             double[] turned = random.doubles(3, 0, 360).toArray();
-            Room.add(name, new double[] {sizes[0], sizes[1], sizes[2], middleX + x, 0.5, middleZ + z, turned[0], turned[1], turned[2]}, 0);
+            Room.add(name, new double[] {sizes[0], sizes[1], sizes[2], middleX + x, 0.5, middleZ + z, turned[0],
+                turned[1], turned[2]}, 0);
         }
 
         private static void robot(String name, double x, double z, int lidars, boolean noise) {
             SEARrobot robot = new SEARrobot(name);
-            robot.addComponent(new Dynamics(name + "Dynamics", 40, 60, 0.3, 0.4, 10000, 0.1, x - StepWorld.CIRCLE, StepWorld.START_HEIGHT, z, 0, 0,
+            robot.addComponent(new Dynamics(name + "Dynamics", 40, 60, 0.3, 0.4, 10000, 0.1, x - StepWorld.CIRCLE,
+                StepWorld.START_HEIGHT, z, 0, 0,
                 0));
             robot.addComponent(new Cylinder(name + "Body", 0.1666875, 0.0762, 40));
             robot.addWheel(new Wheel(name + "Front", 0.0381, 0.03, 0, 0, 0, 0.16));
@@ -190,7 +200,8 @@ public final class Cores {
             robot.addWheel(new Wheel(name + "Left", 0.0381, 0.03, 1, 0.16, 0, 0));
             robot.addWheel(new Wheel(name + "Back", 0.0381, 0.03, 0, 0, 0, -0.16));
             for (int i = 0; i < lidars; i++) {
-                LIDAR lidar = new LIDAR(name + "Lidar" + i, StepWorld.RANGE, 180, 0.5, 0, StepWorld.LIDAR_HEIGHT + i * StepWorld.LIDAR_PITCH, 0, 0,
+                LIDAR lidar = new LIDAR(name + "Lidar" + i, StepWorld.RANGE, 180, 0.5, 0, StepWorld.LIDAR_HEIGHT
+                    + i * StepWorld.LIDAR_PITCH, 0, 0,
                     360.0 * i / lidars, 0);
                 if (noise) {
                     lidar.setNoise(new Noise().setWhite(0.01));

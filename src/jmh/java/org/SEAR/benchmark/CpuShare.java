@@ -30,7 +30,8 @@ public final class CpuShare implements InternalProfiler {
 
     private static long processTime() {
         OperatingSystemMXBean system = ManagementFactory.getOperatingSystemMXBean();
-        return system instanceof com.sun.management.OperatingSystemMXBean ? ((com.sun.management.OperatingSystemMXBean) system).getProcessCpuTime()
+        return system instanceof com.sun.management.OperatingSystemMXBean
+            ? ((com.sun.management.OperatingSystemMXBean) system).getProcessCpuTime()
             : 0;
     }
 
@@ -41,7 +42,8 @@ public final class CpuShare implements InternalProfiler {
     }
 
     @Override
-    public Collection<? extends Result<?>> afterIteration(BenchmarkParams benchmark, IterationParams iteration, IterationResult result) {
+    public Collection<? extends Result<?>> afterIteration(BenchmarkParams benchmark, IterationParams iteration,
+        IterationResult result) {
         double share = (double) (processTime() - cpu) / (System.nanoTime() - wall);
         return Collections.singletonList(new ScalarResult(LABEL, share, "cores", AggregationPolicy.AVG));
     }

@@ -37,7 +37,8 @@ public final class DropWorld implements AutoCloseable {
         for (int i = 0; i < number; i++) {
             double x = (i / row - (row - 1) / 2.0) * APART;
             double z = (i % row - (row - 1) / 2.0) * APART;
-            boxes[i] = new double[] {size(random), size(random), size(random), x, 0.8 + 0.7 * random.nextDouble(), z, 360 * random.nextDouble(),
+            boxes[i] = new double[] {size(random), size(random), size(random), x, 0.8 + 0.7 * random.nextDouble(), z,
+                360 * random.nextDouble(),
                 360 * random.nextDouble(), 360 * random.nextDouble()};
         }
         project = new BenchmarkProject(null, () -> {

@@ -44,7 +44,8 @@ final class JBulletWorld {
         vertices.asFloatBuffer().put(triangles.vertices);
         ByteBuffer indices = ByteBuffer.allocateDirect(4 * triangles.indices.length).order(ByteOrder.nativeOrder());
         indices.asIntBuffer().put(triangles.indices);
-        return new BvhTriangleMeshShape(new TriangleIndexVertexArray(triangles.size(), indices, 12, triangles.vertices.length / 3, vertices, 12),
+        return new BvhTriangleMeshShape(
+            new TriangleIndexVertexArray(triangles.size(), indices, 12, triangles.vertices.length / 3, vertices, 12),
             true);
     }
 

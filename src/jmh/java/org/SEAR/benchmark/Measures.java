@@ -53,7 +53,8 @@ public final class Measures {
             }
         }
         StringBuilder json = new StringBuilder();
-        out.forEach((name, value) -> json.append(json.length() == 0 ? "{" : ", ").append(String.format(Locale.ROOT, "\"%s\": %.9g", name, value)));
+        out.forEach((name, value) -> json.append(json.length() == 0 ? "{" : ", ")
+            .append(String.format(Locale.ROOT, "\"%s\": %.9g", name, value)));
         Files.write(Paths.get(args[0]), json.append("}\n").toString().getBytes(StandardCharsets.UTF_8));
     }
 

@@ -64,14 +64,16 @@ final class PictureWorld {
         }
         truth = simulation.getRobots().get(0).getTruth();
         double focal = WIDTH / (2 * Math.tan(Math.toRadians(FIELD_OF_VIEW / 2)));
-        eye = new CameraRenderer(WIDTH, HEIGHT, new BrownLens(focal, (WIDTH - 1) / 2.0, (HEIGHT - 1) / 2.0, new double[4]), NEAR, FAR);
+        eye = new CameraRenderer(WIDTH, HEIGHT,
+            new BrownLens(focal, (WIDTH - 1) / 2.0, (HEIGHT - 1) / 2.0, new double[4]), NEAR, FAR);
     }
 
     /** Returns the camera's pose for a picture: x to its left, y up, z ahead. */
     Pose pose(int turn) {
         Pose body = truth.body();
         Pose place = new Pose(body.x, body.y + ABOVE, body.z, 0, 0, 0, 1);
-        return place.times(Pose.ofDegrees(0, 0, 0, 0, 360.0 * turn / TURNS, 0)).times(Pose.ofDegrees(0, 0, 0, DOWN, 0, 0));
+        return place.times(Pose.ofDegrees(0, 0, 0, 0, 360.0 * turn / TURNS, 0))
+            .times(Pose.ofDegrees(0, 0, 0, DOWN, 0, 0));
     }
 
     int[] colors(int turn) {
@@ -99,7 +101,8 @@ final class PictureWorld {
         }
         double down = 2 * Math.toDegrees(Math.atan(Math.tan(Math.toRadians(FIELD_OF_VIEW / 2)) * HEIGHT / WIDTH));
         Files.writeString(file, String.format(Locale.ROOT,
-            "{\"width\": %d, \"height\": %d, \"fovy\": %s, \"sun\": %s,\n\"poses\": %s,\n\"things\": [%s]}%n", WIDTH, HEIGHT, down,
+            "{\"width\": %d, \"height\": %d, \"fovy\": %s, \"sun\": %s,\n\"poses\": %s,\n\"things\": [%s]}%n", WIDTH,
+            HEIGHT, down,
             Arrays.toString(Daylight.toSun()), Arrays.deepToString(poses), String.join(",\n", things)));
     }
 
@@ -118,7 +121,8 @@ final class PictureWorld {
         }
         Path copy = folder.resolve(path.replace('/', '-'));
         Files.write(copy, new Assets(folder).readPicture(path));
-        return String.format(Locale.ROOT, ", \"picture\": \"%s\", \"tile\": %s", copy, shape.getPictureTile() == null ? 0 : shape.getPictureTile());
+        return String.format(Locale.ROOT, ", \"picture\": \"%s\", \"tile\": %s", copy, shape.getPictureTile() == null
+            ? 0 : shape.getPictureTile());
     }
 
     private String thing(Shape shape, Path folder) throws IOException {
@@ -134,8 +138,10 @@ final class PictureWorld {
         double[] half = {(high[0] - low[0]) / 2, (high[1] - low[1]) / 2, (high[2] - low[2]) / 2};
         boolean box = shape instanceof Box || shape instanceof Floor;
         if (box || shape instanceof Cylinder) {
-            Pose middle = pose.times(new Pose((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2, 0, 0, 0, 1));
-            return String.format(Locale.ROOT, "{\"kind\": \"%s\", \"half\": %s, \"pose\": %s%s}", box ? "box" : "cylinder", Arrays.toString(half),
+            Pose middle = pose.times(new Pose((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2,
+                0, 0, 0, 1));
+            return String.format(Locale.ROOT, "{\"kind\": \"%s\", \"half\": %s, \"pose\": %s%s}", box ? "box"
+                : "cylinder", Arrays.toString(half),
                 Arrays.toString(numbers(middle)), picture(shape, folder));
         }
         return String.format(Locale.ROOT, "{\"kind\": \"mesh\", \"pose\": %s, \"vertices\": %s, \"indices\": %s}",

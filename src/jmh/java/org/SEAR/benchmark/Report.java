@@ -31,7 +31,8 @@ public final class Report {
         String[] own = Arrays.copyOfRange(args, 1, args.length);
         Map<String, Double> scores = new LinkedHashMap<>();
         collect(new Runner(new OptionsBuilder().parent(new CommandLineOptions(own)).addProfiler(CpuShare.class)
-            .resultFormat(ResultFormatType.JSON).result(json.toString()).verbosity(VerboseMode.SILENT).build()).run(), scores);
+            .resultFormat(ResultFormatType.JSON).result(json.toString()).verbosity(VerboseMode.SILENT).build())
+                .run(), scores);
         printBeams(scores);
         printPictures(scores);
         printSteps(scores);
@@ -57,7 +58,8 @@ public final class Report {
         for (String world : worlds) {
             double fan = score(scores, "fan " + world);
             double jbullet = score(scores, "jbullet " + world);
-            System.out.printf(Locale.ROOT, "%-16s %9.2f %9.2f %9.4f %12.0f%n", world, fan, score(scores, "single " + world), jbullet, fan / jbullet);
+            System.out.printf(Locale.ROOT, "%-16s %9.2f %9.2f %9.4f %12.0f%n", world, fan,
+                score(scores, "single " + world), jbullet, fan / jbullet);
         }
     }
 

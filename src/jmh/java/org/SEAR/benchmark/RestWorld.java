@@ -52,7 +52,8 @@ final class RestWorld implements AutoCloseable {
         switch (kind) {
             case "single":
                 int row = (int) Math.ceil(Math.sqrt(number));
-                return cube(APART * (i / row - (row - 1) / 2.0), 0.8 + 0.7 * random.nextDouble(), APART * (i % row - (row - 1) / 2.0), random);
+                return cube(APART * (i / row - (row - 1) / 2.0), 0.8 + 0.7 * random.nextDouble(),
+                    APART * (i % row - (row - 1) / 2.0), random);
             case "pile":
                 int across = number > 200 ? 8 : 4;
                 return cube(MESH * (i % across) + 0.02 * random.nextDouble(), 0.3 + MESH * (i / (across * across)),
@@ -70,7 +71,8 @@ final class RestWorld implements AutoCloseable {
 
     private static double[] cube(double x, double y, double z, Random random) {
         double size = 0.1 + 0.2 * random.nextDouble();
-        return new double[] {size, size, size, x, y, z, 360 * random.nextDouble(), 360 * random.nextDouble(), 360 * random.nextDouble()};
+        return new double[] {size, size, size, x, y, z, 360 * random.nextDouble(), 360 * random.nextDouble(),
+            360 * random.nextDouble()};
     }
 
     /** Returns half sizes, position and quaternion of each box at the start. */

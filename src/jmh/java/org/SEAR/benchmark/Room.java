@@ -41,7 +41,8 @@ final class Room {
                 x = (random.nextDouble() - 0.5) * (side - 1);
                 z = (random.nextDouble() - 0.5) * (side - 1);
             } while (Math.hypot(x, z) < CLEAR);
-            boxes[i] = new double[] {size(random), size(random), size(random), x, 0.5, z, 360 * random.nextDouble(), 360 * random.nextDouble(),
+            boxes[i] = new double[] {size(random), size(random), size(random), x, 0.5, z, 360 * random.nextDouble(),
+                360 * random.nextDouble(),
                 360 * random.nextDouble()};
         }
     }

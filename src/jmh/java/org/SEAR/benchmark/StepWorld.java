@@ -39,7 +39,10 @@ public final class StepWorld implements AutoCloseable {
     private static final double STEPS_A_SECOND = 60;
     /** LMS200: send all scans (operating mode 0x24). */
     private static final int[] ALL_SCANS = {0x02, 0x00, 0x02, 0x00, 0x20, 0x24, 0x34, 0x08};
-    /** Roomba: start, full mode, drive at 400 mm/s on a radius of 1000 mm, stream packet group 3, distance, angle and bumps. */
+    /**
+     * Roomba: start, full mode, drive at 400 mm/s on a radius of 1000 mm, stream packet group 3, distance, angle and
+     * bumps.
+     */
     private static final int[] STREAM = {128, 132, 137, 1, 0x90, 3, 0xE8, 148, 4, 3, 19, 20, 7};
 
     private final Room room;
@@ -70,7 +73,8 @@ public final class StepWorld implements AutoCloseable {
         if (all) {
             for (SerialLine line : simulation.getLines()) {
                 line.setSink((bytes, starts) -> { });
-                write(line, line.getObjectType().equals("LIDAR") ? ALL_SCANS : line.getObjectType().equals("Dynamics") ? STREAM : new int[0]);
+                write(line, line.getObjectType().equals("LIDAR") ? ALL_SCANS : line.getObjectType().equals("Dynamics")
+                    ? STREAM : new int[0]);
             }
         } else {
             simulation.post(world -> world.getRobots().get(0).drive(SPEED, CIRCLE));
@@ -109,7 +113,8 @@ public final class StepWorld implements AutoCloseable {
         robot.addWheel(new Wheel("left", 0.0381, 0.03, 1, 0.16, 0, 0));
         robot.addWheel(new Wheel("back", 0.0381, 0.03, 0, 0, 0, -0.16));
         for (int i = 0; i < lidars; i++) {
-            LIDAR scanner = new LIDAR("lidar" + i, RANGE, 180, 0.5, 0, LIDAR_HEIGHT + i * LIDAR_PITCH, 0, 0, 360.0 * i / lidars, 0);
+            LIDAR scanner = new LIDAR("lidar" + i, RANGE, 180, 0.5, 0, LIDAR_HEIGHT + i * LIDAR_PITCH, 0, 0,
+                360.0 * i / lidars, 0);
             if (all) {
                 scanner.setPorts("lidarUart", "lidarUser");
             }

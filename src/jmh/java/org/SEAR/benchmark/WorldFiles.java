@@ -38,7 +38,8 @@ public final class WorldFiles {
             } else {
                 drive(name, fields);
             }
-            try (PrintWriter out = new PrintWriter(Files.newBufferedWriter(folder.resolve(name + ".json"), StandardCharsets.UTF_8))) {
+            try (PrintWriter out = new PrintWriter(
+                Files.newBufferedWriter(folder.resolve(name + ".json"), StandardCharsets.UTF_8))) {
                 String separator = "{";
                 for (Map.Entry<String, String> field : fields.entrySet()) {
                     out.print(separator + "\"" + field.getKey() + "\": " + field.getValue());
@@ -77,7 +78,8 @@ public final class WorldFiles {
         double[] all = new double[d.length / 3];
         for (int i = 0; i < all.length; i++) {
             double[] o = origins[i / BeamWorld.BEAMS];
-            all[i] = scene.cast(o[0], o[1], o[2], d[3 * i], d[3 * i + 1], d[3 * i + 2], BeamWorld.RANGE, BeamScene.WORLD, null);
+            all[i] = scene.cast(o[0], o[1], o[2], d[3 * i], d[3 * i + 1], d[3 * i + 2], BeamWorld.RANGE,
+                BeamScene.WORLD, null);
         }
         return all;
     }

@@ -72,9 +72,11 @@ public class Arduino extends SearObject implements SerialObject {
             String reason = WireRules.reason(getModel(), good, wire.getPin(), wire.getRole());
             BoardWire same = WireRules.same(good, wire.getPart(), wire.getRole());
             if (reason != null) {
-                faults.add("wire#" + i, wire.getPin() + ", " + reason, WireRules.legal(getModel(), good, wire.getRole()));
+                faults.add("wire#" + i, wire.getPin() + ", " + reason,
+                    WireRules.legal(getModel(), good, wire.getRole()));
             } else if (same != null) {
-                faults.add("wire#" + i, wire.getPin(), "one wire for " + wire.getRole().getWord() + " of " + wire.getPart() + ", which is at pin "
+                faults.add("wire#" + i, wire.getPin(), "one wire for " + wire.getRole().getWord() + " of "
+                    + wire.getPart() + ", which is at pin "
                     + same.getPin());
             } else {
                 good.add(wire);
@@ -170,11 +172,14 @@ public class Arduino extends SearObject implements SerialObject {
             }
         }
         if (found.isEmpty()) {
-            throw new IllegalArgumentException(label() + ": part is " + ParameterTable.quote(part) + ", legal: a component of the robot"
-                + (names.isEmpty() ? "; no robot has one to wire yet, call addComponent(...) first" : ", " + String.join(", ", names)));
+            throw new IllegalArgumentException(label() + ": part is " + ParameterTable.quote(part)
+                + ", legal: a component of the robot"
+                + (names.isEmpty() ? "; no robot has one to wire yet, call addComponent(...) first" : ", "
+                    + String.join(", ", names)));
         }
         if (found.size() > 1) {
-            throw new IllegalArgumentException(label() + ": " + ParameterTable.quote(part) + " is on several robots, legal: a part of "
+            throw new IllegalArgumentException(label() + ": " + ParameterTable.quote(part)
+                + " is on several robots, legal: a part of "
                 + label() + "'s own robot; call robot.addComponent(...) first");
         }
         return found.get(0);
@@ -192,7 +197,8 @@ public class Arduino extends SearObject implements SerialObject {
     public void wire(String pin, SearObject part, String role) {
         checkChangeable();
         if (part == null) {
-            throw new IllegalArgumentException(label() + ": the part for pin " + pin + " is missing (None), legal: a component of the robot");
+            throw new IllegalArgumentException(label() + ": the part for pin " + pin + " is missing (None), legal: a "
+                + "component of the robot");
         }
         WireRole wanted = role == null ? null : WireRole.of(role);
         String problem = WireRules.problem(part, wanted);
@@ -201,7 +207,8 @@ public class Arduino extends SearObject implements SerialObject {
         }
         List<WireRole> roles = ((Wirable) part).getWireRoles();
         if (role != null && wanted == null) {
-            throw new IllegalArgumentException(label() + ": role is " + ParameterTable.quote(role) + ", legal for " + part + ": "
+            throw new IllegalArgumentException(label() + ": role is " + ParameterTable.quote(role) + ", legal for "
+                + part + ": "
                 + WireRules.words(roles));
         }
         add(pin, part, wanted == null ? roles.get(0) : wanted);
@@ -210,11 +217,13 @@ public class Arduino extends SearObject implements SerialObject {
     private void add(String pin, SearObject part, WireRole role) {
         String reason = WireRules.reason(getModel(), wires, pin, role);
         if (reason != null) {
-            throw new IllegalArgumentException(label() + ": pin " + pin + " is " + reason + ", legal: " + WireRules.legal(getModel(), wires, role));
+            throw new IllegalArgumentException(label() + ": pin " + pin + " is " + reason + ", legal: "
+                + WireRules.legal(getModel(), wires, role));
         }
         BoardWire same = WireRules.same(wires, part.getName(), role);
         if (same != null) {
-            throw new IllegalArgumentException(label() + ": " + part + " has its " + role.getWord() + " at pin " + same.getPin()
+            throw new IllegalArgumentException(label() + ": " + part + " has its " + role.getWord() + " at pin "
+                + same.getPin()
                 + " already, legal: one pin for it; unwire(\"" + same.getPin() + "\") removes that wire");
         }
         wires.add(new BoardWire(getModel().nameOf(getModel().pinOf(pin)), part.getName(), role));

@@ -70,7 +70,8 @@ public abstract class AxisJoint extends Joint {
         double checkedLower = checked("lower", smallest);
         double checkedUpper = checked("upper", greatest);
         if (checkedLower > checkedUpper) {
-            throw new IllegalArgumentException(label() + ": lower is " + Parameter.format(smallest) + ", legal: at most upper, which is "
+            throw new IllegalArgumentException(label() + ": lower is " + Parameter.format(smallest)
+                + ", legal: at most upper, which is "
                 + Parameter.format(greatest));
         }
         lower = checkedLower;

@@ -97,13 +97,15 @@ public class BeamCone {
                 return new BeamCone(n[0], n[1], (String) color, whole(n[2]), n[3], n[4]);
             }
         }
-        throw new IllegalArgumentException("cone is " + entry + ", legal: a BeamCone or [half-angle in degrees, range in metres, colour,"
+        throw new IllegalArgumentException("cone is " + entry + ", legal: a BeamCone or [half-angle in degrees, range "
+            + "in metres, colour,"
             + " lines, yaw, pitch]; all but the first two are optional");
     }
 
     private static int whole(double number) {
         if (number != Math.rint(number)) {
-            throw new IllegalArgumentException("BeamCone: lines is " + Parameter.format(number) + ", legal: a whole number from 1 to " + MAX_LINES);
+            throw new IllegalArgumentException("BeamCone: lines is " + Parameter.format(number)
+                + ", legal: a whole number from 1 to " + MAX_LINES);
         }
         return (int) number;
     }

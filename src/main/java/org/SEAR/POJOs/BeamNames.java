@@ -22,11 +22,13 @@ final class BeamNames {
     static String in(String text, List<String> names) {
         List<String> runs = runs(text);
         return names.stream().filter(name -> runs.contains(String.join("", words(name)))).max(Comparator.comparingInt(
-            (String name) -> String.join("", words(name)).length()).thenComparing(Comparator.reverseOrder())).orElse(null);
+            (String name) -> String.join("", words(name)).length()).thenComparing(Comparator.reverseOrder()))
+            .orElse(null);
     }
 
     private static List<String> words(String text) {
-        return Stream.of(text.toLowerCase(Locale.ROOT).split("[^\\p{L}\\p{N}]+")).filter(word -> !word.isEmpty()).collect(Collectors.toList());
+        return Stream.of(text.toLowerCase(Locale.ROOT).split("[^\\p{L}\\p{N}]+")).filter(word -> !word.isEmpty())
+            .collect(Collectors.toList());
     }
 
     /** Returns all runs of successive words, each without spaces. */

@@ -45,7 +45,8 @@ public class Box extends Shape {
     }
 
     /** With its centre at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
-    public Box(String name, double length, double width, double height, double mass, double x, double y, double z, double rx, double ry, double rz) {
+    public Box(String name, double length, double width, double height, double mass, double x, double y, double z,
+        double rx, double ry, double rz) {
         this(name, length, width, height, mass, null, x, y, z, rx, ry, rz);
     }
 

@@ -33,11 +33,14 @@ public class Bumper extends SensorObject implements Wirable {
 
     private String checkPart(Shape wanted) {
         if (wanted == null || !canPress(wanted)) {
-            throw new IllegalArgumentException(label() + ": " + (wanted == null ? "part is missing (None)" : wanted.label() + " can't press it")
-                + ", legal: a shape that is a component of the same robot, and no wheel; Bumper(name) is pressed by each of them");
+            throw new IllegalArgumentException(
+                label() + ": " + (wanted == null ? "part is missing (None)" : wanted.label() + " can't press it")
+                + ", legal: a shape that is a component of the same robot, and no wheel; Bumper(name) is pressed by "
+                    + "each of them");
         }
         if (robot() != null && wanted.robot() != null && robot() != wanted.robot()) {
-            throw new IllegalArgumentException(label() + ": " + wanted.label() + " is a part of " + wanted.robot().label() + ", legal: a part of "
+            throw new IllegalArgumentException(label() + ": " + wanted.label() + " is a part of " + wanted.robot()
+                .label() + ", legal: a part of "
                 + robot().label());
         }
         return wanted.getName();

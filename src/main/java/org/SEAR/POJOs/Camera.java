@@ -22,7 +22,8 @@ public class Camera extends SensorObject {
     /** Largest number of pixels, that of 1920 x 1080. A camera needs 60 bytes of memory per pixel. */
     public static final int MAX_PIXELS = 1920 * 1080;
 
-    private static final String WHOLE_LENS = "a lens that covers the corners of the picture; these four coefficients fold it back before them";
+    private static final String WHOLE_LENS = "a lens that covers the corners of the picture; these four coefficients "
+        + "fold it back before them";
     private static final int LONGEST = 2048;
     /** Largest rate, Hz: one picture per simulation step. */
     private static final double FASTEST = 60;
@@ -95,7 +96,8 @@ public class Camera extends SensorObject {
     @Override
     protected void crossCheck(Faults faults) {
         if ((long) width * height > MAX_PIXELS) {
-            faults.add("height", height, "at most " + MAX_PIXELS + " pixels: " + MAX_PIXELS / width + " rows of " + width);
+            faults.add("height", height, "at most " + MAX_PIXELS + " pixels: " + MAX_PIXELS / width
+                + " rows of " + width);
         }
         if (!getLens().isWhole(width, height)) {
             faults.add("k1", k1, WHOLE_LENS);
@@ -161,7 +163,8 @@ public class Camera extends SensorObject {
         int checkedWidth = checked("width", newWidth);
         int checkedHeight = checked("height", newHeight);
         if ((long) checkedWidth * checkedHeight > MAX_PIXELS) {
-            throw new IllegalArgumentException(label() + ": " + newWidth + " x " + newHeight + " are " + (long) newWidth * newHeight
+            throw new IllegalArgumentException(label() + ": " + newWidth + " x " + newHeight + " are "
+                + (long) newWidth * newHeight
                 + " pixels, legal: at most " + MAX_PIXELS + " (1920 x 1080)");
         }
         int oldWidth = width;
@@ -215,7 +218,8 @@ public class Camera extends SensorObject {
         double checkedNear = checked("near", newNear);
         double checkedFar = checked("far", newFar);
         if (checkedNear >= checkedFar) {
-            throw new IllegalArgumentException(label() + ": near is " + Parameter.format(newNear) + ", legal: less than far, "
+            throw new IllegalArgumentException(label() + ": near is " + Parameter.format(newNear)
+                + ", legal: less than far, "
                 + Parameter.format(newFar) + " m");
         }
         near = checkedNear;
@@ -240,7 +244,8 @@ public class Camera extends SensorObject {
     }
 
     /**
-     * Sets the distortion of the lens, with the coefficients and signs of OpenCV (Brown, "Decentering distortion of lenses", 1966).
+     * Sets the distortion of the lens, with the coefficients and signs of OpenCV (Brown, "Decentering distortion of
+     * lenses", 1966).
      *
      * @param newK1 radial, -10 to 10; below 0 a barrel, above 0 a pincushion
      * @param newK2 radial, -10 to 10

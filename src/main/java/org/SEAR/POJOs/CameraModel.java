@@ -33,7 +33,10 @@ enum CameraModel {
      * may be as low as 0.032 (librealsense on GitHub, issue 3904): 3.6 mm at 1 m.
      */
     D435("D435", Camera.DEPTH, 848, 480, 87, 30, 0.3, 10, new Errors().depth(0.0036)),
-    /** Melexis MLX90640-BAB: 32 x 24 at 8 Hz, 55 degrees; 0.1 K at 1 Hz, which is 0.28 K at 8 Hz (data sheet, revision 11). */
+    /**
+     * Melexis MLX90640-BAB: 32 x 24 at 8 Hz, 55 degrees; 0.1 K at 1 Hz, which is 0.28 K at 8 Hz (data sheet, revision
+     * 11).
+     */
     MLX90640("MLX90640", Camera.INFRARED, 32, 24, 55, 8, 0.01, 1000, new Errors().netd(0.28)),
     /** Pixy2: 316 x 208 pixels of colour at 60 Hz, 60 degrees, with blob detection (docs.pixycam.com, v2). */
     PIXY2("Pixy2", Camera.COLOR, 316, 208, 60, 60, 0.02, 10000, new Errors());
@@ -70,7 +73,8 @@ enum CameraModel {
         }
     }
 
-    CameraModel(String label, String kind, int width, int height, double fieldOfView, double rate, double near, double far, Errors errors) {
+    CameraModel(String label, String kind, int width, int height, double fieldOfView, double rate, double near,
+        double far, Errors errors) {
         this.label = label;
         this.kind = kind;
         this.width = width;

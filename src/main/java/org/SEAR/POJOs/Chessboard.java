@@ -6,7 +6,8 @@ import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Param;
 
 /** A chessboard for camera calibration, with a white margin of one square's width. */
-@Described("a vertical plate with a chessboard for camera calibration, its front towards -z; its origin is the middle of the board")
+@Described("a vertical plate with a chessboard for camera calibration, its front towards -z; its origin is the middle "
+    + "of the board")
 public class Chessboard extends Board {
     /** Largest number of squares in a row or column. */
     private static final int MOST = 60;
@@ -39,7 +40,8 @@ public class Chessboard extends Board {
     }
 
     /** With its middle at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
-    public Chessboard(String name, int columns, int rows, double square, double x, double y, double z, double rx, double ry, double rz) {
+    public Chessboard(String name, int columns, int rows, double square, double x, double y, double z, double rx,
+        double ry, double rz) {
         super(name, 0);
         this.columns = columns;
         this.rows = rows;

@@ -80,7 +80,8 @@ public class Compass extends SensorObject implements SerialObject {
     /** @param newNorthX metres, a point of the world to the north; not directly above or below the origin */
     public void setNorth(double newNorthX, double newNorthY, double newNorthZ) {
         if (newNorthX == 0 && newNorthZ == 0) {
-            throw new IllegalArgumentException(this + ": north is (0, " + Parameter.format(newNorthY) + ", 0), legal: a point that isn't straight"
+            throw new IllegalArgumentException(this + ": north is (0, " + Parameter.format(newNorthY)
+                + ", 0), legal: a point that isn't straight"
                 + " above or below the origin");
         }
         double checkedX = checked("northX", newNorthX);

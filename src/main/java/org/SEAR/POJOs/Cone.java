@@ -35,7 +35,8 @@ public class Cone extends RoundShape {
     }
 
     /** With its centre at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
-    public Cone(String name, double radius, double height, double mass, double x, double y, double z, double rx, double ry, double rz) {
+    public Cone(String name, double radius, double height, double mass, double x, double y, double z, double rx,
+        double ry, double rz) {
         this(name, radius, height, mass, null, x, y, z, rx, ry, rz);
     }
 

@@ -35,7 +35,8 @@ public class Cylinder extends RoundShape {
     }
 
     /** With its centre at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
-    public Cylinder(String name, double radius, double height, double mass, double x, double y, double z, double rx, double ry, double rz) {
+    public Cylinder(String name, double radius, double height, double mass, double x, double y, double z, double rx,
+        double ry, double rz) {
         this(name, radius, height, mass, null, x, y, z, rx, ry, rz);
     }
 

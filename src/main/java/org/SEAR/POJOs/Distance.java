@@ -45,7 +45,10 @@ public class Distance extends SensorObject implements Wirable {
         this(name, ofName(name));
     }
 
-    /** @param beam for example PING))), LV-EZ1, GP2Y0A21, ultrasonic, SONAR, RADAR, infrared, laser; or a text with such a name */
+    /**
+     * @param beam for example PING))), LV-EZ1, GP2Y0A21, ultrasonic, SONAR, RADAR, infrared, laser; or a text with such
+     * a name
+     */
     public Distance(String name, String beam) {
         this(name, beam, 0, 0, 0, 0, 0, 0);
     }
@@ -69,7 +72,10 @@ public class Distance extends SensorObject implements Wirable {
         this(name, Collections.singletonList(new BeamCone(halfAngle, range)));
     }
 
-    /** @param cones each a {@link BeamCone}, or a list of half-angle, range, colour, lines, yaw, pitch (the first two are needed) */
+    /**
+     * @param cones each a {@link BeamCone}, or a list of half-angle, range, colour, lines, yaw, pitch (the first two
+     * are needed)
+     */
     public Distance(String name, List<?> cones) {
         this(name, cones, 0, 0, 0, 0, 0, 0);
     }
@@ -87,7 +93,8 @@ public class Distance extends SensorObject implements Wirable {
         String found = names.contains(name) ? name : name == null ? null : BeamNames.in(name, names);
         String beam = found == null ? DEFAULT_BEAM : found;
         if (!beam.equals(name) && !ObjectStores.isRedirected()) {
-            Notices.say("Distance \"" + name + "\" gets the beam " + beam + (found == null ? ", as its name contains no beam's" : " of its name")
+            Notices.say("Distance \"" + name + "\" gets the beam " + beam
+                + (found == null ? ", as its name contains no beam's" : " of its name")
                 + ": Distance(name, beam) chooses another");
         }
         return beam;
@@ -96,7 +103,8 @@ public class Distance extends SensorObject implements Wirable {
     /** Returns a beam's name as given, or the beam's name that a longer text contains, with a message. */
     private String chosen(String wanted) {
         List<String> names = ObjectStores.get().beamNames();
-        String found = wanted == null || names.stream().anyMatch(wanted::equalsIgnoreCase) ? wanted : BeamNames.in(wanted, names);
+        String found = wanted == null || names.stream().anyMatch(wanted::equalsIgnoreCase) ? wanted
+            : BeamNames.in(wanted, names);
         if (found == null || found.equals(wanted)) {
             return wanted;
         }

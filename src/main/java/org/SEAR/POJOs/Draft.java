@@ -82,7 +82,8 @@ public final class Draft implements ObjectStore {
     @Override
     public Beam beam(String name) {
         if (!beamNames.contains(name)) {
-            throw new IllegalArgumentException("beam is " + ParameterTable.quote(name) + ", legal: " + String.join(", ", beamNames));
+            throw new IllegalArgumentException("beam is " + ParameterTable.quote(name) + ", legal: "
+                + String.join(", ", beamNames));
         }
         return new Beam();
     }

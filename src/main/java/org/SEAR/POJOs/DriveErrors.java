@@ -18,9 +18,10 @@ import org.SEAR.grammar.ParameterTable;
 public final class DriveErrors {
     /**
      * Typical values of ready robots; data sheets state no tolerances. The kinds of wheel errors are those of UMBmark
-     * (Borenstein and Feng, University of Michigan, report UM-MEAM-94-22, 1994): size, difference, wheelbase. Their sizes
-     * let dead reckoning miss 1 to 2 % of a way in squares. A Create 2's encoder has 508.8 counts per turn, so half a
-     * count is 0.35 degrees. A hobby servo gets a pulse every 20 ms. A passenger car understeers by 2 to 3 degrees per g.
+     * (Borenstein and Feng, University of Michigan, report UM-MEAM-94-22, 1994): size, difference, wheelbase. Their
+     * sizes let dead reckoning miss 1 to 2 % of a way in squares. A Create 2's encoder has 508.8 counts per turn, so
+     * half a count is 0.35 degrees. A hobby servo gets a pulse every 20 ms. A passenger car understeers by 2 to 3
+     * degrees per g.
      */
     private static final Map<String, DriveErrors> PRESETS = new TreeMap<>(Map.of(
         "roomba400", new DriveErrors(1.7, 0.005, 0.2, 0.35, 0.001, 0, 0, 0),
@@ -34,9 +35,11 @@ public final class DriveErrors {
     private double radius;
     @Param(doc = "greatest further deviation of each driven wheel's radius", unit = "%", max = 20)
     private double difference;
-    @Param(doc = "greatest deviation of the distance between left and right wheels that point ahead", unit = "%", max = 20)
+    @Param(doc = "greatest deviation of the distance between left and right wheels that point ahead",
+        unit = "%", max = 20)
     private double track;
-    @Param(doc = "standard deviation of the error of an encoder, in degrees of its wheel; does not add up", unit = "deg", max = 360)
+    @Param(doc = "standard deviation of the error of an encoder, in degrees of its wheel; does not add up",
+        unit = "deg", max = 360)
     private double encoderNoise;
     @Param(doc = "mean share of counts that an encoder misses", max = 0.5)
     private double missed;
@@ -44,7 +47,8 @@ public final class DriveErrors {
     private double steeringPlay;
     @Param(doc = "dead time of steering commands, unless a servo steers", unit = "s", max = 1)
     private double steeringDelay;
-    @Param(doc = "angle by which steered wheels turn less, per m/s^2 of lateral acceleration", unit = "deg s^2/m", max = 10)
+    @Param(doc = "angle by which steered wheels turn less, per m/s^2 of lateral acceleration",
+        unit = "deg s^2/m", max = 10)
     private double understeer;
 
     /** Without errors. */
@@ -52,7 +56,8 @@ public final class DriveErrors {
     }
 
     /** With all parameters. */
-    public DriveErrors(double radius, double difference, double track, double encoderNoise, double missed, double steeringPlay,
+    public DriveErrors(double radius, double difference, double track, double encoderNoise, double missed,
+        double steeringPlay,
             double steeringDelay, double understeer) {
         this.radius = checked("radius", radius);
         this.difference = checked("difference", difference);
@@ -73,7 +78,8 @@ public final class DriveErrors {
     public static DriveErrors of(String robot) {
         DriveErrors found = robot == null ? null : PRESETS.get(robot);
         if (found == null) {
-            throw new IllegalArgumentException("drive errors of " + ParameterTable.quote(robot) + ", legal: " + String.join(", ", PRESETS.keySet()));
+            throw new IllegalArgumentException("drive errors of " + ParameterTable.quote(robot) + ", legal: "
+                + String.join(", ", PRESETS.keySet()));
         }
         return found;
     }
@@ -81,7 +87,8 @@ public final class DriveErrors {
     private static double checked(String element, double value) {
         Parameter parameter = ParameterTable.of(DriveErrors.class).get(element);
         if (!parameter.isLegal(value)) {
-            throw new IllegalArgumentException(String.format(Locale.ROOT, "DriveErrors: %s is %s, legal: %s", element, Parameter.format(value),
+            throw new IllegalArgumentException(
+                String.format(Locale.ROOT, "DriveErrors: %s is %s, legal: %s", element, Parameter.format(value),
                 parameter.legal()));
         }
         return value + 0.0;

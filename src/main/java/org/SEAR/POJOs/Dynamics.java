@@ -9,7 +9,8 @@ import org.SEAR.grammar.Param;
  * Mass, suspension and start pose of a robot, and its serial port for the Roomba protocol. The pose is relative to the
  * robot's.
  */
-@Described("mass, suspension and start pose of a robot, relative to the robot's own pose, and its serial port for the Roomba protocol. SEAR sets an"
+@Described("mass, suspension and start pose of a robot, relative to the robot's own pose, and its serial port for the "
+    + "Roomba protocol. SEAR sets an"
     + " upside-down start pose upright and turns it by 180 degrees, with a warning")
 public class Dynamics extends SearObject implements SerialObject {
     private static final double COMPRESSION = 0.3;
@@ -60,7 +61,8 @@ public class Dynamics extends SearObject implements SerialObject {
     }
 
     /** At the origin. */
-    public Dynamics(String name, double mass, double stiffness, double compression, double damping, double maxSuspensionForce, double restLength) {
+    public Dynamics(String name, double mass, double stiffness, double compression, double damping,
+        double maxSuspensionForce, double restLength) {
         this(name, mass, stiffness, compression, damping, maxSuspensionForce, restLength, 0, 0, 0, 0, 0, 0);
     }
 
@@ -70,12 +72,15 @@ public class Dynamics extends SearObject implements SerialObject {
      * @param maxSuspensionForce N
      * @param restLength metres
      */
-    public Dynamics(String name, double mass, double stiffness, double compression, double damping, double maxSuspensionForce,
+    public Dynamics(String name, double mass, double stiffness, double compression, double damping,
+        double maxSuspensionForce,
             double restLength, double x, double y, double z, double rx, double ry, double rz) {
-        this(name, mass, Double.valueOf(stiffness), compression, damping, maxSuspensionForce, Double.valueOf(restLength), x, y, z, rx, ry, rz);
+        this(name, mass, Double.valueOf(stiffness), compression, damping, maxSuspensionForce,
+            Double.valueOf(restLength), x, y, z, rx, ry, rz);
     }
 
-    private Dynamics(String name, double mass, Double stiffness, double compression, double damping, double maxSuspensionForce,
+    private Dynamics(String name, double mass, Double stiffness, double compression, double damping,
+        double maxSuspensionForce,
             Double restLength, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
         this.mass = mass;

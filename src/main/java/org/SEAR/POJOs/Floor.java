@@ -90,7 +90,10 @@ public class Floor extends Shape {
         return imageSize == null ? super.getPictureTile() : imageSize;
     }
 
-    /** Adds {@code tile}, for a picture of the floor's own: size of its repetition, metres; 0 if it covers the floor once. */
+    /**
+     * Adds {@code tile}, for a picture of the floor's own: size of its repetition, metres; 0 if it covers the floor
+     * once.
+     */
     @Override
     protected void addDrawingProperties(Map<String, Object> properties) {
         super.addDrawingProperties(properties);

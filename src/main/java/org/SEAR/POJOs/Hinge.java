@@ -25,7 +25,8 @@ public class Hinge extends AxisJoint {
     }
 
     /** With its axis through (x, y, z), metres, turned by (rx, ry, rz), degrees: (90, 0, 0) makes it point along z. */
-    public Hinge(String name, SearObject first, SearObject second, double x, double y, double z, double rx, double ry, double rz) {
+    public Hinge(String name, SearObject first, SearObject second, double x, double y, double z, double rx, double ry,
+        double rz) {
         super(name, first, second);
         pose(x, y, z, rx, ry, rz);
         created(Hinge.class);

@@ -11,9 +11,11 @@ import org.SEAR.grammar.TextRule;
  * second object; a lifted object takes its joint along.
  */
 public abstract class Joint extends SearObject {
-    @Param(doc = "name of the first object or robot; without it the second one is joined to the world", text = TextRule.NAME)
+    @Param(doc = "name of the first object or robot; without it the second one is joined to the world",
+        text = TextRule.NAME)
     private String first;
-    @Param(doc = "name of the second object or robot, which moves against the first", text = TextRule.NAME, required = true)
+    @Param(doc = "name of the second object or robot, which moves against the first", text = TextRule.NAME,
+        required = true)
     private String second;
     @Param(doc = "whether both objects collide with each other")
     private boolean collide;
@@ -32,7 +34,8 @@ public abstract class Joint extends SearObject {
         super(name);
         if (second == null) {
             throw new IllegalArgumentException(getClass().getSimpleName() + " \"" + ScriptText.of(name)
-                + "\": the second object is missing (None), legal: an object or robot; None as the first object is the world");
+                + "\": the second object is missing (None), legal: an object or robot; None as the first object "
+                    + "is the world");
         }
         this.first = first == null ? null : first.getName();
         this.second = second.getName();

@@ -25,7 +25,8 @@ public class LIDAR extends SensorObject implements SerialObject {
     private double resolution = 1;
     @Param(doc = "whether a reading of 360 degrees ends with a beam in the direction of its first one; default: true")
     private Boolean closed;
-    @Param(doc = "duration of a turn in which a reading's beams are measured one after another, 0: all at one instant; a device at ports has its own",
+    @Param(doc = "duration of a turn in which a reading's beams are measured one after another, 0: all at one instant; "
+        + "a device at ports has its own",
         unit = "s", max = 1)
     private double scanTime;
     @Included
@@ -64,7 +65,8 @@ public class LIDAR extends SensorObject implements SerialObject {
     }
 
     /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees. */
-    public LIDAR(String name, double range, double spread, double resolution, double x, double y, double z, double rx, double ry, double rz) {
+    public LIDAR(String name, double range, double spread, double resolution, double x, double y, double z, double rx,
+        double ry, double rz) {
         super(name);
         this.range = range;
         this.spread = spread;
@@ -78,7 +80,8 @@ public class LIDAR extends SensorObject implements SerialObject {
         if (resolution > spread) {
             faults.add("resolution", resolution, "at most the spread, " + Parameter.format(spread) + " deg");
         } else if (spread / resolution > MAX_BEAMS - 1) {
-            faults.add("resolution", resolution, "at most " + MAX_BEAMS + " beams: at least " + Parameter.format(spread / (MAX_BEAMS - 1)) + " deg");
+            faults.add("resolution", resolution, "at most " + MAX_BEAMS + " beams: at least "
+                + Parameter.format(spread / (MAX_BEAMS - 1)) + " deg");
         }
     }
 
@@ -171,8 +174,10 @@ public class LIDAR extends SensorObject implements SerialObject {
 
     private String noSuchFan() {
         String able = LidarModel.namesWith(spread, resolution);
-        return atItsPort() + ", and none has spread " + Parameter.format(spread) + " with resolution " + Parameter.format(resolution)
-            + " deg, legal: " + device().fans() + "; without setPorts every fan, read with sear.getLidarResult(\"" + getName() + "\")"
+        return atItsPort() + ", and none has spread " + Parameter.format(spread) + " with resolution "
+            + Parameter.format(resolution)
+            + " deg, legal: " + device().fans() + "; without setPorts every fan, read with sear.getLidarResult(\""
+            + getName() + "\")"
             + (able.isEmpty() ? "; no model has it" : "; setModel has it with " + able);
     }
 
@@ -204,8 +209,10 @@ public class LIDAR extends SensorObject implements SerialObject {
         range = checked("range", metres);
         changed();
         if (hasDevice() && range > device().getFarthest()) {
-            Notices.say(atItsPort() + ", which reports at most " + Parameter.format(device().getFarthest()) + " m, but the range is "
-                + Parameter.format(range) + " m: read greater distances with sear.getLidarResult(\"" + getName() + "\")");
+            Notices.say(atItsPort() + ", which reports at most " + Parameter.format(device().getFarthest())
+                + " m, but the range is "
+                + Parameter.format(range) + " m: read greater distances with sear.getLidarResult(\""
+                    + getName() + "\")");
         }
     }
 
@@ -242,8 +249,8 @@ public class LIDAR extends SensorObject implements SerialObject {
 
     /**
      * Lets the beams of a reading be measured one after another, from right to left, as by a rotating mirror. The
-     * leftmost is of the time of the reading, each other one earlier by the time in which the mirror turns between them.
-     * The device at ports measures at its model's speed instead.
+     * leftmost is of the time of the reading, each other one earlier by the time in which the mirror turns between
+     * them. The device at ports measures at its model's speed instead.
      *
      * @param seconds duration of a turn of 360 degrees, 0 to 1; 0, the default: all beams at one instant
      */

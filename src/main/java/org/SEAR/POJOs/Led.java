@@ -12,7 +12,8 @@ import org.SEAR.protocol.arduino.WireRole;
  * A light-emitting diode on a robot, which scripts and the pin of an Arduino switch and dim. It has no mass, and
  * sensors do not see it.
  */
-@Described("a light-emitting diode on a robot; scripts and the pin of an Arduino switch and dim it; sensors do not see it")
+@Described("a light-emitting diode on a robot; scripts and the pin of an Arduino switch and dim it; sensors "
+    + "do not see it")
 public class Led extends SearObject implements Wirable {
     private static final String RED = "#ff0000";
     private static final double SIZE = 0.01;

@@ -9,7 +9,8 @@ import org.SEAR.grammar.Param;
  * An ArUco or AprilTag marker, by whose corners a camera program finds its position. The size is that of the black
  * square; around it is a white margin of one cell's width.
  */
-@Described("a vertical plate with an ArUco or AprilTag marker, its front towards -z; its origin is the middle of the marker")
+@Described("a vertical plate with an ArUco or AprilTag marker, its front towards -z; its origin is the middle "
+    + "of the marker")
 public class Marker extends Board {
     private static final String APRILTAG = "APRILTAG_36h11";
     private static final int APRILTAGS = 587;
@@ -47,7 +48,8 @@ public class Marker extends Board {
     }
 
     /** With its middle at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
-    public Marker(String name, String dictionary, int id, double size, double x, double y, double z, double rx, double ry, double rz) {
+    public Marker(String name, String dictionary, int id, double size, double x, double y, double z, double rx,
+        double ry, double rz) {
         super(name, 0);
         this.dictionary = dictionary;
         this.id = id;
@@ -74,7 +76,8 @@ public class Marker extends Board {
     }
 
     private int count() {
-        return dictionary.equals(APRILTAG) ? APRILTAGS : Integer.parseInt(dictionary.substring(dictionary.lastIndexOf('_') + 1));
+        return dictionary.equals(APRILTAG) ? APRILTAGS
+            : Integer.parseInt(dictionary.substring(dictionary.lastIndexOf('_') + 1));
     }
 
     @Override

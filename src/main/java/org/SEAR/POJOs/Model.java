@@ -72,7 +72,8 @@ public class Model extends Shape {
     }
 
     /** With all parameters. */
-    public Model(String name, String path, double mass, String image, double x, double y, double z, double rx, double ry, double rz) {
+    public Model(String name, String path, double mass, String image, double x, double y, double z, double rx,
+        double ry, double rz) {
         super(name, mass);
         this.path = path;
         wrap(image);
@@ -83,7 +84,8 @@ public class Model extends Shape {
     @Override
     String whyNoComponent() {
         if (EXACT.equals(collision)) {
-            return " collides by its exact triangles, which is only legal for fixed models; legal: setCollision(\"parts\") before";
+            return " collides by its exact triangles, which is only legal for fixed models; legal: "
+                + "setCollision(\"parts\") before";
         }
         return terrain ? " is the terrain, which can't be a component" : super.whyNoComponent();
     }
@@ -129,10 +131,12 @@ public class Model extends Shape {
      */
     public void setTerrain(boolean on) {
         if (on && getMass() != 0) {
-            throw new IllegalArgumentException(label() + ": mass is " + Parameter.format(getMass()) + ", legal: 0 kg for a terrain");
+            throw new IllegalArgumentException(label() + ": mass is " + Parameter.format(getMass())
+                + ", legal: 0 kg for a terrain");
         }
         if (on && collision != null && !EXACT.equals(collision)) {
-            throw new IllegalArgumentException(label() + ": collision is \"" + collision + "\", legal: exact for a terrain");
+            throw new IllegalArgumentException(label() + ": collision is \"" + collision
+                + "\", legal: exact for a terrain");
         }
         terrain = checked("terrain", on);
         changed();

@@ -15,7 +15,8 @@ import org.SEAR.protocol.arduino.WireRole;
  * speed: torque = stallTorque (power - speed / noLoadSpeed). The wheels share the torque, each at its own speed. The
  * SEAR service of the simulation commands the motor.
  */
-@Described("an electric motor with a gear, which turns wheels of its robot: torque = stallTorque (power - speed / noLoadSpeed); the wheels share the"
+@Described("an electric motor with a gear, which turns wheels of its robot: torque = stallTorque (power - speed / "
+    + "noLoadSpeed); the wheels share the"
     + " torque, each at its own speed")
 public class Motor extends SearObject implements Wirable {
     private static final int MAX_WHEELS = 100;
@@ -66,7 +67,8 @@ public class Motor extends SearObject implements Wirable {
      * @param gearRatio turns of the motor's shaft per turn of the wheel
      * @param encoderCounts per turn of the motor's shaft, 0 for no encoder
      */
-    public Motor(String name, Wheel wheel, double stallTorque, double noLoadSpeed, double gearRatio, int encoderCounts) {
+    public Motor(String name, Wheel wheel, double stallTorque, double noLoadSpeed, double gearRatio,
+        int encoderCounts) {
         super(name);
         this.stallTorque = stallTorque;
         this.noLoadSpeed = noLoadSpeed;
@@ -86,7 +88,8 @@ public class Motor extends SearObject implements Wirable {
     /** Returns the wires for power and direction, and for the encoder if the motor has one. */
     @Override
     public List<WireRole> getWireRoles() {
-        return encoderCounts > 0 ? List.of(WireRole.PWM, WireRole.REVERSE, WireRole.DIRECTION, WireRole.ENCODER_A, WireRole.ENCODER_B)
+        return encoderCounts > 0 ? List.of(WireRole.PWM, WireRole.REVERSE, WireRole.DIRECTION, WireRole.ENCODER_A,
+            WireRole.ENCODER_B)
             : List.of(WireRole.PWM, WireRole.REVERSE, WireRole.DIRECTION);
     }
 
@@ -102,15 +105,18 @@ public class Motor extends SearObject implements Wirable {
             throw new IllegalArgumentException(label() + ": wheel is missing (None), legal: a driven wheel (type 1)");
         }
         if (!wheel.isDriven()) {
-            throw new IllegalArgumentException(label() + ": " + wheel.label() + " has type " + wheel.getType() + ", legal: a driven wheel (type 1)");
+            throw new IllegalArgumentException(label() + ": " + wheel.label() + " has type " + wheel.getType()
+                + ", legal: a driven wheel (type 1)");
         }
         SearObject other = wheel.getMover();
         if (other != null && !other.getName().equals(getName())) {
-            throw new IllegalArgumentException(label() + ": " + wheel.label() + " is turned by " + other.label() + ", legal: one motor per wheel;"
+            throw new IllegalArgumentException(label() + ": " + wheel.label() + " is turned by " + other.label()
+                + ", legal: one motor per wheel;"
                 + " motor.addWheel(wheel) gives a motor several wheels");
         }
         if (robot() != null && wheel.robot() != null && robot() != wheel.robot()) {
-            throw new IllegalArgumentException(label() + ": " + wheel.label() + " is a wheel of " + wheel.robot().label() + ", legal: a wheel of "
+            throw new IllegalArgumentException(label() + ": " + wheel.label() + " is a wheel of " + wheel.robot()
+                .label() + ", legal: a wheel of "
                 + robot().label());
         }
     }
@@ -125,10 +131,12 @@ public class Motor extends SearObject implements Wirable {
         checkChangeable();
         checkWheel(wheel);
         if (wheelNames.contains(wheel.getName())) {
-            throw new IllegalArgumentException(label() + ": " + wheel.label() + " is its wheel already, legal: another wheel");
+            throw new IllegalArgumentException(label() + ": " + wheel.label() + " is its wheel already, legal: "
+                + "another wheel");
         }
         if (wheelNames.size() >= MAX_WHEELS) {
-            throw new IllegalArgumentException(label() + ": wheel is " + wheel.label() + ", legal: at most " + MAX_WHEELS + " wheels");
+            throw new IllegalArgumentException(label() + ": wheel is " + wheel.label() + ", legal: at most "
+                + MAX_WHEELS + " wheels");
         }
         wheelNames.add(wheel.getName());
         wheel.setMover(this);

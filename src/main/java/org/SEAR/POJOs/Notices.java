@@ -28,7 +28,8 @@ final class Notices {
             say(label + " was made while a simulation runs: it appears at the next startSimulation()");
         }
         if (ScriptSessions.ALL.script().isAgain(name, taken)) {
-            say(label + " has the name of an object that this script has made already, and replaces its file: a name means one object of the"
+            say(label + " has the name of an object that this script has made already, and replaces its file: a name "
+                + "means one object of the"
                 + " project");
         }
     }
@@ -42,7 +43,8 @@ final class Notices {
      */
     static void changed(String label, String what, String instead, int madeAfter) {
         if (ScriptSessions.ALL.actsFor(madeAfter) != null) {
-            say(label + " was " + what + " while a simulation runs: the change is in its file and takes effect at the next"
+            say(label + " was " + what + " while a simulation runs: the change is in its file and takes "
+                + "effect at the next"
                 + " startSimulation()" + instead);
         }
     }
@@ -58,7 +60,8 @@ final class Notices {
         }
         String named = others.stream().limit(NAMED).map(name -> '"' + name + '"').collect(Collectors.joining(", "));
         String more = others.size() > NAMED ? " and " + (others.size() - NAMED) + " more" : "";
-        return "in the project, but not made by this script: " + named + more + " (from an earlier run or another script;"
+        return "in the project, but not made by this script: " + named + more
+            + " (from an earlier run or another script;"
             + " call sear.newProject() first to start with an empty project)";
     }
 

@@ -38,7 +38,8 @@ public class Picture extends Board {
     }
 
     /** With its middle at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
-    public Picture(String name, double width, double height, String image, double x, double y, double z, double rx, double ry, double rz) {
+    public Picture(String name, double width, double height, String image, double x, double y, double z, double rx,
+        double ry, double rz) {
         super(name, 0);
         this.width = width;
         this.height = height;

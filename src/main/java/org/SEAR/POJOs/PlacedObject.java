@@ -91,7 +91,8 @@ public abstract class PlacedObject extends SearObject {
 
     private void checkNoPart() {
         if (robot() != null) {
-            throw new IllegalArgumentException(label() + " is a part of " + robot().label() + " and can't be placed on the ground: its move(x, y, z)"
+            throw new IllegalArgumentException(label() + " is a part of " + robot().label()
+                + " and can't be placed on the ground: its move(x, y, z)"
                 + " is relative to the robot; place the robot");
         }
     }
@@ -130,13 +131,15 @@ public abstract class PlacedObject extends SearObject {
 
     @Override
     String whyNoComponent() {
-        return isOnGround() ? " was placed on the ground, which a component can't be, legal: move(x, y, z), in the robot's frame" : null;
+        return isOnGround() ? " was placed on the ground, which a component can't be, legal: move(x, y, z), in the "
+            + "robot's frame" : null;
     }
 
     @Override
     protected void crossCheck(Faults faults) {
         if (placeLatitude == null != (placeLongitude == null)) {
-            faults.add(placeLatitude == null ? LONGITUDE : LATITUDE, placeLatitude == null ? placeLongitude : placeLatitude,
+            faults.add(placeLatitude == null ? LONGITUDE : LATITUDE, placeLatitude == null ? placeLongitude
+                : placeLatitude,
                 "both " + LATITUDE + " and " + LONGITUDE + ", or neither");
         }
     }

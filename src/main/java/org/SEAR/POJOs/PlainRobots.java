@@ -17,19 +17,22 @@ final class PlainRobots {
 
     private static SEARrobot make(String name, double mass, double radius) {
         SEARrobot robot = new SEARrobot(name);
-        robot.addComponent(new Dynamics(ObjectStores.partName(robot, "drive"), mass, STIFFNESS, COMPRESSION, DAMPING, MAX_FORCE, REST_LENGTH, 0,
+        robot.addComponent(new Dynamics(ObjectStores.partName(robot, "drive"), mass, STIFFNESS, COMPRESSION, DAMPING,
+            MAX_FORCE, REST_LENGTH, 0,
             radius + HANGING, 0, 0, 0, 0));
         return robot;
     }
 
-    private static void body(SEARrobot robot, double length, double width, double height, double mass, double y, double z) {
+    private static void body(SEARrobot robot, double length, double width, double height, double mass,
+        double y, double z) {
         Box body = new Box(ObjectStores.partName(robot, "body"), length, width, height, mass);
         robot.addComponent(body);
         body.setColor(COLOR);
         body.move(0, y, z);
     }
 
-    private static Wheel wheel(SEARrobot robot, String name, int type, double radius, double width, double x, double z) {
+    private static Wheel wheel(SEARrobot robot, String name, int type, double radius, double width,
+        double x, double z) {
         Wheel wheel = new Wheel(ObjectStores.partName(robot, name), radius, width, type, x, 0, z);
         robot.addWheel(wheel);
         return wheel;

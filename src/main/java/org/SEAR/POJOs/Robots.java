@@ -34,22 +34,33 @@ public final class Robots {
         return make(name, "roomba400", 57600, null, null);
     }
 
-    /** A Roomba of the 400 series with ports: {@code uart} is the device's end, {@code user} the one that the user opens. */
+    /**
+     * A Roomba of the 400 series with ports: {@code uart} is the device's end, {@code user} the one that the user
+     * opens.
+     */
     public static SEARrobot roomba400(String name, String uart, String user) {
         return make(name, "roomba400", 57600, uart, user);
     }
 
-    /** An iRobot Create, the first: wheels 258 mm apart, 57600 baud; a Roomba of the 500 series has the same dimensions. */
+    /**
+     * An iRobot Create, the first: wheels 258 mm apart, 57600 baud; a Roomba of the 500 series has the same dimensions.
+     */
     public static SEARrobot create(String name) {
         return make(name, "create", 57600, null, null);
     }
 
-    /** An iRobot Create, the first, with ports: {@code uart} is the device's end, {@code user} the one that the user opens. */
+    /**
+     * An iRobot Create, the first, with ports: {@code uart} is the device's end, {@code user} the one that the user
+     * opens.
+     */
     public static SEARrobot create(String name, String uart, String user) {
         return make(name, "create", 57600, uart, user);
     }
 
-    /** An iRobot Create 2 or a Roomba of the 600 series: wheels of 72 mm, 235 mm apart, 508.8 encoder counts a turn, 115200 baud. */
+    /**
+     * An iRobot Create 2 or a Roomba of the 600 series: wheels of 72 mm, 235 mm apart, 508.8 encoder counts a turn,
+     * 115200 baud.
+     */
     public static SEARrobot create2(String name) {
         return make(name, "create2", 115200, null, null);
     }
@@ -71,8 +82,8 @@ public final class Robots {
     }
 
     /**
-     * A rover of 2 kg with two driven wheels and a caster behind: {@code left}, {@code right}, {@code caster}, a motor for each driven wheel ({@code
-     * leftMotor}, {@code rightMotor}), {@code body} and {@code drive}.
+     * A rover of 2 kg with two driven wheels and a caster behind: {@code left}, {@code right}, {@code caster}, a motor
+     * for each driven wheel ({@code leftMotor}, {@code rightMotor}), {@code body} and {@code drive}.
      */
     public static SEARrobot rover(String name) {
         return ObjectStores.get().whole(() -> PlainRobots.rover(name));
@@ -114,8 +125,10 @@ public final class Robots {
         robot.addComponent(body);
         body.move(0, RAISED, 0);
         OpenInterfaceBody size = OpenInterfaceBody.of(model);
-        robot.addWheel(new Wheel(ObjectStores.partName(robot, "left"), size.wheelRadius, TREAD, 1, size.wheelBase / 2, 0, 0));
-        robot.addWheel(new Wheel(ObjectStores.partName(robot, "right"), size.wheelRadius, TREAD, 1, -size.wheelBase / 2, 0, 0));
+        robot.addWheel(new Wheel(ObjectStores.partName(robot, "left"), size.wheelRadius, TREAD, 1,
+            size.wheelBase / 2, 0, 0));
+        robot.addWheel(new Wheel(ObjectStores.partName(robot, "right"), size.wheelRadius, TREAD, 1,
+            -size.wheelBase / 2, 0, 0));
         double casterY = CASTER_RADIUS - size.wheelRadius;
         robot.addWheel(new Wheel(ObjectStores.partName(robot, "front"), CASTER_RADIUS, TREAD, 0, 0, casterY, CASTER_Z));
         robot.addWheel(new Wheel(ObjectStores.partName(robot, "back"), CASTER_RADIUS, TREAD, 0, 0, casterY, -CASTER_Z));

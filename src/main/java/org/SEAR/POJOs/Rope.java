@@ -8,7 +8,8 @@ import org.SEAR.grammar.Param;
  * A massless rope from a point of the first object to one of the second: it is never longer than {@code upper}. With a
  * lower limit it is a rod, with a spring a coil spring, with a motor a winch.
  */
-@Described("a massless rope from (x, y, z) on the first object to (endX, endY, endZ) on the second; its position is its length")
+@Described("a massless rope from (x, y, z) on the first object to (endX, endY, endZ) on the second; its position "
+    + "is its length")
 public class Rope extends AxisJoint {
     @Param(doc = "end on the second object, northwards", unit = "m", min = -FAR, max = FAR)
     private double endX;
@@ -26,7 +27,8 @@ public class Rope extends AxisJoint {
      *
      * @param first null for the world
      */
-    public Rope(String name, SearObject first, SearObject second, double x, double y, double z, double endX, double endY, double endZ) {
+    public Rope(String name, SearObject first, SearObject second, double x, double y, double z, double endX,
+        double endY, double endZ) {
         super(name, first, second);
         pose(x, y, z, 0, 0, 0);
         this.endX = endX;

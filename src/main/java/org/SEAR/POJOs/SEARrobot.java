@@ -137,10 +137,12 @@ public class SEARrobot extends PlacedObject {
             throw new IllegalArgumentException(label() + ": " + component.label() + component.whyNoComponent());
         }
         if (component instanceof Dynamics && components.stream().anyMatch(c -> c instanceof Dynamics)) {
-            throw new IllegalArgumentException(label() + ": " + component.label() + " would be its second Dynamics, legal: one");
+            throw new IllegalArgumentException(label() + ": " + component.label()
+                + " would be its second Dynamics, legal: one");
         }
         if (components.size() >= MAX_COMPONENTS) {
-            throw new IllegalArgumentException(label() + ": component is " + component.label() + ", legal: at most " + MAX_COMPONENTS
+            throw new IllegalArgumentException(label() + ": component is " + component.label() + ", legal: at most "
+                + MAX_COMPONENTS
                 + " components");
         }
         adopt(component);
@@ -200,7 +202,8 @@ public class SEARrobot extends PlacedObject {
         String aside = getName() + "/" + component;
         if (!TextRule.COMPONENT.isLegal(aside)) {
             throw new IllegalArgumentException(label() + ": another robot's part is also named "
-                + ParameterTable.quote(component) + ", legal: names short enough for \"" + aside + "\" (190 characters), or a unique name");
+                + ParameterTable.quote(component) + ", legal: names short enough for \"" + aside
+                    + "\" (190 characters), or a unique name");
         }
     }
 
@@ -227,8 +230,10 @@ public class SEARrobot extends PlacedObject {
     public void setOwnFolder(String component, boolean on) {
         checkChangeable();
         String wanted = ScriptText.of(component);
-        SearObject part = components.stream().filter(c -> c.getName().equals(wanted)).findFirst().orElseThrow(() -> new IllegalArgumentException(
-            label() + ": component is " + ParameterTable.quote(wanted) + ", legal: " + components.stream().map(SearObject::getName)
+        SearObject part = components.stream().filter(c -> c.getName().equals(wanted)).findFirst()
+            .orElseThrow(() -> new IllegalArgumentException(
+            label() + ": component is " + ParameterTable.quote(wanted) + ", legal: " + components.stream()
+            .map(SearObject::getName)
                 .collect(Collectors.joining(", "))));
         boolean aside = !part.getFileName().equals(part.getName());
         if (aside == on) {
@@ -262,7 +267,8 @@ public class SEARrobot extends PlacedObject {
         checkChangeable();
         checkPart(wheel, "a wheel");
         if (wheels.size() >= MAX_WHEELS) {
-            throw new IllegalArgumentException(label() + ": wheel is " + wheel.label() + ", legal: at most " + MAX_WHEELS + " wheels");
+            throw new IllegalArgumentException(label() + ": wheel is " + wheel.label() + ", legal: at most "
+                + MAX_WHEELS + " wheels");
         }
         wheel.setRobot(this);
         wheels.add(wheel);
@@ -292,7 +298,8 @@ public class SEARrobot extends PlacedObject {
     }
 
     private UncheckedIOException notRemoved(String name, IOException e) {
-        return new UncheckedIOException(label() + ": the old file of \"" + name + "\" could not be removed: " + e.getMessage(), e);
+        return new UncheckedIOException(label() + ": the old file of \"" + name + "\" could not be removed: "
+            + e.getMessage(), e);
     }
 
     private void checkPart(SearObject part, String what) {
@@ -300,7 +307,8 @@ public class SEARrobot extends PlacedObject {
             throw new IllegalArgumentException(label() + ": " + what + " is null, legal: an object");
         }
         if (part.robot() != null) {
-            throw new IllegalArgumentException(label() + ": " + part.label() + " is already a part of " + part.robot().label()
+            throw new IllegalArgumentException(label() + ": " + part.label() + " is already a part of "
+                + part.robot().label()
                 + ", legal: an object that isn't part of a robot");
         }
         part.checkChangeable();
@@ -309,7 +317,8 @@ public class SEARrobot extends PlacedObject {
         names.add(getName());
         for (String taken : names) {
             if (taken.equalsIgnoreCase(part.getName())) {
-                throw new IllegalArgumentException(label() + ": " + part.label() + " has the name of another part, legal: a name that differs from "
+                throw new IllegalArgumentException(label() + ": " + part.label() + " has the name of another part, "
+                    + "legal: a name that differs from "
                     + names + " by more than capitals");
             }
         }
@@ -343,9 +352,12 @@ public class SEARrobot extends PlacedObject {
      */
     public SearObject getPart(String part) {
         String wanted = ScriptText.of(part);
-        return Stream.concat(components.stream(), wheels.stream()).filter(one -> one.getName().equals(wanted)).findFirst()
-            .orElseThrow(() -> new IllegalArgumentException(label() + ": part is " + ParameterTable.quote(wanted) + ", legal: "
-                + Stream.concat(components.stream(), wheels.stream()).map(SearObject::getName).collect(Collectors.joining(", "))));
+        return Stream.concat(components.stream(), wheels.stream()).filter(one -> one.getName().equals(wanted))
+            .findFirst()
+            .orElseThrow(() -> new IllegalArgumentException(label() + ": part is " + ParameterTable.quote(wanted)
+                + ", legal: "
+                + Stream.concat(components.stream(), wheels.stream()).map(SearObject::getName)
+                    .collect(Collectors.joining(", "))));
     }
 
     /**

@@ -86,7 +86,8 @@ final class ScriptRun {
      * @return whether a script calls
      */
     private boolean follow() {
-        Optional<String> present = StackWalker.getInstance().walk(frames -> frames.map(StackWalker.StackFrame::getClassName)
+        Optional<String> present = StackWalker.getInstance()
+            .walk(frames -> frames.map(StackWalker.StackFrame::getClassName)
             .filter(type -> type.startsWith(SCRIPT)).reduce((inner, outer) -> outer));
         if (present.isPresent() && !present.get().equals(run)) {
             run = present.get();

@@ -39,7 +39,8 @@ final class ScriptSessions {
 
     /** Returns the robots created in this program that are still referenced, in the order of their creation. */
     synchronized <T> List<T> made(Class<T> type) {
-        return made.stream().map(WeakReference::get).filter(type::isInstance).map(type::cast).collect(Collectors.toList());
+        return made.stream().map(WeakReference::get).filter(type::isInstance).map(type::cast)
+            .collect(Collectors.toList());
     }
 
     synchronized void add(ScriptSession scriptSession) {
@@ -66,7 +67,8 @@ final class ScriptSessions {
     /** Returns the session whose simulation runs, otherwise the one used last; null if none is open. */
     ScriptSession present() {
         List<ScriptSession> now = open;
-        return now.stream().filter(ScriptSession::isSimulating).findFirst().orElse(now.isEmpty() ? null : now.get(now.size() - 1));
+        return now.stream().filter(ScriptSession::isSimulating).findFirst()
+            .orElse(now.isEmpty() ? null : now.get(now.size() - 1));
     }
 
     /** Returns the number of the simulation that starts, from 1. */

@@ -92,7 +92,8 @@ public abstract class SearObject {
 
     private void checkWhole() {
         List<String> problems = new ArrayList<>(ParameterTable.of(getClass()).problems(this, ""));
-        crossCheck((element, value, legal) -> problems.add(element + " is " + ParameterTable.quote(value) + ", legal: " + legal));
+        crossCheck((element, value, legal) -> problems.add(element + " is " + ParameterTable.quote(value)
+            + ", legal: " + legal));
         if (!problems.isEmpty()) {
             throw new IllegalArgumentException(label() + ": " + String.join("; ", problems));
         }
@@ -136,8 +137,10 @@ public abstract class SearObject {
     private void rewrite() {
         try {
             if (!isKept()) {
-                throw new IllegalStateException(label() + " is not in the project: since this object was created it was deleted or renamed there, or"
-                    + " another project was opened; sear.edit({\"do\": \"set\", ...}) changes the project's present objects by name");
+                throw new IllegalStateException(label() + " is not in the project: since this object was created it "
+                    + "was deleted or renamed there, or"
+                    + " another project was opened; sear.edit({\"do\": \"set\", ...}) changes the project's present "
+                        + "objects by name");
             }
             save();
         } catch (IOException e) {
@@ -220,7 +223,8 @@ public abstract class SearObject {
         }
         Parameter described = ParameterTable.of(getClass()).get(parameter);
         if (!described.isLegal(value)) {
-            throw new IllegalArgumentException(label() + ": " + parameter + " is " + ParameterTable.quote(value) + ", legal: " + described.legal());
+            throw new IllegalArgumentException(label() + ": " + parameter + " is " + ParameterTable.quote(value)
+                + ", legal: " + described.legal());
         }
     }
 
@@ -246,7 +250,8 @@ public abstract class SearObject {
 
     final void checkChangeable() {
         if (life == Life.READ) {
-            throw new IllegalStateException(label() + " was read from a project and can't be changed; create objects with their constructors");
+            throw new IllegalStateException(label() + " was read from a project and can't be changed; create objects "
+                + "with their constructors");
         }
     }
 
@@ -309,8 +314,8 @@ public abstract class SearObject {
     }
 
     /**
-     * Returns the constant properties by which the tab draws the object, besides pose and surface, by the names of their
-     * JSON fields.
+     * Returns the constant properties by which the tab draws the object, besides pose and surface, by the names of
+     * their JSON fields.
      */
     public final Map<String, Object> getDrawingProperties() {
         Map<String, Object> properties = new LinkedHashMap<>();

@@ -55,8 +55,10 @@ public final class SerialParameters {
     public void setPorts(String uart, String user) {
         if (uart == null && user == null) {
             owner.checkChangeable();
-        } else if (uart == null || user == null || uart.trim().isEmpty() || user.trim().isEmpty() || uart.equals(user)) {
-            throw new IllegalArgumentException(owner.label() + ": ports are " + ParameterTable.quote(uart) + " and " + ParameterTable.quote(user)
+        } else if (uart == null || user == null || uart.trim().isEmpty() || user.trim().isEmpty()
+            || uart.equals(user)) {
+            throw new IllegalArgumentException(owner.label() + ": ports are " + ParameterTable.quote(uart) + " and "
+                + ParameterTable.quote(user)
                 + ", legal: two different names");
         } else {
             owner.checked("uartPort", uart);

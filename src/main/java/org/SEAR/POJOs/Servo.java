@@ -15,7 +15,8 @@ import org.SEAR.protocol.arduino.WireRole;
  * A servo motor, which turns the parts mounted on it about the servo's own y axis: a sensor, a shape, another servo.
  * The pose of a mounted part on the robot is that with the servo at 0 degrees.
  */
-@Described("a servo motor, which turns the parts mounted on it about its own y axis; their poses are those with the servo at 0 degrees")
+@Described("a servo motor, which turns the parts mounted on it about its own y axis; their poses are those with the "
+    + "servo at 0 degrees")
 public class Servo extends SearObject implements Wirable {
     /** Parts that a servo can turn, in words. */
     public static final String TURNABLE = "a shape, a light, another servo, or a sensor except motion sensors and GPS";
@@ -94,24 +95,29 @@ public class Servo extends SearObject implements Wirable {
     public void mount(SearObject part) {
         checkChangeable();
         if (part == null || !canTurn(part) || part == this) {
-            throw new IllegalArgumentException(label() + ": " + (part == null ? "part is missing (None)" : part.label() + " can't be mounted")
+            throw new IllegalArgumentException(
+                label() + ": " + (part == null ? "part is missing (None)" : part.label() + " can't be mounted")
                 + ", legal: " + TURNABLE);
         }
         if (part.getMover() != null) {
-            throw new IllegalArgumentException(label() + ": " + part.label() + " is mounted on " + part.getMover().label()
+            throw new IllegalArgumentException(label() + ": " + part.label() + " is mounted on "
+                + part.getMover().label()
                 + ", legal: a part that no servo turns yet");
         }
         for (SearObject one = this; one != null; one = one.getMover()) {
             if (one == part) {
-                throw new IllegalArgumentException(label() + ": " + part.label() + " turns it, legal: a part that does not turn it");
+                throw new IllegalArgumentException(label() + ": " + part.label() + " turns it, legal: a part that "
+                    + "does not turn it");
             }
         }
         if (robot() != null && part.robot() != null && robot() != part.robot()) {
-            throw new IllegalArgumentException(label() + ": " + part.label() + " is a part of " + part.robot().label() + ", legal: a part of "
+            throw new IllegalArgumentException(label() + ": " + part.label() + " is a part of " + part.robot().label()
+                + ", legal: a part of "
                 + robot().label());
         }
         if (partNames.size() >= MAX_PARTS) {
-            throw new IllegalArgumentException(label() + ": part is " + part.label() + ", legal: at most " + MAX_PARTS + " parts");
+            throw new IllegalArgumentException(label() + ": part is " + part.label() + ", legal: at most " + MAX_PARTS
+                + " parts");
         }
         partNames.add(part.getName());
         part.setMover(this);
@@ -120,9 +126,11 @@ public class Servo extends SearObject implements Wirable {
 
     /** Returns whether a servo can turn a kind of component: not a wheel, nor a sensor of motion or position. */
     public static boolean canTurn(SearObject part) {
-        boolean still = part instanceof Accelerometer || part instanceof Gyroscope || part instanceof IMU || part instanceof GPS
+        boolean still = part instanceof Accelerometer || part instanceof Gyroscope || part instanceof IMU
+            || part instanceof GPS
             || part instanceof Odometer || part instanceof Wheel;
-        return !still && (part instanceof Shape || part instanceof SensorObject || part instanceof Servo || part instanceof Led);
+        return !still && (part instanceof Shape || part instanceof SensorObject || part instanceof Servo
+            || part instanceof Led);
     }
 
     /** Returns the names of the mounted components; a view. */
@@ -152,7 +160,8 @@ public class Servo extends SearObject implements Wirable {
         double checkedMin = checked("minAngle", smallest);
         double checkedMax = checked("maxAngle", greatest);
         if (checkedMin >= checkedMax) {
-            throw new IllegalArgumentException(label() + ": minAngle is " + Parameter.format(smallest) + ", legal: less than maxAngle, which is "
+            throw new IllegalArgumentException(label() + ": minAngle is " + Parameter.format(smallest)
+                + ", legal: less than maxAngle, which is "
                 + Parameter.format(greatest) + " deg");
         }
         minAngle = checkedMin;
@@ -190,7 +199,9 @@ public class Servo extends SearObject implements Wirable {
         return delay;
     }
 
-    /** @param seconds between a command and its start, 0 to 1, rounded to 1/60 s; hobby servos take a pulse every 0.02 s */
+    /**
+     * @param seconds between a command and its start, 0 to 1, rounded to 1/60 s; hobby servos take a pulse every 0.02 s
+     */
     public void setDelay(double seconds) {
         delay = checked("delay", seconds);
         changed();

@@ -27,9 +27,11 @@ public abstract class Shape extends PlacedObject {
     /** Temperature of an object without a temperature of its own, degrees Celsius. */
     public static final double AMBIENT = 20;
     /** Parameters of the initial velocity and spin. */
-    private static final Set<String> LAUNCHING = Set.of("velocityX", "velocityY", "velocityZ", "spinX", "spinY", "spinZ");
+    private static final Set<String> LAUNCHING = Set.of("velocityX", "velocityY", "velocityZ", "spinX",
+        "spinY", "spinZ");
     /** Pictures of surfaces that come with SEAR, and the width and height of one repetition, metres. */
-    private static final Map<String, Double> TILES = Map.of("textures/tiles.png", 1.0, "textures/brick.png", 1.0, "textures/grass.png", 2.0);
+    private static final Map<String, Double> TILES = Map.of("textures/tiles.png", 1.0, "textures/brick.png", 1.0,
+        "textures/grass.png", 2.0);
 
     @Param(doc = "mass; 0 fixes the object in place", unit = "kg", min = LIGHT, orZero = true, max = HEAVY)
     private double mass;
@@ -173,7 +175,8 @@ public abstract class Shape extends PlacedObject {
     public void setMass(double kg) {
         double checkedMass = checked("mass", kg);
         if (checkedMass == 0 && isLaunched()) {
-            throw new IllegalArgumentException(label() + ": mass is 0, legal: more than 0 kg for an object with a velocity or a spin");
+            throw new IllegalArgumentException(label() + ": mass is 0, legal: more than 0 kg for an object with a "
+                + "velocity or a spin");
         }
         mass = checkedMass;
         changed();
@@ -342,10 +345,12 @@ public abstract class Shape extends PlacedObject {
 
     private void checkLaunch(String what) {
         if (robot() != null) {
-            throw new IllegalArgumentException(label() + " is a part of " + robot().label() + " and has no " + what + " of its own: the robot moves");
+            throw new IllegalArgumentException(label() + " is a part of " + robot().label() + " and has no " + what
+                + " of its own: the robot moves");
         }
         if (mass == 0) {
-            throw new IllegalArgumentException(label() + " is fixed (mass 0) and can't have a " + what + ", legal: setMass(kg) before");
+            throw new IllegalArgumentException(label() + " is fixed (mass 0) and can't have a " + what
+                + ", legal: setMass(kg) before");
         }
     }
 
@@ -372,7 +377,8 @@ public abstract class Shape extends PlacedObject {
     /** Returns the first non-zero parameter of the initial velocity or spin; null if there is none. */
     private Parameter launching() {
         return ParameterTable.of(getClass()).getParameters().stream()
-            .filter(parameter -> isLaunching(parameter.getName()) && parameter.get(this) != null && !parameter.get(this).equals(0.0)).findFirst()
+            .filter(parameter -> isLaunching(parameter.getName()) && parameter.get(this) != null && !parameter.get(this)
+                .equals(0.0)).findFirst()
             .orElse(null);
     }
 
@@ -386,7 +392,8 @@ public abstract class Shape extends PlacedObject {
 
     @Override
     String whyNoComponent() {
-        return isLaunched() ? " has a velocity or a spin, which a component can't have, legal: setVelocity(0, 0, 0) and setSpin(0, 0, 0) before"
+        return isLaunched() ? " has a velocity or a spin, which a component can't have, legal: setVelocity(0, 0, 0) "
+            + "and setSpin(0, 0, 0) before"
             : super.whyNoComponent();
     }
 

@@ -25,7 +25,8 @@ public class Slider extends AxisJoint {
     }
 
     /** At (x, y, z), metres, turned by (rx, ry, rz), degrees: (0, 0, 90) makes it point along -x. */
-    public Slider(String name, SearObject first, SearObject second, double x, double y, double z, double rx, double ry, double rz) {
+    public Slider(String name, SearObject first, SearObject second, double x, double y, double z, double rx, double ry,
+        double rz) {
         super(name, first, second);
         pose(x, y, z, rx, ry, rz);
         created(Slider.class);

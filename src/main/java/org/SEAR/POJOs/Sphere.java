@@ -39,12 +39,14 @@ public class Sphere extends Shape {
     }
 
     /** With its centre at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
-    public Sphere(String name, double radius, double mass, double x, double y, double z, double rx, double ry, double rz) {
+    public Sphere(String name, double radius, double mass, double x, double y, double z, double rx, double ry,
+        double rz) {
         this(name, radius, mass, null, x, y, z, rx, ry, rz);
     }
 
     /** With all parameters. */
-    public Sphere(String name, double radius, double mass, String image, double x, double y, double z, double rx, double ry, double rz) {
+    public Sphere(String name, double radius, double mass, String image, double x, double y, double z, double rx,
+        double ry, double rz) {
         super(name, mass);
         this.radius = radius;
         wrap(image);

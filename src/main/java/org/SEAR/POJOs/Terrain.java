@@ -18,7 +18,8 @@ import org.SEAR.grammar.TextRule;
  * middle of its area is the world's origin, at height 0, and the reference of GPS and compass. It is fixed in place; a
  * project has at most one.
  */
-@Described("the ground from an elevation map; the middle of its area is the world's origin; it can't be moved, turned or scaled, and has no mass")
+@Described("the ground from an elevation map; the middle of its area is the world's origin; it can't be moved, turned "
+    + "or scaled, and has no mass")
 public class Terrain extends Shape {
     /** Largest extent of an area, metres: a position is at most half of it from the origin. */
     static final double LARGEST = 2 * FAR;
@@ -83,7 +84,8 @@ public class Terrain extends Shape {
                 "all of northSouth, eastWest, lowest and highest, or none of them");
         } else if (extent && !area && !size) {
             faults.add(northSouth == null ? "eastWest" : "northSouth", northSouth == null ? eastWest : northSouth,
-                "with latitude, longitude and both extents for an area, or with lowest, highest and both extents for a map's size");
+                "with latitude, longitude and both extents for an area, or with lowest, highest and both extents for "
+                    + "a map's size");
         }
         if (lowest != null && highest != null && !(lowest < highest)) {
             faults.add("lowest", lowest, "below highest, " + Parameter.format(highest) + " m");
@@ -115,12 +117,14 @@ public class Terrain extends Shape {
             case "scaleX":
             case "scaleY":
             case "scaleZ":
-                return "a terrain has its true size; setSize(northSouth, eastWest, lowest, highest) sets it for a map without one";
+                return "a terrain has its true size; setSize(northSouth, eastWest, lowest, highest) sets it for a "
+                    + "map without one";
             default:
                 if (Shape.isLaunching(parameter)) {
                     return "a terrain is fixed";
                 }
-                return parameter.matches("[xyz]") || PlacedObject.isPlacing(parameter) ? "the middle of a terrain's area is the world's origin;"
+                return parameter.matches("[xyz]") || PlacedObject.isPlacing(parameter)
+                    ? "the middle of a terrain's area is the world's origin;"
                     + " setArea(latitude, longitude, northSouth, eastWest) chooses another" : null;
         }
     }
@@ -155,7 +159,8 @@ public class Terrain extends Shape {
     public void addTile(String tile) {
         String checkedTile = checked("tile", tile);
         if (checkedTile == null || getPaths().contains(checkedTile) || tiles.size() >= MAX_TILES) {
-            throw new IllegalArgumentException(label() + ": tile is " + ParameterTable.quote(tile) + ", legal: another map than its "
+            throw new IllegalArgumentException(label() + ": tile is " + ParameterTable.quote(tile)
+                + ", legal: another map than its "
                 + getPaths().size() + " so far, at most " + MAX_TILES + " besides the first");
         }
         tiles.add(checkedTile);
@@ -176,7 +181,8 @@ public class Terrain extends Shape {
         double checkedNorthSouth = checked("northSouth", newNorthSouth);
         double checkedEastWest = checked("eastWest", newEastWest);
         if (lowest != null) {
-            throw new IllegalArgumentException(label() + ": setSize was called for a map without georeference, which has no area by latitude and"
+            throw new IllegalArgumentException(label() + ": setSize was called for a map without georeference, which "
+                + "has no area by latitude and"
                 + " longitude, legal: setArea or setSize");
         }
         latitude = checkedLatitude;
@@ -200,11 +206,13 @@ public class Terrain extends Shape {
         double checkedLowest = checked("lowest", newLowest);
         double checkedHighest = checked("highest", newHighest);
         if (!(checkedLowest < checkedHighest)) {
-            throw new IllegalArgumentException(label() + ": lowest is " + Parameter.format(checkedLowest) + ", legal: below highest, "
+            throw new IllegalArgumentException(label() + ": lowest is " + Parameter.format(checkedLowest)
+                + ", legal: below highest, "
                 + Parameter.format(checkedHighest) + " m");
         }
         if (latitude != null) {
-            throw new IllegalArgumentException(label() + ": setArea was called for a map with georeference, which has its own size, legal:"
+            throw new IllegalArgumentException(label() + ": setArea was called for a map with georeference, which has "
+                + "its own size, legal:"
                 + " setArea or setSize");
         }
         northSouth = checkedNorthSouth;
@@ -233,8 +241,10 @@ public class Terrain extends Shape {
 
     /** Loaded on the first elevation query. */
     private static final class Heights {
-        static final GroundHeights ALL = ServiceLoader.load(GroundHeights.class, GroundHeights.class.getClassLoader()).findFirst()
-            .orElseThrow(() -> new IllegalStateException("no org.SEAR.POJOs.GroundHeights on the class path: sear.jar is incomplete"));
+        static final GroundHeights ALL = ServiceLoader.load(GroundHeights.class, GroundHeights.class.getClassLoader())
+            .findFirst()
+            .orElseThrow(() -> new IllegalStateException("no org.SEAR.POJOs.GroundHeights on the class path: sear.jar "
+                + "is incomplete"));
     }
 
     /** Returns whether {@link #setArea} has selected a part of the map. */

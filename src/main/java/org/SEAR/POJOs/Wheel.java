@@ -85,7 +85,8 @@ public class Wheel extends Shape {
     protected void crossCheck(Faults faults) {
         toFaultsOfLaunch(faults, "0 for a wheel, which moves with its robot");
         if (type == IDLER && (steering != null || steeringServo != null)) {
-            faults.add(steering == null ? "steeringServo" : "steering", steering == null ? steeringServo : steering, whatSteers());
+            faults.add(steering == null ? "steeringServo" : "steering", steering == null ? steeringServo : steering,
+                whatSteers());
         }
         if (steering != null && steeringServo != null) {
             faults.add("steering", steering, "none where a servo steers the wheel");
@@ -210,7 +211,8 @@ public class Wheel extends Shape {
      */
     public void setSteering(SearObject servo) {
         if (servo == null || !servo.isServo()) {
-            throw new IllegalArgumentException(label() + ": steering is " + (servo == null ? "missing (None)" : servo.label())
+            throw new IllegalArgumentException(
+                label() + ": steering is " + (servo == null ? "missing (None)" : servo.label())
                 + ", legal: a Servo, or the greatest angle");
         }
         Double before = steering;
@@ -250,7 +252,8 @@ public class Wheel extends Shape {
 
     private void changedIfLegal(Runnable undo) {
         List<String> problems = new ArrayList<>();
-        crossCheck((element, value, legal) -> problems.add(element + " is " + ParameterTable.quote(value) + ", legal: " + legal));
+        crossCheck((element, value, legal) -> problems.add(element + " is " + ParameterTable.quote(value)
+            + ", legal: " + legal));
         if (!problems.isEmpty()) {
             undo.run();
             throw new IllegalArgumentException(label() + ": " + String.join("; ", problems));
@@ -265,8 +268,10 @@ public class Wheel extends Shape {
      * @param wheels of a robot, some of which are steered
      */
     public static double turningLine(List<Wheel> wheels) {
-        return wheels.stream().filter(wheel -> wheel.type != IDLER && !wheel.isSteered()).mapToDouble(Wheel::getZ).average().orElseGet(() -> {
-            DoubleSummaryStatistics all = wheels.stream().filter(Wheel::isSteered).mapToDouble(Wheel::getZ).summaryStatistics();
+        return wheels.stream().filter(wheel -> wheel.type != IDLER && !wheel.isSteered()).mapToDouble(Wheel::getZ)
+            .average().orElseGet(() -> {
+            DoubleSummaryStatistics all = wheels.stream().filter(Wheel::isSteered).mapToDouble(Wheel::getZ)
+                .summaryStatistics();
             return (all.getMin() + all.getMax()) / 2;
         });
     }
@@ -280,7 +285,8 @@ public class Wheel extends Shape {
      */
     public static double steeringLength(List<Wheel> wheels) {
         double line = turningLine(wheels);
-        DoubleSummaryStatistics steered = wheels.stream().filter(Wheel::isSteered).mapToDouble(wheel -> wheel.getZ() - line).summaryStatistics();
+        DoubleSummaryStatistics steered = wheels.stream().filter(Wheel::isSteered)
+            .mapToDouble(wheel -> wheel.getZ() - line).summaryStatistics();
         double length = steered.getMax() > MIN_LENGTH ? steered.getMax() : -steered.getMin();
         return length > MIN_LENGTH ? length : 0;
     }

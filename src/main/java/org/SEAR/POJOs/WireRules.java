@@ -25,7 +25,8 @@ public final class WireRules {
             return "no pin of " + article(board);
         }
         if (!board.can(number, role.getUse())) {
-            return "not " + role.getUse().getWords() + " of " + article(board) + (number < FIRST_FREE ? ": 0 and 1 are its serial line" : "");
+            return "not " + role.getUse().getWords() + " of " + article(board)
+                + (number < FIRST_FREE ? ": 0 and 1 are its serial line" : "");
         }
         BoardWire there = wireAt(board, others, number);
         return there == null ? null : "wired to " + there.getPart() + " (" + there.getRole().getWord() + ") already";
@@ -37,12 +38,14 @@ public final class WireRules {
     }
 
     private static BoardWire wireAt(BoardModel board, List<BoardWire> wires, int pin) {
-        return wires.stream().filter(wire -> wire.getRole() != null && board.pinOf(wire.getPin()) == pin).findFirst().orElse(null);
+        return wires.stream().filter(wire -> wire.getRole() != null && board.pinOf(wire.getPin()) == pin).findFirst()
+            .orElse(null);
     }
 
     /** Returns the wire of a component with the same role; null if there is none. */
     static BoardWire same(List<BoardWire> wires, String part, WireRole role) {
-        return wires.stream().filter(wire -> part.equals(wire.getPart()) && wire.getRole() == role).findFirst().orElse(null);
+        return wires.stream().filter(wire -> part.equals(wire.getPart()) && wire.getRole() == role).findFirst()
+            .orElse(null);
     }
 
     /**
@@ -55,7 +58,8 @@ public final class WireRules {
         if (!(part instanceof Wirable) || ((Wirable) part).getWireRoles().isEmpty()) {
             return part + " has no wires for the pins of an Arduino, legal: " + KINDS;
         }
-        return role == null || ((Wirable) part).getWireRoles().contains(role) ? null : "role is \"" + role.getWord() + "\", legal for " + part + ": "
+        return role == null || ((Wirable) part).getWireRoles().contains(role) ? null : "role is \"" + role.getWord()
+            + "\", legal for " + part + ": "
             + words(((Wirable) part).getWireRoles());
     }
 

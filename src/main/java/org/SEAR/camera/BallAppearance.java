@@ -38,7 +38,8 @@ public final class BallAppearance extends Appearance {
         double around = 1 / (2 * Math.PI * level);
         double up = 1 / (Math.PI * Math.sqrt(level) * b);
         double turn = StrictMath.atan2(x, z) / (2 * Math.PI);
-        paint.look(turn < 0 ? turn + 1 : turn, StrictMath.acos(-y) / Math.PI, around * (z * s.rightX / a - x * s.rightZ / c), up * s.rightY,
+        paint.look(turn < 0 ? turn + 1 : turn, StrictMath.acos(-y) / Math.PI,
+            around * (z * s.rightX / a - x * s.rightZ / c), up * s.rightY,
             around * (z * s.downX / a - x * s.downZ / c), up * s.downY, s);
     }
 }

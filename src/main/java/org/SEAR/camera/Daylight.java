@@ -21,8 +21,10 @@ public final class Daylight {
      * Rings of the sky from the bottom to the top: degrees above the horizon, red, green, blue. The colour gets deeper
      * upwards. Two rings make a sharp horizon; below it is the haze of distant land.
      */
-    private static final float[][] RINGS = {{-90, 0.36f, 0.40f, 0.33f}, {-40, 0.42f, 0.46f, 0.37f}, {-12, 0.54f, 0.58f, 0.48f},
-        {-3, 0.67f, 0.71f, 0.63f}, {0, 0.75f, 0.79f, 0.76f}, {0, 0.87f, 0.92f, 0.95f}, {4, 0.78f, 0.87f, 0.95f}, {12, 0.63f, 0.78f, 0.93f},
+    private static final float[][] RINGS = {{-90, 0.36f, 0.40f, 0.33f}, {-40, 0.42f, 0.46f, 0.37f},
+        {-12, 0.54f, 0.58f, 0.48f},
+        {-3, 0.67f, 0.71f, 0.63f}, {0, 0.75f, 0.79f, 0.76f}, {0, 0.87f, 0.92f, 0.95f}, {4, 0.78f, 0.87f, 0.95f},
+        {12, 0.63f, 0.78f, 0.93f},
         {30, 0.45f, 0.65f, 0.88f}, {60, 0.31f, 0.52f, 0.81f}, {90, 0.26f, 0.47f, 0.77f}};
 
     private Daylight() {

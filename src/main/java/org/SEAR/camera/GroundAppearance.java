@@ -80,7 +80,8 @@ public final class GroundAppearance extends Appearance {
             grain.look(s.x / size, s.z / size, s.rightX / size, s.rightZ / size, s.downX / size, s.downZ / size, s);
             rough = 1 + close * close * GRAIN * (s.red / 255 - 0.5);
         }
-        picture.look((s.z - field.lowZ) / sizeZ, (s.x - field.lowX) / sizeX, s.rightZ / sizeZ, s.rightX / sizeX, s.downZ / sizeZ, s.downX / sizeX, s);
+        picture.look((s.z - field.lowZ) / sizeZ, (s.x - field.lowX) / sizeX, s.rightZ / sizeZ, s.rightX / sizeX,
+            s.downZ / sizeZ, s.downX / sizeX, s);
         double down = -s.depth * s.dy;
         double far = s.depth * Math.sqrt(s.dx * s.dx + s.dy * s.dy + s.dz * s.dz);
         double haze = 1 - StrictMath.exp(-far / (clear * (1 + Math.max(0, down) / THIN)));

@@ -18,7 +18,8 @@ public final class MeshAppearance extends Appearance {
      * @param places texture coordinates u and v of each vertex; null without pictures
      * @param paintOf number of each triangle's paint; null for the first
      */
-    public MeshAppearance(Triangles mesh, double[] scale, float[] normals, float[] places, short[] paintOf, Paint[] paints, double temperature,
+    public MeshAppearance(Triangles mesh, double[] scale, float[] normals, float[] places, short[] paintOf,
+        Paint[] paints, double temperature,
             boolean casting) {
         super(temperature, casting);
         this.mesh = mesh;

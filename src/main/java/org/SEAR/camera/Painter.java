@@ -58,7 +58,8 @@ final class Painter {
     private void cast(RenderJob from, int strip, double start) {
         sight = from;
         int first = strip * beams.tilesAcross;
-        sight.scene.castPicture(beams, sight.eye, start, far, sight.ignoredOwner, first, first + beams.tilesAcross, depths, shapes, parts);
+        sight.scene.castPicture(beams, sight.eye, start, far, sight.ignoredOwner, first, first + beams.tilesAcross,
+            depths, shapes, parts);
     }
 
     private int pixels(int strip) {
@@ -110,7 +111,8 @@ final class Painter {
     private void tile(int tile, int base, int[] picture) {
         int count = 0;
         for (int row = beams.top(tile); row < beams.bottom(tile); row++) {
-            for (int pixel = row * beams.width + beams.first(tile); pixel < row * beams.width + beams.end(tile); pixel++) {
+            for (int pixel = row * beams.width + beams.first(tile); pixel < row * beams.width
+                + beams.end(tile); pixel++) {
                 own[count] = shapes[pixel - base];
                 lit[count] = 0;
                 if (own[count] >= 0) {
@@ -122,7 +124,8 @@ final class Painter {
         sight.scene.castShadows(sun, casting, points, own, lit, count);
         int i = 0;
         for (int row = beams.top(tile); row < beams.bottom(tile); row++) {
-            for (int pixel = row * beams.width + beams.first(tile); pixel < row * beams.width + beams.end(tile); pixel++) {
+            for (int pixel = row * beams.width + beams.first(tile); pixel < row * beams.width
+                + beams.end(tile); pixel++) {
                 picture[pixel] = own[i] < 0 ? sky(pixel) : color(i);
                 i++;
             }
@@ -132,7 +135,8 @@ final class Painter {
     private int sky(int pixel) {
         double x = beams.left(pixel);
         double y = beams.up(pixel);
-        SkyBackground.look(axes[0] * x + axes[1] * y + axes[2], axes[3] * x + axes[4] * y + axes[5], axes[6] * x + axes[7] * y + axes[8], sky);
+        SkyBackground.look(axes[0] * x + axes[1] * y + axes[2], axes[3] * x + axes[4] * y + axes[5], axes[6] * x
+            + axes[7] * y + axes[8], sky);
         return rgb(sky.red, sky.green, sky.blue);
     }
 
@@ -156,7 +160,8 @@ final class Painter {
         s.z = eye[2] + t * s.dz;
         s.part = parts[at];
         skin.normal(s);
-        s.spread(-pitch * turn[0], -pitch * turn[3], -pitch * turn[6], -pitch * turn[1], -pitch * turn[4], -pitch * turn[7]);
+        s.spread(-pitch * turn[0], -pitch * turn[3], -pitch * turn[6], -pitch * turn[1], -pitch * turn[4],
+            -pitch * turn[7]);
         skin.shade(s);
         towards[number] = s.nx * sunThere[0] + s.ny * sunThere[1] + s.nz * sunThere[2];
         lit[number] = (byte) (towards[number] > 0 ? 1 : 0);
@@ -174,7 +179,8 @@ final class Painter {
         double z = sight.eye.z - frame[11];
         for (int k = 0; k < 3; k++) {
             for (int axis = 0; axis < 3; axis++) {
-                turn[3 * k + axis] = frame[k] * axes[axis] + frame[3 + k] * axes[3 + axis] + frame[6 + k] * axes[6 + axis];
+                turn[3 * k + axis] = frame[k] * axes[axis] + frame[3 + k] * axes[3 + axis]
+                    + frame[6 + k] * axes[6 + axis];
             }
             eye[k] = frame[k] * x + frame[3 + k] * y + frame[6 + k] * z;
             sunThere[k] = frame[k] * sun[0] + frame[3 + k] * sun[1] + frame[6 + k] * sun[2];
@@ -196,6 +202,7 @@ final class Painter {
     }
 
     private static int rgb(double red, double green, double blue) {
-        return (int) (Math.min(FULL, red) + 0.5) << 16 | (int) (Math.min(FULL, green) + 0.5) << 8 | (int) (Math.min(FULL, blue) + 0.5);
+        return (int) (Math.min(FULL, red) + 0.5) << 16 | (int) (Math.min(FULL, green) + 0.5) << 8
+            | (int) (Math.min(FULL, blue) + 0.5);
     }
 }

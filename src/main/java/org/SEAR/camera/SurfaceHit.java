@@ -50,7 +50,8 @@ public final class SurfaceHit {
     }
 
     /**
-     * Reckons how the place moves from pixel to pixel, of a plane surface with the normal: by how much the beam's direction changes.
+     * Reckons how the place moves from pixel to pixel, of a plane surface with the normal: by how much the beam's
+     * direction changes.
      *
      * @param ax of the direction for a pixel to the right, likewise ay and az
      * @param bx of the direction for a pixel down, likewise by and bz

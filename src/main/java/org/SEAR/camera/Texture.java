@@ -138,7 +138,8 @@ public final class Texture {
     }
 
     /** Adds the mean of samples in a row, each the bilinear mean of four pixels. */
-    private void add(int level, double u, double v, double stepU, double stepV, int places, double share, SurfaceHit spot) {
+    private void add(int level, double u, double v, double stepU, double stepV, int places, double share,
+        SurfaceHit spot) {
         int width = widths[level];
         int height = heights[level];
         double first = 0.5 / places - 0.5;
@@ -158,7 +159,8 @@ public final class Texture {
         }
     }
 
-    private void addAnywhere(int level, double firstAcross, double firstDown, double stepAcross, double stepDown, int places, double scale,
+    private void addAnywhere(int level, double firstAcross, double firstDown, double stepAcross, double stepDown,
+        int places, double scale,
             SurfaceHit spot) {
         int width = widths[level];
         int height = heights[level];
@@ -201,7 +203,8 @@ public final class Texture {
      * multiplication serves both: a mean of two pixels takes 16 bits, one of four 24, and the sum of
      * {@link #MAX_PLACES} of those 27.
      */
-    private static void addWithin(int[] pixels, int width, double firstAcross, double firstDown, double stepAcross, double stepDown, int places,
+    private static void addWithin(int[] pixels, int width, double firstAcross, double firstDown, double stepAcross,
+        double stepDown, int places,
             double scale, SurfaceHit spot) {
         // in 256ths of a pixel: their lower bits are the shares of the pixel to the right and of the one below
         double across = firstAcross * ONE;

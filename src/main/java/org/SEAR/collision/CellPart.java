@@ -126,7 +126,8 @@ final class CellPart {
                 range[0] = grid.centre(0, first[0]);
                 range[1] = grid.centre(0, last[0]);
                 hull.clip(grid.centre(1, j), grid.centre(2, k), INSIDE * grid.size, range);
-                int from = (int) Math.ceil((Math.min(range[0], grid.centre(0, last[0] + 1)) - grid.centre(0, 0)) / grid.size);
+                int from = (int) Math.ceil((Math.min(range[0], grid.centre(0, last[0] + 1)) - grid.centre(0, 0))
+                    / grid.size);
                 for (int i = from; i <= last[0] && grid.centre(0, i) <= range[1]; i++) {
                     found[0]++;
                     found[1] += grid.isSolid(i, j, k) ? 0 : 1;
@@ -167,14 +168,16 @@ final class CellPart {
             all += length;
             left += k == axis ? Math.max(plane - cell[k], cell[k + 3] - plane) : length;
         }
-        return a.volume() + b.volume() + BALANCE * Math.abs(a.volume() - b.volume()) + SHAPE * hull.volume() * left / all;
+        return a.volume() + b.volume() + BALANCE * Math.abs(a.volume() - b.volume())
+            + SHAPE * hull.volume() * left / all;
     }
 
     /** Returns the side of a voxel, and the faces beside it that are inside the cell. */
     private double[] planes(double[] faces, int axis, int index) {
         double[] planes = {grid.low[axis] + index * grid.size, faces[index - 1], faces[index]};
         double near = 10 * NEAR * grid.size;
-        return Arrays.stream(planes).filter(plane -> plane > cell[axis] + near && plane < cell[axis + 3] - near).toArray();
+        return Arrays.stream(planes).filter(plane -> plane > cell[axis] + near && plane < cell[axis + 3] - near)
+            .toArray();
     }
 
     private CellPart[] cut(int axis, double plane) {
@@ -236,7 +239,8 @@ final class CellPart {
             int index = first[axis] + slab;
             boolean tried = slab % step == 0 || !Double.isNaN(faces[index]) || !Double.isNaN(faces[index - 1]);
             if (tried && below != null && above[slab] != null) {
-                double cost = cost(ConvexHull.of(below), ConvexHull.of(above[slab]), axis, grid.low[axis] + index * grid.size);
+                double cost = cost(ConvexHull.of(below), ConvexHull.of(above[slab]), axis, grid.low[axis]
+                    + index * grid.size);
                 best = cost < least ? index : best;
                 least = Math.min(least, cost);
             }

@@ -89,7 +89,8 @@ public final class ContactFeature {
         double mx = (at[0] + at[half]) / 2;
         double my = (at[1] + at[half + 1]) / 2;
         double mz = (at[2] + at[half + 2]) / 2;
-        double radius = Math.sqrt((at[0] - mx) * (at[0] - mx) + (at[1] - my) * (at[1] - my) + (at[2] - mz) * (at[2] - mz));
+        double radius = Math.sqrt((at[0] - mx) * (at[0] - mx) + (at[1] - my) * (at[1] - my)
+            + (at[2] - mz) * (at[2] - mz));
         double scale = radius / length;
         for (int i = 0; i < count; i++) {
             double angle = 2 * Math.PI * i / count;
@@ -247,7 +248,8 @@ public final class ContactFeature {
             }
             if (here < 0 && there > 0 || here > 0 && there < 0) {
                 double t = here / (here - there);
-                kept = keep(kept, x(i) + t * (x(next) - x(i)), y(i) + t * (y(next) - y(i)), z(i) + t * (z(next) - z(i)));
+                kept = keep(kept, x(i) + t * (x(next) - x(i)), y(i) + t * (y(next) - y(i)),
+                    z(i) + t * (z(next) - z(i)));
             }
         }
         double[] swap = at;

@@ -111,7 +111,8 @@ public final class ContactTriangle implements Convex {
         double side = over.cosine(dx, dy, dz) < 0 ? -1 : 1;
         double highest = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < 9; i += 3) {
-            highest = Math.max(highest, side * over.cosine(at[i] - over.at[0], at[i + 1] - over.at[1], at[i + 2] - over.at[2]));
+            highest = Math.max(highest, side * over.cosine(at[i] - over.at[0], at[i + 1] - over.at[1],
+                at[i + 2] - over.at[2]));
         }
         return highest;
     }

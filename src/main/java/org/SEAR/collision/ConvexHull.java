@@ -112,7 +112,8 @@ public final class ConvexHull implements ConvexShape {
         double[] at = new double[3];
         for (int i = 0; i < planes.length; i += 4) {
             support(-planes[i], -planes[i + 1], -planes[i + 2], at);
-            thinnest = Math.min(thinnest, planes[i + 3] - planes[i] * at[0] - planes[i + 1] * at[1] - planes[i + 2] * at[2]);
+            thinnest = Math.min(thinnest, planes[i + 3] - planes[i] * at[0] - planes[i + 1] * at[1]
+                - planes[i + 2] * at[2]);
         }
         return thinnest / 2;
     }
@@ -348,9 +349,11 @@ public final class ConvexHull implements ConvexShape {
                 }
             }
         }
-        double[] u = {corners[3 * in.get(0)] - middle[0] / in.size(), corners[3 * in.get(0) + 1] - middle[1] / in.size(),
+        double[] u = {corners[3 * in.get(0)] - middle[0] / in.size(), corners[3 * in.get(0) + 1]
+            - middle[1] / in.size(),
             corners[3 * in.get(0) + 2] - middle[2] / in.size()};
-        double[] v = {face.ny * u[2] - face.nz * u[1], face.nz * u[0] - face.nx * u[2], face.nx * u[1] - face.ny * u[0]};
+        double[] v = {face.ny * u[2] - face.nz * u[1], face.nz * u[0] - face.nx * u[2],
+            face.nx * u[1] - face.ny * u[0]};
         double[] angles = new double[corners.length / 3];
         for (int i : in) {
             double x = corners[3 * i] - middle[0] / in.size();

@@ -7,9 +7,9 @@ import java.util.List;
 
 /**
  * Approximate convex decomposition. The part whose hull has most empty voxels is cut in two, across an axis of
- * {@link FaceAxes}, until hulls are nearly full. Neighbours whose common hull is nearly full become one. The scheme is that of
- * Mamou, "Volumetric hierarchical approximate convex decomposition", Game Engine Gems 3, 2016; hulls are those of the
- * cut triangles. The same mesh always gives the same parts. Any thread.
+ * {@link FaceAxes}, until hulls are nearly full. Neighbours whose common hull is nearly full become one. The scheme is
+ * that of Mamou, "Volumetric hierarchical approximate convex decomposition", Game Engine Gems 3, 2016; hulls are those
+ * of the cut triangles. The same mesh always gives the same parts. Any thread.
  */
 public final class ConvexParts {
     /** Largest number of parts. */
@@ -94,7 +94,8 @@ public final class ConvexParts {
         for (double[] polygon : polygons) {
             ClippedPolygon.bounds(polygon, range);
             if (range[axis + 3] - range[axis] < FLAT * grid.size) {
-                double area = (range[(axis + 1) % 3 + 3] - range[(axis + 1) % 3]) * (range[(axis + 2) % 3 + 3] - range[(axis + 2) % 3]);
+                double area = (range[(axis + 1) % 3 + 3] - range[(axis + 1) % 3]) * (
+                    range[(axis + 2) % 3 + 3] - range[(axis + 2) % 3]);
                 int slab = grid.index(axis, range[axis]);
                 sums[slab] += area;
                 at[slab] = area > most[slab] ? range[axis] : at[slab];
@@ -195,12 +196,14 @@ public final class ConvexParts {
             System.arraycopy(other.corners(), 0, points, one.corners().length, other.corners().length);
             hull = ConvexHull.of(points, CellPart.CORNERS);
             int empty = CellPart.countVoxels(grid, hull, box(0, points), box(3, points))[1];
-            cost = hull.volume() / (one.volume() + other.volume()) - 1 + (empty > allowed ? ADDED + empty / allowed : 0);
+            cost = hull.volume() / (one.volume() + other.volume()) - 1
+                + (empty > allowed ? ADDED + empty / allowed : 0);
         }
 
         private int[] box(int end, double[] points) {
             double[] bounds = bounds(List.of(points));
-            return new int[] {grid.index(0, bounds[end]), grid.index(1, bounds[end + 1]), grid.index(2, bounds[end + 2])};
+            return new int[] {grid.index(0, bounds[end]), grid.index(1, bounds[end + 1]),
+                grid.index(2, bounds[end + 2])};
         }
 
         boolean shares(Pair other) {

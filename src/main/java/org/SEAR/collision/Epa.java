@@ -45,7 +45,8 @@ final class Epa {
         Face(Corner a, Corner b, Corner c, double[] inside) {
             double[] cross = cross(a.at, b.at, c.at);
             double length = Math.sqrt(dot(cross, cross));
-            double out = cross[0] * (a.at[0] - inside[0]) + cross[1] * (a.at[1] - inside[1]) + cross[2] * (a.at[2] - inside[2]);
+            double out = cross[0] * (a.at[0] - inside[0]) + cross[1] * (a.at[1] - inside[1])
+                + cross[2] * (a.at[2] - inside[2]);
             boolean turned = out < 0;
             this.a = a;
             this.b = turned ? c : b;
@@ -199,7 +200,8 @@ final class Epa {
 
     /** Computes the contact point from the origin's projection on the face, by barycentric coordinates. */
     private static void answer(Face face, GjkDistance into) {
-        double[] foot = {face.normal[0] * face.distance, face.normal[1] * face.distance, face.normal[2] * face.distance};
+        double[] foot = {face.normal[0] * face.distance, face.normal[1] * face.distance,
+            face.normal[2] * face.distance};
         double whole = Math.sqrt(square(cross(face.a.at, face.b.at, face.c.at)));
         double u = Math.sqrt(square(cross(foot, face.b.at, face.c.at))) / whole;
         double v = Math.sqrt(square(cross(foot, face.c.at, face.a.at))) / whole;

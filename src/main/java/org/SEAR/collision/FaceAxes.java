@@ -53,14 +53,16 @@ final class FaceAxes {
         }
         double[] third = {first[1] * second[2] - first[2] * second[1], first[2] * second[0] - first[0] * second[2],
             first[0] * second[1] - first[1] * second[0]};
-        return new FaceAxes(first[0], first[1], first[2], second[0], second[1], second[2], third[0], third[1], third[2]);
+        return new FaceAxes(first[0], first[1], first[2], second[0], second[1], second[2], third[0],
+            third[1], third[2]);
     }
 
     /** Returns the direction of the largest sum; with an axis, of the largest perpendicular to it. */
     private static double[] largest(Map<Integer, double[]> sums, double[] axis) {
         double[] best = null;
         for (double[] sum : sums.values()) {
-            if ((axis == null || Math.abs(dot(sum, axis)) < ALONG * length(sum)) && (best == null || length(sum) > length(best))) {
+            if ((axis == null || Math.abs(dot(sum, axis)) < ALONG * length(sum))
+                && (best == null || length(sum) > length(best))) {
                 best = sum;
             }
         }
@@ -131,7 +133,8 @@ final class FaceAxes {
         double[] turned = new double[p.length];
         for (int i = 0; i < p.length; i += 3) {
             for (int k = 0; k < 3; k++) {
-                turned[i + k] = axes[k * row] * p[i] + axes[k * row + step] * p[i + 1] + axes[k * row + 2 * step] * p[i + 2];
+                turned[i + k] = axes[k * row] * p[i] + axes[k * row + step] * p[i + 1]
+                    + axes[k * row + 2 * step] * p[i + 2];
             }
         }
         return turned;

@@ -188,7 +188,8 @@ public final class GjkDistance {
     }
 
     /** Finds the support point of the Minkowski difference in a direction, and the second set's support point. */
-    static void minkowskiDifference(Convex first, Convex second, double dx, double dy, double dz, double[] point, double[] ofSecond) {
+    static void minkowskiDifference(Convex first, Convex second, double dx, double dy, double dz, double[] point,
+        double[] ofSecond) {
         first.support(dx, dy, dz, point);
         second.support(-dx, -dy, -dz, ofSecond);
         for (int axis = 0; axis < 3; axis++) {

@@ -56,7 +56,8 @@ public final class ManifoldClipper {
      */
     public void find(GjkDistance nearest, ContactPoints into) {
         if (!faces(nearest.nx, nearest.ny, nearest.nz, into) && !line.find(ofA, ofB, nearest, reach, into)) {
-            into.add(nearest.nx, nearest.ny, nearest.nz, nearest.onB[0], nearest.onB[1], nearest.onB[2], nearest.distance);
+            into.add(nearest.nx, nearest.ny, nearest.nz, nearest.onB[0], nearest.onB[1], nearest.onB[2],
+                nearest.distance);
         }
     }
 
@@ -84,7 +85,8 @@ public final class ManifoldClipper {
             int corner = chosen[i];
             double height = reference.height(incident.x(corner), incident.y(corner), incident.z(corner));
             double down = onB ? height : 0;
-            into.add(sign * reference.nx, sign * reference.ny, sign * reference.nz, incident.x(corner) - down * reference.nx,
+            into.add(sign * reference.nx, sign * reference.ny, sign * reference.nz,
+                incident.x(corner) - down * reference.nx,
                 incident.y(corner) - down * reference.ny, incident.z(corner) - down * reference.nz, height);
         }
         return corners > 0;
@@ -117,7 +119,8 @@ public final class ManifoldClipper {
             most = 0;
             for (int i = 0; i < incident.count; i++) {
                 double area = side * area(reference, incident, lowest, far, i);
-                if (area > most + SKIN * SKIN && reference.height(incident.x(i), incident.y(i), incident.z(i)) < reach) {
+                if (area > most + SKIN * SKIN && reference.height(incident.x(i), incident.y(i),
+                    incident.z(i)) < reach) {
                     most = area;
                     best = i;
                 }
@@ -139,7 +142,8 @@ public final class ManifoldClipper {
         double tilt = byLoad ? TILT : 0;
         for (int i = 0; i < incident.count; i++) {
             double height = reference.height(incident.x(i), incident.y(i), incident.z(i));
-            double tilted = height - tilt * (load[0] * incident.x(i) + load[1] * incident.y(i) + load[2] * incident.z(i));
+            double tilted = height - tilt * (load[0] * incident.x(i) + load[1] * incident.y(i)
+                + load[2] * incident.z(i));
             if (height < reach && tilted < least) {
                 least = tilted;
                 lowest = i;
@@ -160,6 +164,7 @@ public final class ManifoldClipper {
         double vx = incident.x(c) - incident.x(a);
         double vy = incident.y(c) - incident.y(a);
         double vz = incident.z(c) - incident.z(a);
-        return reference.nx * (uy * vz - uz * vy) + reference.ny * (uz * vx - ux * vz) + reference.nz * (ux * vy - uy * vx);
+        return reference.nx * (uy * vz - uz * vy) + reference.ny * (uz * vx - ux * vz)
+            + reference.nz * (ux * vy - uy * vx);
     }
 }

@@ -148,7 +148,8 @@ public final class SupportPoints {
             double furthest = EQUAL * EQUAL;
             for (int k = 0; k < size; k++) {
                 double nearest = nearestChosen(members[k], first);
-                if (nearest > furthest || best >= 0 && nearest == furthest && isLess(points.height(members[k]), members[k],
+                if (nearest > furthest || best >= 0 && nearest == furthest
+                    && isLess(points.height(members[k]), members[k],
                     points.height(best), best)) {
                     furthest = nearest;
                     best = members[k];

@@ -68,12 +68,14 @@ final class BaudMismatch {
     String complaint(String device, int speed, double time) {
         if (!reported && strange >= ENOUGH && time > since + TIMEOUT) {
             reported = true;
-            return String.format(Locale.ROOT, "%d bytes came that %s does not understand (first: %02X %02X): is it the right port?", strange, device,
+            return String.format(Locale.ROOT, "%d bytes came that %s does not understand (first: %02X %02X): is it "
+                + "the right port?", strange, device,
                 first[0], first[1]);
         }
         if (!reportedSpeed && understood && garbled >= ENOUGH) {
             reportedSpeed = true;
-            return String.format(Locale.ROOT, "%d bytes came at %d baud, but %s is at %d baud now: change the program's rate, too", garbled,
+            return String.format(Locale.ROOT, "%d bytes came at %d baud, but %s is at %d baud now: change the "
+                + "program's rate, too", garbled,
                 garbledAt, device, speed);
         }
         return null;

@@ -182,7 +182,8 @@ public final class Cable implements SerialLine {
             }
             int left = toDeviceEnd - toDeviceFrom;
             if (toDevice.length - toDeviceEnd < incomingCount) {
-                byte[] larger = toDevice.length < left + incomingCount ? new byte[2 * (left + incomingCount)] : toDevice;
+                byte[] larger = toDevice.length < left + incomingCount
+                    ? new byte[2 * (left + incomingCount)] : toDevice;
                 System.arraycopy(toDevice, toDeviceFrom, larger, 0, left);
                 toDevice = larger;
                 toDeviceFrom = 0;
@@ -265,9 +266,9 @@ public final class Cable implements SerialLine {
     }
 
     /**
-     * Carries bytes in both directions between two steps, if there are any, the host has written lately, or the device's
-     * next action is due. A reply goes out when its last byte has left the line, or at the step's end: each further
-     * piece would wake two programs on a busy processor. Simulation thread.
+     * Carries bytes in both directions between two steps, if there are any, the host has written lately, or the
+     * device's next action is due. A reply goes out when its last byte has left the line, or at the step's end: each
+     * further piece would wake two programs on a busy processor. Simulation thread.
      *
      * @param time simulated seconds, never decreasing
      * @return simulated time of the next service, s; infinity if there was nothing to do
@@ -285,7 +286,8 @@ public final class Cable implements SerialLine {
         } else if (toHostFrom < toHostEnd && toHostTimes[toHostEnd - 1] < time + SHORT) {
             next = toHostTimes[toHostEnd - 1];
         }
-        return toDeviceFrom < toDeviceEnd ? Math.min(next, toDeviceTime + Uart.seconds(toDeviceEnd - toDeviceFrom, speedOfHost())) : next;
+        return toDeviceFrom < toDeviceEnd
+            ? Math.min(next, toDeviceTime + Uart.seconds(toDeviceEnd - toDeviceFrom, speedOfHost())) : next;
     }
 
     /**
@@ -294,7 +296,8 @@ public final class Cable implements SerialLine {
      */
     public double nextAction() {
         double next = powered ? device.nextAction() : Double.POSITIVE_INFINITY;
-        return next < Double.POSITIVE_INFINITY && toHostFrom < toHostEnd ? Math.min(next, toHostTimes[toHostEnd - 1]) : next;
+        return next < Double.POSITIVE_INFINITY && toHostFrom < toHostEnd
+            ? Math.min(next, toHostTimes[toHostEnd - 1]) : next;
     }
 
     /** Whether the device answers at once and has input, or will have it. Any thread. */
@@ -521,7 +524,8 @@ public final class Cable implements SerialLine {
     @Override
     public void setHostBaud(int baud) {
         if (baud < 0) {
-            throw new IllegalArgumentException("port " + userPort + ": baud is " + baud + ", legal: 0 (the device's own) or more");
+            throw new IllegalArgumentException("port " + userPort + ": baud is " + baud
+                + ", legal: 0 (the device's own) or more");
         }
         hostBaud = baud;
     }

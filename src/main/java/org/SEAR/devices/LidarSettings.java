@@ -38,7 +38,8 @@ public final class LidarSettings {
         }
         boolean fan = model.hasFan(lidar.getSpread(), lidar.getResolution());
         if (!fan) {
-            context.warn("spread " + lidar.getSpread() + " with resolution " + lidar.getResolution() + " is not available on "
+            context.warn("spread " + lidar.getSpread() + " with resolution " + lidar.getResolution()
+                + " is not available on "
                 + model.withArticle() + ", legal: " + model.fans() + "; its device starts with " + model.widestFan());
         }
         int baud = lidar.getBaud();
@@ -47,7 +48,8 @@ public final class LidarSettings {
                 + "; its device starts with " + model.getBaud());
             baud = model.getBaud();
         }
-        return new LidarSettings(model, fan ? lidar.getSpread() : model.getWidestSpread(), fan ? lidar.getResolution() : model.getFinestResolution(),
+        return new LidarSettings(model, fan ? lidar.getSpread() : model.getWidestSpread(), fan ? lidar.getResolution()
+            : model.getFinestResolution(),
             baud);
     }
 }

@@ -76,8 +76,8 @@ public interface SerialDevice {
     void advance(double time);
 
     /**
-     * Time of its next timed action that must not wait for the end of the step in real time, because hosts note when its
-     * output arrives; simulated seconds. Infinity, the default, for devices whose timed output may wait.
+     * Time of its next timed action that must not wait for the end of the step in real time, because hosts note when
+     * its output arrives; simulated seconds. Infinity, the default, for devices whose timed output may wait.
      */
     default double nextAction() {
         return Double.POSITIVE_INFINITY;

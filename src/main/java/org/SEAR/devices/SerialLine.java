@@ -11,7 +11,8 @@ public interface SerialLine {
     interface Sink {
         /**
          * @param bytes in order; the array belongs to the receiver
-         * @param starts ascending indices of bytes that begin a message; the bytes before the first one continue a message
+         * @param starts ascending indices of bytes that begin a message; the bytes before the first one continue a
+         * message
          */
         void receive(byte[] bytes, int[] starts);
     }

@@ -40,7 +40,8 @@ public final class Assets {
      * @param path as written in an object
      */
     public boolean has(String path) {
-        return Files.isRegularFile(folder.resolve(normal(path))) || Assets.class.getClassLoader().getResource(SHIPPED + normal(path)) != null
+        return Files.isRegularFile(folder.resolve(normal(path))) || Assets.class.getClassLoader()
+            .getResource(SHIPPED + normal(path)) != null
             || MadePictures.isThere(normal(path));
     }
 

@@ -13,8 +13,8 @@ import java.nio.file.attribute.PosixFileAttributeView;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Writes files beside their place and then moves them there. So a file is the old one or the whole new one, also on a full
- * disk. A new file keeps the permissions of the old one; a symbolic link is replaced. A pipe or device is written
+ * Writes files beside their place and then moves them there. So a file is the old one or the whole new one, also on a
+ * full disk. A new file keeps the permissions of the old one; a symbolic link is replaced. A pipe or device is written
  * directly. Every writer of files that outlive a call uses this class. Any thread.
  */
 public final class AtomicFile {

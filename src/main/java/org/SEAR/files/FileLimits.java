@@ -34,7 +34,8 @@ public final class FileLimits {
      */
     public static InvalidFile wrong(String file, String what, Object value, String legal, Exception cause) {
         String text = String.valueOf(value);
-        return new InvalidFile(PrintableText.line(file) + ": " + PrintableText.line(what) + " is " + PrintableText.line(text.length() > REPORTED
+        return new InvalidFile(PrintableText.line(file) + ": " + PrintableText.line(what) + " is "
+            + PrintableText.line(text.length() > REPORTED
             ? text.substring(0, REPORTED) + "..." : text) + ", legal: " + legal, cause);
     }
 

@@ -72,7 +72,8 @@ public final class FolderOwner {
         if (lock == null) {
             String owner = read(opened);
             opened.close();
-            throw new IOException("the project " + project + " is in use by " + owner + ": end that program, or choose another "
+            throw new IOException("the project " + project + " is in use by " + owner
+                + ": end that program, or choose another "
                 + "folder by Java's option -Dsear.project=FOLDER, in Python 3 sear.start(project=FOLDER)");
         }
         channel = opened;

@@ -16,7 +16,8 @@ import javax.imageio.ImageIO;
  */
 public final class MadePictures {
     private static final String FOLDER = "made/";
-    private static final Pattern MARKER = Pattern.compile("made/marker/(DICT_([4-7])X[4-7]_(50|100|250|1000)|APRILTAG_36h11)/(\\d{1,4})\\.png");
+    private static final Pattern MARKER =
+        Pattern.compile("made/marker/(DICT_([4-7])X[4-7]_(50|100|250|1000)|APRILTAG_36h11)/(\\d{1,4})\\.png");
     private static final Pattern CHESSBOARD = Pattern.compile("made/chessboard/(\\d{1,2})x(\\d{1,2})\\.png");
     private static final int APRILTAG_CELLS = 6;
     /** Most pixels of the longer side, about what pages show unreduced. */
@@ -62,13 +63,15 @@ public final class MadePictures {
             return file(2 * BARS.length, BARS.length, (column, row) -> BARS[column / 2]);
         }
         Matcher board = CHESSBOARD.matcher(path);
-        return board.matches() ? chessboardFile(Integer.parseInt(board.group(1)), Integer.parseInt(board.group(2))) : null;
+        return board.matches() ? chessboardFile(Integer.parseInt(board.group(1)), Integer.parseInt(board.group(2)))
+            : null;
     }
 
     private static byte[] marker(String dictionary, String size, String count, int id) throws IOException {
         int cells = size == null ? APRILTAG_CELLS : Integer.parseInt(size);
         String family = size == null ? dictionary : "DICT_" + size + 'X' + size;
-        boolean[] white = count != null && id >= Integer.parseInt(count) || !dictionary.startsWith(family) ? null : MarkerCodes.of(family, cells, id);
+        boolean[] white = count != null && id >= Integer.parseInt(count) || !dictionary.startsWith(family) ? null
+            : MarkerCodes.of(family, cells, id);
         if (white == null) {
             return null;
         }

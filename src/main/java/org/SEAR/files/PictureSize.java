@@ -64,7 +64,8 @@ public final class PictureSize {
             FileLimits.range(name, "the number of mip maps", head.getInt(28), 0, 16);
             return checked(name, Integer.toUnsignedLong(head.getInt(16)), Integer.toUnsignedLong(head.getInt(12)));
         } else if (lower.endsWith(".hdr")) {
-            Matcher size = HDR_SIZE.matcher(new String(bytes, 0, Math.min(bytes.length, HDR_HEAD), StandardCharsets.ISO_8859_1));
+            Matcher size = HDR_SIZE.matcher(
+                new String(bytes, 0, Math.min(bytes.length, HDR_HEAD), StandardCharsets.ISO_8859_1));
             if (!size.find()) {
                 throw FileLimits.wrong(name, "the picture", "without a size", "a .hdr with -Y HEIGHT +X WIDTH");
             }
@@ -83,7 +84,8 @@ public final class PictureSize {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
             Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
             if (!readers.hasNext()) {
-                throw new UnreadablePicture(name + ": the picture is in no known format, legal: PNG, JPEG, GIF, BMP, TGA, DDS or HDR", null);
+                throw new UnreadablePicture(name + ": the picture is in no known format, legal: PNG, JPEG, GIF, BMP, "
+                    + "TGA, DDS or HDR", null);
             }
             ImageReader reader = readers.next();
             try {
@@ -100,13 +102,15 @@ public final class PictureSize {
         try {
             return new int[] {reader.getWidth(0), reader.getHeight(0)};
         } catch (RuntimeException | IOException e) {
-            throw new UnreadablePicture(name + ": the picture is broken (" + e.getMessage() + "), legal: a whole picture", e);
+            throw new UnreadablePicture(name + ": the picture is broken (" + e.getMessage()
+                + "), legal: a whole picture", e);
         }
     }
 
     private static int[] checked(String name, long width, long height) throws IOException {
         if (width < 1 || height < 1 || width * height > FileLimits.MAX_PIXELS) {
-            throw FileLimits.wrong(name, "the picture's size", width + " x " + height, "at most " + FileLimits.MAX_PIXELS + " pixels");
+            throw FileLimits.wrong(name, "the picture's size", width + " x " + height, "at most "
+                + FileLimits.MAX_PIXELS + " pixels");
         }
         return new int[] {(int) width, (int) height};
     }

@@ -32,7 +32,8 @@ final class WholePicture {
         int magic = bytes.length < 4 ? 0 : ByteBuffer.wrap(bytes).getInt();
         if (magic == PNG) {
             requirePng(bytes, name);
-        } else if (magic >>> 8 == JPEG && !hasJpegEnd(bytes) || magic == GIF && bytes[bytes.length - 1] != ';' && !hasEndBefore(bytes)) {
+        } else if (magic >>> 8 == JPEG && !hasJpegEnd(bytes) || magic == GIF && bytes[bytes.length - 1] != ';'
+            && !hasEndBefore(bytes)) {
             throw broken(name, "its end is missing: is it cut off?");
         }
     }

@@ -104,23 +104,27 @@ public final class Aabb {
 
     /** Whether both have a point in common. */
     public boolean overlaps(Aabb other) {
-        return minX <= other.maxX && other.minX <= maxX && minY <= other.maxY && other.minY <= maxY && minZ <= other.maxZ && other.minZ <= maxZ;
+        return minX <= other.maxX && other.minX <= maxX && minY <= other.maxY && other.minY <= maxY
+            && minZ <= other.maxZ && other.minZ <= maxZ;
     }
 
     /** Whether both overlap if this one is widened by a margin. */
     public boolean overlaps(Aabb other, double margin) {
-        return minX - margin <= other.maxX && other.minX <= maxX + margin && minY - margin <= other.maxY && other.minY <= maxY + margin
+        return minX - margin <= other.maxX && other.minX <= maxX + margin && minY - margin <= other.maxY
+            && other.minY <= maxY + margin
             && minZ - margin <= other.maxZ && other.minZ <= maxZ + margin;
     }
 
     /** Whether another box is inside this one. */
     public boolean contains(Aabb other) {
-        return other.minX >= minX && other.minY >= minY && other.minZ >= minZ && other.maxX <= maxX && other.maxY <= maxY && other.maxZ <= maxZ;
+        return other.minX >= minX && other.minY >= minY && other.minZ >= minZ && other.maxX <= maxX
+            && other.maxY <= maxY && other.maxZ <= maxZ;
     }
 
     /** Computes a corner, 0 to 7: bit 0 chooses the end along x, bit 1 along y, bit 2 along z. */
     public Vec3 corner(int number, Vec3 into) {
-        return into.set((number & 1) == 0 ? minX : maxX, (number & 2) == 0 ? minY : maxY, (number & 4) == 0 ? minZ : maxZ);
+        return into.set((number & 1) == 0 ? minX : maxX, (number & 2) == 0 ? minY : maxY, (number & 4) == 0
+            ? minZ : maxZ);
     }
 
     @Override

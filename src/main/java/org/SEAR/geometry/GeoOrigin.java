@@ -68,7 +68,8 @@ public final class GeoOrigin {
     /** {@code latitude 36.4850000, longitude -84.2308333, altitude 1076.0 m}. */
     @Override
     public String toString() {
-        return String.format(Locale.ROOT, "latitude %.7f, longitude %.7f, altitude %.1f m", latitude, longitude, altitude);
+        return String.format(Locale.ROOT, "latitude %.7f, longitude %.7f, altitude %.1f m", latitude,
+            longitude, altitude);
     }
 
     /** Place on the Earth. Immutable. */

@@ -28,7 +28,8 @@ public final class Geoid {
 
         private static short[] read() {
             short[] values = new short[ROWS * COLUMNS];
-            try (InputStream file = Geoid.class.getResourceAsStream(FILE); DataInputStream in = new DataInputStream(file)) {
+            try (InputStream file = Geoid.class.getResourceAsStream(FILE); DataInputStream in =
+                new DataInputStream(file)) {
                 for (int i = 0; i < values.length; i++) {
                     values[i] = in.readShort();
                 }

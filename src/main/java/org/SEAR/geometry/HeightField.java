@@ -12,7 +12,8 @@ public final class HeightField extends HeightGrid {
      * @param spacingX metres, likewise spacingZ
      * @param heights rows * columns of them
      */
-    public HeightField(int rows, int columns, double lowX, double lowZ, double spacingX, double spacingZ, float[] heights) {
+    public HeightField(int rows, int columns, double lowX, double lowZ, double spacingX, double spacingZ,
+        float[] heights) {
         super(rows, columns, lowX, lowZ, spacingX, spacingZ);
         if (heights.length != rows * columns) {
             throw new IllegalArgumentException("height field: " + rows + " x " + columns + " posts, " + heights.length

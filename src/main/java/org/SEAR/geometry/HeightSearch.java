@@ -40,7 +40,8 @@ public final class HeightSearch {
      *     call; true ends the search
      * @return whether a visit ended the search
      */
-    public boolean any(double low, double bottom, double west, double high, double top, double east, Predicate<float[]> visit) {
+    public boolean any(double low, double bottom, double west, double high, double top, double east,
+        Predicate<float[]> visit) {
         lowX = low;
         lowY = bottom;
         lowZ = west;
@@ -79,7 +80,8 @@ public final class HeightSearch {
         int size = 2 << level;
         int endRow = Math.min((row + 1) * size, field.rows - 1);
         int endColumn = Math.min((column + 1) * size, field.columns - 1);
-        if (!(pyramid.data[at] <= highY && pyramid.data[at + 1] >= lowY) || field.x(row * size) > highX || field.x(endRow) < lowX
+        if (!(pyramid.data[at] <= highY && pyramid.data[at + 1] >= lowY) || field.x(row * size) > highX
+            || field.x(endRow) < lowX
             || field.z(column * size) > highZ || field.z(endColumn) < lowZ) {
             return false;
         }

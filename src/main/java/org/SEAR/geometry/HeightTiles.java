@@ -63,10 +63,13 @@ public final class HeightTiles extends HeightGrid {
      * @param most largest number of cached tiles
      * @param visitor visits each tile
      */
-    public HeightTiles(int rows, int columns, double lowX, double lowZ, double spacingX, double spacingZ, Source source, int most, Visitor visitor) {
+    public HeightTiles(int rows, int columns, double lowX, double lowZ, double spacingX, double spacingZ, Source source,
+        int most, Visitor visitor) {
         super(rows, columns, lowX, lowZ, spacingX, spacingZ);
-        if (exact(lowX) != lowX || exact(lowZ) != lowZ || exact(spacingX) != spacingX || exact(spacingZ) != spacingZ || most < 1) {
-            throw new IllegalArgumentException("height tiles: from " + lowX + ", " + lowZ + " on, " + spacingX + " and " + spacingZ + " m apart, "
+        if (exact(lowX) != lowX || exact(lowZ) != lowZ || exact(spacingX) != spacingX || exact(spacingZ) != spacingZ
+            || most < 1) {
+            throw new IllegalArgumentException("height tiles: from " + lowX + ", " + lowZ + " on, " + spacingX + " and "
+                + spacingZ + " m apart, "
                 + most + " held, legal: numbers of metres with at most 24 binary places, at least 1 held");
         }
         this.source = source;

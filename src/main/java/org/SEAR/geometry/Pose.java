@@ -48,7 +48,8 @@ public final class Pose {
         double syz = sinY * sinZ;
         double cysz = cosY * sinZ;
         double sycz = sinY * cosZ;
-        return new Pose(x, y, z, yz * sinX + syz * cosX, sycz * cosX + cysz * sinX, cysz * cosX - sycz * sinX, yz * cosX - syz * sinX);
+        return new Pose(x, y, z, yz * sinX + syz * cosX, sycz * cosX + cysz * sinX, cysz * cosX - sycz * sinX,
+            yz * cosX - syz * sinX);
     }
 
     /** Returns the pose in the parent frame of a pose {@code inner} in this frame. */
@@ -84,7 +85,8 @@ public final class Pose {
         double tx = 2 * (uy * vz - uz * vy);
         double ty = 2 * (uz * vx - ux * vz);
         double tz = 2 * (ux * vy - uy * vx);
-        return new double[] {vx + qw * tx + uy * tz - uz * ty, vy + qw * ty + uz * tx - ux * tz, vz + qw * tz + ux * ty - uy * tx};
+        return new double[] {vx + qw * tx + uy * tz - uz * ty, vy + qw * ty + uz * tx - ux * tz, vz + qw * tz
+            + ux * ty - uy * tx};
     }
 
     @Override

@@ -19,9 +19,12 @@ public final class ColorNames {
     private static final Map<String, String> NAMES = new LinkedHashMap<>();
 
     static {
-        name("black #000000, silver #c0c0c0, gray #808080, grey #808080, white #ffffff, maroon #800000, red #ff0000, purple #800080, "
-            + "fuchsia #ff00ff, green #008000, lime #00ff00, olive #808000, yellow #ffff00, navy #000080, blue #0000ff, teal #008080, aqua #00ffff");
-        name("orange #ffa500, brown #a52a2a, pink #ffc0cb, gold #ffd700, beige #f5f5dc, tan #d2b48c, violet #ee82ee, cyan #00ffff, "
+        name("black #000000, silver #c0c0c0, gray #808080, grey #808080, white #ffffff, maroon #800000, red #ff0000, "
+            + "purple #800080, "
+            + "fuchsia #ff00ff, green #008000, lime #00ff00, olive #808000, yellow #ffff00, navy #000080, blue "
+                + "#0000ff, teal #008080, aqua #00ffff");
+        name("orange #ffa500, brown #a52a2a, pink #ffc0cb, gold #ffd700, beige #f5f5dc, tan #d2b48c, violet #ee82ee, "
+            + "cyan #00ffff, "
             + "magenta #ff00ff, turquoise #40e0d0");
     }
 

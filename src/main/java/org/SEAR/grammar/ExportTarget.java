@@ -10,7 +10,8 @@ import java.util.regex.Pattern;
  * a port below 1024. Immutable, any thread.
  */
 public final class ExportTarget {
-    static final String LEGAL = "the name of a link in the folder SEARports (a file name, no path, for example ttySICK), or tcp:PORT or rfc2217:PORT"
+    static final String LEGAL = "the name of a link in the folder SEARports (a file name, no path, for example "
+        + "ttySICK), or tcp:PORT or rfc2217:PORT"
         + " with PORT from 1024 to 65535";
     private static final int LOWEST_PORT = 1024;
     private static final int HIGHEST_PORT = 65535;

@@ -35,7 +35,8 @@ public final class NamedValues {
         for (Map.Entry<?, ?> entry : values.entrySet()) {
             Parameter parameter = table.get(ScriptText.of(String.valueOf(entry.getKey())));
             if (fixed.test(parameter)) {
-                throw new IllegalArgumentException(label + ": " + parameter.getName() + " can't be set: an object keeps its name, and"
+                throw new IllegalArgumentException(label + ": " + parameter.getName()
+                    + " can't be set: an object keeps its name, and"
                     + " addComponent and addWheel give a robot its parts");
             }
             Object value = whole(parameter, entry.getValue());
@@ -99,6 +100,7 @@ public final class NamedValues {
     }
 
     private IllegalArgumentException illegal(Parameter parameter, Object value, String legal) {
-        return new IllegalArgumentException(label + ": " + parameter.getName() + " is " + ParameterTable.quote(value) + ", legal: " + legal);
+        return new IllegalArgumentException(label + ": " + parameter.getName() + " is " + ParameterTable.quote(value)
+            + ", legal: " + legal);
     }
 }

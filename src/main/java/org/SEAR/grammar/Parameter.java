@@ -26,7 +26,8 @@ public final class Parameter {
         GROUP
     }
 
-    private static final Pattern PLAIN_NUMBER = Pattern.compile("[-+]?[0-9]*\\.?[0-9]+([eE][-+]?[0-9]+)?|[-+]?[0-9]+\\.");
+    private static final Pattern PLAIN_NUMBER =
+        Pattern.compile("[-+]?[0-9]*\\.?[0-9]+([eE][-+]?[0-9]+)?|[-+]?[0-9]+\\.");
 
     /**
      * Decimal digits that every double preserves. A number that needs at most {@link #PLAIN} of them is written
@@ -47,7 +48,8 @@ public final class Parameter {
         this.group = group;
         this.field = field;
         this.param = field.getAnnotation(Param.class);
-        this.type = isList() ? (Class<?>) ((ParameterizedType) field.getGenericType()).getActualTypeArguments()[0] : field.getType();
+        this.type = isList() ? (Class<?>) ((ParameterizedType) field.getGenericType()).getActualTypeArguments()[0]
+            : field.getType();
         this.kind = kindOf(type);
         field.setAccessible(true);
         if (group != null) {
@@ -150,7 +152,8 @@ public final class Parameter {
      */
     public String getInitial() {
         boolean number = kind == Kind.NUMBER || kind == Kind.WHOLE;
-        return param.initial().isEmpty() && param.required() && number ? format(Math.max(param.min(), Math.min(param.max(), 1))) : param.initial();
+        return param.initial().isEmpty() && param.required()
+            && number ? format(Math.max(param.min(), Math.min(param.max(), 1))) : param.initial();
     }
 
     /** Returns the class of a group's parameters; for other kinds the type of the value. */
@@ -193,7 +196,8 @@ public final class Parameter {
             case NUMBER:
             case WHOLE:
                 double number = ((Number) value).doubleValue();
-                return (number >= param.min() && number <= param.max() || param.orZero() && number == 0) && isListed(format(number));
+                return (number >= param.min() && number <= param.max() || param.orZero() && number == 0)
+                    && isListed(format(number));
             case TEXT:
                 return param.text().isLegal((String) value) && isListed((String) value);
             default:

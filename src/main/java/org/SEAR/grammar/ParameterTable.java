@@ -75,7 +75,8 @@ public final class ParameterTable {
     public Parameter get(String element) {
         Parameter parameter = find(element);
         if (parameter == null) {
-            throw new IllegalArgumentException(type.getSimpleName() + " has no parameter " + element + ", but " + names());
+            throw new IllegalArgumentException(type.getSimpleName() + " has no parameter " + element
+                + ", but " + names());
         }
         return parameter;
     }
@@ -90,9 +91,11 @@ public final class ParameterTable {
             constructor.setAccessible(true);
             return constructor.newInstance();
         } catch (NoSuchMethodException e) {
-            throw new IllegalStateException(type.getName() + " needs a constructor without arguments (it may be private) to be read from a file", e);
+            throw new IllegalStateException(type.getName() + " needs a constructor without arguments (it may be "
+                + "private) to be read from a file", e);
         } catch (InvocationTargetException | InstantiationException | IllegalAccessException e) {
-            throw new IllegalStateException("no " + type.getName() + " can be made with its constructor without arguments", e);
+            throw new IllegalStateException("no " + type.getName() + " can be made with its constructor "
+                + "without arguments", e);
         }
     }
 

@@ -18,7 +18,8 @@ public final class ScriptLine {
     private static final String PY4J = "py4j.";
     private static final String JYTHON = "org.python.core.";
     /** Python's own library code, and the line by which MyRobotLab calls a function of the script. */
-    private static final Predicate<String> OTHERS = file -> file.contains("__pyclasspath__") || file.contains("/Lib/") || file.equals("<callback>");
+    private static final Predicate<String> OTHERS = file -> file.contains("__pyclasspath__") || file.contains("/Lib/")
+        || file.equals("<callback>");
 
     /** Set if Java runs inside a Python 3 process. */
     private static final boolean IN_PYTHON = Boolean.getBoolean("sear.inPython");
@@ -52,7 +53,8 @@ public final class ScriptLine {
     }
 
     private static boolean isInScript() {
-        return StackWalker.getInstance().walk(frames -> frames.anyMatch(frame -> frame.getClassName().startsWith(SCRIPT)));
+        return StackWalker.getInstance()
+            .walk(frames -> frames.anyMatch(frame -> frame.getClassName().startsWith(SCRIPT)));
     }
 
     /**

@@ -28,7 +28,8 @@ public final class ScriptText {
             return text;
         }
         try {
-            return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(text.getBytes(StandardCharsets.ISO_8859_1))).toString();
+            return StandardCharsets.UTF_8.newDecoder()
+                .decode(ByteBuffer.wrap(text.getBytes(StandardCharsets.ISO_8859_1))).toString();
         } catch (CharacterCodingException e) {
             return text;
         }
@@ -44,7 +45,8 @@ public final class ScriptText {
         try {
             return ScriptFolder.resolve(Paths.get(of(text)));
         } catch (InvalidPathException e) {
-            throw new IllegalArgumentException("the path is \"" + of(text).replaceAll("\\p{Cntrl}", "?") + "\", legal: a valid file name"
+            throw new IllegalArgumentException("the path is \"" + of(text).replaceAll("\\p{Cntrl}", "?")
+                + "\", legal: a valid file name"
                 + " on this system (" + e.getReason() + ")", e);
         }
     }

@@ -60,7 +60,8 @@ final class Controls {
         this.number = number;
         this.fastest = fastest;
         names.forEach(name -> controls.add(control(name)));
-        List<String> ofWheels = controls.stream().filter(one -> one.kind == null).map(one -> one.name).collect(Collectors.toList());
+        List<String> ofWheels = controls.stream().filter(one -> one.kind == null).map(one -> one.name)
+            .collect(Collectors.toList());
         boolean paired = ofWheels.contains(LEFT) == ofWheels.contains(RIGHT);
         if (!paired || ofWheels.size() > 1 && ofWheels.contains(SPEED)) {
             throw new IllegalArgumentException("robot " + robotName() + ": actions set " + String.join(", ", ofWheels)
@@ -78,7 +79,8 @@ final class Controls {
                 return new Control(name, ActuatorOrder.Kind.POWER, part.getFullName(), -1, 1);
             } else if (part.getName().equals(name) && part instanceof Servo) {
                 Servo servo = (Servo) part;
-                return new Control(name, ActuatorOrder.Kind.ANGLE, part.getFullName(), servo.getMinAngle(), servo.getMaxAngle());
+                return new Control(name, ActuatorOrder.Kind.ANGLE, part.getFullName(), servo.getMinAngle(),
+                    servo.getMaxAngle());
             }
         }
         if (WHEELS.contains(name)) {
@@ -87,12 +89,15 @@ final class Controls {
         }
         if (name.equals(STEERING)) {
             robot.steer(0);    // an error says why it can't steer
-            double most = robot.getObject().getWheels().stream().filter(Wheel::isSteered).mapToDouble(Wheel::getSteering).min().orElseThrow();
+            double most = robot.getObject().getWheels().stream().filter(Wheel::isSteered)
+                .mapToDouble(Wheel::getSteering).min().orElseThrow();
             return new Control(name, ActuatorOrder.Kind.STEERING, robotName(), -most, most);
         }
-        String parts = robot.getObject().getComponents().stream().filter(part -> part instanceof Motor || part instanceof Servo)
+        String parts = robot.getObject().getComponents().stream()
+            .filter(part -> part instanceof Motor || part instanceof Servo)
             .map(part -> part.getName() + ", ").collect(Collectors.joining());
-        throw new IllegalArgumentException("robot " + robotName() + " has no motor or servo \"" + name + "\" for actions, legal: " + parts
+        throw new IllegalArgumentException("robot " + robotName() + " has no motor or servo \"" + name
+            + "\" for actions, legal: " + parts
             + "left and right, speed, steering");
     }
 
@@ -103,12 +108,14 @@ final class Controls {
      */
     void check(double... values) {
         if (values.length != controls.size()) {
-            throw new IllegalArgumentException("robot " + robotName() + ": an action has " + values.length + " numbers, legal: " + controls.size());
+            throw new IllegalArgumentException("robot " + robotName() + ": an action has " + values.length
+                + " numbers, legal: " + controls.size());
         }
         for (int i = 0; i < values.length; i++) {
             Control control = controls.get(i);
             if (!(values[i] >= control.least && values[i] <= control.most)) {
-                throw new IllegalArgumentException("robot " + robotName() + ": " + control.name + " is " + Parameter.format(values[i]) + ", legal: "
+                throw new IllegalArgumentException("robot " + robotName() + ": " + control.name + " is "
+                    + Parameter.format(values[i]) + ", legal: "
                     + Parameter.format(control.least) + " to " + Parameter.format(control.most));
             }
         }

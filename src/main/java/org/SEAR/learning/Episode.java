@@ -48,7 +48,8 @@ public final class Episode implements AutoCloseable {
      * @param seed random seed of the sensors
      * @throws IllegalArgumentException with the legal names
      */
-    public Episode(Project project, String name, List<String> sensors, List<String> things, double fastest, long seed) throws ProjectException {
+    public Episode(Project project, String name, List<String> sensors, List<String> things, double fastest, long seed)
+        throws ProjectException {
         simulation = Simulation.of(project, seed);
         simulation.setThreads(1);
         robot = find(simulation.getRobots(), name);
@@ -66,7 +67,8 @@ public final class Episode implements AutoCloseable {
         } else if (name.isEmpty() && robots.size() == 1) {
             return robots.get(0);
         } else if (!names.contains(name)) {
-            throw new IllegalArgumentException("robot is " + (name.isEmpty() ? "not given" : "\"" + name + "\"") + ", legal: "
+            throw new IllegalArgumentException("robot is " + (name.isEmpty() ? "not given" : "\"" + name + "\"")
+                + ", legal: "
                 + String.join(", ", names));
         }
         return robots.get(names.indexOf(name));
@@ -100,7 +102,8 @@ public final class Episode implements AutoCloseable {
     /** @param newMemory buffer that receives state and observation from now on, in native byte order */
     public void setMemory(ByteBuffer newMemory) {
         if (newMemory.capacity() < getBytes()) {
-            throw new IllegalArgumentException("the buffer has " + newMemory.capacity() + " bytes, legal: " + getBytes() + " or more");
+            throw new IllegalArgumentException("the buffer has " + newMemory.capacity() + " bytes, legal: " + getBytes()
+                + " or more");
         }
         memory = newMemory.order(ByteOrder.nativeOrder());
         observation.clear(memory, STATE_BYTES);
@@ -143,7 +146,8 @@ public final class Episode implements AutoCloseable {
      */
     public void reset(long seed, double x, double z, double heading) {
         if (!Double.isFinite(x) || !Double.isFinite(z) || !Double.isFinite(heading)) {
-            throw new IllegalArgumentException("robot " + getRobot() + ": start is x " + x + ", z " + z + ", heading " + heading
+            throw new IllegalArgumentException("robot " + getRobot() + ": start is x " + x + ", z " + z
+                + ", heading " + heading
                 + ", legal: finite numbers");
         }
         simulation.reseed(seed);
@@ -156,7 +160,8 @@ public final class Episode implements AutoCloseable {
 
     /** Returns the transformation from one pose to another. */
     private static Pose between(Pose from, Pose to) {
-        Pose turn = new Pose(0, 0, 0, to.qx, to.qy, to.qz, to.qw).times(new Pose(0, 0, 0, -from.qx, -from.qy, -from.qz, from.qw));
+        Pose turn = new Pose(0, 0, 0, to.qx, to.qy, to.qz, to.qw)
+            .times(new Pose(0, 0, 0, -from.qx, -from.qy, -from.qz, from.qw));
         double[] at = turn.rotate(from.x, from.y, from.z);
         return new Pose(to.x - at[0], to.y - at[1], to.z - at[2], turn.qx, turn.qy, turn.qz, turn.qw);
     }
@@ -176,7 +181,8 @@ public final class Episode implements AutoCloseable {
      */
     public void step(double left, double right, int steps) {
         if (!(Math.abs(left) <= fastest && Math.abs(right) <= fastest)) {
-            throw new IllegalArgumentException("robot " + getRobot() + ": wheel speeds are " + left + " and " + right + " m/s, legal: -" + fastest
+            throw new IllegalArgumentException("robot " + getRobot() + ": wheel speeds are " + left + " and " + right
+                + " m/s, legal: -" + fastest
                 + " to " + fastest);
         }
         checkSteps(steps);
@@ -190,7 +196,8 @@ public final class Episode implements AutoCloseable {
     /**
      * Chooses what the actions of {@link #act} set.
      *
-     * @param names each a motor (power, -1 to 1) or servo (degrees) of the robot, else "left", "right" or "speed" (wheel
+     * @param names each a motor (power, -1 to 1) or servo (degrees) of the robot, else "left", "right" or "speed"
+     * (wheel
      *     speeds, m/s; "speed" for both), or "steering" (degrees, + left)
      * @throws IllegalArgumentException with the legal names
      */

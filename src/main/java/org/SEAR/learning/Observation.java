@@ -91,8 +91,10 @@ final class Observation {
         this.robot = robot;
         if (sensors.isEmpty() && things.isEmpty()) {
             String names = robot.getSensors().stream().map(Sensor::getName).collect(Collectors.joining(", "));
-            throw new IllegalArgumentException("robot " + robot.getObject().getName() + " observes nothing: sensors and things are empty, legal: "
-                + (names.isEmpty() ? "names of objects in things, because the robot has no sensors" : "sensors of " + names
+            throw new IllegalArgumentException("robot " + robot.getObject().getName() + " observes nothing: sensors "
+                + "and things are empty, legal: "
+                + (names.isEmpty() ? "names of objects in things, because the robot has no sensors"
+                    : "sensors of " + names
                     + ", or names of objects in things"));
         }
         int at = 0;
@@ -108,7 +110,8 @@ final class Observation {
     }
 
     private int add(Sensor<?> sensor, String name, int at) {
-        Robot carrier = simulation.getRobots().stream().filter(one -> one.getSensors().contains(sensor)).findFirst().orElseThrow();
+        Robot carrier = simulation.getRobots().stream().filter(one -> one.getSensors().contains(sensor)).findFirst()
+            .orElseThrow();
         Reading reading = sensor.read(carrier.getTruth());
         Picture picture = reading.picture();
         if (picture != null) {
@@ -117,7 +120,8 @@ final class Observation {
             return 0;
         }
         double[] range = range(sensor, reading);
-        parts.add(new Part(name, at, reading.scan() == null ? reading.numbers().length : reading.scan().size(), range[0], range[1], sensor,
+        parts.add(new Part(name, at, reading.scan() == null ? reading.numbers().length : reading.scan().size(),
+            range[0], range[1], sensor,
             carrier.getTruth()));
         return parts.get(parts.size() - 1).size;
     }
@@ -125,7 +129,8 @@ final class Observation {
     /** Returns the names of a robot's sensors except cameras, or of its cameras if it has no others. */
     static List<String> usual(Robot robot) {
         Map<Boolean, List<String>> names = robot.getSensors().stream().collect(Collectors.partitioningBy(
-            one -> one.read(robot.getTruth()).picture() == null, Collectors.mapping(Sensor::getName, Collectors.toList())));
+            one -> one.read(robot.getTruth()).picture() == null,
+                Collectors.mapping(Sensor::getName, Collectors.toList())));
         return names.get(names.get(true).isEmpty() ? Boolean.FALSE : Boolean.TRUE);
     }
 
@@ -206,7 +211,8 @@ final class Observation {
             Reading reading = part.sensor.read(part.truth);
             LidarScan scan = reading.scan();
             if (scan == null) {
-                double[] numbers = part.sensor instanceof GpsSensor ? ((GpsSensor) part.sensor).metres((GpsFix) reading, part.truth)
+                double[] numbers = part.sensor instanceof GpsSensor ? ((GpsSensor) part.sensor)
+                    .metres((GpsFix) reading, part.truth)
                     : reading.numbers();
                 for (int k = 0; k < part.size; k++) {
                     put(to, start, part.at + k, numbers[k]);

@@ -23,9 +23,9 @@ import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.orders.BodyOrder;
 
 /**
- * Run of a pupil's script as a lesson's check sees it; takes the check's findings. It trusts only the commands of a record: they
- * run in the lesson's own world, and the robots' positions there count. Public because checks in Python call it. One
- * thread.
+ * Run of a pupil's script as a lesson's check sees it; takes the check's findings. It trusts only the commands of a
+ * record: they run in the lesson's own world, and the robots' positions there count. Public because checks in Python
+ * call it. One thread.
  */
 public final class LessonRun {
     /** Maximum size of a lesson's record, bytes. */
@@ -66,7 +66,8 @@ public final class LessonRun {
      */
     public void follow(Path record, Project project, double most) throws IOException, ProjectException {
         if (Files.size(record) > LARGEST_RECORD) {
-            throw new IOException("the record of the run has " + Files.size(record) + " bytes, legal: at most " + LARGEST_RECORD);
+            throw new IOException("the record of the run has " + Files.size(record) + " bytes, legal: at most "
+                + LARGEST_RECORD);
         }
         try {
             Rerun.of(RunRecord.open(record), project, new Watcher(most));
@@ -110,7 +111,8 @@ public final class LessonRun {
             }
             seconds = last;
             for (Robot robot : world.getRobots()) {
-                trails.get(robot.getObject().getName()).add(last, robot.getPose(), last > 0 && robot.getTruth().isTouched(null));
+                trails.get(robot.getObject().getName())
+                    .add(last, robot.getPose(), last > 0 && robot.getTruth().isTouched(null));
             }
         }
 

@@ -202,7 +202,8 @@ public final class Trail {
         int place = 0;
         for (int i = 0; i < count && place < places.size(); i++) {
             while (place < places.size()
-                    && far(i, places.get(place).get(0).doubleValue(), places.get(place).get(1).doubleValue()) <= within) {
+                    && far(i, places.get(place).get(0).doubleValue(), places.get(place).get(1).doubleValue())
+                        <= within) {
                 place++;
                 if (place == places.size()) {
                     return at(i, 0);

@@ -179,7 +179,8 @@ final class AngularState {
         double crossX = seconds * (midY * z - midZ * y);
         double crossY = seconds * (midZ * x - midX * z);
         double crossZ = seconds * (midX * y - midY * x);
-        rotate(qx, qy, qz, 2, x + crossX + half * (midY * crossZ - midZ * crossY), y + crossY + half * (midZ * crossX - midX * crossZ),
+        rotate(qx, qy, qz, 2, x + crossX + half * (midY * crossZ - midZ * crossY), y + crossY
+            + half * (midZ * crossX - midX * crossZ),
             z + crossZ + half * (midX * crossY - midY * crossX), momentum);
         v[3] = momentum[0];
         v[4] = momentum[1];

@@ -358,7 +358,8 @@ public final class Body {
             placedAt = -1;
         }
         double[] moved = solver.moved;
-        turned += symmetry == Symmetry.BALL ? 0 : Math.sqrt(moved[3] * moved[3] + moved[4] * moved[4] + moved[5] * moved[5]) * reach;
+        turned += symmetry == Symmetry.BALL ? 0
+            : Math.sqrt(moved[3] * moved[3] + moved[4] * moved[4] + moved[5] * moved[5]) * reach;
         AngularState spin = solver.spin();
         double qx = spin.qx();
         double qy = spin.qy();
@@ -367,7 +368,8 @@ public final class Body {
         double tx = 2 * (qy * cz - qz * cy);
         double ty = 2 * (qz * cx - qx * cz);
         double tz = 2 * (qx * cy - qy * cx);
-        pose = new Pose(solver.place.x - (cx + qw * tx + qy * tz - qz * ty), solver.place.y - (cy + qw * ty + qz * tx - qx * tz),
+        pose = new Pose(solver.place.x - (cx + qw * tx + qy * tz - qz * ty),
+            solver.place.y - (cy + qw * ty + qz * tx - qx * tz),
             solver.place.z - (cz + qw * tz + qx * ty - qy * tx), qx, qy, qz, qw);
     }
 

@@ -133,7 +133,8 @@ final class BroadPhase {
             int at = i * ENDS;
             for (int k = i + 1; k < size && lows[k] <= ends[at]; k++) {
                 int other = k * ENDS;
-                if (ends[other + 1] <= ends[at + 2] && ends[at + 1] <= ends[other + 2] && ends[other + 3] <= ends[at + 4]
+                if (ends[other + 1] <= ends[at + 2] && ends[at + 1] <= ends[other + 2]
+                    && ends[other + 3] <= ends[at + 4]
                     && ends[at + 3] <= ends[other + 4]) {
                     intersect(order[i], order[k]);
                 }

@@ -113,7 +113,8 @@ public final class ConstraintRow {
     /** Returns the speed of the point along the direction relative to the other body, m/s. */
     public double speed(double[] v) {
         double speed = lx * v[0] + ly * v[1] + lz * v[2] + ax * v[3] + ay * v[4] + az * v[5];
-        return others == null ? speed : speed - lx * others[0] - ly * others[1] - lz * others[2] - arm[0] * others[3] - arm[1] * others[4]
+        return others == null ? speed : speed - lx * others[0] - ly * others[1] - lz * others[2] - arm[0] * others[3]
+            - arm[1] * others[4]
             - arm[2] * others[5] - carried - (hinge == null ? 0 : lever * hinge.deviation());
     }
 

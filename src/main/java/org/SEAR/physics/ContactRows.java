@@ -174,7 +174,8 @@ final class ContactRows {
 
     private void fill(int at, Manifold of, Manifold.Point point, boolean driven, double mx, double my, double mz) {
         double half = point.found / 2;
-        PairRow.prepare(data, at, of, of.nx, of.ny, of.nz, point.x + half * of.nx, point.y + half * of.ny, point.z + half * of.nz);
+        PairRow.prepare(data, at, of, of.nx, of.ny, of.nz, point.x + half * of.nx, point.y + half * of.ny,
+            point.z + half * of.nz);
         data[at + PairRow.IMPULSE] = point.impulse;
         data[at + BASE] = point.found - PairRow.along(data, at, of.a.moved, of.b.moved);
         data[at + DRIVEN] = driven ? of.driven(data, at, point.x, point.y, point.z, gone) : 0;
@@ -388,10 +389,14 @@ final class ContactRows {
         return sum;
     }
 
-    /** Returns where in the array an impulse of a slot is: those of the points, then two of friction, then the turning one. */
+    /**
+     * Returns where in the array an impulse of a slot is: those of the points, then two of friction, then the turning
+     * one.
+     */
     private int impulseAt(int slot, int i) {
         int at = slot * SIZE;
-        return i < Manifold.MAX_POINTS ? at + POINTS + i * POINT + PairRow.IMPULSE : FrictionRows.impulseAt(at + PATCH, i - Manifold.MAX_POINTS);
+        return i < Manifold.MAX_POINTS ? at + POINTS + i * POINT + PairRow.IMPULSE
+            : FrictionRows.impulseAt(at + PATCH, i - Manifold.MAX_POINTS);
     }
 
     /** Returns an impulse of a slot, N s or N m s: of its points, then two of friction, then that against turning. */
@@ -450,7 +455,8 @@ final class ContactRows {
         if (levers[slot] != null) {
             levers[slot].push(number, impulse);
         }
-        PairRow.applyImpulse(data, row, speedsA[slot], speedsB[slot], data[slot * SIZE + MASS_A], data[slot * SIZE + MASS_B], impulse);
+        PairRow.applyImpulse(data, row, speedsA[slot], speedsB[slot], data[slot * SIZE + MASS_A],
+            data[slot * SIZE + MASS_B], impulse);
     }
 
     /** Applies an angular impulse to both bodies, N m s. */

@@ -50,13 +50,15 @@ final class FrictionRows {
      * @param gone elapsed time of the step, seconds
      * @param levers of the hinges; null without hinges
      */
-    static void prepare(double[] r, int at, Manifold of, double mx, double my, double mz, double gone, HingeLevers levers) {
+    static void prepare(double[] r, int at, Manifold of, double mx, double my, double mz, double gone,
+        HingeLevers levers) {
         r[at + NORMAL] = of.nx;
         r[at + NORMAL + 1] = of.ny;
         r[at + NORMAL + 2] = of.nz;
         tangents(r, at, of, mx, my, mz);
         r[at + PairRow.IMPULSE] = of.fx * r[at] + of.fy * r[at + 1] + of.fz * r[at + 2];
-        r[at + SECOND + PairRow.IMPULSE] = of.fx * r[at + SECOND] + of.fy * r[at + SECOND + 1] + of.fz * r[at + SECOND + 2];
+        r[at + SECOND + PairRow.IMPULSE] = of.fx * r[at + SECOND] + of.fy * r[at + SECOND + 1]
+            + of.fz * r[at + SECOND + 2];
         r[at + TURNED] = of.turned;
         drive(r, at, of, mx, my, mz, gone, levers);
         PairRow.turn(r, at + NORMAL, at + TURN_A, of.a, of.massA > 0);
@@ -75,7 +77,8 @@ final class FrictionRows {
         }
     }
 
-    private static void drive(double[] r, int at, Manifold of, double mx, double my, double mz, double gone, HingeLevers levers) {
+    private static void drive(double[] r, int at, Manifold of, double mx, double my, double mz, double gone,
+        HingeLevers levers) {
         for (int i = 0; i < 3; i++) {
             r[at + DRIVEN + i] = 0;
         }
@@ -83,7 +86,8 @@ final class FrictionRows {
             r[at + DRIVEN] = of.driven(r, at, mx, my, mz, gone);
             r[at + DRIVEN + 1] = of.driven(r, at + SECOND, mx, my, mz, gone);
             // one metre away, since the moving solid is rigid; the second tangent is the normal times the first
-            r[at + DRIVEN + 2] = of.driven(r, at + SECOND, mx + r[at], my + r[at + 1], mz + r[at + 2], gone) - r[at + DRIVEN + 1];
+            r[at + DRIVEN + 2] = of.driven(r, at + SECOND, mx + r[at], my + r[at + 1], mz + r[at + 2], gone)
+                - r[at + DRIVEN + 1];
             if (levers != null) {
                 of.setLevers(levers, FIRST_ROW, r, at, mx, my, mz, gone);
                 of.setLevers(levers, FIRST_ROW + 1, r, at + SECOND, mx, my, mz, gone);
@@ -103,7 +107,8 @@ final class FrictionRows {
         double y = (acrossX ? of.nz : -of.nx) / length;
         double z = acrossX ? -of.ny / length : 0;
         PairRow.prepare(r, at, of, x, y, z, mx, my, mz);
-        PairRow.prepare(r, at + SECOND, of, of.ny * z - of.nz * y, of.nz * x - of.nx * z, of.nx * y - of.ny * x, mx, my, mz);
+        PairRow.prepare(r, at + SECOND, of, of.ny * z - of.nz * y, of.nz * x - of.nx * z, of.nx * y - of.ny * x,
+            mx, my, mz);
     }
 
     /**
@@ -121,7 +126,8 @@ final class FrictionRows {
             r[at + AXIS] = place.m01;
             r[at + AXIS + 1] = place.m11;
             r[at + AXIS + 2] = place.m21;
-            setMass(r, at, (of.massA > 0 ? turns(of.a, r, at + AXIS) : 0) + (of.massB > 0 ? turns(of.b, r, at + AXIS) : 0));
+            setMass(r, at, (of.massA > 0 ? turns(of.a, r, at + AXIS) : 0)
+                + (of.massB > 0 ? turns(of.b, r, at + AXIS) : 0));
             double along = PairRow.dot(r, at + ROLL, at + AXIS);
             for (int i = 0; i < 3; i++) {
                 r[at + ROLL + i] = along * r[at + AXIS + i];
@@ -134,7 +140,8 @@ final class FrictionRows {
     private static void aboutAll(double[] r, int at, Manifold of) {
         double softest = 0;
         for (int i = 0; i < 3; i++) {
-            softest = Math.max(softest, (of.massA > 0 ? diagonal(of.a, i) : 0) + (of.massB > 0 ? diagonal(of.b, i) : 0));
+            softest = Math.max(softest, (of.massA > 0 ? diagonal(of.a, i) : 0)
+                + (of.massB > 0 ? diagonal(of.b, i) : 0));
         }
         r[at + ABOUT_AXIS] = 0;
         setMass(r, at, softest);
@@ -175,7 +182,8 @@ final class FrictionRows {
 
     /** Whether any friction impulse is stored. */
     static boolean holds(double[] r, int at) {
-        return r[at + PairRow.IMPULSE] != 0 || r[at + SECOND + PairRow.IMPULSE] != 0 || r[at + TURNED] != 0 || rolls(r, at);
+        return r[at + PairRow.IMPULSE] != 0 || r[at + SECOND + PairRow.IMPULSE] != 0 || r[at + TURNED] != 0
+            || rolls(r, at);
     }
 
     /** Returns where an impulse is: 0 and 1 against sliding, 2 against turning about the normal. */
@@ -223,7 +231,8 @@ final class FrictionRows {
      * @param mostTurning largest angular impulse about the normal, N m s
      * @param pressing total normal impulse, N s
      */
-    static void solve(double[] r, int at, ContactRows rows, int slot, double most, double mostTurning, double pressing) {
+    static void solve(double[] r, int at, ContactRows rows, int slot, double most, double mostTurning,
+        double pressing) {
         double[] p = rows.speedsA(slot);
         double[] q = rows.speedsB(slot);
         HingeLevers levers = rows.levers(slot);
@@ -231,14 +240,16 @@ final class FrictionRows {
             solveRolling(r, at, rows, slot, pressing * r[at + LEVER]);
         }
         if (mostTurning > 0 || r[at + TURNED] != 0) {
-            double turning = r[at + NORMAL] * (p[3] - q[3]) + r[at + NORMAL + 1] * (p[4] - q[4]) + r[at + NORMAL + 2] * (p[5] - q[5])
+            double turning = r[at + NORMAL] * (p[3] - q[3]) + r[at + NORMAL + 1] * (p[4] - q[4])
+                + r[at + NORMAL + 2] * (p[5] - q[5])
                 - r[at + DRIVEN + 2] - (levers == null ? 0 : levers.speed(FIRST_ROW + 2));
             double sum = Math.max(-mostTurning, Math.min(mostTurning, r[at + TURNED] - r[at + TURNING_MASS] * turning));
             twist(r, at, rows, slot, sum - r[at + TURNED]);
             r[at + TURNED] = sum;
         }
         double one = PairRow.wanted(r, at, p, q, r[at + DRIVEN] + (levers == null ? 0 : levers.speed(FIRST_ROW)));
-        double other = PairRow.wanted(r, at + SECOND, p, q, r[at + DRIVEN + 1] + (levers == null ? 0 : levers.speed(FIRST_ROW + 1)));
+        double other = PairRow.wanted(r, at + SECOND, p, q, r[at + DRIVEN + 1]
+            + (levers == null ? 0 : levers.speed(FIRST_ROW + 1)));
         double length = Math.sqrt(one * one + other * other);
         double scale = length > most ? most / length : 1;
         rows.note((one * scale - r[at + PairRow.IMPULSE]) / r[at + PairRow.MASS]);

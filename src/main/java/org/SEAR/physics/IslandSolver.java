@@ -7,10 +7,10 @@ import org.SEAR.physics.solid.Hinge;
 
 /**
  * Moves the bodies of an island through a step, in small substeps (Macklin 2019, "Small steps in physics simulation").
- * A substep applies gravity and the warm-start impulses, solves passes over all contacts, moves the bodies, and corrects
- * penetrations. Warm starting spreads impulses through tall stacks and large mass ratios from substep to substep. An
- * island whose bodies are slow against each other gets passes until its contacts have converged: at rest that takes one
- * to three passes, and some hundred in the first substeps of a wall. Simulation thread.
+ * A substep applies gravity and the warm-start impulses, solves passes over all contacts, moves the bodies, and
+ * corrects penetrations. Warm starting spreads impulses through tall stacks and large mass ratios from substep to
+ * substep. An island whose bodies are slow against each other gets passes until its contacts have converged: at rest
+ * that takes one to three passes, and some hundred in the first substeps of a wall. Simulation thread.
  */
 final class IslandSolver {
     /** Substeps of a step with contacts. */
@@ -266,11 +266,13 @@ final class IslandSolver {
         }
         double ratio = lightest > 0 ? lightest / heaviest : 1;
         boolean swinging = pairs.isEmpty() && !mechanisms.isEmpty();
-        double turning = bodies.size() > FEW || swinging ? 0 : fastest() * seconds / (alone ? MAX_TURN_ALONE : MAX_TURN);
+        double turning = bodies.size() > FEW || swinging ? 0
+            : fastest() * seconds / (alone ? MAX_TURN_ALONE : MAX_TURN);
         for (int i = 0; i < mechanisms.size(); i++) {
             turning = Math.max(turning, mechanisms.get(i).mechanism.fastest() * seconds / MAX_TURN_JOINTED);
         }
-        double wanted = Math.max((alone ? substepsAlone(seconds) : SUBSTEPS) * Math.sqrt(Math.max(1, ratio / RATIO)), turning);
+        double wanted = Math.max((alone ? substepsAlone(seconds) : SUBSTEPS) * Math.sqrt(
+            Math.max(1, ratio / RATIO)), turning);
         double paid = Math.max(MIN_SUBSTEPS, MAX_WORK / Math.max(1, points + SEARCH * searches));
         int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MAX_SUBSTEPS), paid));
         height = stackOrder.measure(bodies, pairs);
@@ -284,7 +286,8 @@ final class IslandSolver {
         calm = fast <= CALM && !isDeep();
         boolean rolling = bodies.size() == 1 && bodies.get(0).canRoll();
         int limit = calm ? MAX_PASSES : rolling ? usual : MAX_IMPACT_PASSES;
-        mostPasses = (int) Math.max(usual, Math.min(limit, (calm ? MAX_CALM_WORK : MAX_IMPACT_WORK) / Math.max(1.0, work)));
+        mostPasses = (int) Math.max(usual,
+            Math.min(limit, (calm ? MAX_CALM_WORK : MAX_IMPACT_WORK) / Math.max(1.0, work)));
         return substeps;
     }
 
@@ -390,7 +393,8 @@ final class IslandSolver {
 
     /** Solves passes until the contacts have converged or the limit of passes is reached. */
     private void solve(double seconds) {
-        double converged = (calm && bodies.size() <= FEW ? RESIDUAL_OF_FEW : RESIDUAL) / Math.max(1, height) * gravity * seconds;
+        double converged = (calm && bodies.size() <= FEW ? RESIDUAL_OF_FEW : RESIDUAL) / Math.max(1, height)
+            * gravity * seconds;
         directions.begin();
         boolean last = false;
         for (int pass = 1; !last; pass++) {

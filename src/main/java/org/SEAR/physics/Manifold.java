@@ -323,7 +323,8 @@ final class Manifold {
      * counts. The contact point of a rolling body stays.
      */
     private double lead(Body body, SolverBody solver, int solid, int frame, double ahead) {
-        return solver.turning() * ahead > SPINNING && body.isCorner(solid, own[frame], own[frame + 1], own[frame + 2]) ? ahead / 2 : 0;
+        return solver.turning() * ahead > SPINNING && body.isCorner(solid, own[frame], own[frame + 1], own[frame + 2])
+            ? ahead / 2 : 0;
     }
 
     /** Whether one of the solids moves in its body. */

@@ -249,7 +249,8 @@ final class NarrowPhase {
     }
 
     private void intersectTriangle(Vector3f[] corners) {
-        if (!triangle.set(corners, mesh.place) || !triangle.isNear(solid, reach) || !measure(solid, triangle, triangle, 0)) {
+        if (!triangle.set(corners, mesh.place) || !triangle.isNear(solid, reach)
+            || !measure(solid, triangle, triangle, 0)) {
             return;
         }
         boolean through = gjk.distance < 0 && triangle.depth() <= ManifoldClipper.BREAKING;
@@ -291,8 +292,10 @@ final class NarrowPhase {
         mesh = b.place()[0];
         mesh.place.toFrame(solver.getFrom()[0], solver.getFrom()[1], solver.getFrom()[2], start, 0);
         mesh.place.toFrame(solver.place.x, solver.place.y, solver.place.z, end, 0);
-        low.set((float) Math.min(start[0], end[0]), (float) Math.min(start[1], end[1]), (float) Math.min(start[2], end[2]));
-        high.set((float) Math.max(start[0], end[0]), (float) Math.max(start[1], end[1]), (float) Math.max(start[2], end[2]));
+        low.set((float) Math.min(start[0], end[0]), (float) Math.min(start[1], end[1]),
+            (float) Math.min(start[2], end[2]));
+        high.set((float) Math.max(start[0], end[0]), (float) Math.max(start[1], end[1]),
+            (float) Math.max(start[2], end[2]));
         crossing.begin(start, end);
         mesh.getTriangles().find(crossed, low, high);
         if (crossing.getShare() < 1) {

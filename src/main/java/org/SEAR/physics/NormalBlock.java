@@ -30,7 +30,8 @@ final class NormalBlock {
     void prepare(double[] r, int at, int points, int n, double massA, double massB) {
         for (int i = 0; i < n; i++) {
             for (int k = 0; k <= i; k++) {
-                double yields = PairRow.yields(r, points + i * ContactRows.POINT, points + k * ContactRows.POINT, massA, massB);
+                double yields = PairRow.yields(r, points + i * ContactRows.POINT, points + k * ContactRows.POINT,
+                    massA, massB);
                 work[i * MOST + k] = i == k ? yields * (1 + SOFT) : yields;
             }
         }

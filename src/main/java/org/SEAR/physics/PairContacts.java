@@ -114,7 +114,8 @@ final class PairContacts {
         double speed = fast + finder.stepGain();
         double next = ahead / MIN_SUBSTEPS;
         boolean same = known && a.getShapeVersion() + b.getShapeVersion() == version;
-        boolean stale = isListed() ? travelled + fast * ahead > still : clear - went() < MARGIN + speed * (ahead + next);
+        boolean stale = isListed() ? travelled + fast * ahead > still : clear - went() < MARGIN
+            + speed * (ahead + next);
         if (!same || stale || count == 1 && now[0].isLoadedElsewhere()) {
             version = a.getShapeVersion() + b.getShapeVersion();
             within = false;
@@ -369,7 +370,8 @@ final class PairContacts {
     double soon(double seconds) {
         double[] p = a.getSolver().v;
         double[] q = b.getSolver().v;
-        double closing = nx * (q[0] - p[0]) + ny * (q[1] - p[1]) + nz * (q[2] - p[2]) + a.getTurningSpeed() + b.getTurningSpeed();
+        double closing = nx * (q[0] - p[0]) + ny * (q[1] - p[1]) + nz * (q[2] - p[2]) + a.getTurningSpeed()
+            + b.getTurningSpeed();
         return apart - Math.max(0, closing) * seconds;
     }
 

@@ -30,7 +30,8 @@ final class PairRow {
      * @param dx unit direction of the impulse on the first body, likewise dy and dz
      * @param px point, metres, likewise py and pz; all in the world frame
      */
-    static void prepare(double[] r, int at, Manifold of, double dx, double dy, double dz, double px, double py, double pz) {
+    static void prepare(double[] r, int at, Manifold of, double dx, double dy, double dz, double px, double py,
+        double pz) {
         r[at] = dx;
         r[at + 1] = dy;
         r[at + 2] = dz;
@@ -70,7 +71,8 @@ final class PairRow {
      * metres, from displacements.
      */
     static double along(double[] r, int at, double[] p, double[] q) {
-        return r[at] * (p[0] - q[0]) + r[at + 1] * (p[1] - q[1]) + r[at + 2] * (p[2] - q[2]) + r[at + ARM_A] * p[3] + r[at + ARM_A + 1] * p[4]
+        return r[at] * (p[0] - q[0]) + r[at + 1] * (p[1] - q[1]) + r[at + 2] * (p[2] - q[2]) + r[at + ARM_A] * p[3]
+            + r[at + ARM_A + 1] * p[4]
             + r[at + ARM_A + 2] * p[5] - r[at + ARM_B] * q[3] - r[at + ARM_B + 1] * q[4] - r[at + ARM_B + 2] * q[5];
     }
 

@@ -307,7 +307,8 @@ public final class PhysicsWorld {
 
     private boolean leavesZone(int number) {
         double[] v = bodies.get(number).getSolver().v;
-        return !zones[number].contains(soon.set(bounds[number]).grow(EDGE).sweep(v[0] * SOON, v[1] * SOON, v[2] * SOON));
+        return !zones[number].contains(soon.set(bounds[number]).grow(EDGE)
+            .sweep(v[0] * SOON, v[1] * SOON, v[2] * SOON));
     }
 
     private void drawZones() {

@@ -194,7 +194,8 @@ public final class SolverBody extends JointedBody {
     /** Ends the substep: integrates the pose. */
     void advance(double gravity) {
         double late = pressed ? 0 : seconds * seconds / 2;
-        shift(v[0] * seconds - late * pull[0], v[1] * seconds - late * (pull[1] - gravity), v[2] * seconds - late * pull[2]);
+        shift(v[0] * seconds - late * pull[0], v[1] * seconds - late * (pull[1] - gravity),
+            v[2] * seconds - late * pull[2]);
         for (int i = 3; i < moved.length; i++) {
             moved[i] += v[i] * seconds;
         }
@@ -320,7 +321,8 @@ public final class SolverBody extends JointedBody {
         double rx = x - (place.x - moved[0]);
         double ry = y - (place.y - moved[1]);
         double rz = z - (place.z - moved[2]);
-        return nx * moved[0] + ny * moved[1] + nz * moved[2] + (ry * nz - rz * ny) * moved[3] + (rz * nx - rx * nz) * moved[4]
+        return nx * moved[0] + ny * moved[1] + nz * moved[2] + (ry * nz - rz * ny) * moved[3]
+            + (rz * nx - rx * nz) * moved[4]
             + (rx * ny - ry * nx) * moved[5];
     }
 

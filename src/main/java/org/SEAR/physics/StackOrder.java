@@ -28,7 +28,8 @@ final class StackOrder {
         while (changed) {
             changed = false;
             for (int i = 0; i < pairs.size(); i++) {
-                changed |= lower(pairs.get(i).getA(), pairs.get(i).getB()) | lower(pairs.get(i).getB(), pairs.get(i).getA());
+                changed |= lower(pairs.get(i).getA(), pairs.get(i).getB())
+                    | lower(pairs.get(i).getB(), pairs.get(i).getA());
             }
         }
         highest = 0;

@@ -96,7 +96,8 @@ public final class Outline {
         if (outlines.isEmpty()) {
             return new double[] {-1, 1, -1, 1};
         }
-        double[] box = {Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        double[] box = {Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY,
+            Double.NEGATIVE_INFINITY};
         for (Outline outline : outlines) {
             for (double[] point : outline.points) {
                 box[0] = Math.min(box[0], point[0]);

@@ -91,7 +91,8 @@ public final class Plan {
             boolean hit = Double.isFinite(lengths[i]);
             if (fan.cut ? i % stride == 0 : hit) {
                 double length = hit ? lengths[i] : fan.ranges[i];
-                beams.add(sensor.transform(length * fan.directions[3 * i], length * fan.directions[3 * i + 1], length * fan.directions[3 * i + 2]),
+                beams.add(sensor.transform(length * fan.directions[3 * i], length * fan.directions[3 * i + 1],
+                    length * fan.directions[3 * i + 2]),
                     hit);
             }
         }

@@ -72,7 +72,8 @@ public final class PlanDrawing implements Drawing {
         double[] all = withRobots(Outline.box(plan.outlines));
         double[] most = things.isEmpty() ? all : withRobots(Outline.box(things));
         double room = AROUND * size(most);
-        return size(most) > 0 && size(all) > LARGER * size(most) ? new double[] {Math.max(all[0], most[0] - room), Math.min(all[1], most[1] + room),
+        return size(most) > 0 && size(all) > LARGER * size(most)
+            ? new double[] {Math.max(all[0], most[0] - room), Math.min(all[1], most[1] + room),
             Math.max(all[2], most[2] - room), Math.min(all[3], most[3] + room)} : all;
     }
 
@@ -121,7 +122,8 @@ public final class PlanDrawing implements Drawing {
         }
         plan.beams.forEach(beams -> draw(canvas, beams, foot));
         plan.robots.forEach(robot -> arrow(canvas, robot));
-        plan.robots.forEach(robot -> name(canvas, robot.name + " " + Math.round(robot.heading) + "\u00b0", right(robot.z),
+        plan.robots.forEach(robot -> name(canvas, robot.name + " " + Math.round(robot.heading) + "\u00b0",
+            right(robot.z),
             down(robot.x) + Math.max(ARROW, AHEAD * robot.radius * scale) + SIZE, true));
         names(canvas);
         foot(canvas, foot);
@@ -176,7 +178,8 @@ public final class PlanDrawing implements Drawing {
         double[] turns = {0, BACK_ANGLE, 0, -BACK_ANGLE};
         double[] ways = {length, BACK * length, 0, BACK * length};
         for (int i = 0; i < corners.length; i++) {
-            corners[i] = new double[] {right(robot.z) + ways[i] * Math.sin(angle + turns[i]), down(robot.x) - ways[i] * Math.cos(angle + turns[i])};
+            corners[i] = new double[] {right(robot.z) + ways[i] * Math.sin(angle + turns[i]),
+                down(robot.x) - ways[i] * Math.cos(angle + turns[i])};
         }
         area(canvas, corners, INK, 0.5, INK);
     }
@@ -201,7 +204,8 @@ public final class PlanDrawing implements Drawing {
         double half = text.length() * SIZE * LETTER / 2;
         double middle = Math.min(Math.max(x, half), WIDTH - half);
         double[] box = {middle - half, y - SIZE, middle + half, y};
-        boolean free = taken.stream().noneMatch(one -> box[0] < one[2] && box[2] > one[0] && box[1] < one[3] && box[3] > one[1]);
+        boolean free = taken.stream().noneMatch(one -> box[0] < one[2] && box[2] > one[0] && box[1] < one[3]
+            && box[3] > one[1]);
         if (always || free) {
             taken.add(box);
             canvas.label(text, middle, y, Canvas.Anchor.MIDDLE, SIZE);
@@ -231,6 +235,7 @@ public final class PlanDrawing implements Drawing {
     private String time() {
         double rest = plan.time % SECONDS_A_MINUTE;
         long minutes = (long) (plan.time / SECONDS_A_MINUTE);
-        return minutes == 0 ? String.format(Locale.ROOT, "after %.2f s", rest) : String.format(Locale.ROOT, "after %d min %.2f s", minutes, rest);
+        return minutes == 0 ? String.format(Locale.ROOT, "after %.2f s", rest)
+            : String.format(Locale.ROOT, "after %d min %.2f s", minutes, rest);
     }
 }

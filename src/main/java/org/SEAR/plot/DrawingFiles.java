@@ -63,7 +63,8 @@ public final class DrawingFiles {
             canvas = new PngCanvas(drawing.width(), drawing.height());
             canvas.text("", 0, 0, Canvas.Anchor.LEFT, PlotDrawing.SIZE);
         } catch (LinkageError | RuntimeException e) {
-            throw new IOException("this computer's Java has no fonts for a PNG (" + e + "): save it with the ending .svg", e);
+            throw new IOException("this computer's Java has no fonts for a PNG (" + e
+                + "): save it with the ending .svg", e);
         }
         drawing.on(canvas);
         return canvas.file();

@@ -42,7 +42,8 @@ public final class Plot {
      */
     public void add(String name, String unit, double[] values) {
         if (values.length != places.length) {
-            throw new IllegalArgumentException("\"" + name + "\" has " + values.length + " values, and \"" + xTitle + "\" has " + places.length
+            throw new IllegalArgumentException("\"" + name + "\" has " + values.length + " values, and \"" + xTitle
+                + "\" has " + places.length
                 + ", legal: the same number");
         }
         if (++count > MAX_LINES) {
@@ -61,11 +62,14 @@ public final class Plot {
     public void save(Path file) throws IOException {
         DrawingFiles.check(file);
         double[] shown = Arrays.stream(places).filter(Double::isFinite).sorted().toArray();
-        boolean hasValues = boxes.values().stream().flatMap(List::stream).anyMatch(line -> Arrays.stream(line.values).anyMatch(Double::isFinite));
+        boolean hasValues = boxes.values().stream().flatMap(List::stream)
+            .anyMatch(line -> Arrays.stream(line.values).anyMatch(Double::isFinite));
         if (shown.length == 0 || !hasValues) {
-            throw new IllegalArgumentException("there is nothing to draw: no numbers over \"" + xTitle + "\"; fill the lists in a loop, for example"
+            throw new IllegalArgumentException("there is nothing to draw: no numbers over \"" + xTitle
+                + "\"; fill the lists in a loop, for example"
                 + " with times.append(sear.getTime())");
         }
-        DrawingFiles.save(new PlotDrawing(xTitle, places, new Axis(shown[0], shown[shown.length - 1], false), new ArrayList<>(boxes.values())), file);
+        DrawingFiles.save(new PlotDrawing(xTitle, places, new Axis(shown[0], shown[shown.length - 1], false),
+            new ArrayList<>(boxes.values())), file);
     }
 }

@@ -21,7 +21,8 @@ final class PlotDrawing implements Drawing {
     private static final String FRAME = "#444444";
     private static final String GRID = "#dddddd";
     /** Colour-blind safe palette of Okabe and Ito. */
-    private static final String[] COLORS = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000", "#8c6d31"};
+    private static final String[] COLORS = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00",
+        "#000000", "#8c6d31"};
     private static final double THICK = 2;
 
     private final String xTitle;

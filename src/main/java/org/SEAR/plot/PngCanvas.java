@@ -64,7 +64,8 @@ final class PngCanvas implements Canvas {
         }
         path.closePath();
         Color fill = Color.decode(color);
-        graphics.setColor(new Color(fill.getRed(), fill.getGreen(), fill.getBlue(), (int) Math.round(opacity * OPAQUE)));
+        graphics.setColor(new Color(fill.getRed(), fill.getGreen(), fill.getBlue(),
+            (int) Math.round(opacity * OPAQUE)));
         graphics.fill(path);
         pen(edge, 1);
         graphics.draw(path);

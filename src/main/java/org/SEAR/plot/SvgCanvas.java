@@ -9,7 +9,8 @@ final class SvgCanvas implements Canvas {
     private final StringBuilder out = new StringBuilder();
 
     SvgCanvas(int width, int height) {
-        add("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" font-family=\"%s\">\n", width, height, width,
+        add("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
+            + "font-family=\"%s\">\n", width, height, width,
             height, FONT);
         add("<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n", width, height);
     }
@@ -20,12 +21,14 @@ final class SvgCanvas implements Canvas {
 
     @Override
     public void line(double x1, double y1, double x2, double y2, String color, double width) {
-        add("<line x1=\"%.2f\" y1=\"%.2f\" x2=\"%.2f\" y2=\"%.2f\" stroke=\"%s\" stroke-width=\"%.1f\"/>\n", x1, y1, x2, y2, color, width);
+        add("<line x1=\"%.2f\" y1=\"%.2f\" x2=\"%.2f\" y2=\"%.2f\" stroke=\"%s\" stroke-width=\"%.1f\"/>\n", x1, y1, x2,
+            y2, color, width);
     }
 
     @Override
     public void polyline(double[] x, double[] y, int count, String color, double width) {
-        add("<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\" stroke-linejoin=\"round\" points=\"", color, width);
+        add("<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\" stroke-linejoin=\"round\" points=\"",
+            color, width);
         for (int i = 0; i < count; i++) {
             add("%s%.2f,%.2f", i == 0 ? "" : " ", x[i], y[i]);
         }
@@ -48,17 +51,20 @@ final class SvgCanvas implements Canvas {
 
     private void write(String text, double x, double y, Anchor anchor, int size, String more) {
         String at = anchor == Anchor.LEFT ? "start" : anchor == Anchor.RIGHT ? "end" : "middle";
-        add("<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"%s\" font-size=\"%d\"%s>%s</text>\n", x, y, at, size, more, escaped(text));
+        add("<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"%s\" font-size=\"%d\"%s>%s</text>\n", x, y, at, size, more,
+            escaped(text));
     }
 
     @Override
     public void label(String text, double x, double y, Anchor anchor, int size) {
-        write(text, x, y, anchor, size, " paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\"");
+        write(text, x, y, anchor, size, " paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"3\" "
+            + "stroke-linejoin=\"round\"");
     }
 
     @Override
     public void upwards(String text, double x, double y, int size) {
-        add("<text transform=\"translate(%.2f %.2f) rotate(-90)\" text-anchor=\"middle\" font-size=\"%d\">%s</text>\n", x, y, size, escaped(text));
+        add("<text transform=\"translate(%.2f %.2f) rotate(-90)\" text-anchor=\"middle\" font-size=\"%d\">%s</text>\n",
+            x, y, size, escaped(text));
     }
 
     private static String escaped(String text) {

@@ -59,7 +59,8 @@ final class AssetCheck {
 
     private void checkImage(ParsedObject parsed, Shape shape) {
         if (shape.getImage() != null && !assets.has(shape.getImage())) {
-            warnings.add(parsed.file + ": there is no picture \"" + shape.getImage() + "\" in assets; " + shape + " is shown plain");
+            warnings.add(parsed.file + ": there is no picture \"" + shape.getImage() + "\" in assets; " + shape
+                + " is shown plain");
         } else if (shape.getImage() != null && !isAerial(shape)) {
             int[] size = pictures.get(shape.getImage());
             if (size == null || shape instanceof Terrain) {
@@ -81,16 +82,19 @@ final class AssetCheck {
         if (Math.max(stretched, 1 / stretched) < STRETCHED) {
             return;
         }
-        String shown = String.format(Locale.ROOT, "%s: the picture %s of %s is stretched %.2f times in %s: it has %d x %d pixels, and ",
-            parsed.file, floor.getImage(), floor, Math.max(stretched, 1 / stretched), stretched > 1 ? "width" : "height", pixels[0], pixels[1]);
-        warnings.add(shown + (repeats ? "each repetition is a square" : String.format(Locale.ROOT, "the floor is %s m long and %s m wide;"
+        String shown = String.format(Locale.ROOT, "%s: the picture %s of %s is stretched %.2f times in %s: it has %d x "
+            + "%d pixels, and ",
+            parsed.file, floor.getImage(), floor, Math.max(stretched, 1 / stretched), stretched > 1 ? "width"
+                : "height", pixels[0], pixels[1]);
+        warnings.add(shown + (repeats ? "each repetition is a square"
+            : String.format(Locale.ROOT, "the floor is %s m long and %s m wide;"
             + " a width of %s m fits", Parameter.format(length), Parameter.format(across * length), Parameter.format(
             Math.round(MILLIMETRES * length * pixels[0] / pixels[1]) / MILLIMETRES))));
     }
 
     /**
-     * Returns the size of a picture, or reports an unreadable one: a warning for an object, which is then shown plain; a problem for a terrain, since
-     * sensors may read its aerial picture.
+     * Returns the size of a picture, or reports an unreadable one: a warning for an object, which is then shown plain;
+     * a problem for a terrain, since sensors may read its aerial picture.
      */
     private int[] checkPicture(ParsedObject parsed, Shape shape) {
         try {
@@ -99,7 +103,8 @@ final class AssetCheck {
             if (e instanceof UnreadablePicture && !(shape instanceof Terrain)) {
                 warnings.add(parsed.file + ": the picture of " + shape + " can't be shown (" + e.getMessage() + ")");
             } else {
-                problems.add(parsed.file, parsed.line("image"), "image", shape.getImage(), "a picture that can be shown (" + e.getMessage() + ")");
+                problems.add(parsed.file, parsed.line("image"), "image", shape.getImage(),
+                    "a picture that can be shown (" + e.getMessage() + ")");
             }
             return new int[0];
         }
@@ -118,8 +123,10 @@ final class AssetCheck {
         for (String path : terrain.getPaths()) {
             if (!assets.has(path)) {
                 boolean first = index == 0;
-                problems.add(parsed.file, parsed.line(first ? "path" : "tile#" + (index - 1)), first ? "path" : "tile", path,
-                    "a file below assets, and there is none of that name: copy the elevation map to SEARproject/assets/" + path);
+                problems.add(parsed.file, parsed.line(first ? "path" : "tile#" + (index - 1)), first ? "path"
+                    : "tile", path,
+                    "a file below assets, and there is none of that name: copy the elevation map to "
+                        + "SEARproject/assets/" + path);
             }
             index++;
         }
@@ -127,9 +134,11 @@ final class AssetCheck {
 
     private void checkModel(ParsedObject parsed, String path) {
         if (!ModelLoader.isModel(path)) {
-            problems.add(parsed.file, parsed.line("path"), "path", path, "a model: " + String.join(", ", ModelLoader.ENDINGS));
+            problems.add(parsed.file, parsed.line("path"), "path", path, "a model: "
+                + String.join(", ", ModelLoader.ENDINGS));
         } else if (!assets.has(path)) {
-            problems.add(parsed.file, parsed.line("path"), "path", path, "a file below assets, and there is none of that name");
+            problems.add(parsed.file, parsed.line("path"), "path", path, "a file below assets, and there is none "
+                + "of that name");
         }
     }
 }

@@ -34,7 +34,8 @@ final class Backups {
     private static final long FOLDER = -1;
     private static final long OTHER = -2;
     /** Limits of the backups, for messages. */
-    static final String LIMITS = "SEAR keeps the last " + MOST + " backups of a project, at most " + (MAX_BYTES >> 20) + " MB together";
+    static final String LIMITS = "SEAR keeps the last " + MOST + " backups of a project, at most " + (MAX_BYTES >> 20)
+        + " MB together";
 
     private final Path folder;
     private final TreeMap<Integer, Path> byNumber = new TreeMap<>();

@@ -42,7 +42,8 @@ public final class BeamLibrary {
         ProblemList problems = new ProblemList();
         for (String name : new String(resource(INDEX), StandardCharsets.UTF_8).trim().split("\n")) {
             String file = "beams/" + name + ProjectFolder.XML;
-            ParsedObject parsed = Xml.parse(resource(file), file, Collections.singletonMap("Beam", Beam.class), problems);
+            ParsedObject parsed = Xml.parse(resource(file), file,
+                Collections.singletonMap("Beam", Beam.class), problems);
             check(parsed, problems);
             if (!problems.isEmpty()) {
                 throw new IllegalStateException("the beams that come with SEAR are broken: " + problems);
@@ -101,7 +102,8 @@ public final class BeamLibrary {
     }
 
     private static Beam find(List<Beam> beams, Predicate<String> isIt) {
-        return beams.stream().filter(beam -> isIt.test(beam.getName()) || beam.getAliases().stream().anyMatch(isIt)).findFirst().orElse(null);
+        return beams.stream().filter(beam -> isIt.test(beam.getName()) || beam.getAliases().stream().anyMatch(isIt))
+            .findFirst().orElse(null);
     }
 
     /** Returns the names of all beams, in order, including the other names of the same products. */
@@ -130,7 +132,8 @@ public final class BeamLibrary {
             if (problems.size() == before) {
                 Beam beam = (Beam) parsed.object;
                 if (!(beam.getName() + ProjectFolder.XML).equals(file.getFileName().toString())) {
-                    problems.add(name, parsed.line("name"), "name", beam.getName(), "the name of the file without .xml");
+                    problems.add(name, parsed.line("name"), "name", beam.getName(),
+                        "the name of the file without .xml");
                 } else {
                     beams.put(beam.getName(), beam);
                 }

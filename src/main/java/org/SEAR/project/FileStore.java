@@ -81,7 +81,8 @@ public final class FileStore implements ObjectStore {
             change(log::putBack);
             places.putBack();
         } catch (IOException e) {
-            throw new UncheckedIOException("the project in " + ProjectFolder.present() + " could not be restored: " + e.getMessage(), e);
+            throw new UncheckedIOException("the project in " + ProjectFolder.present() + " could not be restored: "
+                + e.getMessage(), e);
         }
     }
 
@@ -99,7 +100,8 @@ public final class FileStore implements ObjectStore {
             return null;
         }
         String wanted = name + ProjectFolder.XML;
-        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, file -> file.getFileName().toString().equalsIgnoreCase(wanted))) {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, file -> file.getFileName().toString()
+            .equalsIgnoreCase(wanted))) {
             Iterator<Path> found = files.iterator();
             return found.hasNext() ? found.next() : null;
         }
@@ -127,8 +129,10 @@ public final class FileStore implements ObjectStore {
         try (DirectoryStream<Path> others = Files.newDirectoryStream(file.getParent())) {
             for (Path other : others) {
                 if (TextRule.onAnySystem(other.getFileName().toString()).equals(wanted)) {
-                    throw new IllegalArgumentException("name is \"" + name + "\", legal: a name that differs from that of " + other
-                        + " by more than capitals or accents' spelling, since some systems take both for the same file");
+                    throw new IllegalArgumentException(
+                        "name is \"" + name + "\", legal: a name that differs from that of " + other
+                        + " by more than capitals or accents' spelling, since some systems take both for "
+                            + "the same file");
                 }
             }
         }

@@ -62,7 +62,8 @@ final class FiledRobots {
         if (!startsAsRobot(bytes)) {
             return null;
         }
-        ParsedObject parsed = Xml.parse(bytes, file.toString(), Map.of(SEARrobot.class.getSimpleName(), SEARrobot.class), new ProblemList());
+        ParsedObject parsed = Xml.parse(bytes, file.toString(),
+            Map.of(SEARrobot.class.getSimpleName(), SEARrobot.class), new ProblemList());
         return parsed == null || parsed.isBroken() ? null : (SEARrobot) parsed.object;
     }
 
@@ -91,7 +92,8 @@ final class FiledRobots {
                 others = Math.max(others, place);
             }
         } catch (IOException e) {
-            throw new UncheckedIOException(project.resolve(ProjectFolder.ROBOT) + " can't be read: " + e.getMessage(), e);
+            throw new UncheckedIOException(project.resolve(ProjectFolder.ROBOT) + " can't be read: "
+                + e.getMessage(), e);
         }
         return others == 0 ? null : Integer.valueOf(others + 1);
     }
@@ -111,12 +113,14 @@ final class FiledRobots {
      */
     static void makeWay(Path project, String name, Writer writer) throws IOException {
         List<Path> files = files(project);
-        if (files.stream().noneMatch(file -> file.getFileName().toString().equalsIgnoreCase(name + ProjectFolder.XML))) {
+        if (files.stream().noneMatch(file -> file.getFileName().toString()
+            .equalsIgnoreCase(name + ProjectFolder.XML))) {
             return;
         }
         for (Path file : files) {
             SEARrobot robot = read(file);
-            String part = robot == null ? null : robot.getComponentNames().stream().filter(name::equalsIgnoreCase).findFirst().orElse(null);
+            String part = robot == null ? null : robot.getComponentNames().stream().filter(name::equalsIgnoreCase)
+                .findFirst().orElse(null);
             Path plain = part == null ? null : ProjectFolder.file(project, true, part);
             if (plain != null && Files.isRegularFile(plain)) {
                 String aside = Assembly.nameAside(robot, part);

@@ -27,7 +27,8 @@ final class NameCheck {
     private final Map<String, String> whole = new HashMap<>();
     private final Map<String, Integer> robotsWithPart = new HashMap<>();
 
-    NameCheck(Map<String, ParsedObject> environment, Map<String, ParsedObject> parts, Map<ParsedObject, SEARrobot> owners, ProblemList problems) {
+    NameCheck(Map<String, ParsedObject> environment, Map<String, ParsedObject> parts,
+        Map<ParsedObject, SEARrobot> owners, ProblemList problems) {
         this.environment = environment;
         this.parts = parts;
         this.owners = owners;
@@ -57,7 +58,8 @@ final class NameCheck {
                 check(parsed, "wheel#" + index++, wheel, seen.get(parsed.object));
             }
         }
-        robots.forEach(parsed -> eachPart((SEARrobot) parsed.object).forEach(part -> robotsWithPart.merge(part.getName(), 1, Integer::sum)));
+        robots.forEach(parsed -> eachPart((SEARrobot) parsed.object)
+            .forEach(part -> robotsWithPart.merge(part.getName(), 1, Integer::sum)));
         robots.forEach(parsed -> name((SEARrobot) parsed.object));
     }
 
@@ -69,7 +71,8 @@ final class NameCheck {
         String key = TextRule.onAnySystem(name);
         String other = whole.containsKey(key) ? whole.get(key) : seen.putIfAbsent(key, parsed.file);
         if (other != null) {
-            problems.add(parsed.file, parsed.line(element), "name", name, "a name of its own (capitals don't count); " + other + " has it too");
+            problems.add(parsed.file, parsed.line(element), "name", name, "a name of its own (capitals don't count); "
+                + other + " has it too");
         }
     }
 
@@ -77,10 +80,13 @@ final class NameCheck {
     private void checkFiles() {
         Map<String, ParsedObject> seen = new LinkedHashMap<>();
         for (ParsedObject parsed : parts.values()) {
-            ParsedObject other = owners.containsKey(parsed) ? seen.putIfAbsent(TextRule.onAnySystem(parsed.file), parsed) : null;
+            ParsedObject other = owners.containsKey(parsed)
+                ? seen.putIfAbsent(TextRule.onAnySystem(parsed.file), parsed) : null;
             if (other != null && owners.get(other) != owners.get(parsed)) {
-                problems.add(parsed.file, parsed.line("name"), "name", ((SearObject) parsed.object).getName(), "a name that differs from that of "
-                    + other.file + " by more than capitals or accents' spelling, since some systems take both for the same file");
+                problems.add(parsed.file, parsed.line("name"), "name", ((SearObject) parsed.object).getName(),
+                    "a name that differs from that of "
+                    + other.file + " by more than capitals or accents' spelling, since some systems take both for "
+                        + "the same file");
             }
         }
     }

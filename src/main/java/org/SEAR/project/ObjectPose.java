@@ -14,6 +14,7 @@ public final class ObjectPose {
      * robot.
      */
     public static Pose of(SearObject object) {
-        return Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), object.getRx(), object.getRy(), object.getRz());
+        return Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), object.getRx(), object.getRy(),
+            object.getRz());
     }
 }

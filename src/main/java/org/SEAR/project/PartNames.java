@@ -33,7 +33,8 @@ public final class PartNames<T> {
         List<String> owners = robots.get(name);
         if (owners != null && owners.size() > 1) {
             throw new IllegalArgumentException('"' + name + "\" is on " + joined(owners, "and") + ": use "
-                + joined(owners.stream().map(robot -> '"' + robot + "/" + name + '"').collect(Collectors.toList()), "or"));
+                + joined(owners.stream().map(robot -> '"' + robot + "/" + name + '"')
+                    .collect(Collectors.toList()), "or"));
         }
         return things.get(name);
     }

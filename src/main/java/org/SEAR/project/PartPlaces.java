@@ -87,7 +87,8 @@ final class PartPlaces {
      */
     private static boolean isInProject(SEARrobot robot) throws IOException {
         Path file = ProjectFolder.file(ProjectFolder.present(), true, robot.getName());
-        return Files.isRegularFile(file) && Arrays.equals(Files.readAllBytes(file), Xml.write(robot).getBytes(StandardCharsets.UTF_8));
+        return Files.isRegularFile(file)
+            && Arrays.equals(Files.readAllBytes(file), Xml.write(robot).getBytes(StandardCharsets.UTF_8));
     }
 
     private static String key(SearObject part) {

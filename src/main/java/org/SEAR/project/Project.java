@@ -32,7 +32,8 @@ public final class Project {
     private final TerrainGround terrain;
 
     /** @param terrain null if there is none */
-    Project(Path folder, List<SearObject> environment, List<Joint> joints, List<SEARrobot> robots, List<String> warnings, ParsedObject terrain) {
+    Project(Path folder, List<SearObject> environment, List<Joint> joints, List<SEARrobot> robots,
+        List<String> warnings, ParsedObject terrain) {
         this.folder = folder;
         this.environment = List.copyOf(environment);
         this.joints = List.copyOf(joints);
@@ -91,8 +92,8 @@ public final class Project {
     }
 
     /**
-     * Returns warnings about legal but probably unintended data: a file in {@code robot/} that is not part of a robot, a
-     * missing picture.
+     * Returns warnings about legal but probably unintended data: a file in {@code robot/} that is not part of a robot,
+     * a missing picture.
      */
     public List<String> getWarnings() {
         return warnings;

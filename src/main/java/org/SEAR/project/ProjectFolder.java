@@ -26,8 +26,10 @@ public final class ProjectFolder {
         try {
             return folder.resolve(part ? ROBOT : ENVIRONMENT).resolve(name + XML);
         } catch (InvalidPathException e) {
-            throw new IllegalArgumentException("name is \"" + name + "\", legal: a name that Java can encode in file names on this system ("
-                + System.getProperty("sun.jnu.encoding") + "); with LC_ALL=C.UTF-8 in the environment every name is legal", e);
+            throw new IllegalArgumentException("name is \"" + name + "\", legal: a name that Java can encode in file "
+                + "names on this system ("
+                + System.getProperty("sun.jnu.encoding") + "); with LC_ALL=C.UTF-8 in the environment every "
+                    + "name is legal", e);
         }
     }
 }

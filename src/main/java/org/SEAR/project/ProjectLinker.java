@@ -34,7 +34,8 @@ final class ProjectLinker {
     private final List<String> warnings;
     private final Map<ParsedObject, SEARrobot> owners = new LinkedHashMap<>();
 
-    ProjectLinker(Map<String, ParsedObject> environment, Map<String, ParsedObject> parts, ProblemList problems, List<String> warnings) {
+    ProjectLinker(Map<String, ParsedObject> environment, Map<String, ParsedObject> parts, ProblemList problems,
+        List<String> warnings) {
         this.environment = environment;
         this.parts = parts;
         this.problems = problems;
@@ -49,7 +50,8 @@ final class ProjectLinker {
         }
         for (ParsedObject parsed : parts.values()) {
             if (parsed.object instanceof Wheel) {
-                warnings.add(parsed.file + ": " + parsed.object + " is on no robot and is left out; robot.addWheel(wheel) adds it, or a <wheel> in"
+                warnings.add(parsed.file + ": " + parsed.object + " is on no robot and is left out; "
+                    + "robot.addWheel(wheel) adds it, or a <wheel> in"
                     + " the robot's file");
             } else if (!parsed.isBroken() && !(parsed.object instanceof SEARrobot) && !owners.containsKey(parsed)) {
                 warnings.add(parsed.file + ": " + parsed.object + " is not a component of any robot and"
@@ -83,7 +85,8 @@ final class ProjectLinker {
             } else if (part.object instanceof SEARrobot || part.object instanceof Wheel) {
                 problems.add(parsed.file, line, "component", name, "a shape, a model, a sensor or dynamics");
             } else if (owners.containsKey(part)) {
-                problems.add(parsed.file, line, "component", name, "a component that no robot has yet; " + owners.get(part).getName() + " has it");
+                problems.add(parsed.file, line, "component", name, "a component that no robot has yet; "
+                    + owners.get(part).getName() + " has it");
             } else if (part.object instanceof Dynamics && hasDynamics) {
                 problems.add(parsed.file, line, "component", name, "only one Dynamics");
             } else {
@@ -93,7 +96,8 @@ final class ProjectLinker {
             }
         }
         if (!hasDynamics) {
-            warnings.add(parsed.file + ": " + robot + " has no Dynamics, and no simulation starts without; robot.addComponent(Dynamics(name, mass))"
+            warnings.add(parsed.file + ": " + robot + " has no Dynamics, and no simulation starts without; "
+                + "robot.addComponent(Dynamics(name, mass))"
                 + " adds one");
         }
     }
@@ -104,7 +108,8 @@ final class ProjectLinker {
             if (parsed.object instanceof SerialObject) {
                 SerialObject device = (SerialObject) parsed.object;
                 if ((device.getUartPort() == null) != (device.getUserPort() == null)) {
-                    problems.add(parsed.file, parsed.line("uartPort"), "", "one of two ports", "both uartPort and userPort, or neither");
+                    problems.add(parsed.file, parsed.line("uartPort"), "", "one of two ports",
+                        "both uartPort and userPort, or neither");
                 }
                 checkPort(seen, parsed, "uartPort", device.getUartPort());
                 checkPort(seen, parsed, "userPort", device.getUserPort());
@@ -122,7 +127,8 @@ final class ProjectLinker {
         }
         String other = seen.putIfAbsent(port, parsed.file);
         if (other != null) {
-            problems.add(parsed.file, parsed.line(element), element, port, "a port of its own; " + other + " has it too");
+            problems.add(parsed.file, parsed.line(element), element, port, "a port of its own; " + other
+                + " has it too");
         }
     }
 
@@ -132,7 +138,8 @@ final class ProjectLinker {
             String element = terrainElement(parsed.object);
             if (element != null) {
                 if (first != null) {
-                    problems.add(parsed.file, parsed.line(element), element, element.equals("path") ? ((Terrain) parsed.object).getPath() : "true",
+                    problems.add(parsed.file, parsed.line(element), element, element.equals("path")
+                        ? ((Terrain) parsed.object).getPath() : "true",
                         "one terrain; " + first + " is it already");
                 }
                 first = parsed.file;
@@ -140,23 +147,27 @@ final class ProjectLinker {
         }
         for (ParsedObject parsed : owners.keySet()) {
             if (terrainElement(parsed.object) != null) {
-                problems.add(parsed.file, parsed.line("terrain"), "terrain", "true", "false for a component of a robot");
+                problems.add(parsed.file, parsed.line("terrain"), "terrain", "true",
+                    "false for a component of a robot");
             }
         }
     }
 
     /** Returns the element that makes an object the terrain; null for any other object. */
     private static String terrainElement(Object object) {
-        return object instanceof Terrain ? "path" : object instanceof Model && ((Model) object).isTerrain() ? "terrain" : null;
+        return object instanceof Terrain ? "path" : object instanceof Model && ((Model) object).isTerrain()
+            ? "terrain" : null;
     }
 
     /** Checks that a GPS has a geographic reference of its own or from the terrain. */
     private void checkReferences() {
-        boolean terrain = environment.values().stream().anyMatch(parsed -> parsed.isBroken() || parsed.object instanceof Terrain
+        boolean terrain = environment.values().stream()
+            .anyMatch(parsed -> parsed.isBroken() || parsed.object instanceof Terrain
             && !((Terrain) parsed.object).hasSize());
         for (ParsedObject parsed : owners.keySet()) {
             if (!terrain && parsed.object instanceof GPS && !((GPS) parsed.object).hasReference()) {
-                problems.add(parsed.file, parsed.line("latitude"), "", parsed.object + " has no latitude, altitude and longitude",
+                problems.add(parsed.file, parsed.line("latitude"), "", parsed.object + " has no latitude, altitude "
+                    + "and longitude",
                     "all three of them, or a Terrain whose map says where on Earth the world lies");
             }
         }
@@ -178,10 +189,12 @@ final class ProjectLinker {
         if (part instanceof PlacedObject && ((PlacedObject) part).isOnGround()) {
             PlacedObject placed = (PlacedObject) part;
             String element = placed.hasPlaceOnEarth() ? "placeLatitude" : "onGround";
-            problems.add(parsed.file, parsed.line(element), element, placed.hasPlaceOnEarth() ? Parameter.format(placed.getPlaceLatitude()) : "true",
+            problems.add(parsed.file, parsed.line(element), element, placed.hasPlaceOnEarth()
+                ? Parameter.format(placed.getPlaceLatitude()) : "true",
                 "none for " + placed + ", a part of a robot; the robot may have it");
         }
-        if (part instanceof Model && ((Model) part).hasCollision() && ((Model) part).getCollision().equals(Model.EXACT)) {
+        if (part instanceof Model && ((Model) part).hasCollision() && ((Model) part).getCollision()
+            .equals(Model.EXACT)) {
             problems.add(parsed.file, parsed.line("collision"), "collision", Model.EXACT, Model.MOVABLE);
         }
         if (part instanceof Shape && !(part instanceof Wheel)) {
@@ -193,7 +206,8 @@ final class ProjectLinker {
 
     List<SearObject> environment() {
         List<SearObject> objects = new ArrayList<>();
-        environment.values().stream().filter(p -> !p.isBroken() && !(p.object instanceof Joint)).forEach(p -> objects.add((SearObject) p.object));
+        environment.values().stream().filter(p -> !p.isBroken() && !(p.object instanceof Joint))
+            .forEach(p -> objects.add((SearObject) p.object));
         return objects;
     }
 
@@ -206,14 +220,17 @@ final class ProjectLinker {
     /** Checks that joints connect existing objects, of which one can move. */
     private void checkJoints() {
         if (joints().size() > MAX_JOINTS) {
-            problems.add(ProjectFolder.ENVIRONMENT, 0, "", "it has " + joints().size() + " joints", "at most " + MAX_JOINTS);
+            problems.add(ProjectFolder.ENVIRONMENT, 0, "", "it has " + joints().size() + " joints", "at most "
+                + MAX_JOINTS);
         }
         for (ParsedObject parsed : environment.values()) {
             if (parsed.object instanceof Joint) {
                 Joint joint = (Joint) parsed.object;
-                boolean movable = canMove(parsed, "first", joint.getFirst()) | canMove(parsed, "second", joint.getSecond());
+                boolean movable = canMove(parsed, "first", joint.getFirst())
+                    | canMove(parsed, "second", joint.getSecond());
                 if (!movable && !problems.isFull()) {
-                    problems.add(parsed.file, parsed.line("second"), "second", joint.getSecond(), "an object that can move: this joint connects only"
+                    problems.add(parsed.file, parsed.line("second"), "second", joint.getSecond(),
+                        "an object that can move: this joint connects only"
                         + " fixed ones, and setMass(kg) makes one movable");
                 }
             }
@@ -231,20 +248,23 @@ final class ProjectLinker {
         }
         ParsedObject robot = parts.get(name);
         if (robot == null || !robot.isBroken() && !(robot.object instanceof SEARrobot)) {
-            problems.add(joint.file, joint.line(element), element, name, "the name of an object of the environment or of a robot");
+            problems.add(joint.file, joint.line(element), element, name, "the name of an object of the environment "
+                + "or of a robot");
         }
         return true;
     }
 
     /** Returns the Terrain; null if there is none. */
     ParsedObject terrain() {
-        return environment.values().stream().filter(parsed -> parsed.object instanceof Terrain).findFirst().orElse(null);
+        return environment.values().stream().filter(parsed -> parsed.object instanceof Terrain).findFirst()
+            .orElse(null);
     }
 
     /** Returns the robots in the order of their creation; the parts are ordered by file name. */
     List<SEARrobot> robots() {
         List<SEARrobot> robots = new ArrayList<>();
-        parts.values().stream().filter(p -> p.object instanceof SEARrobot).forEach(p -> robots.add((SEARrobot) p.object));
+        parts.values().stream().filter(p -> p.object instanceof SEARrobot)
+            .forEach(p -> robots.add((SEARrobot) p.object));
         robots.sort(Comparator.comparing(SEARrobot::getOrder, Comparator.nullsFirst(Comparator.naturalOrder())));
         return robots;
     }

@@ -56,10 +56,12 @@ final class ProjectReader {
         try {
             ProjectSwap.recover(folder);
         } catch (IOException e) {
-            problems.add(folder.toString(), 0, "", "it can't be opened (" + e.getMessage() + ")", "a SEARproject folder");
+            problems.add(folder.toString(), 0, "", "it can't be opened (" + e.getMessage() + ")",
+                "a SEARproject folder");
         }
         if (!Files.isDirectory(folder) && changes.isEmpty()) {
-            problems.add(folder.toString(), 0, "", "there is no such folder", "a SEARproject folder; creating an object makes one");
+            problems.add(folder.toString(), 0, "", "there is no such folder",
+                "a SEARproject folder; creating an object makes one");
             problems.throwIfAny();
         }
         warnOfOtherSpelling("environments", ProjectFolder.ENVIRONMENT);
@@ -83,7 +85,8 @@ final class ProjectReader {
     /** Warns about a folder with the alternative spelling; the dissertation has both. */
     private void warnOfOtherSpelling(String other, String right) {
         if (Files.isDirectory(folder.resolve(other))) {
-            warnings.add("the folder " + other + "/ of the project is not read: its objects belong into " + right + "/");
+            warnings.add("the folder " + other + "/ of the project is not read: its objects belong into "
+                + right + "/");
         }
     }
 
@@ -102,7 +105,8 @@ final class ProjectReader {
             if (named.contains(robot.getName() + "/" + stem(file))) {
                 files.add(file);
             } else {
-                warnings.add(name + "/" + file.getFileName() + " is not a component of " + robot + " and is left out; <component>"
+                warnings.add(name + "/" + file.getFileName() + " is not a component of " + robot
+                    + " and is left out; <component>"
                     + robot.getName() + "/" + stem(file) + "</component> in the robot's file adds it");
             }
         }
@@ -113,7 +117,8 @@ final class ProjectReader {
         List<ReadFile> all = new ArrayList<>();
         for (int from = 0; from < files.size() && !problems.isFull(); from += BATCH) {
             List<Path> batch = files.subList(from, Math.min(files.size(), from + BATCH));
-            batch.parallelStream().map(file -> new ReadFile(file, changes.get(file), name, roots)).collect(Collectors.toList()).forEach(read -> {
+            batch.parallelStream().map(file -> new ReadFile(file, changes.get(file), name, roots))
+                .collect(Collectors.toList()).forEach(read -> {
                 problems.addAll(read.problems);
                 all.add(read);
                 if (!read.parsed.isBroken()) {
@@ -140,17 +145,20 @@ final class ProjectReader {
         ReadFile(Path file, byte[] bytes, String folder, Map<String, Class<? extends SearObject>> roots) {
             name = folder + "/" + file.getFileName();
             stem = stem(file);
-            ParsedObject read = bytes == null ? Xml.read(file, name, roots, problems) : Xml.parse(bytes, name, roots, problems);
+            ParsedObject read = bytes == null ? Xml.read(file, name, roots, problems)
+                : Xml.parse(bytes, name, roots, problems);
             parsed = read == null ? ParsedObject.broken(name, 0) : read;
         }
     }
 
     private void checkFile(ParsedObject parsed, SearObject object, String stem) {
         if (!object.getName().equals(stem)) {
-            problems.add(parsed.file, parsed.line("name"), "name", object.getName(), "the name of the file without .xml, \"" + stem + "\"");
+            problems.add(parsed.file, parsed.line("name"), "name", object.getName(),
+                "the name of the file without .xml, \"" + stem + "\"");
         }
         Assembly.crossCheck(object, (element, value, legal) ->
-            problems.add(parsed.file, parsed.line(element), element.replaceAll("#.*", ""), Parameter.format(value), legal));
+            problems.add(parsed.file, parsed.line(element), element.replaceAll("#.*", ""),
+                Parameter.format(value), legal));
     }
 
     /**
@@ -160,7 +168,8 @@ final class ProjectReader {
     private Map<String, Class<? extends SearObject>> roots(String name) {
         Map<String, Class<? extends SearObject>> roots = new TreeMap<>();
         for (Class<? extends SearObject> type : classes.all()) {
-            boolean environment = Shape.class.isAssignableFrom(type) && type != Wheel.class || Joint.class.isAssignableFrom(type);
+            boolean environment = Shape.class.isAssignableFrom(type) && type != Wheel.class
+                || Joint.class.isAssignableFrom(type);
             boolean part = type != Floor.class && type != Terrain.class && !Joint.class.isAssignableFrom(type)
                 && (name.equals(ProjectFolder.ROBOT) || type != SEARrobot.class);
             if (name.equals(ProjectFolder.ENVIRONMENT) ? environment : part) {
@@ -195,7 +204,8 @@ final class ProjectReader {
             return List.of();
         }
         try (Stream<Path> all = Files.list(directory)) {
-            return all.filter(file -> isObjectFile(file, name)).sorted().limit(MAX_FILES + 1L).collect(Collectors.toList());
+            return all.filter(file -> isObjectFile(file, name)).sorted().limit(MAX_FILES + 1L)
+                .collect(Collectors.toList());
         } catch (IOException e) {
             problems.add(name, 0, "", "it can't be read (" + e + ")", "a readable folder");
             return List.of();
@@ -206,7 +216,8 @@ final class ProjectReader {
         String name = file.getFileName().toString();
         boolean xml = name.endsWith(ProjectFolder.XML);
         if (!xml && name.toLowerCase(Locale.ROOT).endsWith(ProjectFolder.XML)) {
-            warnings.add(folderName + "/" + name + " is not read: the name of an object's file ends in " + ProjectFolder.XML + ", in small letters");
+            warnings.add(folderName + "/" + name + " is not read: the name of an object's file ends in "
+                + ProjectFolder.XML + ", in small letters");
         }
         return xml && !name.startsWith(".") && !isOwnFolder(file, folderName);
     }
@@ -227,7 +238,8 @@ final class ProjectReader {
                     Beam beam = own.get(sensor.getBeam());
                     Assembly.link(sensor, beam != null ? beam : beams.get(sensor.getBeam()));
                 } catch (IllegalArgumentException e) {
-                    problems.add(parsed.file, parsed.line("beam"), "beam", sensor.getBeam(), String.join(", ", beams.names()));
+                    problems.add(parsed.file, parsed.line("beam"), "beam", sensor.getBeam(),
+                        String.join(", ", beams.names()));
                 }
             }
         }

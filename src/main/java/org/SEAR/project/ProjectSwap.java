@@ -145,7 +145,8 @@ public final class ProjectSwap implements AutoCloseable {
         try {
             lock = tryLock(channel, wait);
             if (lock == null) {
-                throw new IOException("another program is just replacing the project in " + folder + "; try again when it is done");
+                throw new IOException("another program is just replacing the project in " + folder
+                    + "; try again when it is done");
             }
             ProjectSwap swap = new ProjectSwap(folder, channel, lock);
             swap.finishOrCleanUp();
@@ -170,7 +171,8 @@ public final class ProjectSwap implements AutoCloseable {
      * nothing to do.
      */
     static void recover(Path folder) throws IOException {
-        if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS) && Files.exists(beside(folder, NEXT), LinkOption.NOFOLLOW_LINKS)) {
+        if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS)
+            && Files.exists(beside(folder, NEXT), LinkOption.NOFOLLOW_LINKS)) {
             lock(folder, true).close();
         }
     }

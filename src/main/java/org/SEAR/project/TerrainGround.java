@@ -43,10 +43,12 @@ final class TerrainGround {
     private static TerrainArea area(Terrain terrain) {
         TerrainArea area = TerrainArea.of(terrain.getPath(), terrain.getPaths().subList(1, terrain.getPaths().size()));
         if (terrain.hasArea()) {
-            area = area.around(terrain.getLatitude(), terrain.getLongitude(), terrain.getNorthSouth(), terrain.getEastWest());
+            area = area.around(terrain.getLatitude(), terrain.getLongitude(), terrain.getNorthSouth(),
+                terrain.getEastWest());
         }
         if (terrain.hasSize()) {
-            area = area.sized(terrain.getNorthSouth(), terrain.getEastWest(), terrain.getLowest(), terrain.getHighest());
+            area = area.sized(terrain.getNorthSouth(), terrain.getEastWest(), terrain.getLowest(),
+                terrain.getHighest());
         }
         return area;
     }
@@ -72,7 +74,8 @@ final class TerrainGround {
             try {
                 ElevationMaps.check(assets, paths.get(i));
             } catch (IOException e) {
-                broken.add(new Problem(parsed.file, parsed.line(i == 0 ? "path" : "tile#" + (i - 1)), i == 0 ? "path" : "tile", paths.get(i),
+                broken.add(new Problem(parsed.file, parsed.line(i == 0 ? "path" : "tile#" + (i - 1)), i == 0 ? "path"
+                    : "tile", paths.get(i),
                     USABLE + e.getMessage() + ")"));
             }
         }
@@ -85,7 +88,8 @@ final class TerrainGround {
         try {
             TerrainColors.check(terrain, assets, get());
         } catch (IOException e) {
-            throw new ProjectException(Collections.singletonList(new Problem(parsed.file, parsed.line("image"), "image", terrain.getImage(),
+            throw new ProjectException(Collections.singletonList(
+                new Problem(parsed.file, parsed.line("image"), "image", terrain.getImage(),
                 "a picture that can be shown (" + e.getMessage() + ")")));
         }
     }
@@ -106,7 +110,8 @@ final class TerrainGround {
     }
 
     private ProjectException problem(Terrain terrain, IOException e) {
-        return new ProjectException(Collections.singletonList(new Problem(parsed.file, parsed.line("path"), "path", terrain.getPath(),
+        return new ProjectException(Collections.singletonList(
+            new Problem(parsed.file, parsed.line("path"), "path", terrain.getPath(),
             USABLE + e.getMessage() + ")")));
     }
 }

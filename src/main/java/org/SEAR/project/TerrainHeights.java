@@ -23,12 +23,14 @@ public final class TerrainHeights implements GroundHeights {
         Ground ground = TerrainGround.load(terrain, new Assets(ProjectFolder.present().resolve(ProjectFolder.ASSETS)));
         keep(ground);
         if (ground.origin == null) {
-            throw new IllegalArgumentException(terrain + " has no georeference, so it has no elevation by latitude and longitude, legal: a map with"
+            throw new IllegalArgumentException(terrain + " has no georeference, so it has no elevation by latitude and "
+                + "longitude, legal: a map with"
                 + " georeference; sear.getGroundHeight(x, z) works for every map");
         }
         double height = ground.height(latitude, longitude);
         if (Double.isNaN(height)) {
-            throw new IllegalArgumentException(terrain + " has no ground at latitude " + Parameter.format(latitude) + ", longitude "
+            throw new IllegalArgumentException(terrain + " has no ground at latitude " + Parameter.format(latitude)
+                + ", longitude "
                 + Parameter.format(longitude) + ", legal: " + extent(ground));
         }
         return height;
@@ -46,7 +48,8 @@ public final class TerrainHeights implements GroundHeights {
         GeoOrigin.GeoPoint north = ground.origin.at(ground.field.x(ground.field.rows - 1), 0, 0);
         GeoOrigin.GeoPoint west = ground.origin.at(0, 0, ground.field.lowZ);
         GeoOrigin.GeoPoint east = ground.origin.at(0, 0, ground.field.z(ground.field.columns - 1));
-        return String.format(Locale.ROOT, "latitude %.4f to %.4f, longitude %.4f to %.4f", south.latitude, north.latitude, west.longitude,
+        return String.format(Locale.ROOT, "latitude %.4f to %.4f, longitude %.4f to %.4f", south.latitude,
+            north.latitude, west.longitude,
             east.longitude);
     }
 }

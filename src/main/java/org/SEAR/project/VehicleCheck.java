@@ -58,18 +58,22 @@ final class VehicleCheck {
             Assembly.crossCheck(wheel, (element, value, legal) ->
                 problems.add(parsed.file, line, wheel.getName() + "." + element, Parameter.format(value), legal));
             if (wheel.isSteered() && wheel.getType() != Wheel.IDLER && Wheel.steeringLength(wheels) == 0) {
-                problems.add(parsed.file, line, wheel.getName() + ".steering", steeredBy(wheel), "a steered wheel in front of or behind the axle of"
+                problems.add(parsed.file, line, wheel.getName() + ".steering", steeredBy(wheel),
+                    "a steered wheel in front of or behind the axle of"
                     + " those that aren't steered");
                 return;
             }
             if (wheel.isSteered() && servo != null && !servo.equals(steeredBy(wheel))) {
-                problems.add(parsed.file, line, wheel.getName() + ".steering", steeredBy(wheel), "the same as the robot's other steered wheels: "
+                problems.add(parsed.file, line, wheel.getName() + ".steering", steeredBy(wheel),
+                    "the same as the robot's other steered wheels: "
                     + servo);
             }
             servo = wheel.isSteered() && servo == null ? steeredBy(wheel) : servo;
             String name = wheel.getSteeringServo();
-            if (name != null && robot.getComponents().stream().noneMatch(part -> part instanceof Servo && part.getName().equals(name))) {
-                problems.add(parsed.file, line, wheel.getName() + ".steeringServo", name, "the name of a servo of robot " + robot.getName());
+            if (name != null && robot.getComponents().stream()
+                .noneMatch(part -> part instanceof Servo && part.getName().equals(name))) {
+                problems.add(parsed.file, line, wheel.getName() + ".steeringServo", name,
+                    "the name of a servo of robot " + robot.getName());
             }
         }
     }
@@ -85,12 +89,15 @@ final class VehicleCheck {
             Wheel wheel = robot.getWheels().stream().filter(one -> one.getName().equals(name)).findFirst().orElse(null);
             String other = turned.putIfAbsent(robot.getName() + "/" + name, parsed.file);
             if (wheel == null) {
-                problems.add(parsed.file, line, "wheel", name, "a driven wheel (type 1) of the motor's robot " + robot.getName() + ": "
+                problems.add(parsed.file, line, "wheel", name, "a driven wheel (type 1) of the motor's robot "
+                    + robot.getName() + ": "
                     + driven(robot));
             } else if (!wheel.isDriven()) {
-                problems.add(parsed.file, line, "wheel", name, "a driven wheel (type 1); this one has type " + wheel.getType());
+                problems.add(parsed.file, line, "wheel", name, "a driven wheel (type 1); this one has type "
+                    + wheel.getType());
             } else if (other != null) {
-                problems.add(parsed.file, line, "wheel", name, "a wheel that nothing turns yet; " + other + " turns it");
+                problems.add(parsed.file, line, "wheel", name, "a wheel that nothing turns yet; " + other
+                    + " turns it");
             }
         }
     }
@@ -99,10 +106,12 @@ final class VehicleCheck {
         int index = 0;
         for (String name : servo.getPartNames()) {
             int line = parsed.line("part#" + index++);
-            SearObject part = robot.getComponents().stream().filter(one -> one.getName().equals(name)).findFirst().orElse(null);
+            SearObject part = robot.getComponents().stream().filter(one -> one.getName().equals(name)).findFirst()
+                .orElse(null);
             String other = turned.putIfAbsent(robot.getName() + "/" + name, parsed.file);
             if (part == null || !Servo.canTurn(part)) {
-                problems.add(parsed.file, line, "part", name, "the name of a component of the servo's robot " + robot.getName() + ": "
+                problems.add(parsed.file, line, "part", name, "the name of a component of the servo's robot "
+                    + robot.getName() + ": "
                     + Servo.TURNABLE);
             } else if (other != null) {
                 problems.add(parsed.file, line, "part", name, "a part that nothing turns yet; " + other + " turns it");
@@ -114,9 +123,11 @@ final class VehicleCheck {
 
     private void check(ParsedObject parsed, Bumper bumper, SEARrobot robot) {
         String name = bumper.getPart();
-        List<String> parts = robot.getComponents().stream().filter(Bumper::canPress).map(SearObject::getName).collect(Collectors.toList());
+        List<String> parts = robot.getComponents().stream().filter(Bumper::canPress).map(SearObject::getName)
+            .collect(Collectors.toList());
         if (name != null && !parts.contains(name)) {
-            problems.add(parsed.file, parsed.line("part"), "part", name, "the name of a shape of the bumper's robot " + robot.getName() + ": "
+            problems.add(parsed.file, parsed.line("part"), "part", name, "the name of a shape of the bumper's robot "
+                + robot.getName() + ": "
                 + (parts.isEmpty() ? "it has none" : String.join(", ", parts)));
         }
     }
@@ -126,14 +137,16 @@ final class VehicleCheck {
         Servo on = servo;
         for (int i = 0; i <= robot.getComponents().size() && on != null; i++) {
             String name = on.getName();
-            on = (Servo) robot.getComponents().stream().filter(one -> one instanceof Servo && ((Servo) one).getPartNames().contains(name))
+            on = (Servo) robot.getComponents().stream()
+                .filter(one -> one instanceof Servo && ((Servo) one).getPartNames().contains(name))
                 .findFirst().orElse(null);
         }
         return on != null;
     }
 
     private static String driven(SEARrobot robot) {
-        List<String> names = robot.getWheels().stream().filter(Wheel::isDriven).map(Wheel::getName).collect(Collectors.toList());
+        List<String> names = robot.getWheels().stream().filter(Wheel::isDriven).map(Wheel::getName)
+            .collect(Collectors.toList());
         return names.isEmpty() ? "it has none" : String.join(", ", names);
     }
 }

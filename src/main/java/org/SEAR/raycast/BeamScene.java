@@ -122,7 +122,8 @@ public final class BeamScene {
     /** Moves a shape, with effect from the next {@link #commit}. The quaternion must have unit length. */
     public void setPose(int shape, double x, double y, double z, double qx, double qy, double qz, double qw) {
         int at = check(shape) * POSE;
-        boolean same = poses[at] == x && poses[at + 1] == y && poses[at + 2] == z && poses[at + 3] == qx && poses[at + 4] == qy
+        boolean same = poses[at] == x && poses[at + 1] == y && poses[at + 2] == z && poses[at + 3] == qx
+            && poses[at + 4] == qy
             && poses[at + 5] == qz && poses[at + 6] == qw;
         if (same) {
             return;
@@ -147,7 +148,8 @@ public final class BeamScene {
 
     private int check(int shape) {
         if (shape < 0 || shape >= shapes.count) {
-            throw new IllegalArgumentException("beam scene: shape " + shape + ", legal: 0 to " + (shapes.count - 1) + ", as add... returned it");
+            throw new IllegalArgumentException("beam scene: shape " + shape + ", legal: 0 to " + (shapes.count - 1)
+                + ", as add... returned it");
         }
         return shape;
     }
@@ -197,7 +199,8 @@ public final class BeamScene {
      * within maxRange. From inside a solid, returns the exit distance.
      * @param hit receives the shape's number and the surface normal of a hit; may be null
      */
-    public double cast(double ox, double oy, double oz, double dx, double dy, double dz, double maxRange, int ignoredOwner, Hit hit) {
+    public double cast(double ox, double oy, double oz, double dx, double dy, double dz, double maxRange,
+        int ignoredOwner, Hit hit) {
         return casters().rays.cast(shapes, tree.tree(), ox, oy, oz, dx, dy, dz, maxRange, ignoredOwner, hit);
     }
 
@@ -209,8 +212,10 @@ public final class BeamScene {
      * @param ranges receives the distance of each ray, {@code Double.POSITIVE_INFINITY} without a hit
      * @param shapes receives the number of each hit shape, or -1; may be null
      */
-    public void castFan(Pose pose, double startAngle, double stepAngle, int count, double maxRange, int ignoredOwner, double[] ranges, int[] shapes) {
-        casters().fans.cast(this.shapes, tree.tree(), pose, startAngle, stepAngle, count, maxRange, ignoredOwner, ranges, shapes);
+    public void castFan(Pose pose, double startAngle, double stepAngle, int count, double maxRange, int ignoredOwner,
+        double[] ranges, int[] shapes) {
+        casters().fans.cast(this.shapes, tree.tree(), pose, startAngle, stepAngle, count, maxRange, ignoredOwner,
+            ranges, shapes);
     }
 
     /**
@@ -221,7 +226,8 @@ public final class BeamScene {
      * @param shortest receives the shortest length, {@code Double.POSITIVE_INFINITY} without a hit
      * @return the number of the shortest ray, the first of equals, or -1
      */
-    public int castBundle(double ox, double oy, double oz, double[] directions, double[] ranges, int ignoredOwner, double[] shortest) {
+    public int castBundle(double ox, double oy, double oz, double[] directions, double[] ranges, int ignoredOwner,
+        double[] shortest) {
         BundleCaster bundles = casters().bundles;
         shortest[0] = bundles.cast(shapes, tree.tree(), ox, oy, oz, directions, ranges, ignoredOwner);
         return bundles.getLine();
@@ -240,7 +246,8 @@ public final class BeamScene {
      * @param shapesHit receives the shape's number, or -1
      * @param partsHit receives the number of a mesh's triangle in its {@link Triangles}; -1 for other shapes
      */
-    public void castPicture(PictureBeams beams, Pose pose, double start, double range, int ignoredOwner, int firstTile, int endTile, double[] depths,
+    public void castPicture(PictureBeams beams, Pose pose, double start, double range, int ignoredOwner, int firstTile,
+        int endTile, double[] depths,
             int[] shapesHit, int[] partsHit) {
         PictureCaster pictures = casters().pictures;
         pictures.begin(shapes, beams, pose, start, range, firstTile);
@@ -281,7 +288,8 @@ public final class BeamScene {
     public void setPoses(double[] taken) {
         for (int shape = 0; shape < shapes.count; shape++) {
             int at = shape * POSE;
-            setPose(shape, taken[at], taken[at + 1], taken[at + 2], taken[at + 3], taken[at + 4], taken[at + 5], taken[at + 6]);
+            setPose(shape, taken[at], taken[at + 1], taken[at + 2], taken[at + 3], taken[at + 4], taken[at + 5],
+                taken[at + 6]);
         }
         commit();
     }

@@ -90,7 +90,8 @@ final class BoxCut {
             }
             if (here >= 0 != there >= 0) {
                 double f = here / (here - there);
-                n = keep(n, vx[m] + (vx[next] - vx[m]) * f, vz[m] + (vz[next] - vz[m]) * f, over[m] + (over[next] - over[m]) * f,
+                n = keep(n, vx[m] + (vx[next] - vx[m]) * f, vz[m] + (vz[next] - vz[m]) * f,
+                    over[m] + (over[next] - over[m]) * f,
                     here >= 0 ? newFace : face[m]);
             }
         }

@@ -32,7 +32,8 @@ final class BundleCaster {
      * @param directions unit vectors, x, y and z of each ray
      * @param ranges maximum distance of each ray, metres
      */
-    double cast(Shapes shapes, Bvh tree, double ox, double oy, double oz, double[] directions, double[] ranges, int ignored) {
+    double cast(Shapes shapes, Bvh tree, double ox, double oy, double oz, double[] directions, double[] ranges,
+        int ignored) {
         best = Double.POSITIVE_INFINITY;
         line = -1;
         enclose(directions, ranges.length);
@@ -62,7 +63,8 @@ final class BundleCaster {
                 continue;
             }
             int left = tree.link(node);
-            double nearLeft = isBeside(tree.data, left * Bvh.STRIDE, ox, oy, oz) ? -1 : distance(tree.data, left * Bvh.STRIDE, ox, oy, oz);
+            double nearLeft = isBeside(tree.data, left * Bvh.STRIDE, ox, oy, oz) ? -1
+                : distance(tree.data, left * Bvh.STRIDE, ox, oy, oz);
             double nearRight = isBeside(tree.data, (left + 1) * Bvh.STRIDE, ox, oy, oz) ? -1
                 : distance(tree.data, (left + 1) * Bvh.STRIDE, ox, oy, oz);
             boolean leftLast = nearLeft >= nearRight;
@@ -99,7 +101,8 @@ final class BundleCaster {
         double length = Math.sqrt(axisX * axisX + axisY * axisY + axisZ * axisZ);
         cosine = length > 0 ? 1 : -1;
         for (int i = 0; i < count && length > 0; i++) {
-            double along = (axisX * directions[3 * i] + axisY * directions[3 * i + 1] + axisZ * directions[3 * i + 2]) / length;
+            double along = (axisX * directions[3 * i] + axisY * directions[3 * i + 1]
+                + axisZ * directions[3 * i + 2]) / length;
             cosine = Math.min(cosine, along);
         }
         cosine -= SLACK;
@@ -142,7 +145,8 @@ final class BundleCaster {
     }
 
     /** Tests all rays against one shape, except rays that miss the sphere around its bounds. */
-    private void test(Shapes shapes, int shape, float[] box, int at, double ox, double oy, double oz, double[] directions, double[] ranges) {
+    private void test(Shapes shapes, int shape, float[] box, int at, double ox, double oy, double oz,
+        double[] directions, double[] ranges) {
         double x = ((double) box[at] + box[at + 3]) / 2 - ox;
         double y = ((double) box[at + 1] + box[at + 4]) / 2 - oy;
         double z = ((double) box[at + 2] + box[at + 5]) / 2 - oz;

@@ -41,7 +41,8 @@ final class FanCaster {
         this.rays = rays;
     }
 
-    void cast(Shapes scene, Bvh tree, Pose pose, double start, double step, int count, double maxRange, int ignored, double[] ranges, int[] hits) {
+    void cast(Shapes scene, Bvh tree, Pose pose, double start, double step, int count, double maxRange, int ignored,
+        double[] ranges, int[] hits) {
         shapes = scene;
         ox = pose.x;
         oy = pose.y;
@@ -69,7 +70,8 @@ final class FanCaster {
         double x = depth.beams.x[beam];
         double z = depth.beams.z[beam];
         hit.shape = -1;
-        double t = rays.cast(shapes, tree, ox, oy, oz, axes[0] * x + axes[2] * z, axes[3] * x + axes[5] * z, axes[6] * x + axes[8] * z, maxRange,
+        double t = rays.cast(shapes, tree, ox, oy, oz, axes[0] * x + axes[2] * z, axes[3] * x + axes[5] * z, axes[6] * x
+            + axes[8] * z, maxRange,
             ignored, hit);
         depth.shape[beam] = hit.shape;
         return t;
@@ -198,7 +200,8 @@ final class FanCaster {
     private void convexBeam(int beam, int number, RaySolid solid) {
         double x = depth.beams.x[beam];
         double z = depth.beams.z[beam];
-        depth.intersect(beam, solid.intersect(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x + own[10] * z, own[5] * x + own[11] * z),
+        depth.intersect(beam, solid.intersect(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x + own[10] * z,
+            own[5] * x + own[11] * z),
             number);
     }
 

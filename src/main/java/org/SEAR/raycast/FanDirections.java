@@ -65,7 +65,8 @@ final class FanDirections {
         double b = Math.abs(pz);
         double q = Math.min(a, b) / Math.max(a, b);
         double s = q * q;
-        double angle = (((((-0.01172120 * s + 0.05265332) * s - 0.11643287) * s + 0.19354346) * s - 0.33262347) * s + 0.99997726) * q;
+        double angle = (((((-0.01172120 * s + 0.05265332) * s - 0.11643287) * s + 0.19354346) * s - 0.33262347) * s
+            + 0.99997726) * q;
         int octant = negative(a - b) + 2 * negative(px) + 4 * negative(pz);
         angle = base[octant] + OCTANT_SIGN[octant] * angle;
         return angle + WRAP[negative(angle)];

@@ -66,7 +66,8 @@ final class FanHeights {
             } else if (stack.around) {
                 triangles += cells.intersectAll(heights, CellCut.CELLS * row, CellCut.CELLS * column);
             } else {
-                triangles += cells.intersect(heights, CellCut.CELLS * row, CellCut.CELLS * column, stack.first, stack.last);
+                triangles += cells.intersect(heights, CellCut.CELLS * row, CellCut.CELLS * column, stack.first,
+                    stack.last);
             }
         }
     }
@@ -89,7 +90,8 @@ final class FanHeights {
     private void push(int level, int row, int column, int at) {
         double low = pyramid.data[at];
         double halfY = (pyramid.data[at + 1] - low) / 2;
-        if (plane.intersects(middle(field.lowX, field.spacingX, level, row), low + halfY, middle(field.lowZ, field.spacingZ, level, column),
+        if (plane.intersects(middle(field.lowX, field.spacingX, level, row), low + halfY,
+            middle(field.lowZ, field.spacingZ, level, column),
             (1 << level) * field.spacingX + roundX, halfY, (1 << level) * field.spacingZ + roundZ)) {
             stack.push((long) level << 2 * ROW | (long) row << ROW | column);
         }

@@ -12,7 +12,8 @@ final class PatchCut {
      * By the sides of the corners: bit offsets in a triangle's link of the upper and the lower corner of its crossed
      * edges, the descending edge first.
      */
-    private static final int[] WAYS = {0x00000000, 0x00080010, 0x08100800, 0x08100010, 0x10001008, 0x00081008, 0x10000800, 0x00000000};
+    private static final int[] WAYS = {0x00000000, 0x00080010, 0x08100800, 0x08100010, 0x10001008, 0x00081008,
+        0x10000800, 0x00000000};
     /** Sides for which a triangle is cut, one bit each. */
     private static final int CUT = 0x7e;
 

@@ -237,7 +237,8 @@ final class PictureCaster {
                 double dy = axes[3] * x + axes[4] * y;
                 double dz = axes[6] * x + axes[7] * y;
                 double limit = Math.min(range, depth[i - base]) - start;
-                double t = start + rays.test(shapes, shape, sx + start * dx, sy + start * dy, sz + start * dz, dx + axes[2], dy + axes[5],
+                double t = start + rays.test(shapes, shape, sx + start * dx, sy + start * dy, sz + start * dz,
+                    dx + axes[2], dy + axes[5],
                     dz + axes[8], limit * (1 + SLACK));
                 if (t <= range && (t < depth[i - base] || t == depth[i - base] && shape < found[i - base])) {
                     changed = true;
@@ -288,9 +289,11 @@ final class PictureCaster {
         int at = shape * Shapes.STRIDE;
         for (int k = 0; k < groundPlanes.length; k += PLANE) {
             for (int axis = 0; axis < 3; axis++) {
-                groundPlanes[k + axis] = m[at + axis] * planes[k] + m[at + 3 + axis] * planes[k + 1] + m[at + 6 + axis] * planes[k + 2];
+                groundPlanes[k + axis] = m[at + axis] * planes[k] + m[at + 3 + axis] * planes[k + 1]
+                    + m[at + 6 + axis] * planes[k + 2];
             }
-            groundPlanes[k + 3] = planes[k + 3] + planes[k] * m[at + 9] + planes[k + 1] * m[at + 10] + planes[k + 2] * m[at + 11];
+            groundPlanes[k + 3] = planes[k + 3] + planes[k] * m[at + 9] + planes[k + 1] * m[at + 10]
+                + planes[k + 2] * m[at + 11];
         }
     }
 
@@ -312,7 +315,8 @@ final class PictureCaster {
                 double dx = ax + axes[2];
                 double dy = ay + axes[5];
                 double dz = az + axes[8];
-                ground.add(m[at] * wx + m[at + 3] * wy + m[at + 6] * wz, m[at + 1] * wx + m[at + 4] * wy + m[at + 7] * wz,
+                ground.add(m[at] * wx + m[at + 3] * wy + m[at + 6] * wz, m[at + 1] * wx + m[at + 4] * wy
+                    + m[at + 7] * wz,
                     m[at + 2] * wx + m[at + 5] * wy + m[at + 8] * wz, m[at] * dx + m[at + 3] * dy + m[at + 6] * dz,
                     m[at + 1] * dx + m[at + 4] * dy + m[at + 7] * dz, m[at + 2] * dx + m[at + 5] * dy + m[at + 8] * dz,
                     (Math.min(range, depth[i - base]) - start) * (1 + SLACK));
@@ -355,7 +359,8 @@ final class PictureCaster {
         int side = -1;
         for (int k = 0; k < 3; k++) {
             for (int axis = 0; axis < 3; axis++) {
-                own[3 * k + axis] = m[at + k] * axes[axis] + m[at + 3 + k] * axes[3 + axis] + m[at + 6 + k] * axes[6 + axis];
+                own[3 * k + axis] = m[at + k] * axes[axis] + m[at + 3 + k] * axes[3 + axis]
+                    + m[at + 6 + k] * axes[6 + axis];
             }
             place[k] = m[at + k] * wx + m[at + 3 + k] * wy + m[at + 6 + k] * wz;
             slab(k, m[at + 12 + k]);
@@ -458,7 +463,8 @@ final class PictureCaster {
                 double in = Math.max((nearX - px) * ix, Math.max((nearY - py) * iy, (nearZ - pz) * iz));
                 double out = Math.min((-nearX - px) * ix, Math.min((-nearY - py) * iy, (-nearZ - pz) * iz));
                 double t = in >= start ? in : out;
-                if (in <= out && out >= start && t <= range && (t < depth[i - base] || t == depth[i - base] && shape < found[i - base])) {
+                if (in <= out && out >= start && t <= range
+                    && (t < depth[i - base] || t == depth[i - base] && shape < found[i - base])) {
                     changed = true;
                     depth[i - base] = t;
                     found[i - base] = shape;

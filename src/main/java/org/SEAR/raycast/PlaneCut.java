@@ -41,7 +41,8 @@ final class PlaneCut {
      * @param maxRange range of the fan, metres
      */
     void ready(double farX, double farY, double farZ, double maxRange) {
-        slack = ROUNDING * ((Math.abs(ha) + Math.abs(xa) + Math.abs(za)) * farX + (Math.abs(hb) + Math.abs(xb) + Math.abs(zb)) * farY
+        slack = ROUNDING * ((Math.abs(ha) + Math.abs(xa) + Math.abs(za)) * farX
+            + (Math.abs(hb) + Math.abs(xb) + Math.abs(zb)) * farY
             + (Math.abs(hc) + Math.abs(xc) + Math.abs(zc)) * farZ + Math.abs(hd) + Math.abs(xd) + Math.abs(zd));
         range = maxRange;
     }
@@ -59,7 +60,8 @@ final class PlaneCut {
 
     /** The same for a box with this centre and these half sizes. */
     boolean intersects(double x, double y, double z, double halfX, double halfY, double halfZ) {
-        if (!(Math.abs(height(x, y, z)) <= Math.abs(ha) * halfX + Math.abs(hb) * halfY + Math.abs(hc) * halfZ + slack)) {
+        if (!(Math.abs(height(x, y, z)) <= Math.abs(ha) * halfX + Math.abs(hb) * halfY
+            + Math.abs(hc) * halfZ + slack)) {
             return false;
         }
         left = x(x, y, z);

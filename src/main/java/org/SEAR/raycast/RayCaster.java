@@ -36,7 +36,8 @@ final class RayCaster {
     }
 
     /** Returns the nearest distance of a ray over all shapes that the owner sees. The lower shape number wins a tie. */
-    double cast(Shapes shapes, Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange, int ignored, Hit hit) {
+    double cast(Shapes shapes, Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz,
+        double maxRange, int ignored, Hit hit) {
         double best = Double.POSITIVE_INFINITY;
         int found = -1;
         double limit = maxRange;
@@ -63,7 +64,8 @@ final class RayCaster {
     }
 
     /** Returns the distance to one shape. */
-    double test(Shapes shapes, int shape, double ox, double oy, double oz, double dx, double dy, double dz, double limit) {
+    double test(Shapes shapes, int shape, double ox, double oy, double oz, double dx, double dy, double dz,
+        double limit) {
         tested++;
         double[] m = shapes.data;
         int i = shape * Shapes.STRIDE;
@@ -98,14 +100,16 @@ final class RayCaster {
         return mesh.order[triangle];
     }
 
-    private double heights(HeightField field, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange) {
+    private double heights(HeightField field, double ox, double oy, double oz, double dx, double dy, double dz,
+        double maxRange) {
         long before = heights.triangles;
         double t = heights.intersect(field, ox, oy, oz, dx, dy, dz, maxRange);
         triangles += heights.triangles - before;
         return t;
     }
 
-    private double tiles(HeightTiles tiles, Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange) {
+    private double tiles(HeightTiles tiles, Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz,
+        double maxRange) {
         double best = Double.POSITIVE_INFINITY;
         double limit = maxRange;
         inside.start(tree, ox, oy, oz, dx, dy, dz);
@@ -142,7 +146,8 @@ final class RayCaster {
         return best;
     }
 
-    private void describe(Shapes shapes, int shape, double ox, double oy, double oz, double dx, double dy, double dz, double t, Hit hit) {
+    private void describe(Shapes shapes, int shape, double ox, double oy, double oz, double dx, double dy, double dz,
+        double t, Hit hit) {
         hit.shape = shape;
         hit.distance = t;
         double[] m = shapes.data;

@@ -50,7 +50,8 @@ final class ShadowCaster {
     }
 
     /** See {@link BeamScene#castShadows}. */
-    void cast(Shapes shapes, Bvh tree, boolean[] casting, double[] pointsAsked, int[] shapesOfPoints, byte[] litPoints, int number) {
+    void cast(Shapes shapes, Bvh tree, boolean[] casting, double[] pointsAsked, int[] shapesOfPoints, byte[] litPoints,
+        int number) {
         points = pointsAsked;
         own = shapesOfPoints;
         lit = litPoints;
@@ -90,7 +91,8 @@ final class ShadowCaster {
             if (lit[i] == 1) {
                 any = true;
                 for (int k = 0; k < 3; k++) {
-                    double at = axes[3 * k] * points[3 * i] + axes[3 * k + 1] * points[3 * i + 1] + axes[3 * k + 2] * points[3 * i + 2];
+                    double at = axes[3 * k] * points[3 * i] + axes[3 * k + 1] * points[3 * i + 1]
+                        + axes[3 * k + 2] * points[3 * i + 2];
                     low[k] = Math.min(low[k], at);
                     high[k] = Math.max(high[k], at);
                 }
@@ -129,7 +131,8 @@ final class ShadowCaster {
                 double y = points[3 * i + 1];
                 double z = points[3 * i + 2];
                 double off = own[i] == shape ? OFF * (1 + Math.abs(x) + Math.abs(y) + Math.abs(z)) : 0;
-                double t = rays.test(shapes, shape, x + off * axes[6], y + off * axes[7], z + off * axes[8], axes[6], axes[7], axes[8],
+                double t = rays.test(shapes, shape, x + off * axes[6], y + off * axes[7], z + off * axes[8], axes[6],
+                    axes[7], axes[8],
                     Double.MAX_VALUE);
                 lit[i] = t == Double.POSITIVE_INFINITY ? (byte) 1 : 0;
             }

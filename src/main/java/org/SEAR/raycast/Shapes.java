@@ -91,7 +91,8 @@ final class Shapes {
             int row = i + 3 * k;
             double half;
             if (kind[shape] == BOX) {
-                half = Math.abs(data[row]) * data[size] + Math.abs(data[row + 1]) * data[size + 1] + Math.abs(data[row + 2]) * data[size + 2];
+                half = Math.abs(data[row]) * data[size] + Math.abs(data[row + 1]) * data[size + 1]
+                    + Math.abs(data[row + 2]) * data[size + 2];
             } else if (kind[shape] == CONVEX) {
                 half = solid[shape].reach(data[row], data[row + 1], data[row + 2]);
             } else {

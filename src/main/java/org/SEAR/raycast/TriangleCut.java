@@ -123,7 +123,8 @@ final class TriangleCut {
                 for (int i = 0; i < depth.beams.count; i++) {
                     double x = depth.beams.x[i];
                     double z = depth.beams.z[i];
-                    depth.intersect(i, RayTriangle.intersect(v, at, own[0] / sx, own[1] / sy, own[2] / sz, (own[3] * x + own[9] * z) / sx,
+                    depth.intersect(i, RayTriangle.intersect(v, at, own[0] / sx, own[1] / sy, own[2] / sz,
+                        (own[3] * x + own[9] * z) / sx,
                         (own[4] * x + own[10] * z) / sy, (own[5] * x + own[11] * z) / sz), shape);
                 }
                 return;

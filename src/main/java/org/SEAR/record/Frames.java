@@ -85,7 +85,8 @@ public final class Frames {
             }
             begun = true;
             for (int i = 0; i < moves.length; i++) {
-                if (!moves[i] && !Arrays.equals(first, i * POSE, (i + 1) * POSE, objectPoses, i * POSE, (i + 1) * POSE)) {
+                if (!moves[i] && !Arrays.equals(first, i * POSE, (i + 1) * POSE, objectPoses, i * POSE,
+                    (i + 1) * POSE)) {
                     moves[i] = true;
                     moved.add(i);
                 }

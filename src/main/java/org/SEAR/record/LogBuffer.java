@@ -32,9 +32,11 @@ final class LogBuffer {
 
     LogBuffer(Path path) throws IOException {
         if (WriteLock.isOn(path)) {
-            throw new IOException(path + " is being written by another simulation: end its record, or choose another name");
+            throw new IOException(path + " is being written by another simulation: end its record, or choose "
+                + "another name");
         }
-        file = FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING, StandardOpenOption.WRITE);
+        file = FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING,
+            StandardOpenOption.WRITE);
         mark = new WriteLock(file);
         for (int i = 1; i < PIECES; i++) {
             free.add(ByteBuffer.allocate(PIECE));
@@ -100,7 +102,8 @@ final class LogBuffer {
 
     private void next() {
         try {
-            ByteBuffer fresh = failure == null && full.offer(present) ? free.poll(TIMEOUT_SECONDS, TimeUnit.SECONDS) : null;
+            ByteBuffer fresh = failure == null && full.offer(present)
+                ? free.poll(TIMEOUT_SECONDS, TimeUnit.SECONDS) : null;
             if (fresh == null) {
                 failure = failure == null ? "the disk is too slow" : failure;
                 fresh = ByteBuffer.allocate(PIECE);

@@ -101,11 +101,13 @@ final class PictureKeeper {
         }
         try {
             byte[] file = eye.file.get();
-            out.put(EventKind.PICTURE).putShort(eye.sensor).put(eye.kind).putDouble(eye.time).putInt(file.length).putBytes(file, file.length);
+            out.put(EventKind.PICTURE).putShort(eye.sensor).put(eye.kind).putDouble(eye.time).putInt(file.length)
+                .putBytes(file, file.length);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } catch (ExecutionException e) {
-            throw new IllegalStateException("a picture of camera " + eye.name + " could not be kept: " + e.getCause(), e);
+            throw new IllegalStateException("a picture of camera " + eye.name + " could not be kept: "
+                + e.getCause(), e);
         }
         eye.file = null;
     }

@@ -46,7 +46,8 @@ public final class RecordHeader {
     /** Object and user port of each serial line: {@code myLidar at /dev/SEAR_LIDAR_01}. */
     public final List<String> lines;
 
-    RecordHeader(RunOrigin origin, long firstStep, int interval, String project, List<String> robots, List<String> objects, List<String> sensors,
+    RecordHeader(RunOrigin origin, long firstStep, int interval, String project, List<String> robots,
+        List<String> objects, List<String> sensors,
             List<List<String>> numbers, List<String> lines) {
         this.origin = origin;
         this.firstStep = firstStep;
@@ -100,7 +101,8 @@ public final class RecordHeader {
         long firstStep = in.readLong();
         int interval = in.readInt();
         if (firstStep < 0 || interval < 1 || interval > LONGEST_INTERVAL) {
-            throw new RecordException("its first step is " + firstStep + " and its interval " + interval + ", legal: 0 or more, and 1 to "
+            throw new RecordException("its first step is " + firstStep + " and its interval " + interval
+                + ", legal: 0 or more, and 1 to "
                 + LONGEST_INTERVAL);
         }
         String project = readText(in);
@@ -113,7 +115,8 @@ public final class RecordHeader {
             int size = in.readUnsignedByte();
             numbers.add(size < NAMED ? Reading.names(size) : readTexts(in, size - NAMED));
         }
-        return new RecordHeader(origin, firstStep, interval, project, names.get(0), names.get(1), names.get(2), numbers, names.get(3));
+        return new RecordHeader(origin, firstStep, interval, project, names.get(0), names.get(1), names.get(2), numbers,
+            names.get(3));
     }
 
     private static List<String> readNames(DataInputStream in) throws IOException {

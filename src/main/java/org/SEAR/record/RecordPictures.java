@@ -26,7 +26,8 @@ public final class RecordPictures {
         record.read(new RunRecord.Visitor() {
             @Override
             public void picture(int sensor, String kind, double time, long offset, int length) {
-                ThinnedList<Place> of = found.computeIfAbsent(sensors.get(sensor), name -> new ThinnedList<>(MOST / sensors.size()));
+                ThinnedList<Place> of = found.computeIfAbsent(
+                    sensors.get(sensor), name -> new ThinnedList<>(MOST / sensors.size()));
                 if (of.isNextKept()) {
                     of.add(new Place(kind, time, offset, length));
                 } else {

@@ -60,7 +60,8 @@ public final class Recorder implements RunListener {
     private long flushed;
     private boolean ended;
 
-    private Recorder(Simulation simulation, Path path, long limit, double rate, Consumer<String> told) throws IOException {
+    private Recorder(Simulation simulation, Path path, long limit, double rate, Consumer<String> told)
+        throws IOException {
         this.simulation = simulation;
         this.path = path;
         this.limit = limit;
@@ -89,7 +90,8 @@ public final class Recorder implements RunListener {
      * @param told receives, on the simulation thread, the reason if it ends by itself
      * @throws IOException if another file has this name, or the file cannot be written
      */
-    public static Recorder begin(Simulation simulation, Path path, long limit, Consumer<String> told) throws IOException {
+    public static Recorder begin(Simulation simulation, Path path, long limit, Consumer<String> told)
+        throws IOException {
         return begin(simulation, path, limit, 0, told);
     }
 
@@ -98,7 +100,8 @@ public final class Recorder implements RunListener {
      *
      * @param rate maximum pictures per camera and simulated second; 0 for none
      */
-    public static Recorder begin(Simulation simulation, Path path, long limit, double rate, Consumer<String> told) throws IOException {
+    public static Recorder begin(Simulation simulation, Path path, long limit, double rate, Consumer<String> told)
+        throws IOException {
         check(path);
         Recorder recorder = new Recorder(simulation, path, limit, rate, told);
         recorder.frame(simulation.snapshot());
@@ -140,8 +143,10 @@ public final class Recorder implements RunListener {
         List<String> names = reading.names();
         int size = reading.numbers().length;
         if (names.size() != size || size > RecordHeader.MAX_VALUES) {
-            throw new IllegalArgumentException("a reading of sensor " + sensor + " has " + size + " numbers and " + names.size()
-                + " names, legal: as many names as numbers, at most " + RecordHeader.MAX_VALUES + "; numbers() and names() of "
+            throw new IllegalArgumentException("a reading of sensor " + sensor + " has " + size + " numbers and "
+                + names.size()
+                + " names, legal: as many names as numbers, at most " + RecordHeader.MAX_VALUES
+                + "; numbers() and names() of "
                 + reading.getClass().getName() + " define them");
         }
         return names;
@@ -149,10 +154,12 @@ public final class Recorder implements RunListener {
 
     private byte[] header() throws IOException {
         Project project = simulation.getProject();
-        RecordHeader header = new RecordHeader(simulation.getOrigin(), simulation.getStep(), INTERVAL, fingerprint(project),
+        RecordHeader header = new RecordHeader(simulation.getOrigin(), simulation.getStep(), INTERVAL,
+            fingerprint(project),
             project.getRobots().stream().map(SearObject::getName).collect(Collectors.toList()),
             project.getEnvironment().stream().map(SearObject::getName).collect(Collectors.toList()), sensors, numbers,
-            simulation.getLines().stream().map(line -> line.getObjectName() + " at " + line.getUserPort()).collect(Collectors.toList()));
+            simulation.getLines().stream().map(line -> line.getObjectName() + " at " + line.getUserPort())
+                .collect(Collectors.toList()));
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         header.write(new DataOutputStream(bytes));
         return bytes.toByteArray();
@@ -205,7 +212,8 @@ public final class Recorder implements RunListener {
     }
 
     private void put(Pose pose) {
-        out.putDouble(pose.x).putDouble(pose.y).putDouble(pose.z).putDouble(pose.qx).putDouble(pose.qy).putDouble(pose.qz).putDouble(pose.qw);
+        out.putDouble(pose.x).putDouble(pose.y).putDouble(pose.z).putDouble(pose.qx).putDouble(pose.qy)
+            .putDouble(pose.qz).putDouble(pose.qw);
     }
 
     @Override
@@ -224,7 +232,8 @@ public final class Recorder implements RunListener {
         idle();
         if (out.size() >= limit || out.failure() != null) {
             leave();
-            reported.accept("the record " + path + " has ended at " + getSeconds() + " s: " + (out.failure() == null ? "it reached its maximum size, "
+            reported.accept("the record " + path + " has ended at " + getSeconds() + " s: "
+                + (out.failure() == null ? "it reached its maximum size, "
                 + limit + " bytes" : out.failure()));
         }
     }
@@ -281,7 +290,8 @@ public final class Recorder implements RunListener {
 
     @Override
     public void drive(DriveCommand command) {
-        out.put(EventKind.DRIVE).putShort(command.robot).put(command.wheels ? 1 : 0).putDouble(command.first).putDouble(command.second);
+        out.put(EventKind.DRIVE).putShort(command.robot).put(command.wheels ? 1 : 0).putDouble(command.first)
+            .putDouble(command.second);
     }
 
     @Override
@@ -291,7 +301,8 @@ public final class Recorder implements RunListener {
 
     @Override
     public void order(BodyOrder order) {
-        out.put(EventKind.BODY_ORDER).put(order.kind.ordinal()).putDouble(order.x).putDouble(order.y).putDouble(order.z).putDouble(order.seconds);
+        out.put(EventKind.BODY_ORDER).put(order.kind.ordinal()).putDouble(order.x).putDouble(order.y).putDouble(order.z)
+            .putDouble(order.seconds);
         text(out, order.name);
     }
 

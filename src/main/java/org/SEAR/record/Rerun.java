@@ -74,7 +74,8 @@ public final class Rerun implements RunRecord.Visitor {
 
         @Override
         public String toString() {
-            return String.format(Locale.ROOT, "%.3f s, %s: %s, %s m apart", seconds, same ? "the same" : "not the same", ports, apart);
+            return String.format(Locale.ROOT, "%.3f s, %s: %s, %s m apart", seconds, same ? "the same" : "not the same",
+                ports, apart);
         }
     }
 
@@ -95,7 +96,8 @@ public final class Rerun implements RunRecord.Visitor {
      * @param watcher receives the world before the first step and after each step
      * @throws IOException if the record cannot be rerun: another project, or no start at step 0
      */
-    public static Result of(RunRecord record, Project project, Consumer<Simulation> watcher) throws IOException, ProjectException {
+    public static Result of(RunRecord record, Project project, Consumer<Simulation> watcher)
+        throws IOException, ProjectException {
         RecordHeader header = record.getHeader();
         if (header.firstStep != 0) {
             throw new RecordException(record.getPath() + " begins at step " + header.firstStep
@@ -107,7 +109,8 @@ public final class Rerun implements RunRecord.Visitor {
         }
         try (Simulation world = Simulation.of(project, header.origin)) {
             if (world.getLines().size() != header.lines.size()) {
-                throw new RecordException(record.getPath() + " has " + header.lines.size() + " ports, the project has " + world.getLines().size());
+                throw new RecordException(record.getPath() + " has " + header.lines.size() + " ports, the project has "
+                    + world.getLines().size());
             }
             return new Rerun(record, world, watcher).run();
         }

@@ -308,7 +308,8 @@ public final class RunRecord {
                     whole = in.readLong() == steps;
                     return false;
                 default:
-                    throw new RecordException("after " + steps + " steps comes an event " + kind + ", legal: 1 to " + EventKind.MOST);
+                    throw new RecordException("after " + steps + " steps comes an event " + kind + ", legal: 1 to "
+                        + EventKind.MOST);
             }
         }
 
@@ -350,12 +351,15 @@ public final class RunRecord {
             read(numbers, 0, POSE);
             for (double number : numbers) {
                 if (!Double.isFinite(number)) {
-                    throw new RecordException("after " + steps + " steps an object is moved to " + number + ", legal: a finite number");
+                    throw new RecordException("after " + steps + " steps an object is moved to " + number
+                        + ", legal: a finite number");
                 }
             }
-            double length = Math.sqrt(numbers[3] * numbers[3] + numbers[4] * numbers[4] + numbers[5] * numbers[5] + numbers[6] * numbers[6]);
+            double length = Math.sqrt(numbers[3] * numbers[3] + numbers[4] * numbers[4] + numbers[5] * numbers[5]
+                + numbers[6] * numbers[6]);
             if (!(Math.abs(length - 1) < ROUNDED)) {
-                throw new RecordException("after " + steps + " steps an object is rotated by a quaternion of length " + length + ", legal: 1");
+                throw new RecordException("after " + steps + " steps an object is rotated by a quaternion of length "
+                    + length + ", legal: 1");
             }
             return new Pose(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[6]);
         }
@@ -363,7 +367,8 @@ public final class RunRecord {
         private byte[] bytes() throws IOException {
             int count = in.readInt();
             if (count < 1 || count > Recorder.LONGEST_BYTES) {
-                throw new RecordException("after " + steps + " steps come " + count + " bytes at once, legal: 1 to " + Recorder.LONGEST_BYTES);
+                throw new RecordException("after " + steps + " steps come " + count + " bytes at once, legal: 1 to "
+                    + Recorder.LONGEST_BYTES);
             }
             byte[] bytes = new byte[count];
             in.readFully(bytes);
@@ -373,7 +378,8 @@ public final class RunRecord {
         private int baud() throws IOException {
             int baud = in.readInt();
             if (baud < 0) {
-                throw new RecordException("after " + steps + " steps a port is set to " + baud + " baud, legal: 0 or more");
+                throw new RecordException("after " + steps + " steps a port is set to " + baud
+                    + " baud, legal: 0 or more");
             }
             return baud;
         }
@@ -386,7 +392,8 @@ public final class RunRecord {
             }
             double brightness = in.readDouble();
             if (!(brightness >= 0 && brightness <= 1)) {
-                throw new RecordException("after " + steps + " steps a light has the brightness " + brightness + ", legal: 0 to 1");
+                throw new RecordException("after " + steps + " steps a light has the brightness " + brightness
+                    + ", legal: 0 to 1");
             }
             visitor.light(robot, light, brightness);
         }
@@ -402,7 +409,8 @@ public final class RunRecord {
             }
             double time = in.readDouble();
             int length = in.readInt();
-            if (!(time >= 0 && time <= steps * Simulation.STEP + ROUNDED) || length < 1 || length > PictureKeeper.LONGEST_PICTURE) {
+            if (!(time >= 0 && time <= steps * Simulation.STEP + ROUNDED) || length < 1
+                || length > PictureKeeper.LONGEST_PICTURE) {
                 throw new RecordException("after " + steps + " steps comes a picture of " + time + " s with " + length
                     + " bytes, legal: 0 s to then, 1 to " + PictureKeeper.LONGEST_PICTURE + " bytes");
             }
@@ -454,7 +462,8 @@ public final class RunRecord {
         }
 
         private RecordException illegal(String what, int number, int count) {
-            return new RecordException("after " + steps + " steps it names " + what + " " + number + ", legal: below " + count);
+            return new RecordException("after " + steps + " steps it names " + what + " " + number
+                + ", legal: below " + count);
         }
     }
 }

@@ -20,7 +20,8 @@ import org.SEAR.simulator.Simulation;
  * thread.
  */
 public final class Series {
-    private static final List<String> ROBOT = Arrays.asList(".x", ".y", ".z", ".heading", ".speed", ".turnRate", " speed wanted", " radius wanted",
+    private static final List<String> ROBOT = Arrays.asList(".x", ".y", ".z", ".heading", ".speed", ".turnRate",
+        " speed wanted", " radius wanted",
         " left wanted", " right wanted");
     private static final List<String> OBJECT = Arrays.asList(".x", ".y", ".z");
     private static final List<String> LINE = Arrays.asList(" received", " sent");
@@ -96,7 +97,8 @@ public final class Series {
         List<int[]> wanted = new ArrayList<>();
         for (String name : names) {
             if (!places.containsKey(name)) {
-                throw new IllegalArgumentException("no value is called \"" + name + "\", legal: " + String.join(", ", places.keySet()));
+                throw new IllegalArgumentException("no value is called \"" + name + "\", legal: "
+                    + String.join(", ", places.keySet()));
             }
             wanted.add(places.get(name));
         }
@@ -115,12 +117,14 @@ public final class Series {
     /** Returns the values as a table: the names, then a line for each time; empty where there is no number. */
     public String csv() {
         StringBuilder text = new StringBuilder("time (s)");
-        names.forEach(name -> text.append(',').append(name.matches("[^\",\n\r]*") ? name : '"' + name.replace("\"", "\"\"") + '"'));
+        names.forEach(name -> text.append(',')
+            .append(name.matches("[^\",\n\r]*") ? name : '"' + name.replace("\"", "\"\"") + '"'));
         for (int i = 0; i < times.length; i++) {
             Interrupts.check();
             text.append('\n').append(String.format(Locale.ROOT, "%.4f", times[i]));
             for (double[] column : values) {
-                text.append(',').append(Double.isNaN(column[i]) || Double.isInfinite(column[i]) ? "" : Double.toString(column[i]));
+                text.append(',').append(Double.isNaN(column[i]) || Double.isInfinite(column[i]) ? ""
+                    : Double.toString(column[i]));
             }
         }
         return text.append('\n').toString();
@@ -174,7 +178,8 @@ public final class Series {
                     if (place[2] >= COMMANDS) {
                         return commands[place[1]][place[2] - COMMANDS];
                     }
-                    return place[2] < 3 ? robots[at + place[2]] : place[2] == 3 ? heading(robots, at) : robots[at + POSE + place[2] - 4];
+                    return place[2] < 3 ? robots[at + place[2]] : place[2] == 3 ? heading(robots, at)
+                        : robots[at + POSE + place[2] - 4];
                 case 1:
                     return readings[place[1]];
                 case 2:

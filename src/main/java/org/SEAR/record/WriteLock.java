@@ -45,7 +45,8 @@ final class WriteLock {
 
     /** Returns whether this or another program is writing a file. Any thread. */
     static boolean isOn(Path path) {
-        try (FileChannel file = FileChannel.open(path, StandardOpenOption.READ); FileLock free = file.tryLock(PLACE, BYTES, true)) {
+        try (FileChannel file = FileChannel.open(path, StandardOpenOption.READ); FileLock free =
+            file.tryLock(PLACE, BYTES, true)) {
             return free == null;
         } catch (OverlappingFileLockException e) {
             return true;

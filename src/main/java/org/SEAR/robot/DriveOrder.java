@@ -14,7 +14,8 @@ public final class DriveOrder {
     /** Largest turn rate of a robot, degrees per second. */
     private static final double MAX_SPIN = 3600;
     private static final String SPIN = "spin";
-    private static final String ALL_IN_THE_MIDDLE = ": all its driven wheels are in the middle. Move them apart with wheel.move(x, y, z):"
+    private static final String ALL_IN_THE_MIDDLE = ": all its driven wheels are in the middle. Move them apart with "
+        + "wheel.move(x, y, z):"
         + " x > 0 is left, x < 0 is right";
 
     /** Name of the call, and its values as text. */
@@ -63,14 +64,16 @@ public final class DriveOrder {
     public static DriveOrder circle(double speed, double radius) {
         check("drive: speed", speed, MAX_SPEED, "m/s");
         if (Double.isNaN(radius)) {
-            throw new IllegalArgumentException("drive: radius is " + radius + ", legal: metres, + to the left, 0 or infinity");
+            throw new IllegalArgumentException("drive: radius is " + radius + ", legal: metres, + to the left, "
+                + "0 or infinity");
         }
         return new DriveOrder("drive", false, speed, radius, speed, radius);
     }
 
     private static void check(String what, double value, double most, String unit) {
         if (!(Math.abs(value) <= most)) {
-            throw new IllegalArgumentException(what + " is " + value + ", legal: " + -most + " to " + most + " " + unit);
+            throw new IllegalArgumentException(what + " is " + value + ", legal: " + -most + " to " + most
+                + " " + unit);
         }
     }
 
@@ -95,13 +98,15 @@ public final class DriveOrder {
      * Checks whether a robot's driven wheels can have these speeds.
      *
      * @param left m/s, likewise right
-     * @throws IllegalArgumentException without driven wheels, or for different speeds if all are in the middle or a servo
+     * @throws IllegalArgumentException without driven wheels, or for different speeds if all are in the middle or a
+     * servo
      *     steers; the message has the remedy
      */
     public static void checkWheels(Robot driven, double left, double right) {
         String name = driven.getObject().getName();
         if (driven.getHardware().getWheelRadius() == 0) {
-            throw new IllegalArgumentException("robot " + name + " has no driven wheels: robot.addWheel(Wheel(name, radius, width, 1)) adds one");
+            throw new IllegalArgumentException("robot " + name + " has no driven wheels: robot.addWheel(Wheel(name, "
+                + "radius, width, 1)) adds one");
         }
         if (left == right) {
             return;
@@ -112,7 +117,8 @@ public final class DriveOrder {
         }
         for (Wheel wheel : driven.getObject().getWheels()) {
             if (wheel.getSteeringServo() != null) {
-                throw new IllegalArgumentException(refused + ": its servo " + wheel.getSteeringServo() + " steers it. Turn that servo instead");
+                throw new IllegalArgumentException(refused + ": its servo " + wheel.getSteeringServo()
+                    + " steers it. Turn that servo instead");
             }
         }
     }

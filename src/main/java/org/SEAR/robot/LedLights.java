@@ -64,7 +64,8 @@ final class LedLights {
         @Override
         public void setBrightness(double wanted) {
             if (!(wanted >= 0 && wanted <= 1)) {
-                throw new IllegalArgumentException("led " + name + " of robot " + robot + ": brightness is " + Parameter.format(wanted)
+                throw new IllegalArgumentException("led " + name + " of robot " + robot + ": brightness is "
+                    + Parameter.format(wanted)
                     + ", legal: 0 to 1");
             }
             if (wanted != brightness) {

@@ -13,7 +13,8 @@ final class PartTouches {
     private boolean any;
 
     PartTouches(RobotBuilder from) {
-        from.object.getComponents().stream().filter(from.shapes::containsKey).forEach(part -> solids.put(part.getName(), from.solidOf(part)));
+        from.object.getComponents().stream().filter(from.shapes::containsKey)
+            .forEach(part -> solids.put(part.getName(), from.solidOf(part)));
         touched = new boolean[from.body.solids.size()];
         wheelsFrom = touched.length - from.wheelSolids.size();
     }

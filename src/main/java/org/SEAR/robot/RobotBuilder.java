@@ -83,7 +83,8 @@ public final class RobotBuilder {
         body = new Body(robot.getName(), masses.withCentre(centre).withMass(dynamics.getMass()), solids, all, start);
         body.setRobot();
         hasFarWheels = UnitMistakes.report(robot, shapes, warnings);
-        stability = new Stability(centre, feet(), Math.hypot(centre[0] - centroid[0], centre[2] - centroid[2]) > MIN_MOVE);
+        stability = new Stability(centre, feet(), Math.hypot(centre[0] - centroid[0], centre[2] - centroid[2])
+            > MIN_MOVE);
     }
 
     /**
@@ -100,8 +101,10 @@ public final class RobotBuilder {
                 return (Dynamics) part;
             }
         }
-        throw new ProjectException(Collections.singletonList(new Problem("robot/" + robot.getName() + ".xml", 0, "", "robot " + robot.getName()
-            + " has no Dynamics", "one Dynamics: robot.addComponent(Dynamics(name, mass)) gives it mass, suspension and start pose")));
+        throw new ProjectException(Collections.singletonList(
+            new Problem("robot/" + robot.getName() + ".xml", 0, "", "robot " + robot.getName()
+            + " has no Dynamics", "one Dynamics: robot.addComponent(Dynamics(name, mass)) gives it mass, suspension "
+                + "and start pose")));
     }
 
     /** Returns the index of a component's solid in the body. */
@@ -129,7 +132,8 @@ public final class RobotBuilder {
     }
 
     private long weighed() {
-        return object.getComponents().stream().filter(part -> part instanceof Shape && ((Shape) part).getMass() > 0).count();
+        return object.getComponents().stream()
+            .filter(part -> part instanceof Shape && ((Shape) part).getMass() > 0).count();
     }
 
     private void add(Solid solid, Pose place, boolean seen, double weight) {
@@ -147,7 +151,8 @@ public final class RobotBuilder {
         double[][] feet = new double[springs.length][];
         for (int i = 0; i < feet.length; i++) {
             Wheel wheel = object.getWheels().get(i);
-            feet[i] = new double[] {CentreOfMass.footX(wheel), wheel.getY() - springs[i].hangs - wheel.getRadius() * wheel.getScaleY(),
+            feet[i] = new double[] {CentreOfMass.footX(wheel), wheel.getY() - springs[i].hangs
+                - wheel.getRadius() * wheel.getScaleY(),
                 CentreOfMass.footZ(wheel)};
         }
         return feet;

@@ -71,7 +71,8 @@ public final class RobotModel implements Robot, RobotHardware {
      * @param number its index among the robots
      * @param told takes warnings during the run
      */
-    public RobotModel(RobotBuilder from, int number, RaycastScenes scenes, RobotTruth truth, VirtualWalls virtualWalls, Consumer<String> told) {
+    public RobotModel(RobotBuilder from, int number, RaycastScenes scenes, RobotTruth truth, VirtualWalls virtualWalls,
+        Consumer<String> told) {
         this.object = from.object;
         this.written = from.object;
         this.dynamics = from.dynamics;
@@ -96,7 +97,8 @@ public final class RobotModel implements Robot, RobotHardware {
         }
         this.wheelShapes = new int[wheelSolids.size()];
         for (int i = 0; i < wheelShapes.length; i++) {
-            wheelShapes[i] = scenes.add(body, wheelSolids.get(i), object.getWheels().get(i).isVisibleToSensors(), number);
+            wheelShapes[i] = scenes.add(body, wheelSolids.get(i), object.getWheels().get(i)
+                .isVisibleToSensors(), number);
         }
     }
 
@@ -127,7 +129,8 @@ public final class RobotModel implements Robot, RobotHardware {
         steersToDrive = false;
         unsettled = SETTLING;
         truth.restart();
-        truth.setEncoders(errors.hasOdometry() ? () -> (getLeftWheelAngle() + getRightWheelAngle()) / 2 * getWheelRadius() : null);
+        truth.setEncoders(errors.hasOdometry() ? () -> (getLeftWheelAngle() + getRightWheelAngle()) / 2
+            * getWheelRadius() : null);
     }
 
     /**
@@ -181,7 +184,8 @@ public final class RobotModel implements Robot, RobotHardware {
         for (int i = 0; awake && i < wheelShapes.length; i++) {
             Obstacle obstacle = train.getWheels().get(i).getObstacle();
             if (obstacle.isPressed()) {
-                press(body.solids.size() - wheelShapes.length + i, obstacle.point.x, obstacle.point.y, obstacle.point.z);
+                press(body.solids.size() - wheelShapes.length + i, obstacle.point.x, obstacle.point.y,
+                    obstacle.point.z);
             }
         }
     }
@@ -230,7 +234,8 @@ public final class RobotModel implements Robot, RobotHardware {
         double[][] lowest = feet.length > 0 ? feet : new double[][] {{0, body.lowest() - body.getPose().y, 0}};
         for (double[] foot : lowest) {
             double[] point = at.transform(foot[0], foot[1], foot[2]);
-            double down = scenes.ground.cast(point[0], point[1] + climb, point[2], 0, -1, 0, Double.MAX_VALUE, number, null);
+            double down = scenes.ground.cast(point[0], point[1] + climb, point[2], 0, -1, 0, Double.MAX_VALUE,
+                number, null);
             height = down < Double.POSITIVE_INFINITY ? Math.max(height, at.y + climb - down) : height;
         }
         return height == Double.NEGATIVE_INFINITY ? Double.NaN : height;
@@ -357,7 +362,8 @@ public final class RobotModel implements Robot, RobotHardware {
     @Override
     public void setWheelSpeeds(double left, double right) {
         if (!Double.isFinite(left) || !Double.isFinite(right)) {
-            throw new IllegalArgumentException("robot " + object.getName() + ": wheel speeds are " + left + " and " + right
+            throw new IllegalArgumentException("robot " + object.getName() + ": wheel speeds are " + left
+                + " and " + right
                 + " m/s, legal: finite numbers");
         }
         double along = (left + right) / 2;

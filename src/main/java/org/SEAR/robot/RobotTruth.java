@@ -41,7 +41,8 @@ public final class RobotTruth implements Truth {
     private double heading;
     private DoubleSupplier encoders;
 
-    public RobotTruth(RobotBuilder from, RaycastScenes scenes, SurfaceColors colors, int owner, Earth earth, long epochMillis, WorkerPool workers) {
+    public RobotTruth(RobotBuilder from, RaycastScenes scenes, SurfaceColors colors, int owner, Earth earth,
+        long epochMillis, WorkerPool workers) {
         this.body = from.body;
         this.touches = new PartTouches(from);
         this.scenes = scenes;

@@ -89,7 +89,8 @@ final class ServoMounts {
         double[] centre = body.getCentre();
         for (int i = 0; i < homes.length; i++) {
             if (carriers[i] != NONE && shapes.shapes.containsKey(parts.get(i))) {
-                double way = shapes.shapes.get(parts.get(i)).convex().radius() + distance(shapes.shapes.get(parts.get(i)).offset, Pose.IDENTITY);
+                double way = shapes.shapes.get(parts.get(i)).convex().radius()
+                    + distance(shapes.shapes.get(parts.get(i)).offset, Pose.IDENTITY);
                 Pose from = homes[i];
                 for (int carrier = carriers[i]; carrier != NONE; carrier = carriers[carrier]) {
                     way += distance(from, homes[carrier]);
@@ -171,7 +172,8 @@ final class ServoMounts {
         for (int i = 0; i < now.length; i++) {
             now[i] = carriers[i] == NONE ? homes[i] : turned(carriers[i]).times(homes[i]);
             if (carriers[i] != NONE && shapes.shapes.containsKey(parts.get(i))) {
-                of.put(shapes.solidOf(parts.get(i)), now[i].times(shapes.shapes.get(parts.get(i)).offset), hinge(carriers[i]));
+                of.put(shapes.solidOf(parts.get(i)), now[i].times(shapes.shapes.get(parts.get(i)).offset),
+                    hinge(carriers[i]));
             }
         }
         for (int i = 0; i < servos.length; i++) {

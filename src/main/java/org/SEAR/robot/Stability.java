@@ -22,7 +22,8 @@ public final class Stability {
     /** Largest number of feet that are examined. */
     private static final int MAX_FEET = 20;
     /** Directions in steps of 45 degrees from ahead to the left. */
-    private static final String[] WAYS = {"forwards", "forwards to the left", "to the left", "backwards to the left", "backwards",
+    private static final String[] WAYS = {"forwards", "forwards to the left", "to the left", "backwards to the left",
+        "backwards",
         "backwards to the right", "to the right", "forwards to the right"};
 
     /** Slope on which it tips over, degrees; negative if it does at rest, NaN without three feet that span an area. */
@@ -88,7 +89,8 @@ public final class Stability {
     }
 
     private static boolean isLowest(double[] plane, double[] on, double[][] feet) {
-        return Arrays.stream(feet).allMatch(foot -> foot[1] - on[1] > plane[0] * (foot[0] - on[0]) + plane[1] * (foot[2] - on[2]) - FLAT);
+        return Arrays.stream(feet).allMatch(foot -> foot[1] - on[1] > plane[0] * (foot[0] - on[0])
+            + plane[1] * (foot[2] - on[2]) - FLAT);
     }
 
     /**
@@ -181,11 +183,14 @@ public final class Stability {
             return "";
         }
         String words = degrees <= 0
-            ? String.format(Locale.ROOT, "falls over %s at rest: its centre of mass at x %.3f, y %.3f, z %.3f of its frame is %.3f m"
+            ? String.format(Locale.ROOT, "falls over %s at rest: its centre of mass at x %.3f, y %.3f, z %.3f of its "
+                + "frame is %.3f m"
                 + " outside its wheels", way, centre[0] + 0.0, centre[1] + 0.0, centre[2] + 0.0, -room)
-            : String.format(Locale.ROOT, "tips over %s on a slope of %.0f degrees, or when it brakes or turns with more than %.1f m/s\u00b2", way,
+            : String.format(Locale.ROOT, "tips over %s on a slope of %.0f degrees, or when it brakes or turns with "
+                + "more than %.1f m/s\u00b2", way,
                 Math.floor(degrees), Math.tan(Math.toRadians(degrees)) * PhysicsWorld.GRAVITY);
         return words + (isCritical() ? ". Put weight lower or further inwards, or its wheels further apart" : "")
-            + (balanced ? ". SEAR assumes its weight in the middle of its wheels until two of its shapes have a mass" : "");
+            + (balanced ? ". SEAR assumes its weight in the middle of its wheels until two of its "
+                + "shapes have a mass" : "");
     }
 }

@@ -55,9 +55,11 @@ public final class StartChecks {
             checkStand(robot, warnings);
         }
         Pose pose = robot.getPose();
-        double down = scenes.ground.cast(pose.x, pose.y, pose.z, 0, -1, 0, Double.MAX_VALUE, robot.getOwner(), new Hit());
+        double down = scenes.ground.cast(pose.x, pose.y, pose.z, 0, -1, 0, Double.MAX_VALUE,
+            robot.getOwner(), new Hit());
         if (down == Double.POSITIVE_INFINITY) {
-            warnings.add(String.format(Locale.ROOT, "robot %s has no ground below its start at x %.2f, y %.2f, z %.2f and will fall:"
+            warnings.add(String.format(Locale.ROOT, "robot %s has no ground below its start at x %.2f, y %.2f, z %.2f "
+                + "and will fall:"
                 + " Floor(\"floor\", 20, 20) makes one at height 0", name, pose.x, pose.y, pose.z));
         }
     }
@@ -78,9 +80,11 @@ public final class StartChecks {
         boolean right = driven.stream().allMatch(wheel -> wheel.getX() < -MIDDLE);
         if (!driven.isEmpty() && (left || right)) {
             Wheel first = driven.get(0);
-            warnings.add(String.format(Locale.ROOT, "robot %s has all its driven wheels on the %s (%s, x %s m), so it can't drive straight or turn"
+            warnings.add(String.format(Locale.ROOT, "robot %s has all its driven wheels on the %s (%s, x %s m), so it "
+                + "can't drive straight or turn"
                 + " properly. x > 0 is left, x < 0 is right; wheel.move(%s, %s, %s) puts one on the other side",
-                robot.getName(), left ? "left" : "right", first.getName(), Parameter.format(first.getX()), Parameter.format(-first.getX()),
+                robot.getName(), left ? "left" : "right", first.getName(), Parameter.format(first.getX()),
+                Parameter.format(-first.getX()),
                 Parameter.format(first.getY()), Parameter.format(first.getZ())));
         }
     }
@@ -92,9 +96,12 @@ public final class StartChecks {
             Wheel one = wheels.get(i);
             for (Wheel other : wheels.subList(0, i)) {
                 if (Math.hypot(one.getX() - other.getX(), one.getZ() - other.getZ()) < MIDDLE) {
-                    warnings.add(String.format(Locale.ROOT, "robot %s has its wheels %s and %s at the same place, x %s, z %s m, so it can't"
-                        + " stand on them. Give each its place with Wheel(name, radius, width, type, x, y, z) or wheel.move(x, y, z):"
-                        + " x > 0 is left, z > 0 is front", robot.getName(), other.getName(), one.getName(), Parameter.format(one.getX()),
+                    warnings.add(String.format(Locale.ROOT, "robot %s has its wheels %s and %s at the same place, x "
+                        + "%s, z %s m, so it can't"
+                        + " stand on them. Give each its place with Wheel(name, radius, width, type, x, y, z) or "
+                        + "wheel.move(x, y, z):"
+                        + " x > 0 is left, z > 0 is front", robot.getName(), other.getName(), one.getName(),
+                        Parameter.format(one.getX()),
                         Parameter.format(one.getZ())));
                     return;
                 }
@@ -109,10 +116,14 @@ public final class StartChecks {
         double aside = Math.toDegrees(Math.atan(slope[0]));
         if (Math.max(Math.abs(ahead), Math.abs(aside)) > LEVEL) {
             boolean lengthwise = Math.abs(ahead) >= Math.abs(aside);
-            warnings.add(String.format(Locale.ROOT, "robot %s stands tilted by %.0f degrees, with its %s up, because its wheels don't reach down"
-                + " equally far: %s. y - radius should be the same for all", robot.getObject().getName(), Math.abs(lengthwise ? ahead : aside),
-                lengthwise ? ahead > 0 ? "back" : "front" : aside > 0 ? "right" : "left", robot.getObject().getWheels().stream()
-                .map(wheel -> String.format(Locale.ROOT, "%s to y %.3f m", wheel.getName(), wheel.getY() - wheel.getRadius() * wheel.getScaleY()))
+            warnings.add(String.format(Locale.ROOT, "robot %s stands tilted by %.0f degrees, with its %s up, because "
+                + "its wheels don't reach down"
+                + " equally far: %s. y - radius should be the same for all", robot.getObject().getName(),
+                Math.abs(lengthwise ? ahead : aside),
+                lengthwise ? ahead > 0 ? "back" : "front" : aside > 0 ? "right" : "left", robot.getObject()
+                .getWheels().stream()
+                .map(wheel -> String.format(Locale.ROOT, "%s to y %.3f m", wheel.getName(),
+                    wheel.getY() - wheel.getRadius() * wheel.getScaleY()))
                 .collect(Collectors.joining(", "))));
         }
     }
@@ -128,29 +139,37 @@ public final class StartChecks {
                 Motor motor = (Motor) part;
                 turned.addAll(motor.getWheelNames());
                 String first = motor.getWheelNames().get(0);
-                double radius = object.getWheels().stream().filter(wheel -> wheel.getName().equals(first)).mapToDouble(Wheel::getRadius).findFirst()
+                double radius = object.getWheels().stream().filter(wheel -> wheel.getName().equals(first))
+                    .mapToDouble(Wheel::getRadius).findFirst()
                     .orElse(Double.POSITIVE_INFINITY);
                 force += motor.getStallTorque() * motor.getGearRatio() / radius;
                 weakest = weakest == null || motor.getStallTorque() < weakest.getStallTorque() ? motor : weakest;
             }
         }
         double mass = robot.getBody().mass;
-        boolean byMotorsOnly = object.getWheels().stream().allMatch(wheel -> !wheel.isDriven() || turned.contains(wheel.getName()));
+        boolean byMotorsOnly = object.getWheels().stream()
+            .allMatch(wheel -> !wheel.isDriven() || turned.contains(wheel.getName()));
         if (weakest != null && byMotorsOnly && force < WEAK * mass) {
-            warnings.add(String.format(Locale.ROOT, "robot %s weighs %s kg, but its motors push it with only %.2g N in all: it needs %.0f s to"
-                + " reach 0.1 m/s. Raise the stallTorque of %s, now %s N m, or its gearRatio", object.getName(), Parameter.format(mass), force,
+            warnings.add(String.format(Locale.ROOT, "robot %s weighs %s kg, but its motors push it with only %.2g N in "
+                + "all: it needs %.0f s to"
+                + " reach 0.1 m/s. Raise the stallTorque of %s, now %s N m, or its gearRatio", object.getName(),
+                Parameter.format(mass), force,
                 Math.ceil(SLOW * mass / force), weakest.getName(), Parameter.format(weakest.getStallTorque())));
         }
     }
 
     private static void checkSprings(RobotModel robot, boolean sideways, String way, List<String> warnings) {
         double[] centre = robot.getBody().getCentre();
-        double times = SpringDesign.tooSoft(robot.getSprings(), robot.getObject().getWheels(), centre, robot.getBody().mass, sideways);
+        double times = SpringDesign.tooSoft(robot.getSprings(), robot.getObject().getWheels(), centre,
+            robot.getBody().mass, sideways);
         Double stiffness = robot.getDynamics().getStiffness();
         if (stiffness != null && times > 1) {
-            warnings.add(String.format(Locale.ROOT, "robot %s falls over %s at rest: its springs of stiffness %s are too soft for its centre of"
-                + " mass at x %.3f, y %.3f, z %.3f of its frame. Set a stiffness of %.0f, or use Dynamics(name, mass), which chooses one",
-                robot.getObject().getName(), way, Parameter.format(stiffness), centre[0] + 0.0, centre[1] + 0.0, centre[2] + 0.0,
+            warnings.add(String.format(Locale.ROOT, "robot %s falls over %s at rest: its springs of stiffness %s are "
+                + "too soft for its centre of"
+                + " mass at x %.3f, y %.3f, z %.3f of its frame. Set a stiffness of %.0f, or use Dynamics(name, mass), "
+                + "which chooses one",
+                robot.getObject().getName(), way, Parameter.format(stiffness), centre[0] + 0.0, centre[1] + 0.0,
+                centre[2] + 0.0,
                 Math.ceil(STIFF * times * stiffness)));
         }
     }
@@ -168,13 +187,19 @@ public final class StartChecks {
         SEARrobot object = robot.getObject();
         double base = robot.getHardware().getWheelBase();
         if (base > 0 && differ(base, real.wheelBase)) {
-            warnings.add(String.format(Locale.ROOT, "robot %s answers as a %s, whose wheels are %.3f m apart, but its own are %.3f m"
-                + " apart: drivers misjudge its turns. Robots.%s(name) makes a robot that fits", object.getName(), real.model,
+            warnings.add(String.format(Locale.ROOT, "robot %s answers as a %s, whose wheels are %.3f m apart, but its "
+                + "own are %.3f m"
+                + " apart: drivers misjudge its turns. Robots.%s(name) makes a robot that fits",
+                object.getName(), real.model,
                 real.wheelBase, base, real.model));
         }
-        object.getWheels().stream().filter(wheel -> real.hasEncoders() && wheel.isDriven() && differ(wheel.getRadius(), real.wheelRadius))
-            .findFirst().ifPresent(wheel -> warnings.add(String.format(Locale.ROOT, "robot %s answers as a %s, whose wheels have a radius of %.3f m,"
-                + " but its wheel %s has %.3f m: drivers misjudge its distances. Robots.%s(name) makes a robot that fits",
+        object.getWheels().stream().filter(wheel -> real.hasEncoders() && wheel.isDriven()
+            && differ(wheel.getRadius(), real.wheelRadius))
+            .findFirst().ifPresent(wheel ->
+                warnings.add(String.format(Locale.ROOT, "robot %s answers as a %s, whose wheels have a "
+                    + "radius of %.3f m,"
+                + " but its wheel %s has %.3f m: drivers misjudge its distances. Robots.%s(name) makes a "
+                + "robot that fits",
                 object.getName(), real.model, real.wheelRadius, wheel.getName(), wheel.getRadius(), real.model)));
     }
 

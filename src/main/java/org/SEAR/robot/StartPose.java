@@ -25,8 +25,10 @@ final class StartPose {
             return written;
         }
         SearObject turned = isUpsideDown(ObjectPose.of(dynamics)) ? dynamics : robot;
-        warnings.add(String.format(Locale.ROOT, "robot %s would start upside down (%s is rotated by %s, %s, %s degrees). SEAR set it upright and"
-            + " turned it by 180 degrees instead. A heading is the second angle, for example 0, 180, 0", robot.getName(), turned.getName(),
+        warnings.add(String.format(Locale.ROOT, "robot %s would start upside down (%s is rotated by %s, %s, %s "
+            + "degrees). SEAR set it upright and"
+            + " turned it by 180 degrees instead. A heading is the second angle, for example 0, 180, 0",
+            robot.getName(), turned.getName(),
             degrees(turned.getRx()), degrees(turned.getRy()), degrees(turned.getRz())));
         return meant(robot).times(meant(dynamics));
     }

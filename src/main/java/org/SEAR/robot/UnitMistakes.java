@@ -38,7 +38,8 @@ final class UnitMistakes {
         for (SearObject part : robot.getComponents()) {
             if (part instanceof Shape) {
                 Solid solid = shapes.get(part);
-                add(body, part, solid == null ? 0 : Math.sqrt(solid.halfX * solid.halfX + solid.halfY * solid.halfY + solid.halfZ * solid.halfZ));
+                add(body, part, solid == null ? 0 : Math.sqrt(solid.halfX * solid.halfX + solid.halfY * solid.halfY
+                    + solid.halfZ * solid.halfZ));
             }
         }
         robot.getWheels().forEach(wheel -> add(wheels, wheel, wheel.getRadius()));
@@ -63,7 +64,8 @@ final class UnitMistakes {
         boolean onWheels = parts.found;
         if (hasBody || !robot.getWheels().isEmpty()) {
             parts.wheels.add(parts.body);
-            robot.getComponents().stream().filter(part -> !(part instanceof Shape || part instanceof Dynamics)).forEach(part ->
+            robot.getComponents().stream().filter(part -> !(part instanceof Shape || part instanceof Dynamics))
+                .forEach(part ->
                 parts.look(part, parts.wheels));
         }
         return onWheels;
@@ -73,20 +75,25 @@ final class UnitMistakes {
         double size = size(body);
         if (wheel.getRadius() > LARGE_WHEEL && wheel.getRadius() > TIMES_WHEEL * size) {
             found = true;
-            warnings.add(String.format(Locale.ROOT, "%s has a radius of %s m, but the body of its robot %s is only %.2g m large%s%s", wheel.getName(),
-                Parameter.format(wheel.getRadius()), robot.getName(), size, METRES, Parameter.format(wheel.getRadius() / CENTIMETRES)));
+            warnings.add(String.format(Locale.ROOT, "%s has a radius of %s m, but the body of its robot %s is only "
+                + "%.2g m large%s%s", wheel.getName(),
+                Parameter.format(wheel.getRadius()), robot.getName(), size, METRES,
+                    Parameter.format(wheel.getRadius() / CENTIMETRES)));
         } else {
             look(wheel, body);
         }
     }
 
     private void look(SearObject part, Aabb rest) {
-        double gap = Math.sqrt(square(gap(part.getX(), rest.minX, rest.maxX)) + square(gap(part.getY(), rest.minY, rest.maxY))
+        double gap = Math.sqrt(square(gap(part.getX(), rest.minX, rest.maxX))
+            + square(gap(part.getY(), rest.minY, rest.maxY))
             + square(gap(part.getZ(), rest.minZ, rest.maxZ)));
         if (gap > FAR && gap > TIMES * size(rest)) {
             found = true;
-            warnings.add(String.format(Locale.ROOT, "%s is %.0f m away from the rest of its robot %s, at x %s, y %s, z %s%smove(%s, %s, %s)",
-                part.getName(), gap, robot.getName(), Parameter.format(part.getX()), Parameter.format(part.getY()), Parameter.format(part.getZ()),
+            warnings.add(String.format(Locale.ROOT, "%s is %.0f m away from the rest of its robot %s, at x %s, y %s, z "
+                + "%s%smove(%s, %s, %s)",
+                part.getName(), gap, robot.getName(), Parameter.format(part.getX()), Parameter.format(part.getY()),
+                Parameter.format(part.getZ()),
                 METRES, Parameter.format(part.getX() / CENTIMETRES), Parameter.format(part.getY() / CENTIMETRES),
                 Parameter.format(part.getZ() / CENTIMETRES)));
         }

@@ -49,7 +49,8 @@ public final class VirtualWalls {
             Pose wall = walls.get(i).getPose();
             double[] inWall = wall.rotateBack(x - wall.x, y - wall.y, z - wall.z);
             double distance = Math.hypot(inWall[0], inWall[2]);
-            boolean inBeam = distance <= HALO || distance <= LENGTH && Math.abs(Math.atan2(inWall[0], inWall[2])) <= HALF_ANGLE;
+            boolean inBeam = distance <= HALO || distance <= LENGTH && Math.abs(Math.atan2(inWall[0], inWall[2]))
+                <= HALF_ANGLE;
             if (inBeam && sees(walls.get(i), x, y, z, robot)) {
                 return true;
             }

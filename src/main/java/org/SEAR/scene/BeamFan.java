@@ -34,7 +34,8 @@ public final class BeamFan {
     /** Whether a beam ends at its hit. Otherwise it has its full length, and only the sphere shows the hit. */
     public final boolean cut;
 
-    BeamFan(String sensor, int robot, int part, Pose mount, float[] directions, float[] ranges, float[] colors, int[] lines, int hitColor,
+    BeamFan(String sensor, int robot, int part, Pose mount, float[] directions, float[] ranges, float[] colors,
+        int[] lines, int hitColor,
             float hitRadius, List<BeamCone> cones) {
         this.sensor = sensor;
         this.robot = robot;

@@ -19,7 +19,8 @@ public final class Glow {
     public static String of(String color, double brightness) {
         double share = DARK + (1 - DARK) * brightness;
         int full = Integer.parseInt(color.substring(1), 16);
-        return String.format("#%02x%02x%02x", channel(full >> 16, share), channel(full >> 8, share), channel(full, share));
+        return String.format("#%02x%02x%02x", channel(full >> 16, share), channel(full >> 8, share),
+            channel(full, share));
     }
 
     private static int channel(int color, double share) {

@@ -97,7 +97,8 @@ public final class Movement {
      */
     public Pose part(int robot, int part) {
         boolean known = part < before.robots.get(robot).parts.size() && part < after.robots.get(robot).parts.size();
-        return known ? between(before.robots.get(robot).parts.get(part), after.robots.get(robot).parts.get(part)) : null;
+        return known ? between(before.robots.get(robot).parts.get(part), after.robots.get(robot).parts.get(part))
+            : null;
     }
 
     private Pose between(Pose a, Pose b) {
@@ -125,6 +126,7 @@ public final class Movement {
         double qz = a.qz * rest + b.qz * sign;
         double qw = a.qw * rest + b.qw * sign;
         double length = Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
-        return new Pose(a.x + dx * share, a.y + dy * share, a.z + dz * share, qx / length, qy / length, qz / length, qw / length);
+        return new Pose(a.x + dx * share, a.y + dy * share, a.z + dz * share, qx / length, qy / length, qz / length,
+            qw / length);
     }
 }

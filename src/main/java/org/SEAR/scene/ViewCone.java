@@ -76,7 +76,8 @@ public final class ViewCone {
                 double share = (double) i / SIDE;
                 double column = from[0] + share * (to[0] - from[0]);
                 double row = from[1] + share * (to[1] - from[1]);
-                if (!lens.point(column, row, point)) {      // a strong distortion may not extend half a pixel outside: use the pixel's centre
+                // a strong distortion may not extend half a pixel outside: use the pixel's centre
+                if (!lens.point(column, row, point)) {
                     lens.point(Math.max(0, Math.min(right, column)), Math.max(0, Math.min(bottom, row)), point);
                 }
                 int at = 3 * (side * SIDE + i);

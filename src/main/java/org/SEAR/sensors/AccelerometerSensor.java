@@ -72,7 +72,8 @@ public final class AccelerometerSensor extends InertialSensor {
         double bodyY = rotation.inY(x, y, z);
         double bodyZ = rotation.inZ(x, y, z);
         rotation.set(getMount());
-        add(truth, rotation.inX(bodyX, bodyY, bodyZ), rotation.inY(bodyX, bodyY, bodyZ), rotation.inZ(bodyX, bodyY, bodyZ));
+        add(truth, rotation.inX(bodyX, bodyY, bodyZ), rotation.inY(bodyX, bodyY, bodyZ),
+            rotation.inZ(bodyX, bodyY, bodyZ));
     }
 
     @Override

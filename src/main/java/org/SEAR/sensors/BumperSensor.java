@@ -21,7 +21,8 @@ public final class BumperSensor extends Sensor<Switch> {
 
     @Override
     protected Switch measure(Truth truth) {
-        return new Switch(!errors.drops(truth.step(), 0) && errors.apply(truth.isTouched(part) ? 1 : 0, truth.step(), 0, 0) > CLOSES);
+        return new Switch(!errors.drops(truth.step(), 0)
+            && errors.apply(truth.isTouched(part) ? 1 : 0, truth.step(), 0, 0) > CLOSES);
     }
 
     /** Registry entry. */

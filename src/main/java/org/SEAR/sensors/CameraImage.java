@@ -97,7 +97,8 @@ public final class CameraImage implements Reading {
      */
     public float[] getPoints(boolean world) {
         if (!Camera.DEPTH.equals(getKind())) {
-            throw new IllegalStateException("a picture of " + getKind() + " has no depths; use setKind(\"" + Camera.DEPTH + "\")");
+            throw new IllegalStateException("a picture of " + getKind() + " has no depths; use setKind(\""
+                + Camera.DEPTH + "\")");
         }
         float[] points = new float[3 * values.length];
         int count = 0;
@@ -135,7 +136,8 @@ public final class CameraImage implements Reading {
      */
     public List<Blobs.Blob> blobs(int color, int least) {
         if (pixels == null) {
-            throw new IllegalStateException("a picture of " + getKind() + " has no colours; use setKind(\"" + Camera.COLOR
+            throw new IllegalStateException("a picture of " + getKind() + " has no colours; use setKind(\""
+                + Camera.COLOR
                 + "\")");
         }
         return Blobs.find(getWidth(), pixels, color, least);
@@ -171,7 +173,8 @@ public final class CameraImage implements Reading {
 
     /** Returns the names of the numbers of a kind of camera. */
     public static List<String> names(String kind) {
-        return Camera.COLOR.equals(kind) ? List.of(".brightness") : Camera.DEPTH.equals(kind) ? List.of(".nearest") : List.of(".coldest", ".warmest");
+        return Camera.COLOR.equals(kind) ? List.of(".brightness") : Camera.DEPTH.equals(kind) ? List.of(".nearest")
+            : List.of(".coldest", ".warmest");
     }
 
     /** Returns 0xRRGGBB of each pixel for colours, otherwise metres or degrees Celsius. */
@@ -187,7 +190,8 @@ public final class CameraImage implements Reading {
             return size + "brightness " + ReadingWords.fixed(kept[0], 0);
         }
         if (Camera.DEPTH.equals(getKind())) {
-            return size + (kept[0] < Double.POSITIVE_INFINITY ? "nearest " + ReadingWords.fixed(kept[0], 3) + " m" : "nothing");
+            return size + (kept[0] < Double.POSITIVE_INFINITY ? "nearest " + ReadingWords.fixed(kept[0], 3) + " m"
+                : "nothing");
         }
         return size + ReadingWords.fixed(kept[0], 1) + " to " + ReadingWords.fixed(kept[1], 1) + " degC";
     }

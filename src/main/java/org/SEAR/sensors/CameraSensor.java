@@ -12,8 +12,8 @@ import org.SEAR.geometry.TimeStep;
 import org.SEAR.raycast.BeamScene;
 
 /**
- * Pictures at the camera's rate in simulated time. A reading is the last picture that was due or, before the first, a picture of
- * the present moment.
+ * Pictures at the camera's rate in simulated time. A reading is the last picture that was due or, before the first, a
+ * picture of the present moment.
  *
  * <p>When a picture is due, the sensor stores only the poses of all objects, which costs almost nothing. It renders the
  * picture of that moment when it is read. A camera without readers therefore does not slow the simulation down, and
@@ -114,7 +114,8 @@ public final class CameraSensor extends Sensor<CameraImage> {
     protected CameraImage measure(Truth truth) {
         long wanted = due < 0 ? truth.step() : due;
         if (image == null || imageStep != wanted) {
-            image = wanted == truth.step() ? take(truth, scene(truth), pose(truth), truth.time()) : take(truth, before(scene(truth)), place, dueTime);
+            image = wanted == truth.step() ? take(truth, scene(truth), pose(truth), truth.time())
+                : take(truth, before(scene(truth)), place, dueTime);
             imageStep = wanted;
         }
         return image;
@@ -136,7 +137,8 @@ public final class CameraSensor extends Sensor<CameraImage> {
         double[] start = from.transform(camera.getNear() * left, camera.getNear() * up, camera.getNear());
         double range = (camera.getFar() - camera.getNear()) * length;
         BeamScene scene = due < 0 ? seen : before(seen);
-        return camera.getNear() + scene.cast(start[0], start[1], start[2], ahead[0], ahead[1], ahead[2], range, unseen, null) / length;
+        return camera.getNear() + scene.cast(start[0], start[1], start[2], ahead[0], ahead[1], ahead[2], range, unseen,
+            null) / length;
     }
 
     private BeamScene before(BeamScene now) {
@@ -207,14 +209,16 @@ public final class CameraSensor extends Sensor<CameraImage> {
         double noise = camera.getNetd();
         for (int i = 0; i < temperatures.length && !(noise == 0 && errors.isNone()); i++) {
             double off = noise == 0 ? 0 : noise * random.normal(step, HEAT, i);
-            temperatures[i] = errors.drops(step, i) ? Float.NaN : (float) errors.applyAt(temperatures[i] + off, step, drifts[0], i);
+            temperatures[i] = errors.drops(step, i) ? Float.NaN
+                : (float) errors.applyAt(temperatures[i] + off, step, drifts[0], i);
         }
     }
 
     /** A dropped-out pixel is black. */
     private void measureColors(int[] pixels, long step) {
         for (int i = 0; i < pixels.length && !errors.isNone(); i++) {
-            pixels[i] = errors.drops(step, i) ? 0 : level(pixels[i] >> 16, step, i, 0) << 16 | level(pixels[i] >> 8, step, i, 1) << 8
+            pixels[i] = errors.drops(step, i) ? 0 : level(pixels[i] >> 16, step, i, 0) << 16
+                | level(pixels[i] >> 8, step, i, 1) << 8
                 | level(pixels[i], step, i, 2);
         }
     }
@@ -233,7 +237,8 @@ public final class CameraSensor extends Sensor<CameraImage> {
 
         @Override
         public String description() {
-            return "pictures, row by row from the top left: colours as 0xRRGGBB, depths along the axis in m, or temperatures in degC";
+            return "pictures, row by row from the top left: colours as 0xRRGGBB, depths along the axis in m, or "
+                + "temperatures in degC";
         }
 
         @Override

@@ -35,7 +35,8 @@ public final class ColorReading implements Reading {
 
     @Override
     public String words(double[] kept, String unit) {
-        return "red " + ReadingWords.fixed(kept[0], 0) + ", green " + ReadingWords.fixed(kept[1], 0) + ", blue " + ReadingWords.fixed(kept[2], 0);
+        return "red " + ReadingWords.fixed(kept[0], 0) + ", green " + ReadingWords.fixed(kept[1], 0) + ", blue "
+            + ReadingWords.fixed(kept[2], 0);
     }
 
     /** {@code 255.0,128.0,0.0}. */

@@ -65,7 +65,8 @@ public final class CompassSensor extends Sensor<Quantity> {
      */
     static MagneticModel.Field field(Truth truth, Pose pose) {
         GeoOrigin.GeoPoint place = truth.earth().getOrigin().at(pose.x, pose.y, pose.z);
-        return truth.earth().getMagneticModel().field(place.latitude, place.longitude, place.altitude / METRES_PER_KILOMETRE, decimalYear(truth));
+        return truth.earth().getMagneticModel()
+            .field(place.latitude, place.longitude, place.altitude / METRES_PER_KILOMETRE, decimalYear(truth));
     }
 
     /** Returns the simulated date as a year with fraction. */
@@ -88,7 +89,8 @@ public final class CompassSensor extends Sensor<Quantity> {
             return Collections.emptyList();
         }
         if (truth.earth().getOrigin() == null) {
-            return Collections.singletonList("compass " + getName() + " shows true north: without a GPS the world's place on Earth is unknown;"
+            return Collections.singletonList("compass " + getName() + " shows true north: without a GPS the world's "
+                + "place on Earth is unknown;"
                 + " add a GPS for the declination");
         }
         MagneticModel model = truth.earth().getMagneticModel();
@@ -96,8 +98,11 @@ public final class CompassSensor extends Sensor<Quantity> {
         if (model.covers(year)) {
             return Collections.emptyList();
         }
-        return Collections.singletonList(String.format(java.util.Locale.ROOT, "compass %s: %s is valid from %.1f to %.1f, the simulated date is %.1f;"
-            + " the declination is less accurate; put that year's coefficients into assets/%s", getName(), model.getName(), model.getEpoch(),
+        return Collections.singletonList(
+            String.format(java.util.Locale.ROOT, "compass %s: %s is valid from %.1f to %.1f, the simulated "
+                + "date is %.1f;"
+            + " the declination is less accurate; put that year's coefficients into assets/%s", getName(),
+            model.getName(), model.getEpoch(),
             model.getEpoch() + MagneticModel.YEARS_VALID, year, Earth.MODEL_FILE));
     }
 

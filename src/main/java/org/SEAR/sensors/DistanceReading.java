@@ -24,7 +24,8 @@ public final class DistanceReading implements Reading {
         this(Double.POSITIVE_INFINITY, volts, pattern, pose, -1, null, null);
     }
 
-    DistanceReading(double distance, double volts, BeamPattern pattern, Pose pose, int line, double[] hitPoint, String hitObject) {
+    DistanceReading(double distance, double volts, BeamPattern pattern, Pose pose, int line, double[] hitPoint,
+        String hitObject) {
         this.distance = distance;
         this.volts = volts;
         this.pattern = pattern;

@@ -41,7 +41,8 @@ public final class DistanceSensor extends Sensor<DistanceReading> {
 
     @Override
     public List<String> warnings(Truth truth) {
-        GroundCheck check = new GroundCheck(truth, distance.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner(), pose(truth));
+        GroundCheck check = new GroundCheck(truth, distance.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner(),
+            pose(truth));
         for (int line = 0; line < pattern.size(); line++) {
             check.look(pattern.getX(line), pattern.getY(line), pattern.getZ(line), pattern.getRange(line));
         }
@@ -63,7 +64,8 @@ public final class DistanceSensor extends Sensor<DistanceReading> {
         truth.scene().cast(pose.x, pose.y, pose.z, dx, dy, dz, pattern.getRange(line), ignored, hit);
         double[] point = {pose.x + nearest * dx, pose.y + nearest * dy, pose.z + nearest * dz};
         double measured = Math.max(0, Math.min(pattern.getMaxRange(), errors.apply(nearest, truth.step(), 0, 0)));
-        return new DistanceReading(Math.max(minRange, measured), voltages.at(measured), pattern, pose, line, point, truth.objectName(hit.shape));
+        return new DistanceReading(Math.max(minRange, measured), voltages.at(measured), pattern, pose, line, point,
+            truth.objectName(hit.shape));
     }
 
     /** Returns the ray with the nearest hit, the first of several, or -1; stores the distance in {@link #nearest}. */
@@ -99,7 +101,8 @@ public final class DistanceSensor extends Sensor<DistanceReading> {
 
         @Override
         public String description() {
-            return "distance to the nearest object in nested cones of rays: m (scripts get the longest ray's length without a hit)";
+            return "distance to the nearest object in nested cones of rays: m (scripts get the longest ray's length "
+                + "without a hit)";
         }
 
         @Override

@@ -65,8 +65,10 @@ public final class Earth {
 
     private static GeoOrigin origin(GPS gps) throws ProjectException {
         if (!gps.hasReference()) {
-            throw new ProjectException(Collections.singletonList(new Problem("robot/" + gps.getFileName() + ".xml", 0, "", gps
-                + " has no latitude, altitude and longitude", "all three of them, or a Terrain whose map says where on Earth the world lies")));
+            throw new ProjectException(Collections.singletonList(
+                new Problem("robot/" + gps.getFileName() + ".xml", 0, "", gps
+                + " has no latitude, altitude and longitude", "all three of them, or a Terrain whose map says where on "
+                    + "Earth the world lies")));
         }
         return new GeoOrigin(gps.getLatitude(), gps.getAltitude(), gps.getLongitude());
     }
@@ -78,7 +80,8 @@ public final class Earth {
         try {
             return MagneticModel.read(file);
         } catch (MagneticModel.FormatException e) {
-            throw new ProjectException(Collections.singletonList(new Problem("assets/" + MODEL_FILE, e.getLine(), "", e.getMessage(), e.getLegal())));
+            throw new ProjectException(Collections.singletonList(
+                new Problem("assets/" + MODEL_FILE, e.getLine(), "", e.getMessage(), e.getLegal())));
         }
     }
 

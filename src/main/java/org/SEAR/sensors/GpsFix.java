@@ -31,11 +31,13 @@ public final class GpsFix implements Reading {
      * @param climb upwards, m/s
      * @param time UTC of the fix, milliseconds since 1970
      */
-    public GpsFix(double latitude, double longitude, double altitude, double speed, double course, double climb, long time) {
+    public GpsFix(double latitude, double longitude, double altitude, double speed, double course, double climb,
+        long time) {
         this(latitude, longitude, altitude, speed, course, climb, time, true);
     }
 
-    private GpsFix(double latitude, double longitude, double altitude, double speed, double course, double climb, long time, boolean valid) {
+    private GpsFix(double latitude, double longitude, double altitude, double speed, double course, double climb,
+        long time, boolean valid) {
         this.latitude = latitude;
         this.longitude = longitude;
         this.altitude = altitude;

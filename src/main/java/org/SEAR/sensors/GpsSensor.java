@@ -79,11 +79,14 @@ public final class GpsSensor extends Sensor<GpsFix> {
     @Override
     public List<String> warnings(Truth truth) {
         GeoOrigin ground = truth.earth().isOfTerrain() ? truth.earth().getOrigin() : null;
-        if (origin == null || ground == null || Math.hypot(Math.hypot(ground.to(origin.getLatitude(), origin.getLongitude())[0],
-                ground.to(origin.getLatitude(), origin.getLongitude())[1]), ground.getAltitude() - origin.getAltitude()) < SAME_PLACE) {
+        if (origin == null || ground == null
+            || Math.hypot(Math.hypot(ground.to(origin.getLatitude(), origin.getLongitude())[0],
+                ground.to(origin.getLatitude(), origin.getLongitude())[1]), ground.getAltitude() - origin.getAltitude())
+                    < SAME_PLACE) {
             return Collections.emptyList();
         }
-        return Collections.singletonList("gps " + getName() + " puts the world's origin at " + origin + ", but the terrain puts it at " + ground
+        return Collections.singletonList("gps " + getName() + " puts the world's origin at " + origin
+            + ", but the terrain puts it at " + ground
             + "; the GPS uses its own; GPS(name) without coordinates uses the terrain's");
     }
 
@@ -96,7 +99,8 @@ public final class GpsSensor extends Sensor<GpsFix> {
 
         @Override
         public String description() {
-            return "position on WGS84: latitude and longitude in degrees, altitude in m, speed in m/s, course in degrees, UTC";
+            return "position on WGS84: latitude and longitude in degrees, altitude in m, speed in m/s, course in "
+                + "degrees, UTC";
         }
 
         @Override

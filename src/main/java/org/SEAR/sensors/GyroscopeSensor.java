@@ -44,7 +44,8 @@ public final class GyroscopeSensor extends InertialSensor {
 
         @Override
         public String description() {
-            return "rates of turn about the sensor's axes (+x left, +y up, +z forward), counter-clockwise positive: three numbers in rad/s";
+            return "rates of turn about the sensor's axes (+x left, +y up, +z forward), counter-clockwise positive: "
+                + "three numbers in rad/s";
         }
 
         @Override

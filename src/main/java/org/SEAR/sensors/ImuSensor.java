@@ -55,16 +55,19 @@ public final class ImuSensor extends Sensor<ImuReading> {
         Pose pose = pose(truth);
         boolean placed = truth.earth().getOrigin() != null;
         MagneticModel.Field field = placed ? CompassSensor.field(truth, pose) : null;
-        double[] north = placed ? new double[] {field.north / field.total(), -field.down / field.total(), field.east / field.total()}
+        double[] north = placed ? new double[] {field.north / field.total(), -field.down / field.total(),
+            field.east / field.total()}
             : new double[] {1, 0, 0};
         double[] angles = angles(pose, placed ? field.declination() : 0);
         for (int i = 0; i < ANGLES; i++) {
             angles[i] = errors.apply(angles[i], truth.step(), i, i);
         }
         rotation.set(pose);
-        VectorReading seen = new VectorReading(rotation.inX(north[0], north[1], north[2]), rotation.inY(north[0], north[1], north[2]),
+        VectorReading seen = new VectorReading(rotation.inX(north[0], north[1], north[2]),
+            rotation.inY(north[0], north[1], north[2]),
             rotation.inZ(north[0], north[1], north[2]));
-        return new ImuReading(new double[] {CompassSensor.wrap(angles[0]), angles[1], CompassSensor.wrap(angles[2])}, own(acceleration.read(truth)),
+        return new ImuReading(new double[] {CompassSensor.wrap(angles[0]), angles[1], CompassSensor.wrap(angles[2])},
+            own(acceleration.read(truth)),
             own(rates.read(truth)), own(seen));
     }
 
@@ -74,7 +77,8 @@ public final class ImuSensor extends Sensor<ImuReading> {
         double[] left = pose.rotate(1, 0, 0);
         double[] up = pose.rotate(0, 1, 0);
         return new double[] {Math.toDegrees(Math.atan2(forward[2], forward[0])) - declination,
-            Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, forward[1])))), Math.toDegrees(Math.atan2(left[1], up[1]))};
+            Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, forward[1])))),
+                Math.toDegrees(Math.atan2(left[1], up[1]))};
     }
 
     /** Converts from +x left, +y up, +z forward to +x forward, +y right, +z down. */
@@ -84,8 +88,10 @@ public final class ImuSensor extends Sensor<ImuReading> {
 
     @Override
     public List<String> warnings(Truth truth) {
-        return truth.earth().getOrigin() != null ? Collections.emptyList() : Collections.singletonList("imu " + getName()
-            + " shows true north: without a GPS the world's place on Earth is unknown; add a GPS for the magnetic field");
+        return truth.earth().getOrigin() != null ? Collections.emptyList()
+            : Collections.singletonList("imu " + getName()
+            + " shows true north: without a GPS the world's place on Earth is unknown; add a GPS for the "
+                + "magnetic field");
     }
 
     /** Registry entry. */
@@ -97,7 +103,8 @@ public final class ImuSensor extends Sensor<ImuReading> {
 
         @Override
         public String description() {
-            return "yaw clockwise from magnetic north, pitch with the nose up, roll with the right side down: three numbers in degrees";
+            return "yaw clockwise from magnetic north, pitch with the nose up, roll with the right side down: three "
+                + "numbers in degrees";
         }
 
         @Override

@@ -109,7 +109,8 @@ public final class LidarScan implements Reading {
 
     @Override
     public String words(double[] kept, String unit) {
-        return kept[0] == Double.POSITIVE_INFINITY ? "nothing within " + ReadingWords.withUnit(ReadingWords.plain(range), unit)
+        return kept[0] == Double.POSITIVE_INFINITY ? "nothing within "
+            + ReadingWords.withUnit(ReadingWords.plain(range), unit)
             : "nearest " + ReadingWords.withUnit(ReadingWords.fixed(kept, DIGITS), unit);
     }
 

@@ -70,7 +70,8 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
         history.find(at);
         double angle = Math.toRadians(scan.angle(beam));
         history.aim(Math.sin(angle), Math.cos(angle));
-        double range = truth.scene().cast(history.x, history.y, history.z, history.dx, history.dy, history.dz, lidar.getRange(), ignored(truth),
+        double range = truth.scene().cast(history.x, history.y, history.z, history.dx, history.dy, history.dz,
+            lidar.getRange(), ignored(truth),
             null);
         return errors.isNone() ? range : disturbed(range, scan.step(), beam);
     }
@@ -140,13 +141,16 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
     }
 
     private LidarScan make(Truth truth, double spreadDegrees, double resolutionDegrees, int beams) {
-        if (!(spreadDegrees > 0 && spreadDegrees <= 360 && resolutionDegrees > 0 && resolutionDegrees <= spreadDegrees)) {
-            throw new IllegalArgumentException("LIDAR " + getName() + ": spread " + spreadDegrees + " and resolution " + resolutionDegrees
+        if (!(spreadDegrees > 0 && spreadDegrees <= 360 && resolutionDegrees > 0
+            && resolutionDegrees <= spreadDegrees)) {
+            throw new IllegalArgumentException("LIDAR " + getName() + ": spread " + spreadDegrees + " and resolution "
+                + resolutionDegrees
                 + " degrees, legal: spread above 0 to 360, resolution above 0 to the spread");
         }
         double[] ranges = new double[beams];
         Pose pose = pose(truth);
-        truth.scene().castFan(pose, Math.toRadians(-spreadDegrees / 2), Math.toRadians(resolutionDegrees), ranges.length, lidar.getRange(),
+        truth.scene().castFan(pose, Math.toRadians(-spreadDegrees / 2), Math.toRadians(resolutionDegrees),
+            ranges.length, lidar.getRange(),
             ignored(truth), ranges, null);
         if (!errors.isNone()) {
             for (int beam = 0; beam < ranges.length; beam++) {
@@ -160,7 +164,8 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
         if (errors.drops(step, beam)) {
             return Double.POSITIVE_INFINITY;
         }
-        return range == Double.POSITIVE_INFINITY ? range : Math.max(0, Math.min(lidar.getRange(), errors.apply(range, step, 0, beam)));
+        return range == Double.POSITIVE_INFINITY ? range
+            : Math.max(0, Math.min(lidar.getRange(), errors.apply(range, step, 0, beam)));
     }
 
     /** Registry entry. */

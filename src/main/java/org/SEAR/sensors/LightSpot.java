@@ -55,7 +55,8 @@ final class LightSpot {
                 double angle = 2 * Math.PI * (i + TURNED) / ON_RING[ring];
                 double a = radius * Math.cos(angle);
                 double b = radius * Math.sin(angle);
-                add(truth, pose.x + a * left[0] + b * up[0], pose.y + a * left[1] + b * up[1], pose.z + a * left[2] + b * up[2], ahead);
+                add(truth, pose.x + a * left[0] + b * up[0], pose.y + a * left[1] + b * up[1], pose.z + a * left[2]
+                    + b * up[2], ahead);
                 beams++;
             }
         }
@@ -66,9 +67,11 @@ final class LightSpot {
     }
 
     private void add(Truth truth, double x, double y, double z, double[] ahead) {
-        double distance = truth.scene().cast(x, y, z, ahead[0], ahead[1], ahead[2], parameters.getRange(), truth.owner(), hit);
+        double distance = truth.scene().cast(x, y, z, ahead[0], ahead[1], ahead[2], parameters.getRange(),
+            truth.owner(), hit);
         if (distance < Double.POSITIVE_INFINITY) {
-            int color = truth.color(hit.shape, x + distance * ahead[0], y + distance * ahead[1], z + distance * ahead[2]);
+            int color = truth.color(hit.shape, x + distance * ahead[0], y + distance * ahead[1],
+                z + distance * ahead[2]);
             light[0] += linear(color >> 16 & 0xFF);
             light[1] += linear(color >> 8 & 0xFF);
             light[2] += linear(color & 0xFF);

@@ -186,7 +186,8 @@ public final class MagneticModel {
         double radius = Math.hypot(axial, equatorial);
         double[] b = geocentric(Math.atan2(axial, equatorial), Math.toRadians(longitude), radius, decimalYear - epoch);
         double tilt = phi - Math.atan2(axial, equatorial);
-        return new Field(b[0] * Math.cos(tilt) + b[2] * Math.sin(tilt), b[1], b[2] * Math.cos(tilt) - b[0] * Math.sin(tilt));
+        return new Field(b[0] * Math.cos(tilt) + b[2] * Math.sin(tilt), b[1], b[2] * Math.cos(tilt)
+            - b[0] * Math.sin(tilt));
     }
 
     /** Returns {north, east, down} in the geocentric frame, nT. */

@@ -66,7 +66,8 @@ public final class OdometerSensor extends Sensor<OdometerReading> {
 
         @Override
         public String description() {
-            return "signed distance of the robot's centre since the last reading, + forward: whole millimetres, -32768 to 32767 (scripts get m)";
+            return "signed distance of the robot's centre since the last reading, + forward: whole millimetres, -32768 "
+                + "to 32767 (scripts get m)";
         }
 
         @Override

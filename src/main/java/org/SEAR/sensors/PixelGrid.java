@@ -66,7 +66,8 @@ public final class PixelGrid {
         boolean depths = Camera.DEPTH.equals(kind);
         for (int i = 0; i < values.length; i++) {
             int grey = raster.getSample(i % width, i / width, 0);
-            values[i] = grey == 0 ? depths ? Float.POSITIVE_INFINITY : Float.NaN : (float) (depths ? grey / MILLI : grey / CENTI + ABSOLUTE_ZERO);
+            values[i] = grey == 0 ? depths ? Float.POSITIVE_INFINITY : Float.NaN
+                : (float) (depths ? grey / MILLI : grey / CENTI + ABSOLUTE_ZERO);
         }
         return new PixelGrid(kind, width, null, values);
     }
@@ -146,19 +147,22 @@ public final class PixelGrid {
         if (Camera.DEPTH.equals(kind) || Double.isNaN(distance)) {
             return reported;
         }
-        return reported + (distance < Double.POSITIVE_INFINITY ? ", " + ReadingWords.fixed(distance, 3) + " m ahead" : ", nothing in range");
+        return reported + (distance < Double.POSITIVE_INFINITY ? ", " + ReadingWords.fixed(distance, 3) + " m ahead"
+            : ", nothing in range");
     }
 
     /** Describes a pixel without a distance from elsewhere. */
     public String words(int column, int row) {
         if (column < 0 || row < 0 || column >= width || row >= getHeight()) {
-            throw new IllegalArgumentException("the pixel is " + column + ", " + row + ", legal: columns 0 to " + (width - 1) + ", rows 0 to "
+            throw new IllegalArgumentException("the pixel is " + column + ", " + row + ", legal: columns 0 to "
+                + (width - 1) + ", rows 0 to "
                 + (getHeight() - 1));
         }
         int pixel = row * width + column;
         if (pixels != null) {
             String hex = String.format(Locale.ROOT, "#%06x", pixels[pixel]);
-            return hex + ", " + (hex.equals(ColorNames.hex(ColorNames.near(pixels[pixel]))) ? "" : "about ") + ColorNames.near(pixels[pixel]);
+            return hex + ", " + (hex.equals(ColorNames.hex(ColorNames.near(pixels[pixel]))) ? "" : "about ")
+                + ColorNames.near(pixels[pixel]);
         }
         if (!Float.isFinite(values[pixel])) {
             return Camera.DEPTH.equals(kind) ? "no return" : "no value";

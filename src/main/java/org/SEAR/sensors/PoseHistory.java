@@ -70,7 +70,8 @@ final class PoseHistory {
 
     private static boolean hasMoved(Pose a, Pose b) {
         return a != b && Math.max(Math.max(Math.max(Math.abs(a.x - b.x), Math.abs(a.y - b.y)), Math.abs(a.z - b.z)),
-            Math.max(Math.max(Math.abs(a.qx - b.qx), Math.abs(a.qy - b.qy)), Math.max(Math.abs(a.qz - b.qz), Math.abs(a.qw - b.qw)))) > REST;
+            Math.max(Math.max(Math.abs(a.qx - b.qx), Math.abs(a.qy - b.qy)),
+                Math.max(Math.abs(a.qz - b.qz), Math.abs(a.qw - b.qw)))) > REST;
     }
 
     private static Pose at(Pose[] ring, long step) {

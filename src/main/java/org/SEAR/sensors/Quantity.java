@@ -31,7 +31,8 @@ public class Quantity implements Reading {
 
     @Override
     public String words(double[] kept, String unit) {
-        return ReadingWords.withUnit(digits == UNSAID ? ReadingWords.plain(kept[0]) : ReadingWords.fixed(kept[0], digits), unit);
+        return ReadingWords.withUnit(digits == UNSAID ? ReadingWords.plain(kept[0])
+            : ReadingWords.fixed(kept[0], digits), unit);
     }
 
     @Override

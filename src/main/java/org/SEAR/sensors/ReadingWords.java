@@ -20,9 +20,11 @@ final class ReadingWords {
     /** Returns numbers of unknown precision with their unit. */
     static String of(double[] numbers, String unit) {
         if (numbers.length <= MANY) {
-            return withUnit(Arrays.stream(numbers).mapToObj(ReadingWords::plain).collect(Collectors.joining(", ")), unit);
+            return withUnit(Arrays.stream(numbers).mapToObj(ReadingWords::plain)
+                .collect(Collectors.joining(", ")), unit);
         }
-        return withUnit(plain(Arrays.stream(numbers).min().getAsDouble()) + " to " + plain(Arrays.stream(numbers).max().getAsDouble()), unit);
+        return withUnit(plain(Arrays.stream(numbers).min().getAsDouble()) + " to "
+            + plain(Arrays.stream(numbers).max().getAsDouble()), unit);
     }
 
     static String withUnit(String words, String unit) {

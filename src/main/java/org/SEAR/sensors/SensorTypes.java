@@ -69,7 +69,8 @@ public final class SensorTypes {
     public Sensor<?> create(SearObject object, long seed) {
         SensorType type = find(object);
         if (type == null) {
-            throw new IllegalArgumentException(object.getClass().getSimpleName() + " " + object.getName() + " is no sensor; sensors are "
+            throw new IllegalArgumentException(object.getClass().getSimpleName() + " " + object.getName()
+                + " is no sensor; sensors are "
                 + String.join(", ", new TreeMap<>(types).keySet()));
         }
         return type.create(object, seed);

@@ -41,8 +41,8 @@ public interface Truth {
     double path();
 
     /**
-     * Returns the distance since start or reset that a program computes from the encoders of the driven wheels and their
-     * nominal radius, metres, if the drive has errors; otherwise {@link #path}.
+     * Returns the distance since start or reset that a program computes from the encoders of the driven wheels and
+     * their nominal radius, metres, if the drive has errors; otherwise {@link #path}.
      */
     default double odometry() {
         return path();

@@ -23,7 +23,8 @@ final class DevicePort implements DeviceContext {
     /** @param sensor null for a robot's drive */
     DevicePort(SearObject object, RobotModel robot, Sensor<?> sensor, long seed, BiConsumer<String, String> warnings) {
         SerialObject serial = (SerialObject) object;
-        this.cable = new Cable(object.getFullName(), object.getClass().getSimpleName(), serial.getUartPort(), serial.getUserPort());
+        this.cable = new Cable(object.getFullName(), object.getClass().getSimpleName(), serial.getUartPort(),
+            serial.getUserPort());
         this.robot = robot;
         this.sensor = sensor;
         this.seed = seed;
@@ -80,7 +81,8 @@ final class DevicePort implements DeviceContext {
 
     @Override
     public Sensor<?> sensor(String part) {
-        return robot.getSensors().stream().filter(each -> each.getParameters().getName().equals(part)).findFirst().orElse(null);
+        return robot.getSensors().stream().filter(each -> each.getParameters().getName().equals(part)).findFirst()
+            .orElse(null);
     }
 
     @Override
@@ -119,11 +121,13 @@ final class DevicePort implements DeviceContext {
             warn(complaint.substring(complaint.indexOf(' ')), complaint);
         }
         if (cable.takeDropped() > 0) {
-            warn("input", "a program writes faster to " + cable.getUserPort() + " than its line carries at " + cable.getDeviceBaud()
+            warn("input", "a program writes faster to " + cable.getUserPort() + " than its line carries at "
+                + cable.getDeviceBaud()
                 + " baud; SEAR drops bytes while " + Cable.MAX_WAITING + " bytes wait");
         }
         if (cable.takeLost() > 0) {
-            warn("output", "its replies exceed what its line carries at " + cable.getDeviceBaud() + " baud; SEAR drops replies while more than "
+            warn("output", "its replies exceed what its line carries at " + cable.getDeviceBaud()
+                + " baud; SEAR drops replies while more than "
                 + Cable.MAX_OUTPUT + " bytes wait");
         }
     }

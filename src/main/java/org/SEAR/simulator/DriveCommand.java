@@ -40,7 +40,8 @@ public final class DriveCommand implements Consumer<Simulation> {
      * @throws IllegalArgumentException if the robot can't do that; the message says what would let it
      */
     public static DriveCommand of(Simulation world, Robot driven, DriveOrder order) {
-        return new DriveCommand(world.getRobots().indexOf(driven), order.wheels, order.getFirst(driven), order.getSecond());
+        return new DriveCommand(world.getRobots().indexOf(driven), order.wheels, order.getFirst(driven),
+            order.getSecond());
     }
 
     @Override

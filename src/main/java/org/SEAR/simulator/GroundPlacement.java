@@ -52,7 +52,8 @@ final class GroundPlacement {
      */
     void setDownRobot(SEARrobot robot, Body body, double[][] feet) {
         if (robot.isOnGround()) {
-            Pose written = robot.getPlaceHeading() == null ? body.getPose() : Pose.ofDegrees(0, 0, 0, 0, EAST - robot.getPlaceHeading(), 0);
+            Pose written = robot.getPlaceHeading() == null ? body.getPose()
+                : Pose.ofDegrees(0, 0, 0, 0, EAST - robot.getPlaceHeading(), 0);
             setDown(robot, body, pose -> alongSlope(turned(pose, written), feet), feet, "robot/");
         }
     }
@@ -65,21 +66,24 @@ final class GroundPlacement {
     private void setDown(PlacedObject object, Body body, UnaryOperator<Pose> turn, double[][] feet, String folder) {
         String file = folder + object.getFileName() + ".xml";
         if (object.hasPlaceOnEarth() && origin == null) {
-            problems.add(file, 0, "placeLatitude", Parameter.format(object.getPlaceLatitude()), "only with a Terrain whose map"
+            problems.add(file, 0, "placeLatitude", Parameter.format(object.getPlaceLatitude()),
+                "only with a Terrain whose map"
                 + " defines its position on Earth; placeAt(x, z), in metres, works without");
             return;
         }
         double[] point = object.hasPlaceOnEarth() ? origin.to(object.getPlaceLatitude(), object.getPlaceLongitude())
             : new double[] {object.getX(), object.getZ()};
         if (!StartPoses.stand(body, turn.apply(new Pose(point[0], 0, point[1], 0, 0, 0, 1)), feet, scenes)) {
-            problems.add(file, 0, object.hasPlaceOnEarth() ? "placeLatitude, placeLongitude" : "x, z", where(object, point),
+            problems.add(file, 0, object.hasPlaceOnEarth() ? "placeLatitude, placeLongitude" : "x, z",
+                where(object, point),
                 "a place with ground: on the terrain, a floor, or a model that is the terrain");
         }
     }
 
     private static String where(PlacedObject object, double[] point) {
         return object.hasPlaceOnEarth()
-            ? String.format(Locale.ROOT, "%s, %s (%.0f m north and %.0f m east of the origin)", Parameter.format(object.getPlaceLatitude()),
+            ? String.format(Locale.ROOT, "%s, %s (%.0f m north and %.0f m east of the origin)",
+                Parameter.format(object.getPlaceLatitude()),
                 Parameter.format(object.getPlaceLongitude()), point[0], point[1])
             : Parameter.format(point[0]) + ", " + Parameter.format(point[1]);
     }
@@ -90,8 +94,10 @@ final class GroundPlacement {
         for (double[] foot : feet) {
             base = Math.max(base, Math.hypot(foot[0], foot[2]));
         }
-        double northward = (scenes.groundHeight(level.x + base, level.z) - scenes.groundHeight(level.x - base, level.z)) / (2 * base);
-        double eastward = (scenes.groundHeight(level.x, level.z + base) - scenes.groundHeight(level.x, level.z - base)) / (2 * base);
+        double northward = (scenes.groundHeight(level.x + base, level.z) - scenes.groundHeight(level.x - base, level.z))
+            / (2 * base);
+        double eastward = (scenes.groundHeight(level.x, level.z + base) - scenes.groundHeight(level.x, level.z - base))
+            / (2 * base);
         double steep = Math.hypot(northward, eastward);
         if (!(steep > 0)) {
             return level;

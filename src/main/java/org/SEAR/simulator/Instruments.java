@@ -64,13 +64,15 @@ final class Instruments {
 
     /** Connects a part's device to its ports. A device can reach all sensors of its robot. */
     private void connect(SearObject part, RobotModel robot, long seed, DeviceTypes types) {
-        if (!(part instanceof SerialObject) || ((SerialObject) part).getUartPort() == null || ((SerialObject) part).getUserPort() == null) {
+        if (!(part instanceof SerialObject) || ((SerialObject) part).getUartPort() == null || ((SerialObject) part)
+            .getUserPort() == null) {
             return;
         }
         if (!types.isKnown(part)) {
             return;
         }
-        Sensor<?> sensor = robot.getSensors().stream().filter(each -> each.getParameters() == part).findFirst().orElse(null);
+        Sensor<?> sensor = robot.getSensors().stream().filter(each -> each.getParameters() == part).findFirst()
+            .orElse(null);
         DevicePort port = new DevicePort(part, robot, sensor, seed, warnings);
         SerialDevice device = types.create(part, port);
         if (device != null) {
@@ -111,9 +113,12 @@ final class Instruments {
                 Pose pose = robot.getPose().times(sensor.getMount());
                 double[] ahead = pose.rotate(0, 0, 1);
                 BeamScene scene = robot.truth().scene();
-                double distance = scene.cast(pose.x, pose.y, pose.z, ahead[0], ahead[1], ahead[2], Double.MAX_VALUE, robot.getOwner(), hit);
-                if (distance < Double.POSITIVE_INFINITY && ahead[0] * hit.nx + ahead[1] * hit.ny + ahead[2] * hit.nz > 0) {
-                    warn("sensor " + sensor.getName() + " is inside " + robot.truth().objectName(hit.shape) + "; move one of them");
+                double distance = scene.cast(pose.x, pose.y, pose.z, ahead[0], ahead[1], ahead[2], Double.MAX_VALUE,
+                    robot.getOwner(), hit);
+                if (distance < Double.POSITIVE_INFINITY && ahead[0] * hit.nx + ahead[1] * hit.ny
+                    + ahead[2] * hit.nz > 0) {
+                    warn("sensor " + sensor.getName() + " is inside " + robot.truth().objectName(hit.shape)
+                        + "; move one of them");
                 }
             }
         }
@@ -240,7 +245,8 @@ final class Instruments {
         Cable cable = devices.find(name);
         if (cable == null) {
             throw new IllegalArgumentException("no device is called \"" + name + "\", legal: " + (lines.isEmpty()
-                ? "none, no object of the project has ports" : lines.stream().map(SerialLine::getObjectName).collect(Collectors.joining(", "))));
+                ? "none, no object of the project has ports" : lines.stream().map(SerialLine::getObjectName)
+                    .collect(Collectors.joining(", "))));
         }
         cable.setPowered(on, time);
     }

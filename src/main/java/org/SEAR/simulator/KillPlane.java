@@ -62,7 +62,8 @@ final class KillPlane {
 
     private void report(Body body) {
         Pose pose = body.getPose();
-        warnings.accept(String.format(Locale.ROOT, "%s has fallen out of the world, below everything, at x %.1f, z %.1f; put ground there", body.name,
+        warnings.accept(String.format(Locale.ROOT, "%s has fallen out of the world, below everything, at x %.1f, z "
+            + "%.1f; put ground there", body.name,
             pose.x, pose.z));
     }
 }

@@ -38,12 +38,14 @@ final class PoseLookup {
                 int index = i;
                 Pose home = ObjectPose.of(part);
                 parts.add(name, part.getName(), part instanceof Dynamics ? robot::getPose
-                    : () -> robot.getPose().times(robot.getPartPoses().isEmpty() ? home : robot.getPartPoses().get(index)));
+                    : () -> robot.getPose().times(robot.getPartPoses().isEmpty() ? home : robot.getPartPoses()
+                        .get(index)));
             }
             List<Wheel> wheels = robot.getObject().getWheels();
             for (int i = 0; i < wheels.size(); i++) {
                 int index = i;
-                parts.add(name, wheels.get(i).getName(), () -> robot.getPose().times(robot.getTrain().getWheels().get(index).place()));
+                parts.add(name, wheels.get(i).getName(), () -> robot.getPose()
+                    .times(robot.getTrain().getWheels().get(index).place()));
             }
         }
     }

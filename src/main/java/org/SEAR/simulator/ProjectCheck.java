@@ -25,7 +25,8 @@ public final class ProjectCheck {
         } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
             throw new ProjectException(List.of(new Problem(project.getFolder().getFileName().toString(), 0, "",
                 "SEAR can't build its world (" + e + ")",
-                "objects that SEAR can simulate; remove objects until the project starts, and report the last one removed")));
+                "objects that SEAR can simulate; remove objects until the project starts, and report the "
+                    + "last one removed")));
         }
     }
 }

@@ -26,7 +26,8 @@ public final class Snapshot {
     /** Warnings for the user. */
     public final List<String> warnings;
 
-    public Snapshot(long step, double time, List<Pose> environment, List<RobotState> robots, Map<String, Reading> readings,
+    public Snapshot(long step, double time, List<Pose> environment, List<RobotState> robots,
+        Map<String, Reading> readings,
             List<double[]> contacts, List<String> warnings) {
         this.step = step;
         this.time = time;
@@ -71,7 +72,10 @@ public final class Snapshot {
         public final double turnRate;
         /** Pose of each wheel in the body frame, rotation included, in the order of {@code SEARrobot.getWheels()}. */
         public final List<Pose> wheels;
-        /** Pose of each component in the body frame, in the order of {@code SEARrobot.getComponents()}; empty if no servo can turn any. */
+        /**
+         * Pose of each component in the body frame, in the order of {@code SEARrobot.getComponents()}; empty if no
+         * servo can turn any.
+         */
         public final List<Pose> parts;
         /** Brightness of each of its lights, 0 to 1, in the order of {@code SEARrobot.getComponents()}. */
         public final List<Double> lights;

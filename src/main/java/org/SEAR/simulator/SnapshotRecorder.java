@@ -42,7 +42,8 @@ final class SnapshotRecorder {
         for (int i = 0; i < states.length; i++) {
             RobotModel robot = world.getRobots().get(i);
             devices.add(List.of());
-            cables.add(instruments.getPorts().stream().filter(port -> port.getRobot() == robot).map(DevicePort::getCable)
+            cables.add(instruments.getPorts().stream().filter(port -> port.getRobot() == robot)
+                .map(DevicePort::getCable)
                 .collect(Collectors.toList()));
         }
     }
@@ -76,13 +77,15 @@ final class SnapshotRecorder {
         for (int i = 0; i < states.length; i++) {
             RobotModel robot = world.getRobots().get(i);
             boolean changed = display && updateDevices(i);
-            if (step == 0 || changed || states[i] == null || world.getPhysics().isAwake(robot.getBody()) || states[i].speed != 0
+            if (step == 0 || changed || states[i] == null || world.getPhysics().isAwake(robot.getBody())
+                || states[i].speed != 0
                 || states[i].lights != robot.getLights()) {
                 states[i] = state(robot, devices.get(i), commanded[i]);
                 check(robot);
             }
         }
-        return new Snapshot(step, step * Simulation.STEP, world.getPoses(), List.of(states), readings, world.getContacts(), warnings.list());
+        return new Snapshot(step, step * Simulation.STEP, world.getPoses(), List.of(states), readings,
+            world.getContacts(), warnings.list());
     }
 
     private Map<String, Reading> readings() {
@@ -120,7 +123,8 @@ final class SnapshotRecorder {
     private static Snapshot.DeviceState after(Snapshot.DeviceState before, Cable cable) {
         String status = cable.status();
         List<PinState> pins = cable.pinStates();
-        boolean same = before != null && before.powered == cable.isPowered() && before.status.equals(status) && before.pins.equals(pins);
+        boolean same = before != null && before.powered == cable.isPowered() && before.status.equals(status)
+            && before.pins.equals(pins);
         return same ? before : new Snapshot.DeviceState(cable.getObjectName(), cable.isPowered(), status, pins);
     }
 
@@ -140,7 +144,8 @@ final class SnapshotRecorder {
         double[] up = pose.rotate(0, 1, 0);
         return new Snapshot.RobotState(robot.getObject().getName(), pose,
             velocity[0] * ahead[0] + velocity[1] * ahead[1] + velocity[2] * ahead[2],
-            angular[0] * up[0] + angular[1] * up[1] + angular[2] * up[2], robot.getTrain().getWheelPoses(), robot.getPartPoses(),
+            angular[0] * up[0] + angular[1] * up[1] + angular[2] * up[2], robot.getTrain().getWheelPoses(),
+            robot.getPartPoses(),
             robot.getLights(), devices, commanded);
     }
 

@@ -77,7 +77,8 @@ final class World implements PhysicsWorld.Touches {
      *     hit no ground
      * @param reported receives warnings during the run
      */
-    World(Project project, long seed, long epochMillis, boolean groundVisible, Consumer<String> reported) throws ProjectException {
+    World(Project project, long seed, long epochMillis, boolean groundVisible, Consumer<String> reported)
+        throws ProjectException {
         scenes = new RaycastScenes(!groundVisible || hasInvisible(project));
         virtualWalls = new VirtualWalls(scenes);
         SurfaceColors colors = new SurfaceColors(project.getAssets(), reported);
@@ -115,7 +116,8 @@ final class World implements PhysicsWorld.Touches {
         robots.forEach(robot -> StartChecks.check(robot, scenes, warnings));
     }
 
-    private void add(Shape shape, Body body, Project project, boolean groundVisible, SurfaceColors colors) throws ProjectException {
+    private void add(Shape shape, Body body, Project project, boolean groundVisible, SurfaceColors colors)
+        throws ProjectException {
         Solid solid = body.solids.get(0);
         shapes.put(shape, solid);
         physics.add(body);
@@ -126,14 +128,16 @@ final class World implements PhysicsWorld.Touches {
         } else {
             colors.add(shape, solid);
         }
-        body.addTo(scenes, Collections.singletonList(shape.isVisibleToSensors() && (groundVisible || !shape.isGround())), -1, 1);
+        body.addTo(scenes, Collections.singletonList(shape.isVisibleToSensors()
+            && (groundVisible || !shape.isGround())), -1, 1);
         if (shape.isGround()) {
             scenes.addGround(body);
         }
         virtualWalls.consider(body);
     }
 
-    private void add(RobotBuilder builder, Earth earth, long epochMillis, SurfaceColors colors, Consumer<String> reported) {
+    private void add(RobotBuilder builder, Earth earth, long epochMillis, SurfaceColors colors,
+        Consumer<String> reported) {
         physics.add(builder.body);
         shapes.putAll(builder.shapes);
         builder.shapes.forEach((part, solid) -> colors.add((Shape) part, solid));
@@ -149,7 +153,8 @@ final class World implements PhysicsWorld.Touches {
         List<Body> bodies = physics.getBodies();
         String crowd = StartPoses.crowd(bodies);
         if (crowd != null) {
-            throw new ProjectException(Collections.singletonList(new Problem("environment", 0, "", crowd, "objects that start apart")));
+            throw new ProjectException(Collections.singletonList(
+                new Problem("environment", 0, "", crowd, "objects that start apart")));
         }
         StartPoses.moveOut(bodies, scenes.grounds(), warnings);
         StartPoses.reportOverlaps(bodies, warnings);
@@ -196,7 +201,8 @@ final class World implements PhysicsWorld.Touches {
     static double groundHeight(RaycastScenes scenes, double x, double z) {
         double height = scenes.groundHeight(x, z);
         if (Double.isNaN(height)) {
-            throw new IllegalArgumentException("there is no ground at x " + x + ", z " + z + ", legal: a point of the terrain, a floor or a model"
+            throw new IllegalArgumentException("there is no ground at x " + x + ", z " + z
+                + ", legal: a point of the terrain, a floor or a model"
                 + " that is the terrain");
         }
         return height;

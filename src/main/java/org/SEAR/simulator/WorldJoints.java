@@ -117,8 +117,10 @@ public final class WorldJoints {
             Pose frame = ObjectPose.of(made.object);
             if (made.object instanceof Rope) {
                 Rope rope = (Rope) made.object;
-                ((DistanceJoint) made.joint).attachEnds(made.first == null ? frame : follow(frame, made.first, made.firstWritten),
-                    follow(new Pose(rope.getEndX(), rope.getEndY(), rope.getEndZ(), 0, 0, 0, 1), made.second, made.secondWritten));
+                ((DistanceJoint) made.joint).attachEnds(made.first == null ? frame
+                    : follow(frame, made.first, made.firstWritten),
+                    follow(new Pose(rope.getEndX(), rope.getEndY(), rope.getEndZ(), 0, 0, 0, 1), made.second,
+                        made.secondWritten));
             } else {
                 made.joint.attach(follow(frame, made.second, made.secondWritten));
             }
@@ -130,7 +132,8 @@ public final class WorldJoints {
     static void check(PhysicsWorld physics) throws ProjectException {
         if (physics.getCouplings() > MAX_COUPLINGS) {
             throw new ProjectException(List.of(new Problem("environment", 0, "", physics.getCouplings()
-                + " pairs of joints act on a common object, directly or by other joints", "at most " + MAX_COUPLINGS + ": fewer joints per object")));
+                + " pairs of joints act on a common object, directly or by other joints", "at most " + MAX_COUPLINGS
+                    + ": fewer joints per object")));
         }
     }
 
@@ -139,7 +142,8 @@ public final class WorldJoints {
         for (int i = breakable.size() - 1; i >= 0; i--) {
             if (breakable.get(i).joint.isBroken()) {
                 org.SEAR.POJOs.Joint object = breakable.remove(i).object;
-                reported.accept(object + " broke: its force was above its breakingForce, " + Parameter.format(object.getBreakingForce()) + " N");
+                reported.accept(object + " broke: its force was above its breakingForce, "
+                    + Parameter.format(object.getBreakingForce()) + " N");
             }
         }
     }
@@ -158,7 +162,8 @@ public final class WorldJoints {
             from.getUpper() == null ? Double.POSITIVE_INFINITY : unit * from.getUpper(), from.getRestitution());
         axis.setLosses(from.getFriction(), from.getDamping());
         axis.setSpring(from.getStiffness(), unit * from.getRest());
-        axis.setMotor(from.getStallForce(), from.getNoLoadSpeed() == null ? Double.POSITIVE_INFINITY : unit * from.getNoLoadSpeed(),
+        axis.setMotor(from.getStallForce(), from.getNoLoadSpeed() == null ? Double.POSITIVE_INFINITY
+            : unit * from.getNoLoadSpeed(),
             from instanceof Hinge ? unit * FULL_POWER_DEGREES : FULL_POWER_METRES);
     }
 
@@ -182,18 +187,23 @@ public final class WorldJoints {
     void drive(String name, JointAxis.Drive drive, double value) {
         Made made = axisJoint(name);
         if (((AxisJoint) made.object).getStallForce() == 0) {
-            throw new IllegalArgumentException(made.object + " has no motor; " + made.object.getName() + ".setMotor(force, speed) adds one");
+            throw new IllegalArgumentException(made.object + " has no motor; " + made.object.getName()
+                + ".setMotor(force, speed) adds one");
         }
         double most = drive == JointAxis.Drive.POWER ? 1 : Double.MAX_VALUE;
         if (!(Math.abs(value) <= most)) {
-            throw new IllegalArgumentException(made.object + ": " + drive.name().toLowerCase(Locale.ROOT) + " is " + value + ", legal: "
+            throw new IllegalArgumentException(made.object + ": " + drive.name().toLowerCase(Locale.ROOT) + " is "
+                + value + ", legal: "
                 + (most == 1 ? "-1 to 1" : "a number"));
         }
         AxisJoint object = (AxisJoint) made.object;
-        double least = drive == JointAxis.Drive.POSITION && object.getLower() != null ? object.getLower() : Double.NEGATIVE_INFINITY;
-        double greatest = drive == JointAxis.Drive.POSITION && object.getUpper() != null ? object.getUpper() : Double.POSITIVE_INFINITY;
+        double least = drive == JointAxis.Drive.POSITION && object.getLower() != null ? object.getLower()
+            : Double.NEGATIVE_INFINITY;
+        double greatest = drive == JointAxis.Drive.POSITION && object.getUpper() != null ? object.getUpper()
+            : Double.POSITIVE_INFINITY;
         if (value < least || value > greatest) {
-            throw new IllegalArgumentException(made.object + ": position is " + value + ", legal: " + least + " to " + greatest);
+            throw new IllegalArgumentException(made.object + ": position is " + value + ", legal: " + least + " to "
+                + greatest);
         }
         axis(made).drive(drive, drive == JointAxis.Drive.POWER ? value : made.unit * value);
         made.second.wake();

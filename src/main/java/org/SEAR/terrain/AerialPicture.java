@@ -55,7 +55,8 @@ public final class AerialPicture {
      * @throws IOException that names the file, the error and what is legal; also if the picture does not overlap the
      *     rectangle
      */
-    public static AerialPicture load(Assets assets, String path, GeoOrigin origin, double... rectangle) throws IOException {
+    public static AerialPicture load(Assets assets, String path, GeoOrigin origin, double... rectangle)
+        throws IOException {
         try (MapBytes bytes = MapBytes.open(assets, path); TiffPicture picture = TiffPicture.open(bytes)) {
             MapSystem system = MapSystem.at(path, picture.place.system, origin.getLatitude(), origin.getLongitude());
             double middle = picture.place.x(picture.columns / 2.0, picture.rows / 2.0);
@@ -63,7 +64,8 @@ public final class AerialPicture {
             int[] part = part(picture, plane, rectangle);
             if (part == null) {
                 double[] centre = system.toEarth(middle, picture.place.y(picture.columns / 2.0, picture.rows / 2.0));
-                throw FileLimits.wrong(path, "the picture's place", place(centre[0], centre[1]), "over the terrain, which is "
+                throw FileLimits.wrong(path, "the picture's place", place(centre[0], centre[1]),
+                    "over the terrain, which is "
                     + place(origin.getLatitude(), origin.getLongitude()));
             }
             int factor = (Math.max(part[2], part[3]) + MAX_SIDE - 1) / MAX_SIDE;
@@ -89,7 +91,8 @@ public final class AerialPicture {
         int points = 16;
         for (int i = 0; i <= points; i++) {
             for (int j = 0; j <= points; j++) {
-                plane.at(rectangle[0] + (rectangle[1] - rectangle[0]) * i / points, rectangle[2] + (rectangle[3] - rectangle[2]) * j / points, at);
+                plane.at(rectangle[0] + (rectangle[1] - rectangle[0]) * i / points, rectangle[2]
+                    + (rectangle[3] - rectangle[2]) * j / points, at);
                 box[0] = Math.min(box[0], at[1]);
                 box[1] = Math.min(box[1], at[0]);
                 box[2] = Math.max(box[2], at[1]);
@@ -131,8 +134,10 @@ public final class AerialPicture {
         double v = Math.max(0, row - top);
         int mixed = 0;
         for (int shift = 0; shift < 32; shift += 8) {
-            double upper = (pixels[top * width + left] >>> shift & 0xff) * (1 - u) + (pixels[top * width + right] >>> shift & 0xff) * u;
-            double lower = (pixels[bottom * width + left] >>> shift & 0xff) * (1 - u) + (pixels[bottom * width + right] >>> shift & 0xff) * u;
+            double upper = (pixels[top * width + left] >>> shift & 0xff) * (1 - u)
+                + (pixels[top * width + right] >>> shift & 0xff) * u;
+            double lower = (pixels[bottom * width + left] >>> shift & 0xff) * (1 - u)
+                + (pixels[bottom * width + right] >>> shift & 0xff) * u;
             mixed |= (int) Math.round(upper * (1 - v) + lower * v) << shift;
         }
         return mixed;

@@ -13,8 +13,8 @@ import org.SEAR.files.FileLimits;
 import org.SEAR.files.PrintableText;
 
 /**
- * Definition of a coordinate system of the EPSG register, with the datum shifts to WGS 84 for parts of the Earth. Source:
- * systems.txt, whose header explains its lines. Immutable, any thread.
+ * Definition of a coordinate system of the EPSG register, with the datum shifts to WGS 84 for parts of the Earth.
+ * Source: systems.txt, whose header explains its lines. Immutable, any thread.
  */
 final class EpsgSystem {
     private static final String FILE = "systems.txt";
@@ -53,13 +53,15 @@ final class EpsgSystem {
         double inverse = Double.parseDouble(flattening);
         // Proj4J takes +rf for the flattening itself
         double minor = Double.parseDouble(axis) * (inverse == 0 ? 1 : 1 - 1 / inverse);
-        return both.equals(WGS84) ? "+ellps=WGS84" : both.equals(GRS80) ? "+ellps=GRS80" : "+a=" + axis + " +b=" + minor;
+        return both.equals(WGS84) ? "+ellps=WGS84" : both.equals(GRS80) ? "+ellps=GRS80" : "+a=" + axis
+            + " +b=" + minor;
     }
 
     /**
      * Reads a definition.
      * @param file the map's name for messages
-     * @param system EPSG:NUMBER, or that of a geographic system and a projection on it, as {@code EPSG:4314 tmerc lon_0=9}
+     * @param system EPSG:NUMBER, or that of a geographic system and a projection on it, as
+     * {@code EPSG:4314 tmerc lon_0=9}
      * @throws IOException for an unknown system, and for a known one without support, with the reason
      */
     static EpsgSystem of(String file, String system) throws IOException {
@@ -77,11 +79,14 @@ final class EpsgSystem {
                 throw unsupported(file, system, "a horizontal system of the EPSG register");
             }
             if (search.unsupported) {
-                throw unsupported(file, system + ", " + search.projection, "one with a projection that docs/terrain.md lists");
+                throw unsupported(file, system + ", " + search.projection,
+                    "one with a projection that docs/terrain.md lists");
             }
             if (search.missing != null) {
-                throw unsupported(file, EPSG + code + " (" + search.datum[NAME] + ")", "one with a datum shift within 5 m; this one has none without "
-                    + "grid files" + (search.missing.equals("0") ? "" : " that is more certain than " + search.missing + " m"));
+                throw unsupported(file, EPSG + code + " (" + search.datum[NAME] + ")",
+                    "one with a datum shift within 5 m; this one has none without "
+                    + "grid files" + (search.missing.equals("0") ? "" : " that is more certain than "
+                        + search.missing + " m"));
             }
             return new EpsgSystem(file, code, search.datum, search.shifts, own == null ? search.projection : own);
         }
@@ -151,7 +156,8 @@ final class EpsgSystem {
 
     /** Returns the exception for a system that SEAR does not read, with the command that converts the map. */
     static IOException unsupported(String file, String system, String legal) {
-        return FileLimits.wrong(file, "the coordinate system", system, legal + ": convert the map by gdalwarp -t_srs EPSG:4326 "
+        return FileLimits.wrong(file, "the coordinate system", system, legal + ": convert the map by gdalwarp "
+            + "-t_srs EPSG:4326 "
             + PrintableText.line(file.substring(file.lastIndexOf('/') + 1)) + " wgs84.tif");
     }
 
@@ -172,7 +178,8 @@ final class EpsgSystem {
         double[] best = best(latitude, longitude, false);
         best = best == null ? best(latitude, longitude, true) : best;
         if (best == null) {
-            throw unsupported(file, title, String.format(Locale.ROOT, "at latitude %.4f, longitude %.4f one with a datum shift within 5 m; this "
+            throw unsupported(file, title,
+                String.format(Locale.ROOT, "at latitude %.4f, longitude %.4f one with a datum shift within 5 m; this "
                 + "one's are for %s", latitude, longitude, areas()));
         }
         StringBuilder text = new StringBuilder(projection).append(' ').append(ellipsoid).append(" +towgs84=");
@@ -187,7 +194,8 @@ final class EpsgSystem {
         double[] best = null;
         for (double[] shift : shifts) {
             boolean counts = anywhere ? isSmall(shift) : contains(shift, latitude, longitude);
-            best = counts && (best == null || (anywhere ? area(shift) > area(best) : isBetter(shift, best))) ? shift : best;
+            best = counts && (best == null || (anywhere ? area(shift) > area(best) : isBetter(shift, best)))
+                ? shift : best;
         }
         return best;
     }
@@ -219,13 +227,15 @@ final class EpsgSystem {
 
     private static double area(double[] shift) {
         double width = shift[2] - shift[0];
-        return (width < 0 ? width + 360 : width) * (Math.sin(Math.toRadians(shift[3])) - Math.sin(Math.toRadians(shift[1])));
+        return (width < 0 ? width + 360 : width) * (
+            Math.sin(Math.toRadians(shift[3])) - Math.sin(Math.toRadians(shift[1])));
     }
 
     private String areas() {
         List<String> boxes = new ArrayList<>();
         for (double[] shift : shifts.subList(0, Math.min(AREAS, shifts.size()))) {
-            boxes.add(String.format(Locale.ROOT, "latitudes %.1f to %.1f and longitudes %.1f to %.1f", shift[1], shift[3], shift[0], shift[2]));
+            boxes.add(String.format(Locale.ROOT, "latitudes %.1f to %.1f and longitudes %.1f to %.1f", shift[1],
+                shift[3], shift[0], shift[2]));
         }
         if (shifts.size() > AREAS) {
             boxes.add(shifts.size() - AREAS + " others");

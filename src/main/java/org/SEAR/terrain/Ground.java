@@ -28,7 +28,8 @@ public final class Ground {
 
     private final MapHeights map;
 
-    Ground(HeightGrid heights, HeightField field, GeoOrigin origin, double altitude, double spacing, MapHeights map, List<String> warnings) {
+    Ground(HeightGrid heights, HeightField field, GeoOrigin origin, double altitude, double spacing, MapHeights map,
+        List<String> warnings) {
         this.heights = heights;
         this.field = field;
         this.map = map;
@@ -47,7 +48,8 @@ public final class Ground {
      */
     public double height(double latitude, double longitude) {
         if (origin == null) {
-            throw new IllegalStateException("the terrain's map has no georeference, so positions have no latitude and longitude");
+            throw new IllegalStateException("the terrain's map has no georeference, so positions have no latitude "
+                + "and longitude");
         }
         double[] at = origin.to(latitude, longitude);
         return Double.isNaN(heights.height(at[0], at[1])) ? Double.NaN : map.height(latitude, longitude);

@@ -48,7 +48,8 @@ final class GroundBuilder {
     private Ground onEarth() throws IOException {
         TerrainArea.Area area = wanted.area;
         if (wanted.size != null) {
-            throw FileLimits.wrong(file, "the size", "given", "no setSize for a georeferenced map: use setArea to choose a part");
+            throw FileLimits.wrong(file, "the size", "given", "no setSize for a georeferenced map: use setArea to "
+                + "choose a part");
         }
         double middleX = mosaic.place.x((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0);
         double middleY = mosaic.place.y((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0);
@@ -68,23 +69,28 @@ final class GroundBuilder {
         }
         Made made = make(plane, size);
         double altitude = made.lower(1);
-        return new Ground(made.heights, made.field, new GeoOrigin(level.getLatitude(), altitude, level.getLongitude()), altitude,
+        return new Ground(made.heights, made.field,
+            new GeoOrigin(level.getLatitude(), altitude, level.getLongitude()), altitude,
             made.spacing, new MapHeights(made.map, mosaic.place, system, middleX), warnings);
     }
 
     private Ground flat() throws IOException {
         if (wanted.area != null) {
-            throw FileLimits.wrong(file, "the area", "given", "no setArea for a map without a georeference: use setSize");
+            throw FileLimits.wrong(file, "the area", "given",
+                "no setArea for a map without a georeference: use setSize");
         }
         TerrainArea.Size size = wanted.size;
         if (size == null && mosaic.first().place == null) {
-            throw FileLimits.wrong(file, "the size", "not known", "setSize(northSouth, eastWest, lowest, highest) in metres");
+            throw FileLimits.wrong(file, "the size", "not known", "setSize(northSouth, eastWest, lowest, "
+                + "highest) in metres");
         }
         double unitsX = (mosaic.columns - 1) * mosaic.place.columnSpacing();
         double unitsY = (mosaic.rows - 1) * mosaic.place.rowSpacing();
         double[] metres = size == null ? new double[] {unitsY, unitsX} : new double[] {size.northSouth, size.eastWest};
-        MapPlane plane = MapPlane.flat(mosaic.place, mosaic.place.x((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0),
-            mosaic.place.y((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0), unitsX / metres[1], unitsY / metres[0]);
+        MapPlane plane = MapPlane.flat(
+            mosaic.place, mosaic.place.x((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0),
+            mosaic.place.y((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0), unitsX / metres[1],
+                unitsY / metres[0]);
         Made made = make(plane, metres);
         if (size == null) {
             double altitude = made.lower(1);
@@ -93,7 +99,8 @@ final class GroundBuilder {
         double[] range = mosaic.first().white > 0 ? new double[] {0, mosaic.first().white} : made.range.get();
         double factor = range[1] > range[0] ? (size.highest - size.lowest) / (range[1] - range[0]) : 0;
         double middle = made.lower(factor);
-        return new Ground(made.heights, made.field, null, size.lowest + (middle - range[0]) * factor, made.spacing, null, warnings);
+        return new Ground(made.heights, made.field, null, size.lowest + (middle - range[0]) * factor, made.spacing,
+            null, warnings);
     }
 
     private Made make(MapPlane plane, double[] size) throws IOException {
@@ -103,7 +110,8 @@ final class GroundBuilder {
         double[] used = size != null ? size : extent.fitted(Math.min(MAX_METRES, (mosaic.rows - 1) * metres[0]),
             Math.min(MAX_METRES, (mosaic.columns - 1) * metres[1]));
         if (!(used[0] > 0 && used[1] > 0 && used[0] <= MAX_METRES && used[1] <= MAX_METRES)) {
-            throw FileLimits.wrong(file, "the size of the area", used[0] + " m x " + used[1] + " m", "more than 0 to " + (int) MAX_METRES + " m");
+            throw FileLimits.wrong(file, "the size of the area", used[0] + " m x " + used[1] + " m", "more than 0 to "
+                + (int) MAX_METRES + " m");
         }
         double[] box = extent.box(used[0], used[1], HALF_CELL);
         if (box == null) {
@@ -115,7 +123,8 @@ final class GroundBuilder {
         double spacing = Math.max(metres[0], metres[1]);
         if (grid.posts() > atOnce || (long) part[2] * part[3] > atOnce) {
             FieldGrid exact = grid.exact();
-            return new Paged(RasterFile.of(mosaic, part, atOnce / 2, warnings), exact, PlaneLattice.of(exact, plane, metres[1], metres[0]), spacing);
+            return new Paged(RasterFile.of(mosaic, part, atOnce / 2, warnings), exact,
+                PlaneLattice.of(exact, plane, metres[1], metres[0]), spacing);
         }
         MapRaster raster = mosaic.read(part[0], part[1], part[2], part[3]);
         FieldSampler sampler = new FieldSampler(file, grid, PlaneLattice.of(grid, plane, metres[1], metres[0]), raster);
@@ -139,7 +148,8 @@ final class GroundBuilder {
         if (!(x > 0) || !(z > 0) || Double.isInfinite(x) || Double.isInfinite(z)) {
             throw FileLimits.wrong(file, "the distance of posts", x + " m x " + z + " m", "above 0");
         }
-        return new double[][] {{x, z}, {-zero[1] * x * Math.signum(north[1] - zero[1]), -zero[0] * z * Math.signum(east[0] - zero[0])}};
+        return new double[][] {{x, z},
+            {-zero[1] * x * Math.signum(north[1] - zero[1]), -zero[0] * z * Math.signum(east[0] - zero[0])}};
     }
 
     /** Returns first row, first column, rows and columns of the used part of the map. */

@@ -38,7 +38,8 @@ public final class MapCut {
         TerrainArea.Area area = wanted.area;
         MapSystem system = MapSystem.at(mosaic.first().name, mosaic.place.system, area.latitude, area.longitude);
         double middle = mosaic.place.x((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0);
-        MapPlane plane = MapPlane.onEarth(new GeoOrigin(area.latitude, 0, area.longitude), system, mosaic.place, middle);
+        MapPlane plane = MapPlane.onEarth(new GeoOrigin(area.latitude, 0, area.longitude), system,
+            mosaic.place, middle);
         double[] box = new MapExtent(mosaic, plane).box(area.northSouth, area.eastWest, HALF_CELL);
         if (box == null) {
             throw MapExtent.beyond(mosaic, system, area);

@@ -38,7 +38,8 @@ final class MapExtent {
             box[1] = Math.min(box[1], at[1]);
             box[2] = Math.max(box[2], at[0]);
             box[3] = Math.max(box[3], at[1]);
-            if (!(at[0] >= -border - ROUNDING && at[1] >= -border - ROUNDING && at[0] <= mosaic.columns - 1 + border + ROUNDING
+            if (!(at[0] >= -border - ROUNDING && at[1] >= -border - ROUNDING && at[0] <= mosaic.columns - 1
+                + border + ROUNDING
                 && at[1] <= mosaic.rows - 1 + border + ROUNDING)) {
                 return null;
             }
@@ -87,12 +88,15 @@ final class MapExtent {
                 bounds[axis + 2] = Math.max(bounds[axis + 2], place[axis]);
             }
         }
-        return FileLimits.wrong(mosaic.first().name, "the area", String.format(Locale.ROOT, "%s, %s, %s m x %s m, which reaches beyond the map",
+        return FileLimits.wrong(mosaic.first().name, "the area",
+            String.format(Locale.ROOT, "%s, %s, %s m x %s m, which reaches beyond the map",
             number(area.latitude), number(area.longitude), number(area.northSouth), number(area.eastWest)),
-            String.format(Locale.ROOT, "inside latitudes %.5f to %.5f and longitudes %.5f to %.5f", bounds[0], bounds[2], bounds[1], bounds[3]));
+            String.format(Locale.ROOT, "inside latitudes %.5f to %.5f and longitudes %.5f to %.5f", bounds[0],
+                bounds[2], bounds[1], bounds[3]));
     }
 
     private static String number(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e9 ? Long.toString((long) value) : Double.toString(value);
+        return value == Math.rint(value) && Math.abs(value) < 1e9 ? Long.toString((long) value)
+            : Double.toString(value);
     }
 }

@@ -59,7 +59,8 @@ final class MapSystem {
             EpsgSystem definition = EpsgSystem.of(file, system);
             return new MapSystem(definition.at(latitude, longitude), definition.unit);
         } catch (RuntimeException e) {
-            throw EpsgSystem.unsupported(file, system + " (" + e.getMessage() + ")", "one with a number of the EPSG register");
+            throw EpsgSystem.unsupported(file, system + " (" + e.getMessage() + ")",
+                "one with a number of the EPSG register");
         }
     }
 
@@ -79,7 +80,8 @@ final class MapSystem {
             double[] place = new MapSystem(definition.withoutShift(), definition.unit).toEarth(x, y);
             return at(file, system, place[0], place[1]);
         } catch (RuntimeException e) {
-            throw EpsgSystem.unsupported(file, system + " (" + e.getMessage() + ")", "one with a number of the EPSG register");
+            throw EpsgSystem.unsupported(file, system + " (" + e.getMessage() + ")",
+                "one with a number of the EPSG register");
         }
     }
 
@@ -102,7 +104,9 @@ final class MapSystem {
         return new double[] {place[1], place[0]};
     }
 
-    /** Returns x of a geographic system, changed by full turns to be closest to another; of a projected one unchanged. */
+    /**
+     * Returns x of a geographic system, changed by full turns to be closest to another; of a projected one unchanged.
+     */
     double turned(double x, double closeTo) {
         return geographic ? x + turn * Math.rint((closeTo - x) / turn) : x;
     }

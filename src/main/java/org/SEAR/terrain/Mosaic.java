@@ -41,7 +41,8 @@ final class Mosaic implements Closeable {
         }
         Georeference finest = places.get(0);
         for (Georeference each : places) {
-            finest = each.columnSpacing() * each.rowSpacing() < 0.999 * finest.columnSpacing() * finest.rowSpacing() ? each : finest;
+            finest = each.columnSpacing() * each.rowSpacing() < 0.999 * finest.columnSpacing() * finest.rowSpacing()
+                ? each : finest;
         }
         double[] bounds = {Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
         for (int i = 0; i < maps.size(); i++) {
@@ -85,7 +86,8 @@ final class Mosaic implements Closeable {
         for (ElevationMap map : maps) {
             String missing = map.missing();
             if (missing != null) {
-                lines.add(map.name + ": the file is cut off: " + missing + " are beyond its end; the area needs none of them");
+                lines.add(map.name + ": the file is cut off: " + missing + " are beyond its end; the area needs "
+                    + "none of them");
             }
         }
         return lines;
@@ -100,7 +102,8 @@ final class Mosaic implements Closeable {
             throw FileLimits.wrong(map.name, "the georeference", "missing", "a georeference for each of several tiles");
         }
         if (first.place != null && !Objects.equals(first.place.system, map.place.system)) {
-            throw FileLimits.wrong(map.name, "the coordinate system", map.place.system, first.place.system + " as in " + first.name);
+            throw FileLimits.wrong(map.name, "the coordinate system", map.place.system, first.place.system + " as in "
+                + first.name);
         }
     }
 
@@ -137,7 +140,8 @@ final class Mosaic implements Closeable {
      * @throws IOException that names the map and the error
      */
     MapRaster read(int row, int column, int height, int width) throws IOException {
-        FileLimits.range(first().name, "the number of posts in the area", (long) height * width, 4, MapLimits.MAX_POSTS);
+        FileLimits.range(first().name, "the number of posts in the area", (long) height * width, 4,
+            MapLimits.MAX_POSTS);
         if (maps.size() == 1) {
             return new MapRaster(row, column, height, width, first().read(row, column, height, width));
         }
@@ -197,13 +201,15 @@ final class Mosaic implements Closeable {
         if (height < 2 || width < 2) {
             return;
         }
-        MapRaster part = new MapRaster((int) need[1], (int) need[0], height, width, map.read((int) need[1], (int) need[0], height, width));
+        MapRaster part = new MapRaster((int) need[1], (int) need[0], height, width,
+            map.read((int) need[1], (int) need[0], height, width));
         for (int r = top; r <= bottom; r++) {
             for (int c = left; c <= right; c++) {
                 int at = (r - raster.row) * raster.columns + c - raster.column;
                 double column = where.column(place.x(c, r), place.y(c, r));
                 double row = where.row(place.x(c, r), place.y(c, r));
-                boolean inside = column >= -0.51 && row >= -0.51 && column <= map.columns - 0.49 && row <= map.rows - 0.49;
+                boolean inside = column >= -0.51 && row >= -0.51 && column <= map.columns - 0.49
+                    && row <= map.rows - 0.49;
                 if (inside && Float.isNaN(raster.heights[at])) {
                     raster.heights[at] = (float) part.height(column, row);
                 }

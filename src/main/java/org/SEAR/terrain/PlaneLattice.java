@@ -29,7 +29,8 @@ final class PlaneLattice {
         this.row = new double[nodesDown * nodesAcross];
         double[] at = new double[2];
         for (int node = 0; node < column.length; node++) {
-            plane.at(grid.x(Math.min(node / nodesAcross * step, grid.rows - 1)), grid.z(Math.min(node % nodesAcross * step, grid.columns - 1)), at);
+            plane.at(grid.x(Math.min(node / nodesAcross * step, grid.rows - 1)),
+                grid.z(Math.min(node % nodesAcross * step, grid.columns - 1)), at);
             column[node] = at[0];
             row[node] = at[1];
         }
@@ -64,7 +65,8 @@ final class PlaneLattice {
                     int postRow = Math.min(r * step + (half & 1) * step / 2, lastRow);
                     int postColumn = Math.min(c * step + (half >> 1) * step / 2, lastColumn);
                     plane.at(grid.x(postRow), grid.z(postColumn), at);
-                    double error = Math.hypot((at[0] - column(postRow, postColumn)) * metresColumn, (at[1] - row(postRow, postColumn)) * metresRow);
+                    double error = Math.hypot((at[0] - column(postRow, postColumn)) * metresColumn,
+                        (at[1] - row(postRow, postColumn)) * metresRow);
                     worst = error <= worst ? worst : error;
                 }
             }

@@ -75,8 +75,10 @@ final class RasterFile {
         long room = Files.getFileStore(path).getUsableSpace();
         if (room < size) {
             Files.delete(path);
-            throw FileLimits.wrong(name, "the free space for its elevations in the temporary folder " + path.getParent(), room + " bytes",
-                size + " bytes or more: free space, choose another folder (-Djava.io.tmpdir=...), or use a smaller area");
+            throw FileLimits.wrong(name, "the free space for its elevations in the temporary folder "
+                + path.getParent(), room + " bytes",
+                size + " bytes or more: free space, choose another folder (-Djava.io.tmpdir=...), or use a "
+                    + "smaller area");
         }
         RandomAccessFile file = new RandomAccessFile(path.toFile(), "rw");
         try {
@@ -189,9 +191,12 @@ final class RasterFile {
         int right = Math.min((int) Math.max(0, box[2] - column), columns - 2) + 1;
         int bottom = Math.min((int) Math.max(0, box[3] - row), rows - 2) + 1;
         try {
-            return new MapRaster(row + top, column + left, bottom - top + 1, right - left + 1, read(top, left, bottom - top + 1, right - left + 1));
+            return new MapRaster(row + top, column + left, bottom - top + 1, right - left + 1,
+                read(top, left, bottom - top + 1, right - left + 1));
         } catch (IOException e) {
-            throw new UncheckedIOException(new IOException(name + ": SEAR can't read its elevations in the temporary folder: " + e.getMessage(), e));
+            throw new UncheckedIOException(
+                new IOException(name + ": SEAR can't read its elevations in the temporary folder: "
+                    + e.getMessage(), e));
         }
     }
 

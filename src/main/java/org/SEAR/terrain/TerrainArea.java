@@ -64,8 +64,10 @@ public final class TerrainArea {
 
     @Override
     public String toString() {
-        return paths + (area == null ? "" : ", area " + area.latitude + " " + area.longitude + " " + area.northSouth + " x " + area.eastWest)
-            + (size == null ? "" : ", size " + size.northSouth + " x " + size.eastWest + ", " + size.lowest + " to " + size.highest);
+        return paths + (area == null ? "" : ", area " + area.latitude + " " + area.longitude + " " + area.northSouth
+            + " x " + area.eastWest)
+            + (size == null ? "" : ", size " + size.northSouth + " x " + size.eastWest + ", " + size.lowest + " to "
+                + size.highest);
     }
 
     /** Rectangle centred at a position on Earth: degrees, and metres north-south and east-west. */

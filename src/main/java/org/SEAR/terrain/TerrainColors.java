@@ -51,7 +51,8 @@ public final class TerrainColors {
     /** Returns the colours of a georeferenced picture. */
     private static GroundPicture.Colors placed(String path, Assets assets, Ground ground) throws IOException {
         HeightField field = ground.field;
-        AerialPicture picture = AerialPicture.load(assets, path, ground.origin, field.x(0), field.x(field.rows - 1), field.z(0),
+        AerialPicture picture = AerialPicture.load(assets, path, ground.origin, field.x(0),
+            field.x(field.rows - 1), field.z(0),
             field.z(field.columns - 1));
         double perX = picture.rows / (picture.north - picture.south);
         double perZ = picture.columns / (picture.east - picture.west);
@@ -103,6 +104,7 @@ public final class TerrainColors {
     }
 
     private static int pixel(int[] pixels, int width, int x, int y) {
-        return pixels[Math.max(0, Math.min(pixels.length / width - 1, y)) * width + Math.max(0, Math.min(width - 1, x))];
+        return pixels[Math.max(0, Math.min(pixels.length / width - 1, y)) * width
+            + Math.max(0, Math.min(width - 1, x))];
     }
 }

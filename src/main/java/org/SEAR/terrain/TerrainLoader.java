@@ -50,7 +50,8 @@ public final class TerrainLoader {
         for (String path : area.paths) {
             Path file = assets.getFolder().resolve(path);
             if (Files.isRegularFile(file)) {
-                key.append("|" + file.toAbsolutePath() + " " + Files.size(file) + " " + Files.getLastModifiedTime(file));
+                key.append("|" + file.toAbsolutePath() + " " + Files.size(file) + " "
+                    + Files.getLastModifiedTime(file));
             }
         }
         return key.toString();

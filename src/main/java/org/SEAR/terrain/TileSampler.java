@@ -34,7 +34,8 @@ final class TileSampler implements HeightTiles.Source {
     @Override
     public float[] heights(int row, int column, int height, int width) {
         double[] places = new double[2 * width];
-        double[] box = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        double[] box = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY,
+            Double.NEGATIVE_INFINITY};
         for (int r = 0; r < height; r++) {
             lattice.places(row + r, column, column + width - 1, places);
             for (int i = 0; i < places.length; i++) {
@@ -63,7 +64,8 @@ final class TileSampler implements HeightTiles.Source {
         int column = Math.max(0, Math.min(grid.columns - 3, (int) (-grid.lowZ / grid.spacingZ) - 1));
         int height = Math.min(4, grid.rows - row);
         int width = Math.min(4, grid.columns - column);
-        return new HeightField(height, width, grid.x(row), grid.z(column), grid.spacingX, grid.spacingZ, heights(row, column, height, width))
+        return new HeightField(height, width, grid.x(row), grid.z(column), grid.spacingX, grid.spacingZ,
+            heights(row, column, height, width))
             .height(0, 0);
     }
 
@@ -81,9 +83,11 @@ final class TileSampler implements HeightTiles.Source {
         int columns = (grid.columns - 2) / step + 2;
         float[] coarse = new float[rows * columns];
         try {
-            HeightTiles tiles = new HeightTiles(grid.rows, grid.columns, grid.lowX, grid.lowZ, grid.spacingX, grid.spacingZ, this,
+            HeightTiles tiles = new HeightTiles(grid.rows, grid.columns, grid.lowX, grid.lowZ, grid.spacingX,
+                grid.spacingZ, this,
                 HeightTiles.room(), (tile, row, column) -> look(tile, row, column, rows, columns, coarse));
-            ground[0] = new HeightField(rows, columns, grid.lowX, grid.lowZ, (grid.rows - 1) * grid.spacingX / (rows - 1),
+            ground[0] = new HeightField(rows, columns, grid.lowX, grid.lowZ,
+                (grid.rows - 1) * grid.spacingX / (rows - 1),
                 (grid.columns - 1) * grid.spacingZ / (columns - 1), coarse);
             return tiles;
         } catch (UncheckedIOException e) {
@@ -93,11 +97,14 @@ final class TileSampler implements HeightTiles.Source {
 
     /** Copies the elevations of a tile to the coarse posts inside it. */
     private void look(HeightField tile, int row, int column, int rows, int columns, float[] coarse) {
-        for (int i = first(row, grid.rows, rows); i < rows && (long) i * (grid.rows - 1) <= (row + tile.rows - 1L) * (rows - 1); i++) {
-            double x = within(grid.lowX + (grid.rows - 1.0) * i / (rows - 1) * grid.spacingX, tile.x(0), tile.x(tile.rows - 1));
+        for (int i = first(row, grid.rows, rows); i < rows && (long) i * (grid.rows - 1) <= (row + tile.rows - 1L) * (
+            rows - 1); i++) {
+            double x = within(grid.lowX + (grid.rows - 1.0) * i / (rows - 1) * grid.spacingX, tile.x(0),
+                tile.x(tile.rows - 1));
             for (int j = first(column, grid.columns, columns);
                     j < columns && (long) j * (grid.columns - 1) <= (column + tile.columns - 1L) * (columns - 1); j++) {
-                double z = within(grid.lowZ + (grid.columns - 1.0) * j / (columns - 1) * grid.spacingZ, tile.z(0), tile.z(tile.columns - 1));
+                double z = within(grid.lowZ + (grid.columns - 1.0) * j / (columns - 1) * grid.spacingZ, tile.z(0),
+                    tile.z(tile.columns - 1));
                 coarse[i * columns + j] = (float) tile.height(x, z);
             }
         }

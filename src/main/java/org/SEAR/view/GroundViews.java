@@ -39,8 +39,10 @@ final class GroundViews {
         }
         boolean fine = !window.isSoftware();
         Relief relief = new Relief(ground.field, fine ? FINE_PICTURE : PLAIN_PICTURE, PER_POST, ground.spacing);
-        GroundPicture picture = GroundPicture.landscape(relief, Daylight.onLandscape(), colors(project, ground, warnings));
-        return new TerrainView(ground.heights, new GroundMaterial(window.getAssetManager(), ground.field, picture, fine), fine);
+        GroundPicture picture = GroundPicture.landscape(relief, Daylight.onLandscape(),
+            colors(project, ground, warnings));
+        return new TerrainView(ground.heights, new GroundMaterial(window.getAssetManager(), ground.field, picture,
+            fine), fine);
     }
 
     private static GroundPicture.Colors colors(Project project, Ground ground, Consumer<String> warnings) {

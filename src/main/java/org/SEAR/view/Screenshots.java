@@ -75,7 +75,8 @@ final class Screenshots implements SceneProcessor {
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
                 int at = ((height - 1 - y) * width + x) * PIXEL;
-                image.setRGB(x, y, (pixels.get(at) & 0xff) << 16 | (pixels.get(at + 1) & 0xff) << 8 | pixels.get(at + 2) & 0xff);
+                image.setRGB(x, y, (pixels.get(at) & 0xff) << 16 | (pixels.get(at + 1) & 0xff) << 8
+                    | pixels.get(at + 2) & 0xff);
             }
         }
         return image;
@@ -89,7 +90,8 @@ final class Screenshots implements SceneProcessor {
             AtomicFile.write(target, place -> ImageIO.write(image, "png", place.toFile()));
             report.accept("picture saved: " + target);
         } catch (IOException e) {
-            report.accept("SEAR can't save the picture in " + folder + " (" + e.getMessage() + "); choose a writable folder");
+            report.accept("SEAR can't save the picture in " + folder + " (" + e.getMessage()
+                + "); choose a writable folder");
         }
     }
 

@@ -22,9 +22,10 @@ import org.SEAR.view.process.StateMessage;
 import org.SEAR.view.process.WindowProtocol;
 
 /**
- * Window of a running simulation, in its own process, so that a crash of the graphics driver or a lost display ends only
- * the window. It reads snapshots and sends commands. The simulation does not wait for it, and runs without a window on a
- * machine without display or OpenGL. Uses no jMonkeyEngine types, so it loads without jMonkeyEngine's jars. Any thread.
+ * Window of a running simulation, in its own process, so that a crash of the graphics driver or a lost display ends
+ * only the window. It reads snapshots and sends commands. The simulation does not wait for it, and runs without a
+ * window on a machine without display or OpenGL. Uses no jMonkeyEngine types, so it loads without jMonkeyEngine's jars.
+ * Any thread.
  */
 public final class SimulatorWindow implements AutoCloseable {
     /** Maximum time to start a process and open a window, seconds. */
@@ -71,7 +72,8 @@ public final class SimulatorWindow implements AutoCloseable {
             process = new ProcessBuilder(command()).redirectError(ProcessBuilder.Redirect.INHERIT).start();
             feeder = start(this::feed, "SEAR window feed");
             listener = start(this::listen, "SEAR window commands");
-            String reason = settled.await(TIMEOUT, TimeUnit.SECONDS) ? problem : "its process did not open it within " + TIMEOUT + " s";
+            String reason = settled.await(TIMEOUT, TimeUnit.SECONDS) ? problem : "its process did not open it within "
+                + TIMEOUT + " s";
             return reason == null ? null : "no window could be opened (" + reason + ")";
         } catch (IOException e) {
             return "the window's process could not be started (" + e.getMessage() + ")";
@@ -96,7 +98,8 @@ public final class SimulatorWindow implements AutoCloseable {
         }
         command.addAll(List.of("-Xmx256m", "-XX:+UseSerialGC",
             "-XX:ErrorFile=" + Paths.get(System.getProperty("java.io.tmpdir"), "sear-window-%p.log"), "-cp",
-            System.getProperty("java.class.path"), WindowProcess.class.getName(), world.project().getFolder().toAbsolutePath().toString(),
+            System.getProperty("java.class.path"), WindowProcess.class.getName(), world.project().getFolder()
+            .toAbsolutePath().toString(),
             options.getTitle(), String.valueOf(options.getWidth()), String.valueOf(options.getHeight()),
             String.valueOf(options.isDebugShapes()), options.getScreenshotFolder().toAbsolutePath().toString()));
         return command;
@@ -164,7 +167,8 @@ public final class SimulatorWindow implements AutoCloseable {
             settled.countDown();
         } else if (open && !closing) {
             open = false;
-            options.getWarnings().accept("the simulator window's process has ended; the simulation continues without it");
+            options.getWarnings().accept("the simulator window's process has ended; the simulation "
+                + "continues without it");
             world.close();
         }
     }
@@ -186,7 +190,10 @@ public final class SimulatorWindow implements AutoCloseable {
         return problem;
     }
 
-    /** Closes the window and waits for the end of its process. Does nothing for a closed window. The simulation continues. */
+    /**
+     * Closes the window and waits for the end of its process. Does nothing for a closed window. The simulation
+     * continues.
+     */
     @Override
     public void close() {
         closing = true;

@@ -136,7 +136,8 @@ final class WindowApplication extends SimpleApplication {
     /** Returns whether OpenGL runs in software. Window thread. */
     boolean isSoftware() {
         String card = org.lwjgl.opengl.GL11.glGetString(org.lwjgl.opengl.GL11.GL_RENDERER);
-        return card == null || card.contains("llvmpipe") || card.contains("softpipe") || card.contains("SWR") || card.contains("GDI Generic");
+        return card == null || card.contains("llvmpipe") || card.contains("softpipe") || card.contains("SWR")
+            || card.contains("GDI Generic");
     }
 
     @Override

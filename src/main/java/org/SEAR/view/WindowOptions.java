@@ -45,14 +45,15 @@ public final class WindowOptions {
 
     private static int checked(String what, int value) {
         if (value < SMALLEST || value > LARGEST) {
-            throw new IllegalArgumentException("window " + what + " is " + value + ", legal: " + SMALLEST + " to " + LARGEST + " pixels");
+            throw new IllegalArgumentException("window " + what + " is " + value + ", legal: " + SMALLEST + " to "
+                + LARGEST + " pixels");
         }
         return value;
     }
 
     /**
-     * Sets the samples per pixel for smooth edges of a window in this process: 0 (none) to 16, default 0. Each one costs
-     * time without a graphics card.
+     * Sets the samples per pixel for smooth edges of a window in this process: 0 (none) to 16, default 0. Each one
+     * costs time without a graphics card.
      */
     WindowOptions setSamples(int count) {
         if (count < 0 || count > MAX_SAMPLES) {

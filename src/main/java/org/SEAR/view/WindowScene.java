@@ -65,7 +65,8 @@ final class WindowScene {
         texts = new ReadingTexts(link.project());
         BitmapFont font = window.getAssetManager().loadFont("Interface/Fonts/Default.fnt");
         Materials materials = new Materials(window.getAssetManager(), !window.isSoftware(), options.getWarnings());
-        SceneBuilder builder = new SceneBuilder(new ModelLoader(link.project().getAssets()), materials, options.getWarnings());
+        SceneBuilder builder = new SceneBuilder(new ModelLoader(link.project().getAssets()), materials,
+            options.getWarnings());
         lighting = new Lighting(window.getAssetManager(), window.getRootNode(), window.getViewPort());
         world = new WorldView(link.project(), builder, link.beams(), materials);
         window.getRootNode().attachChild(world.root());
@@ -73,7 +74,8 @@ final class WindowScene {
         shapes = new DebugShapes(link.project(), world, materials);
         setShapes(options.isDebugShapes());
         camera = new CameraRig(window.getCamera());
-        far = terrain == null ? null : new FarView(window.getRenderManager(), window.getViewPort(), window.getRootNode(), lighting.sky());
+        far = terrain == null ? null : new FarView(window.getRenderManager(), window.getViewPort(),
+            window.getRootNode(), lighting.sky());
         if (terrain != null) {
             window.getRootNode().attachChild(terrain.node());
             camera.setGround(terrain.field(), link.project().getRobots().isEmpty());
@@ -247,7 +249,8 @@ final class WindowScene {
         picture = picture + 1 < cameras.size() ? picture + 1 : -1;
         state.camera = picture < 0 ? null : cameras.get(picture);
         link.wantPicture(state.camera);
-        hud.say(cameras.isEmpty() ? "there is no camera" : picture < 0 ? "camera picture hidden" : "picture of " + state.camera);
+        hud.say(cameras.isEmpty() ? "there is no camera" : picture < 0 ? "camera picture hidden" : "picture of "
+            + state.camera);
     }
 
     /** Saves the next frame to this file. */

@@ -41,7 +41,10 @@ public abstract class PortClock {
     /** Whether only calls advance time; bytes between two users then arrive immediately. */
     public abstract boolean isLockStep();
 
-    /** Runs a callback after each step in lock-step mode, on the thread that advances time; does nothing on a free-running clock. */
+    /**
+     * Runs a callback after each step in lock-step mode, on the thread that advances time; does nothing on a
+     * free-running clock.
+     */
     public abstract void addTicker(Runnable ticker);
 
     /** Removes a callback of {@link #addTicker}. */

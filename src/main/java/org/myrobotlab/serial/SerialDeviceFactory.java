@@ -42,10 +42,12 @@ public final class SerialDeviceFactory {
     private static void refuseIfTaken(Port old) {
         String owner = old instanceof VirtualSerialPort ? ((VirtualSerialPort) old).getOwner() : null;
         if (owner != null) {
-            throw new IllegalStateException("port " + old.getName() + " belongs to " + owner + ": choose another name or stop the simulation first");
+            throw new IllegalStateException("port " + old.getName() + " belongs to " + owner
+                + ": choose another name or stop the simulation first");
         }
         if (old.isHardware() && old.isOpen()) {
-            throw new IllegalStateException("port " + old.getName() + " is a real port in use: disconnect() it or choose another name");
+            throw new IllegalStateException("port " + old.getName() + " is a real port in use: disconnect() it or "
+                + "choose another name");
         }
     }
 
@@ -106,7 +108,8 @@ public final class SerialDeviceFactory {
             field.setAccessible(true);
             return field.get(null);
         } catch (ReflectiveOperationException | RuntimeException e) {
-            throw new IllegalStateException("the Serial service of this MyRobotLab has no table \"" + name + "\"; SEAR needs Nixie 1.1", e);
+            throw new IllegalStateException("the Serial service of this MyRobotLab has no table \"" + name
+                + "\"; SEAR needs Nixie 1.1", e);
         }
     }
 }

@@ -66,7 +66,8 @@ public class VirtualSerialPort extends Port {
 
     private static String checked(String portName) {
         if (portName == null || portName.trim().isEmpty()) {
-            throw new IllegalArgumentException("a virtual serial port needs a name, for example \"/dev/SEAR_Robot_01\"");
+            throw new IllegalArgumentException(
+                "a virtual serial port needs a name, for example \"/dev/SEAR_Robot_01\"");
         }
         return portName;
     }
@@ -258,7 +259,8 @@ public class VirtualSerialPort extends Port {
         }
         synchronized (lock) {
             if (isOthers(added)) {
-                throw new IllegalStateException("port " + portName + " is in use by " + listeners.keySet() + ": " + wayOut);
+                throw new IllegalStateException("port " + portName + " is in use by " + listeners.keySet()
+                    + ": " + wayOut);
             }
             listening = true;
             super.listen(added);
@@ -280,7 +282,8 @@ public class VirtualSerialPort extends Port {
     @Override
     public boolean setParams(int newRate, int newDataBits, int newStopBits, int newParity) {
         if (newRate < LOWEST_BAUD || newRate > HIGHEST_BAUD) {
-            throw new IllegalArgumentException("baud rate of port " + portName + " is " + newRate + ", legal: " + LOWEST_BAUD + " to "
+            throw new IllegalArgumentException("baud rate of port " + portName + " is " + newRate + ", legal: "
+                + LOWEST_BAUD + " to "
                 + HIGHEST_BAUD);
         }
         rate = newRate;

@@ -170,7 +170,8 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         String port = link == null ? null : link.closeIfLost(() -> connected = false);
         if (port != null) {
             broadcastState();
-            info("port %s was closed: %s reconnects when a simulation opens it, otherwise call reconnectSerial()", port, getName());
+            info("port %s was closed: %s reconnects when a simulation opens it, otherwise call reconnectSerial()",
+                port, getName());
         }
     }
 
@@ -413,7 +414,8 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
      *
      * @param points corners, at least three points of {@link #setPoint}
      * @throws IllegalArgumentException too few corners, or values that are no points
-     * @example field = gps.setPolygonGeoFence([gps.setPoint(33.6, -80.9), gps.setPoint(33.7, -80.9), gps.setPoint(33.6, -80.8)])
+     * @example field = gps.setPolygonGeoFence([gps.setPoint(33.6, -80.9), gps.setPoint(33.7, -80.9), gps.setPoint(33.6,
+     * -80.8)])
      */
     public PolygonFence setPolygonGeoFence(List<?> points) {
         return new PolygonFence(points);
@@ -558,7 +560,8 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         }
         if (connected && !silent && link.timeOutNow() - lastHeard > SILENCE) {
             silent = true;
-            ServiceWarnings.publish(this, "no data from %s on port %s at %d baud for %s s: is it switched on, and is this its baud rate?", getName(),
+            ServiceWarnings.publish(this, "no data from %s on port %s at %d baud for %s s: is it switched on, and is "
+                + "this its baud rate?", getName(),
                 link.getPortName(), link.getBaud(), SILENCE);
             broadcastState();
         }

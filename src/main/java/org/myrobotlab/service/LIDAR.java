@@ -171,7 +171,8 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
         String port = link == null ? null : link.closeIfLost(this::forget);
         if (port != null) {
             broadcastState();
-            info("port %s was closed: %s reconnects when a simulation opens it, otherwise call reconnectSerial()", port, getName());
+            info("port %s was closed: %s reconnects when a simulation opens it, otherwise call reconnectSerial()",
+                port, getName());
         }
     }
 
@@ -186,7 +187,8 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     public synchronized void setModel(String model) {
         LidarModels.checked(model);
         if (isConnected() && !LidarModels.talkAlike(driven, model)) {
-            throw new IllegalStateException(getName() + " is connected to a " + driven + ": disconnect() before setModel(\"" + model + "\")");
+            throw new IllegalStateException(getName() + " is connected to a " + driven
+                + ": disconnect() before setModel(\"" + model + "\")");
         }
         if (!LidarModels.talkAlike(config.model, model) || !LidarModels.hasBaud(model, config.baud)) {
             config.baud = LidarModels.firstBaud(model);

@@ -993,7 +993,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example sear.saveProject("mountain.sear", True)
      */
     public String saveProject(String path, boolean cutTerrain) {
-        return calls.attempt(() -> text(cutTerrain ? parts.projects().saveCut(bundle(path)) : parts.projects().save(bundle(path))));
+        return calls.attempt(() -> text(cutTerrain ? parts.projects().saveCut(bundle(path)) : parts.projects()
+            .save(bundle(path))));
     }
 
     /**
@@ -1018,7 +1019,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example second = sear.importRobot("examples/maze.sear", "maze Roomba")
      */
     public String importRobot(String path, String name) {
-        return calls.attempt(() -> parts.projects().importRobot(bundle(path), name == null ? null : ScriptText.of(name)));
+        return calls.attempt(() -> parts.projects()
+            .importRobot(bundle(path), name == null ? null : ScriptText.of(name)));
     }
 
     /**
@@ -1157,7 +1159,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @return {@code same}: whether all port bytes and poses match; {@code seconds}: simulated; {@code ports}: each
      *     port's result, as text; {@code apart}: largest position difference, metres
      * @throws IllegalStateException no record, another project's, or not from a start
-     * @example sear.reset(); sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print sear.rerunRecord("run.searlog")["same"]
+     * @example sear.reset(); sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print
+     * sear.rerunRecord("run.searlog")["same"]
      */
     public Map<String, Object> rerunRecord(String path) {
         return calls.attempt(() -> parts.records().rerun(path, parts.control().getFolder()));
@@ -1182,7 +1185,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @return {@code times}: simulated seconds since it began; {@code values}: an equally long list per name, None
      *     without a number
      * @throws IllegalArgumentException unknown value
-     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print sear.getRecordValues("run.searlog", ["myRoomba.x"])["times"]
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print
+     * sear.getRecordValues("run.searlog", ["myRoomba.x"])["times"]
      */
     public Map<String, Object> getRecordValues(String path, List<String> names) {
         return calls.attempt(() -> parts.records().values(path, names));
@@ -1196,7 +1200,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @param csv new file, or .csv file, overwritten
      * @return the table's absolute path
      * @throws IllegalArgumentException unknown value
-     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordCsv("run.searlog", ["myRoomba.x"], "run.csv")
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordCsv("run.searlog",
+     * ["myRoomba.x"], "run.csv")
      */
     public String saveRecordCsv(String path, List<String> names, String csv) {
         return calls.attempt(() -> text(parts.records().saveCsv(path, names, csv)));
@@ -1210,7 +1215,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @param picture .png or .svg file, overwritten
      * @return the picture's absolute path
      * @throws IllegalArgumentException unknown value
-     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordPlot("run.searlog", ["myRoomba.x"], "run.png")
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordPlot("run.searlog",
+     * ["myRoomba.x"], "run.png")
      */
     public String saveRecordPlot(String path, List<String> names, String picture) {
         return calls.attempt(() -> text(parts.savePlot(path, names, picture)));
@@ -1229,7 +1235,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example sear.savePlot("run.png", "time (s)", [0, 1, 2], "distance (m)", [1.2, 0.9, 0.7])
      */
     public String savePlot(String picture, String xTitle, List<?> xs, String yTitle, List<?> ys) {
-        return calls.attempt(() -> text(Plots.save(picture, xTitle, xs, Collections.singletonMap(yTitle == null ? "" : yTitle, ys))));
+        return calls.attempt(() -> text(
+            Plots.save(picture, xTitle, xs, Collections.singletonMap(yTitle == null ? "" : yTitle, ys))));
     }
 
     /**
@@ -1241,7 +1248,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @param lines up to 16 equally long lists by name
      * @return the picture's absolute path
      * @throws IllegalArgumentException different lengths, or other values than numbers
-     * @example sear.savePlot("run.svg", "time (s)", [0, 1, 2], {"left (m)": [1, 2, 2.5], "right (m)": [1, 1.5, 3], "speed (m/s)": [0, 0.3, 0.3]})
+     * @example sear.savePlot("run.svg", "time (s)", [0, 1, 2], {"left (m)": [1, 2, 2.5], "right (m)": [1, 1.5, 3],
+     * "speed (m/s)": [0, 0.3, 0.3]})
      */
     public String savePlot(String picture, String xTitle, List<?> xs, Map<String, ?> lines) {
         return calls.attempt(() -> text(Plots.save(picture, xTitle, xs, lines)));
@@ -1576,7 +1584,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @param longest maximum of the longer side, pixels; smaller pictures are not enlarged
      * @param column column of the pixel to describe in words; negative for none
      */
-    public Map<String, Object> getRecordPicture(String path, String name, double time, int longest, int column, int row) {
+    public Map<String, Object> getRecordPicture(String path, String name, double time, int longest,
+        int column, int row) {
         return calls.attempt(() -> parts.recordPicture(path, ScriptText.of(name), time, longest, column, row));
     }
 
@@ -1638,7 +1647,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
 
     private static Path bundle(String path) {
         if (path == null) {
-            throw new IllegalArgumentException("the path is missing (None), legal: the path of a bundle, such as \"robot.sear\"");
+            throw new IllegalArgumentException("the path is missing (None), legal: the path of a bundle, such as "
+                + "\"robot.sear\"");
         }
         return ScriptText.path(path);
     }
@@ -1667,7 +1677,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     private boolean isOurs(Message message) {
-        return SearParts.takesBytes(parts, message) || SearParts.isFence(message) || ScriptErrors.takes(message, hint -> warn("%s", hint));
+        return SearParts.takesBytes(parts, message) || SearParts.isFence(message)
+            || ScriptErrors.takes(message, hint -> warn("%s", hint));
     }
 
     boolean isWhole() {

@@ -41,7 +41,8 @@ final class SearCalls {
         count.increment();
         try {
             if (!service.isWhole()) {
-                throw new IllegalStateException(service.getName() + " is not started: Runtime.start(\"" + service.getName() + "\", \"SEAR\")");
+                throw new IllegalStateException(service.getName() + " is not started: Runtime.start(\""
+                    + service.getName() + "\", \"SEAR\")");
             }
             return work.call();
         } catch (IllegalArgumentException e) {
@@ -58,7 +59,8 @@ final class SearCalls {
                 service.invoke("publishProblems", ((ProjectException) e).getProblems());
             }
             publish(FileReasons.of(e));
-            throw e instanceof IllegalStateException ? (IllegalStateException) e : new IllegalStateException(FileReasons.of(e), e);
+            throw e instanceof IllegalStateException ? (IllegalStateException) e
+                : new IllegalStateException(FileReasons.of(e), e);
         }
     }
 
@@ -74,7 +76,8 @@ final class SearCalls {
     }
 
     static String missing(LinkageError e) {
-        return "SEAR can't run here, a library is missing or broken (" + e + "): run \"sear install\" for this MyRobotLab again, or put the jars"
+        return "SEAR can't run here, a library is missing or broken (" + e + "): run \"sear install\" for this "
+            + "MyRobotLab again, or put the jars"
             + " that come with SEAR into libraries/jar";
     }
 }

@@ -102,7 +102,8 @@ final class SearParts {
      * @return whether the message is a fence
      */
     public static boolean isFence(Message message) {
-        boolean is = Fence.CALLBACK.equals(message.method) && message.data != null && message.data[0] instanceof FencePass;
+        boolean is = Fence.CALLBACK.equals(message.method) && message.data != null
+            && message.data[0] instanceof FencePass;
         if (is) {
             FencePass.passed((FencePass) message.data[0]);
         }
@@ -194,12 +195,14 @@ final class SearParts {
      * Returns a camera's last picture in the form of {@link CameraPicture}; empty if no simulation with this camera
      * runs.
      */
-    public Map<String, Object> cameraPicture(String name, int longest, int column, int row) throws InterruptedException {
+    public Map<String, Object> cameraPicture(String name, int longest, int column, int row)
+        throws InterruptedException {
         CameraImage image = cameras.look(name);
         if (image == null) {
             return Collections.emptyMap();
         }
-        return CameraPicture.of(name, image, cameras.distance(name, image, column, row), new CameraPicture.Wish(longest, column, row));
+        return CameraPicture.of(name, image, cameras.distance(name, image, column, row),
+            new CameraPicture.Wish(longest, column, row));
     }
 
     /**
@@ -225,11 +228,13 @@ final class SearParts {
     }
 
     /** Returns a camera's picture from a record in the form of {@link CameraPicture}; empty if there is none. */
-    public Map<String, Object> recordPicture(String path, String name, double time, int longest, int column, int row) throws IOException {
+    public Map<String, Object> recordPicture(String path, String name, double time, int longest, int column, int row)
+        throws IOException {
         RecordPictures pictures = kept.of(path);
         RecordPictures.Place place = pictures.at(name, time);
         return place == null ? Collections.emptyMap()
-            : CameraPicture.of(path, name, time, place.time, pictures.read(place), new CameraPicture.Wish(longest, column, row));
+            : CameraPicture.of(path, name, time, place.time, pictures.read(place),
+                new CameraPicture.Wish(longest, column, row));
     }
 
     /**
@@ -318,7 +323,8 @@ final class SearParts {
         }
         try {
             SimulationSession session = parts == null ? null : parts.control.anySession();
-            if (session != null && message.data != null && message.data.length == 1 && message.data[0] instanceof byte[]) {
+            if (session != null && message.data != null && message.data.length == 1
+                && message.data[0] instanceof byte[]) {
                 session.toDevice(message.getSrcName(), (byte[]) message.data[0]);
             }
         } catch (RuntimeException e) {

@@ -30,7 +30,8 @@ public final class Configs {
         try {
             return Yaml.read(Files.readString(file, StandardCharsets.UTF_8), ServiceConfig.class);
         } catch (IOException | IllegalArgumentException e) {
-            throw new IllegalArgumentException("configuration file " + file + ": " + e.getMessage() + "; correct or delete it", e);
+            throw new IllegalArgumentException("configuration file " + file + ": " + e.getMessage()
+                + "; correct or delete it", e);
         }
     }
 

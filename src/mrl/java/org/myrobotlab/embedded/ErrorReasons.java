@@ -18,7 +18,8 @@ public final class ErrorReasons {
             at = at.getCause();
         }
         if (at instanceof ClassNotFoundException || at instanceof NoClassDefFoundError) {
-            return "class " + String.valueOf(at.getMessage()).replace('/', '.') + " is missing: a library is not on the class path";
+            return "class " + String.valueOf(at.getMessage()).replace('/', '.') + " is missing: a library is not on "
+                + "the class path";
         }
         if (at instanceof ExceptionInInitializerError && at.getCause() != null) {
             return of(at.getCause());
@@ -30,6 +31,7 @@ public final class ErrorReasons {
 
     /** Returns whether messages of this exception type are written for users. */
     private static boolean isForPeople(Throwable error) {
-        return error instanceof IllegalArgumentException || error instanceof IllegalStateException || error instanceof java.io.IOException;
+        return error instanceof IllegalArgumentException || error instanceof IllegalStateException
+            || error instanceof java.io.IOException;
     }
 }

@@ -29,7 +29,8 @@ public final class Json {
         try {
             return MAPPER.writeValueAsString(object);
         } catch (JsonProcessingException e) {
-            throw new IllegalArgumentException("can't write " + object.getClass().getName() + " as JSON: " + e.getOriginalMessage(), e);
+            throw new IllegalArgumentException("can't write " + object.getClass().getName() + " as JSON: "
+                + e.getOriginalMessage(), e);
         }
     }
 
@@ -48,7 +49,8 @@ public final class Json {
             }
             return value;
         } catch (JsonProcessingException e) {
-            throw new IllegalArgumentException("not JSON for " + type.getSimpleName() + ": " + e.getOriginalMessage(), e);
+            throw new IllegalArgumentException("not JSON for " + type.getSimpleName() + ": "
+                + e.getOriginalMessage(), e);
         }
     }
 

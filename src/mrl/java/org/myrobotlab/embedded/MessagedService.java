@@ -157,7 +157,8 @@ public abstract class MessagedService extends PublishingService implements Broad
             Thread.currentThread().interrupt();
         } else {
             LOG.debug("{}.{}", getName(), methodName, cause);
-            complain("could not invoke " + getName() + "." + methodName + " (" + params + ") " + cause + " - check logs for details",
+            complain("could not invoke " + getName() + "." + methodName + " (" + params + ") " + cause
+                + " - check logs for details",
                 methodName, cause.getMessage() == null ? cause.toString() : cause.getMessage());
         }
     }
@@ -242,12 +243,14 @@ public abstract class MessagedService extends PublishingService implements Broad
     }
 
     @Override
-    public Object sendBlocking(String receiver, String method, Object... data) throws InterruptedException, TimeoutException {
+    public Object sendBlocking(String receiver, String method, Object... data)
+        throws InterruptedException, TimeoutException {
         return sendBlocking(receiver, DEFAULT_TIMEOUT_MS, method, data);
     }
 
     @Override
-    public Object sendBlocking(String receiver, Integer timeout, String method, Object... data) throws InterruptedException, TimeoutException {
+    public Object sendBlocking(String receiver, Integer timeout, String method, Object... data)
+        throws InterruptedException, TimeoutException {
         return sendBlocking(Message.createMessage(getFullName(), receiver, method, data), timeout);
     }
 
@@ -281,7 +284,8 @@ public abstract class MessagedService extends PublishingService implements Broad
     }
 
     @Override
-    public synchronized void addTask(String taskName, boolean oneShot, long intervalMs, long delayMs, String method, Object... params) {
+    public synchronized void addTask(String taskName, boolean oneShot, long intervalMs, long delayMs, String method,
+        Object... params) {
         tasks.add(taskName, oneShot, intervalMs, delayMs, method, params);
     }
 

@@ -11,14 +11,17 @@ import java.util.concurrent.ConcurrentHashMap;
 /** Finds the public method that fits a name and arguments, and calls it. Any thread. */
 public final class Methods {
     private static final Map<String, Method> FOUND = new ConcurrentHashMap<>();
-    private static final Map<Class<?>, Class<?>> BOXES = Map.of(boolean.class, Boolean.class, byte.class, Byte.class, char.class, Character.class,
-        short.class, Short.class, int.class, Integer.class, long.class, Long.class, float.class, Float.class, double.class, Double.class);
+    private static final Map<Class<?>, Class<?>> BOXES = Map.of(boolean.class, Boolean.class, byte.class, Byte.class,
+        char.class, Character.class,
+        short.class, Short.class, int.class, Integer.class, long.class, Long.class, float.class, Float.class,
+            double.class, Double.class);
     private static final int UNFIT = -1;
     private static final int EXACT = 4;
     private static final int ASSIGNABLE = 3;
     private static final int WIDER = 2;
     private static final int ANYTHING = 1;
-    private static final Class<?>[] WIDTHS = {Byte.class, Short.class, Integer.class, Long.class, Float.class, Double.class};
+    private static final Class<?>[] WIDTHS = {Byte.class, Short.class, Integer.class, Long.class, Float.class,
+        Double.class};
 
     private Methods() {
     }
@@ -52,8 +55,10 @@ public final class Methods {
     }
 
     private static boolean isCloser(Method method, Method than) {
-        return method.getDeclaringClass() != than.getDeclaringClass() && than.getDeclaringClass().isAssignableFrom(method.getDeclaringClass())
-            || method.toString().compareTo(than.toString()) < 0 && method.getDeclaringClass() == than.getDeclaringClass();
+        return method.getDeclaringClass() != than.getDeclaringClass() && than.getDeclaringClass()
+            .isAssignableFrom(method.getDeclaringClass())
+            || method.toString().compareTo(than.toString()) < 0
+            && method.getDeclaringClass() == than.getDeclaringClass();
     }
 
     private static int fit(Class<?>[] types, Object... args) {

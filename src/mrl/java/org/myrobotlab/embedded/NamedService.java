@@ -22,7 +22,8 @@ public abstract class NamedService implements ServiceInterface {
         this.id = id;
         simpleName = getClass().getSimpleName();
         typeKey = getClass().getName();
-        if (MetaData.class.getClassLoader().getResource("org/myrobotlab/service/meta/" + simpleName + "Meta.class") != null) {
+        if (MetaData.class.getClassLoader()
+            .getResource("org/myrobotlab/service/meta/" + simpleName + "Meta.class") != null) {
             serviceType = MetaData.get(typeKey);
         }
     }
@@ -128,7 +129,8 @@ public abstract class NamedService implements ServiceInterface {
 
     @Override
     public String[] getMethodNames() {
-        return Arrays.stream(getClass().getMethods()).filter(method -> method.getDeclaringClass() != Object.class).map(Method::getName)
+        return Arrays.stream(getClass().getMethods()).filter(method -> method.getDeclaringClass() != Object.class)
+            .map(Method::getName)
             .distinct().sorted().toArray(String[]::new);
     }
 

@@ -28,12 +28,14 @@ public final class NearestName {
                 return question(one);
             }
         }
-        String actions = known.stream().filter(one -> isVerbOf(wanted, one)).sorted().limit(MAX_ACTIONS).collect(Collectors.joining(" or "));
+        String actions = known.stream().filter(one -> isVerbOf(wanted, one)).sorted().limit(MAX_ACTIONS)
+            .collect(Collectors.joining(" or "));
         if (!actions.isEmpty()) {
             return question(actions);
         }
         return known.stream().filter(one -> wanted.length() > 1 && nearness(wanted, one) >= NEAR)
-            .max(Comparator.comparingDouble((String one) -> nearness(wanted, one)).thenComparing(NearestName::likelihood)
+            .max(Comparator.comparingDouble((String one) -> nearness(wanted, one))
+                .thenComparing(NearestName::likelihood)
                 .thenComparing(Comparator.reverseOrder()))
             .map(NearestName::question).orElse("");
     }
@@ -76,7 +78,8 @@ public final class NearestName {
         String plain = wanted.toLowerCase(Locale.ROOT);
         String rest = known.replaceFirst("^[a-z]+(?=[A-Z])", "");
         double whole = similarity(plain, known.toLowerCase(Locale.ROOT));
-        return rest.length() == known.length() ? whole : Math.max(whole, WITHOUT_VERB * similarity(plain, rest.toLowerCase(Locale.ROOT)));
+        return rest.length() == known.length() ? whole
+            : Math.max(whole, WITHOUT_VERB * similarity(plain, rest.toLowerCase(Locale.ROOT)));
     }
 
     /**

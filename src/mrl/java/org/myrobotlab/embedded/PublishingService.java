@@ -25,7 +25,8 @@ public abstract class PublishingService extends NamedService {
     }
 
     public void addListener(MRLListener listener) {
-        List<MRLListener> listeners = outbox.getNotifyList().computeIfAbsent(listener.topicMethod, topic -> new CopyOnWriteArrayList<>());
+        List<MRLListener> listeners = outbox.getNotifyList()
+            .computeIfAbsent(listener.topicMethod, topic -> new CopyOnWriteArrayList<>());
         if (!listeners.contains(listener)) {
             listeners.add(listener);
         }
@@ -38,7 +39,8 @@ public abstract class PublishingService extends NamedService {
 
     @Override
     public void addListener(String topicMethod, String callbackName, String callbackMethod) {
-        if (!ScriptPlace.here().isEmpty() && Arrays.stream(getClass().getMethods()).noneMatch(method -> method.getName().equals(topicMethod))) {
+        if (!ScriptPlace.here().isEmpty() && Arrays.stream(getClass().getMethods())
+            .noneMatch(method -> method.getName().equals(topicMethod))) {
             String meant = NearestName.member(topicMethod, getClass());
             error("%s", "does not publish " + topicMethod + (meant.isEmpty() ? "" : "; " + meant));
         }
@@ -79,7 +81,8 @@ public abstract class PublishingService extends NamedService {
     }
 
     public boolean hasSubscribed(String listener, String topicMethod) {
-        return outbox.getAttached(topicMethod).stream().anyMatch(one -> CodecUtils.checkServiceNameEquality(one, listener));
+        return outbox.getAttached(topicMethod).stream()
+            .anyMatch(one -> CodecUtils.checkServiceNameEquality(one, listener));
     }
 
     @Override
@@ -139,7 +142,8 @@ public abstract class PublishingService extends NamedService {
 
     @Override
     public void attach(Attachable other) throws Exception {
-        error("%s can't attach %s: services of its type take no attachments", getName(), other == null ? null : other.getName());
+        error("%s can't attach %s: services of its type take no attachments", getName(), other == null ? null
+            : other.getName());
     }
 
     @Override

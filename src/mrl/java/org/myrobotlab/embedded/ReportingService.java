@@ -42,7 +42,8 @@ public abstract class ReportingService extends MessagedService implements QueueR
      * traceback, starts on a new line.
      */
     private static String spaced(Status status) {
-        return (status.key.indexOf('\n') < 0 ? " " : System.lineSeparator()) + status.key + (status.isInfo() ? "" : ScriptPlace.here());
+        return (status.key.indexOf('\n') < 0 ? " " : System.lineSeparator()) + status.key
+            + (status.isInfo() ? "" : ScriptPlace.here());
     }
 
     /** Logs and broadcasts a status. {@code broadcastStatus} alone does not log, as in the real MyRobotLab. */

@@ -18,7 +18,8 @@ public final class ScriptPlace {
 
     /** Returns {@code " (line 7 of first.py)"} while the calling thread executes a script; else empty. */
     public static String here() {
-        if (StackWalker.getInstance().walk(frames -> frames.noneMatch(frame -> frame.getClassName().startsWith(SCRIPT)))) {
+        if (StackWalker.getInstance().walk(
+            frames -> frames.noneMatch(frame -> frame.getClassName().startsWith(SCRIPT)))) {
             return "";
         }
         PyFrame frame = Py.getThreadState().frame;

@@ -36,16 +36,19 @@ public final class StartOptions {
                 break;
             case "-s":
             case "--service":
-                check(!values.isEmpty() && values.size() % 2 == 0, option + " needs a name and a type for each service");
+                check(!values.isEmpty() && values.size() % 2 == 0, option + " needs a name and a type for "
+                    + "each service");
                 for (int i = 0; i < values.size(); i += 2) {
                     services.add(new String[] {values.get(i), values.get(i + 1)});
                 }
                 break;
             case "-l":
             case "--log-level":
-                throw new IllegalArgumentException(option + ": give java the option -Dorg.slf4j.simpleLogger.defaultLogLevel=LEVEL instead");
+                throw new IllegalArgumentException(
+                    option + ": give java the option -Dorg.slf4j.simpleLogger.defaultLogLevel=LEVEL instead");
             case "--id":
-                throw new IllegalArgumentException(option + ": the id of the embedded MyRobotLab is always " + Registry.ID);
+                throw new IllegalArgumentException(option + ": the id of the embedded MyRobotLab is always "
+                    + Registry.ID);
             default:
                 throw new IllegalArgumentException("option " + option + " is unknown, " + USAGE);
         }

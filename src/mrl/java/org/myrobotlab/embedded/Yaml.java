@@ -30,7 +30,8 @@ public final class Yaml {
         try {
             return type.cast(yaml.load(text));
         } catch (YAMLException | ClassCastException e) {
-            throw new IllegalArgumentException("not a configuration " + type.getSimpleName() + ": " + e.getMessage(), e);
+            throw new IllegalArgumentException("not a configuration " + type.getSimpleName() + ": "
+                + e.getMessage(), e);
         }
     }
 }

@@ -100,7 +100,8 @@ public class Message implements Serializable {
 
     @Override
     public String toString() {
-        return sender + "." + sendingMethod + " --> " + name + "." + method + "(" + (data == null ? "" : Arrays.deepToString(data)) + ")";
+        return sender + "." + sendingMethod + " --> " + name + "." + method + "("
+            + (data == null ? "" : Arrays.deepToString(data)) + ")";
     }
 
     @Override

@@ -24,7 +24,8 @@ public class Platform implements Serializable {
     public Platform() {
         String osName = System.getProperty("os.name", "").toLowerCase(Locale.ROOT);
         String osArch = System.getProperty("os.arch", "").toLowerCase(Locale.ROOT);
-        os = osName.contains(OS_WINDOWS) ? OS_WINDOWS : osName.contains(OS_MAC) ? OS_MAC : osName.contains(OS_LINUX) ? OS_LINUX : UNKNOWN;
+        os = osName.contains(OS_WINDOWS) ? OS_WINDOWS : osName.contains(OS_MAC) ? OS_MAC : osName.contains(OS_LINUX)
+            ? OS_LINUX : UNKNOWN;
         arch = osArch.startsWith(ARCH_ARM) || osArch.startsWith("aarch") ? ARCH_ARM : ARCH_X86;
     }
 

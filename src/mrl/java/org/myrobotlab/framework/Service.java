@@ -25,7 +25,8 @@ import org.slf4j.Logger;
  * methods directly. Publishes the results of its methods. While it runs it has two threads, for its inbox and its
  * outbox.
  */
-public abstract class Service<T extends ServiceConfig> extends ReportingService implements Runnable, Serializable, ConfigurableService<T> {
+public abstract class Service<T extends ServiceConfig> extends ReportingService implements Runnable, Serializable,
+    ConfigurableService<T> {
     public static final Logger log = LoggerFactory.getLogger(Service.class);
 
     private static final long serialVersionUID = 1L;
@@ -189,7 +190,8 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         return this;
     }
 
-    // ---- configuration ------------------------------------------------------------------------------------------------
+    // ---- configuration
+    // ------------------------------------------------------------------------------------------------
 
     /** Returns the default configurations of this service and its peers. */
     public final Plan getDefault() {
@@ -210,7 +212,8 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
     public T apply(T newConfig) {
         if (newConfig == null || !config.getClass().isInstance(newConfig)) {
             throw new IllegalArgumentException("the configuration of " + getName() + " is a "
-                + (newConfig == null ? null : newConfig.getClass().getSimpleName()) + ", legal: " + config.getClass().getSimpleName());
+                + (newConfig == null ? null : newConfig.getClass().getSimpleName()) + ", legal: " + config.getClass()
+                    .getSimpleName());
         }
         config = newConfig;
         addConfigListeners(newConfig);
@@ -261,7 +264,8 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         return read == null ? null : apply((T) read);
     }
 
-    // ---- services that belong to this one -----------------------------------------------------------------------------
+    // ---- services that belong to this one
+    // -----------------------------------------------------------------------------
 
     @Override
     public Map<String, Peer> getPeers() {
@@ -275,7 +279,8 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
 
     @Override
     public String getPeerKey(String peerName) {
-        return getPeers().entrySet().stream().filter(one -> CodecUtils.checkServiceNameEquality(one.getValue().name, peerName))
+        return getPeers().entrySet().stream()
+            .filter(one -> CodecUtils.checkServiceNameEquality(one.getValue().name, peerName))
             .map(Map.Entry::getKey).findFirst().orElse(null);
     }
 
@@ -327,7 +332,8 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         }
     }
 
-    // ---- folders ------------------------------------------------------------------------------------------------------
+    // ---- folders
+    // ------------------------------------------------------------------------------------------------------
 
     /** Returns the folder of panels, examples and icons, relative to the working folder. */
     public static String getResourceRoot() {

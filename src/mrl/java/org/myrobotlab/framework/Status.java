@@ -22,7 +22,8 @@ public class Status implements Serializable {
     public transient Object source;
 
     public Status(Exception e) {
-        this(null, StatusLevel.ERROR, e.getClass().getSimpleName() + (e.getMessage() == null ? "" : ": " + e.getMessage()), stackToString(e));
+        this(null, StatusLevel.ERROR, e.getClass().getSimpleName()
+            + (e.getMessage() == null ? "" : ": " + e.getMessage()), stackToString(e));
         source = e;
     }
 

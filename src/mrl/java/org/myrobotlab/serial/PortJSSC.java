@@ -38,12 +38,14 @@ public class PortJSSC extends Port implements SerialControl, SerialPortEventList
             port.openPort();
             super.open();
             if (!port.setParams(rate, dataBits, stopBits, parity)) {
-                log.warn("port {} does not accept {} baud, {} data bits, {} stop bits, parity {}", portName, rate, dataBits, stopBits, parity);
+                log.warn("port {} does not accept {} baud, {} data bits, {} stop bits, parity {}", portName, rate,
+                    dataBits, stopBits, parity);
             }
         } catch (SerialPortException e) {
             throw new IOException("port " + portName + " can't be opened: " + e.getExceptionType(), e);
         } catch (LinkageError e) {
-            throw new IOException("port " + portName + " can't be opened, the library jssc does not work here: " + e, e);
+            throw new IOException("port " + portName + " can't be opened, the library jssc does "
+                + "not work here: " + e, e);
         }
     }
 

@@ -67,7 +67,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         super(name, id);
     }
 
-    // ---- life cycle ---------------------------------------------------------------------------------------------------
+    // ---- life cycle
+    // ---------------------------------------------------------------------------------------------------
 
     @Override
     public synchronized void startService() {
@@ -173,7 +174,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         }
     }
 
-    // ---- running ------------------------------------------------------------------------------------------------------
+    // ---- running
+    // ------------------------------------------------------------------------------------------------------
 
     /**
      * Runs code and waits for its end.
@@ -315,7 +317,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         return engine != null && engine.interrupt() || three;
     }
 
-    // ---- callbacks ----------------------------------------------------------------------------------------------------
+    // ---- callbacks
+    // ----------------------------------------------------------------------------------------------------
 
     /** Executes this service's own methods; queues all other messages for functions of the script. */
     @Override
@@ -352,11 +355,13 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
             return;
         }
         if (!current.has(msg.method)) {
-            current.occupied(() -> reportMissing(current.missing(CodecUtils.getShortName(msg.sender) + "." + msg.sendingMethod, msg.method)));
+            current.occupied(() -> reportMissing(
+                current.missing(CodecUtils.getShortName(msg.sender) + "." + msg.sendingMethod, msg.method)));
             return;
         }
         String publisher = "msg_" + CodecUtils.getSafeReferenceName(msg.sender) + "_" + msg.sendingMethod;
-        current.occupied(() -> reportOnce(current.callBack(publisher, msg.method, msg.data == null ? new Object[0] : msg.data)));
+        current.occupied(() -> reportOnce(
+            current.callBack(publisher, msg.method, msg.data == null ? new Object[0] : msg.data)));
     }
 
     private void reportMissing(String missing) {
@@ -373,7 +378,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         ServiceInterface sender = Runtime.getService(msg.sender);
         return sender instanceof Serial && ((Serial) sender).isByteListener(getName())
             && ("onConnect".equals(msg.method) || "onDisconnect".equals(msg.method)
-                || "onByte".equals(msg.method) && current.has("onBytes") || "onBytes".equals(msg.method) && current.has("onByte"));
+                || "onByte".equals(msg.method) && current.has("onBytes") || "onBytes".equals(msg.method)
+                    && current.has("onByte"));
     }
 
     @Override
@@ -381,7 +387,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         in(msg);
     }
 
-    // ---- variables ----------------------------------------------------------------------------------------------------
+    // ---- variables
+    // ----------------------------------------------------------------------------------------------------
 
     public void set(String variable, Object value) {
         started().set(variable, value);
@@ -401,7 +408,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         started().addModulePath(folder);
     }
 
-    // ---- the editor ---------------------------------------------------------------------------------------------------
+    // ---- the editor
+    // ---------------------------------------------------------------------------------------------------
 
     /**
      * Opens a script in the editor.
@@ -447,7 +455,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         Path part = path.resolveSibling(path.getFileName() + ".part");
         openedScripts.remove(file);
         if (!Files.isDirectory(path.toAbsolutePath().normalize().getParent())) {
-            throw new IOException(file + " can't be saved: there is no folder " + path.toAbsolutePath().normalize().getParent()
+            throw new IOException(file + " can't be saved: there is no folder " + path.toAbsolutePath().normalize()
+                .getParent()
                 + "; create it first");
         }
         Files.writeString(part, code, StandardCharsets.UTF_8);
@@ -464,7 +473,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     public List<String> getScriptList() throws IOException {
         Path root = resolve("");
         try (Stream<Path> files = Files.walk(root, SCRIPT_DEPTH)) {
-            return files.filter(one -> one.toString().endsWith(".py")).map(one -> root.relativize(one).toString()).sorted()
+            return files.filter(one -> one.toString().endsWith(".py"))
+                .map(one -> root.relativize(one).toString()).sorted()
                 .collect(Collectors.toList());
         }
     }
@@ -483,7 +493,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         broadcastState();
     }
 
-    // ---- published methods, and callbacks --------------------------------------------------------------------------------
+    // ---- published methods, and callbacks
+    // --------------------------------------------------------------------------------
 
     /** Publishes each line that a script prints. */
     public String publishStdOut(String data) {

@@ -65,7 +65,8 @@ public class Roomba extends Service<RoombaConfig> {
         serial = (Serial) Runtime.start(SERIAL, "Serial");
     }
 
-    // ---- connection ---------------------------------------------------------------------------------------------------
+    // ---- connection
+    // ---------------------------------------------------------------------------------------------------
 
     /**
      * Opens the port by the service named "serial", at 57600 baud (protocol OI: 115200), 8 data bits, 1 stop bit, no
@@ -101,13 +102,16 @@ public class Roomba extends Service<RoombaConfig> {
     }
 
     private String remedy(int baud) {
-        return "write Runtime.getService(\"" + SERIAL + "\").connect(\"" + (portName == null ? "PORT" : portName) + "\", " + baud + ", 8, 1, 0)";
+        return "write Runtime.getService(\"" + SERIAL + "\").connect(\"" + (portName == null ? "PORT" : portName)
+            + "\", " + baud + ", 8, 1, 0)";
     }
 
     /** Returns a hint if a SEAR service has not started its simulation, which creates the ports; else empty. */
     private static String notStarted() {
-        return Runtime.getServices().stream().filter(one -> one.getSimpleName().equals("SEAR") && Boolean.FALSE.equals(one.invoke("isSimulating")))
-            .map(one -> "; no simulation is running: " + one.getName() + ".startSimulation() creates its ports").findFirst().orElse("");
+        return Runtime.getServices().stream().filter(one -> one.getSimpleName().equals("SEAR")
+            && Boolean.FALSE.equals(one.invoke("isSimulating")))
+            .map(one -> "; no simulation is running: " + one.getName() + ".startSimulation() creates its ports")
+            .findFirst().orElse("");
     }
 
     /** @return false, as in the real MyRobotLab; the service named "serial" knows */
@@ -183,7 +187,8 @@ public class Roomba extends Service<RoombaConfig> {
         send(bytes);
     }
 
-    // ---- modes --------------------------------------------------------------------------------------------------------
+    // ---- modes
+    // --------------------------------------------------------------------------------------------------------
 
     /** Wakes the interface: {@code 80}. */
     public void startup() {
@@ -245,9 +250,11 @@ public class Roomba extends Service<RoombaConfig> {
      * @param powerColor 0 green to 255 red
      * @param powerIntensity 0 to 255
      */
-    public void setLEDs(boolean statusGreen, boolean statusRed, boolean spot, boolean clean, boolean max, boolean dirt, int powerColor,
+    public void setLEDs(boolean statusGreen, boolean statusRed, boolean spot, boolean clean, boolean max, boolean dirt,
+        int powerColor,
         int powerIntensity) {
-        int bits = (statusGreen ? LED_STATUS_GREEN : 0) | (statusRed ? LED_STATUS_RED : 0) | (spot ? LED_SPOT : 0) | (clean ? LED_CLEAN : 0)
+        int bits = (statusGreen ? LED_STATUS_GREEN : 0) | (statusRed ? LED_STATUS_RED : 0) | (spot ? LED_SPOT : 0)
+            | (clean ? LED_CLEAN : 0)
             | (max ? LED_MAX : 0) | (dirt ? LED_DIRT : 0);
         command(LEDS, bits, powerColor, powerIntensity);
     }
@@ -261,7 +268,8 @@ public class Roomba extends Service<RoombaConfig> {
         command(PLAY, NOTE_SONG);
     }
 
-    // ---- driving ------------------------------------------------------------------------------------------------------
+    // ---- driving
+    // ------------------------------------------------------------------------------------------------------
 
     /**
      * @param velocity mm/s, -500 to 500

@@ -68,7 +68,8 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         Main.run(options);
     }
 
-    // ---- the Runtime itself -------------------------------------------------------------------------------------------
+    // ---- the Runtime itself
+    // -------------------------------------------------------------------------------------------
 
     /** Returns the Runtime of this process; starts it first if necessary. */
     public static Runtime getInstance() {
@@ -106,7 +107,8 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         log.debug("{}", msg);
     }
 
-    // ---- making and starting ------------------------------------------------------------------------------------------
+    // ---- making and starting
+    // ------------------------------------------------------------------------------------------
 
     public static ServiceInterface create(String name) {
         return create(name, null);
@@ -193,7 +195,8 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
             ServiceConfig config = runtime.readServiceConfig(shortName);
             String given = type != null ? type : config == null ? null : config.type;
             if (given == null) {
-                throw new IllegalArgumentException("its type is missing, and there is no configuration file of that name: write "
+                throw new IllegalArgumentException("its type is missing, and there is no configuration file of that "
+                    + "name: write "
                     + (ServiceTypes.isKnown(shortName) ? "Runtime.start(\"name\", \"" + shortName + "\")"
                         : "Runtime.start(\"" + shortName + "\", \"SEAR\")") + " with a name and a type");
             }
@@ -246,12 +249,14 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     /** Reports why a service can't start. A script that asked for it continues, and ends with status 1. */
     private static void refuse(String name, String type, Throwable why) {
         log.debug("{} {}", name, type, why);
-        String reason = "can't start " + name + (type == null ? "" : " as " + CodecUtils.getSimpleName(type)) + ": " + ErrorReasons.of(why);
+        String reason = "can't start " + name + (type == null ? "" : " as " + CodecUtils.getSimpleName(type)) + ": "
+            + ErrorReasons.of(why);
         getInstance().error(reason);
         PythonEngine.failHere(reason);
     }
 
-    // ---- the registry -------------------------------------------------------------------------------------------------
+    // ---- the registry
+    // -------------------------------------------------------------------------------------------------
 
     /** Registers a service that was created elsewhere. */
     public static Registration register(Registration registration) {
@@ -297,7 +302,8 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     }
 
     public static List<String> getServiceNamesFromInterface(Class<?> interfaze) {
-        return getServicesFromInterface(interfaze).stream().map(ServiceInterface::getFullName).collect(Collectors.toList());
+        return getServicesFromInterface(interfaze).stream().map(ServiceInterface::getFullName)
+            .collect(Collectors.toList());
     }
 
     public List<Registration> getServiceList() {
@@ -325,7 +331,8 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         return getPlatform().getVersion();
     }
 
-    // ---- releasing ----------------------------------------------------------------------------------------------------
+    // ---- releasing
+    // ----------------------------------------------------------------------------------------------------
 
     /** Stops a service and removes it from the registry. */
     public static void release(String name) {
@@ -387,7 +394,8 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         Shutdown.run();
     }
 
-    // ---- configuration ------------------------------------------------------------------------------------------------
+    // ---- configuration
+    // ------------------------------------------------------------------------------------------------
 
     /** Returns the default configurations of a service and its peers. */
     public static Plan load(String name, String type) {

@@ -39,7 +39,8 @@ import org.slf4j.Logger;
  * Opens a serial port, real or virtual, by its name. Received bytes go immediately to the byte listeners, on the port's
  * reader thread, and are published one by one (publishRX, 0 to 255) and in chunks (publishBytes). Any thread.
  */
-public class Serial extends ReadingService implements SerialControl, SerialDataListener, RecordControl, SerialDevice, PortPublisher, PortConnector {
+public class Serial extends ReadingService implements SerialControl, SerialDataListener, RecordControl, SerialDevice,
+    PortPublisher, PortConnector {
     public static final Integer BAUD_2400 = 2400;
     public static final Integer BAUD_4800 = 4800;
     public static final Integer BAUD_9600 = 9600;
@@ -89,7 +90,8 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         return config;
     }
 
-    // ---- opening and closing ------------------------------------------------------------------------------------------
+    // ---- opening and closing
+    // ------------------------------------------------------------------------------------------
 
     /** Opens a port with the current parameters. If another port is open, only logs that: disconnect first. */
     @Override
@@ -236,7 +238,8 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         return true;
     }
 
-    // ---- ports --------------------------------------------------------------------------------------------------------
+    // ---- ports
+    // --------------------------------------------------------------------------------------------------------
 
     private static Port known(String name) {
         synchronized (Serial.class) {
@@ -361,7 +364,8 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         port.setDTR(on);
     }
 
-    // ---- listeners ----------------------------------------------------------------------------------------------------
+    // ---- listeners
+    // ----------------------------------------------------------------------------------------------------
 
     /** Sends all bytes to a service, from the next connect on. */
     public void addByteListener(SerialDataListener listener) {
@@ -468,7 +472,8 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         return data;
     }
 
-    // ---- writing ------------------------------------------------------------------------------------------------------
+    // ---- writing
+    // ------------------------------------------------------------------------------------------------------
 
     /** Sends the low 8 bits. */
     @Override
@@ -518,7 +523,8 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         BUFFER_SIZE = size;
     }
 
-    // ---- recording ----------------------------------------------------------------------------------------------------
+    // ---- recording
+    // ----------------------------------------------------------------------------------------------------
 
     @Override
     public synchronized void record() throws FileNotFoundException {

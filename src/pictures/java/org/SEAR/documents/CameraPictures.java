@@ -32,7 +32,8 @@ public final class CameraPictures {
         Path made = Files.createTempDirectory("sear-cameras");
         write(240, folder.resolve("cameras.png"), look(made.resolve("SEARproject"), "eye", "kinect", "thermal"));
         try (MyRobotLab robotLab = new MyRobotLab("sear = Runtime.start('sear', 'SEAR')")) {
-            write(360, folder.resolve("opencv.png"), example(robotLab, made, "opencv_lines"), example(robotLab, made, "docking"));
+            write(360, folder.resolve("opencv.png"), example(robotLab, made, "opencv_lines"),
+                example(robotLab, made, "docking"));
         } finally {
             MyRobotLab.deleteFolder(made);
         }
@@ -66,9 +67,11 @@ public final class CameraPictures {
     }
 
     /** Returns the picture that a program of examples/python3 saves. */
-    private static BufferedImage example(MyRobotLab robotLab, Path folder, String name) throws IOException, InterruptedException {
+    private static BufferedImage example(MyRobotLab robotLab, Path folder, String name)
+        throws IOException, InterruptedException {
         File file = folder.resolve(name + ".png").toFile();
-        ProcessBuilder builder = new ProcessBuilder("python3", "-B", "examples/python3/" + name + ".py", "--fast", "--server",
+        ProcessBuilder builder = new ProcessBuilder("python3", "-B", "examples/python3/" + name + ".py",
+            "--fast", "--server",
             robotLab.url().replaceAll("/$", ""), "--save", file.toString());
         builder.environment().put("PYTHONPATH", System.getProperty("sear.opencv"));
         int status = builder.inheritIO().start().waitFor();
@@ -81,7 +84,8 @@ public final class CameraPictures {
     /** Writes pictures side by side, scaled to this height in pixels. */
     private static void write(int height, Path file, BufferedImage... pictures) throws IOException {
         List<BufferedImage> all = Arrays.asList(pictures);
-        int width = all.stream().mapToInt(picture -> picture.getWidth() * height / picture.getHeight() + BETWEEN).sum() - BETWEEN;
+        int width = all.stream().mapToInt(picture -> picture.getWidth() * height / picture.getHeight() + BETWEEN)
+            .sum() - BETWEEN;
         BufferedImage whole = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = whole.createGraphics();
         graphics.fillRect(0, 0, width, height);

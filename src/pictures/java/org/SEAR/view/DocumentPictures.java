@@ -40,7 +40,8 @@ public final class DocumentPictures {
             List<String> inside = new ArrayList<>(List.of(INSIDE));
             inside.addAll(Arrays.asList(arguments));
             try (Xvfb server = new Xvfb()) {
-                Process process = Xvfb.java(server.display(), List.of(), DocumentPictures.class.getName(), inside.toArray(new String[0]))
+                Process process = Xvfb.java(server.display(), List.of(), DocumentPictures.class.getName(),
+                    inside.toArray(new String[0]))
                     .inheritIO().start();
                 System.exit(process.waitFor());
             }
@@ -48,7 +49,8 @@ public final class DocumentPictures {
         Path folder = Files.createDirectories(Paths.get(arguments[1]));
         WANTED.addAll(Arrays.asList(arguments).subList(2, arguments.length));
         draw("first-steps", () -> projectOf("resources/resource/SEAR/SEAR.py"), folder, view -> {
-            view.world.simulation.post(simulation -> simulation.getRobots().get(0).drive(0.3, Double.POSITIVE_INFINITY));
+            view.world.simulation.post(simulation -> simulation.getRobots().get(0)
+                .drive(0.3, Double.POSITIVE_INFINITY));
             drive(view, 3);
             onWindow(view, () -> view.scene().camera().orbit(2.6f, 0.7f, 0.5f));
         });
@@ -56,9 +58,11 @@ public final class DocumentPictures {
             view.world.runner.setPaused(true);
             onWindow(view, () -> view.scene().camera().orbit(3.2f, 0.75f, 0.62f));
         });
-        draw("maze", folder, view -> onWindow(view, () -> view.scene().camera().fly(new Vector3f(-4.9f, 5.8f, 0), (float) Math.PI / 2, 0.9f)));
+        draw("maze", folder, view -> onWindow(view, () -> view.scene().camera()
+            .fly(new Vector3f(-4.9f, 5.8f, 0), (float) Math.PI / 2, 0.9f)));
         draw("ramps", folder, view -> {
-            view.world.simulation.post(simulation -> simulation.getRobots().get(0).drive(0.3, Double.POSITIVE_INFINITY));
+            view.world.simulation.post(simulation -> simulation.getRobots().get(0)
+                .drive(0.3, Double.POSITIVE_INFINITY));
             drive(view, 7);
             view.press("F3");
             onWindow(view, () -> view.scene().camera().orbit(2.6f, -0.8f, 0.45f));
@@ -98,15 +102,18 @@ public final class DocumentPictures {
     /** Returns the example's rover with eight kilometres of mountains around it instead of two. */
     private static Path mountains() throws Exception {
         Path script = Files.createTempDirectory("scene").resolve("mountains.py");
-        Files.writeString(script, Files.readString(Paths.get("examples/mountain.py")).replace("2000, 2000", "8000, 8000"));
+        Files.writeString(script, Files.readString(Paths.get("examples/mountain.py"))
+            .replace("2000, 2000", "8000, 8000"));
         return projectOf(script.toString());
     }
 
     /** Runs a script and returns the project that it made. */
     private static Path projectOf(String script) throws Exception {
         Path folder = Files.createTempDirectory("scene");
-        int status = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-cp", System.getProperty("java.class.path"),
-            "org.SEAR.cli.SearCommand", Paths.get(script).toAbsolutePath().toString(), "--headless", "--speed", "max", "--port", "none")
+        int status = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-cp",
+            System.getProperty("java.class.path"),
+            "org.SEAR.cli.SearCommand", Paths.get(script).toAbsolutePath().toString(), "--headless", "--speed", "max",
+                "--port", "none")
             .directory(folder.toFile()).inheritIO().start().waitFor();
         if (status != 0) {
             throw new IllegalStateException(script + " ended with " + status);

@@ -74,7 +74,8 @@ public class ClicksTest extends InPage {
         page.browser.choose(".sear-add", "office Roomba.x");
         page.browser.click(".sear-forward");
         page.await("half a metre", "world.running.robots[0].pose[0] > " + (before + 0.5));
-        page.await("its line beside those of the speed and a sensor", "plot.lines.indexOf('office Roomba.x') === 2 && plot.chart().plot"
+        page.await("its line beside those of the speed and a sensor", "plot.lines.indexOf('office Roomba.x') === 2 && "
+            + "plot.chart().plot"
             + " && plot.chart().lines.length == 3 && plot.chart().lines[2].values.length > 5");
         page.browser.click(".sear-halt");
         page.await("the robot stands", "world.running.robots[0].speed == 0");
@@ -84,12 +85,14 @@ public class ClicksTest extends InPage {
         page.await("the record", "replay.shown !== null && plot.names.length > 5");
         page.browser.choose(".sear-replay-speed", "50 \u00d7");
         page.browser.click(".sear-play");
-        page.await("played to its end", "!replay.shown.playing && replay.shown.index === replay.shown.times.length - 1");
+        page.await("played to its end", "!replay.shown.playing && replay.shown.index === "
+            + "replay.shown.times.length - 1");
         assertTrue("it shows where the robot was", page.number("world.shown().robots[0].pose[0]") > before + 0.5);
         page.browser.click(".sear-share");
         String shared = Files.readString(page.browser.download("run.html"));
         assertTrue("a page with three.js in it", shared.length() > 500_000);
-        assertTrue("and with the beams of the run", shared.contains("\"motion\":{\"path\":\"run.searlog\"") && shared.contains("\"ranges\":[\""));
+        assertTrue("and with the beams of the run", shared.contains("\"motion\":{\"path\":\"run.searlog\"")
+            && shared.contains("\"ranges\":[\""));
         page.browser.click(".sear-end-replay");
         page.await("what is now", "replay.shown === null");
         Files.delete(mrl.folder().resolve("run.searlog"));
@@ -115,14 +118,16 @@ public class ClicksTest extends InPage {
     @Test
     public void anObjectIsBuiltUndoneSavedBesideAndOverAForeignFileAndUploaded() throws Exception {
         page.open(mrl, "sear");
-        page.await("an empty project", "world.preview !== null && edits.grammar !== null && world.shown() && !world.shown().objects.length");
+        page.await("an empty project", "world.preview !== null && edits.grammar !== null && world.shown() && "
+            + "!world.shown().objects.length");
         page.browser.click("[data-tile='build']");
         page.browser.click(".sear-map");
         page.browser.click(".sear-palette [data-make='Box']");
         page.await("a box to place", "palette.armed && palette.armed.name == 'Box'");
         WebElement view = page.browser.see(".sear-view");
         Dimension size = view.getSize();
-        new Actions(page.browser.driver()).moveToElement(view, size.getWidth() / 10, -size.getHeight() / 10).click().perform();
+        new Actions(page.browser.driver()).moveToElement(view, size.getWidth() / 10, -size.getHeight() / 10)
+            .click().perform();
         page.await("the box", "edits.object && edits.object.object == 'box1' && world.shown().objects.length == 1");
         page.browser.click(".sear-undo");
         page.await("no box", "!world.shown().objects.length && edits.undoable === null");
@@ -142,7 +147,8 @@ public class ClicksTest extends InPage {
         assertArrayEquals(Files.readAllBytes(saved), Files.readAllBytes(foreign));
         page.browser.all(".sear-file").get(0).sendKeys(ROOT.resolve("examples/ramps.sear").toString());
         page.await("the uploaded project", "project.path == 'ramps.sear'");
-        page.browser.until("its files", () -> Files.notExists(mrl.folder().resolve("SEARproject/environment/goal.xml")));
+        page.browser.until("its files",
+            () -> Files.notExists(mrl.folder().resolve("SEARproject/environment/goal.xml")));
         Files.delete(foreign);
         Files.delete(saved);
     }
@@ -196,7 +202,8 @@ public class ClicksTest extends InPage {
             .filter(tab -> tab.getText().startsWith(file)).peek(WebElement::click).count() == 1);
         page.browser.click(".tab-pane.active .ace_content");
         // starts on a line of its own: on a busy machine the text can land in the new script's first comment
-        new Actions(page.browser.driver()).sendKeys(Keys.chord(Keys.CONTROL, Keys.END), Keys.ENTER, "print sear.getName() + ' says ' + str(7 * "
+        new Actions(page.browser.driver()).sendKeys(Keys.chord(Keys.CONTROL, Keys.END), Keys.ENTER,
+            "print sear.getName() + ' says ' + str(7 * "
             + width + ")").perform();
         page.browser.click("[ng-click='exec()']");
         page.browser.seeText("small", "sear says " + 7 * width);

@@ -36,9 +36,11 @@ abstract class InRealMrl {
         List<String> names = mrl.services();
         names.removeAll(mrl.firstServices());
         for (String name : names) {
-            assertEquals("", mrl.python("if Runtime.getService('" + name + "') is not None: Runtime.release('" + name + "')"));
+            assertEquals("", mrl.python("if Runtime.getService('" + name + "') is not None: Runtime.release('"
+                + name + "')"));
         }
-        mrl.await("Python to forget them", () -> mrl.python("for _name in " + names.toString().replaceAll("([^\\[\\], ]+)", "'$1'") + ":",
+        mrl.await("Python to forget them",
+            () -> mrl.python("for _name in " + names.toString().replaceAll("([^\\[\\], ]+)", "'$1'") + ":",
             "    if globals().get(_name) is not None: print _name").isEmpty());
         assertEquals(mrl.firstServices(), mrl.services());
     }

@@ -95,7 +95,8 @@ public class InstallTest {
             RealMrlCopy.copy(running.resolve(part), folder.resolve(part));
         }
         RealMrlCopy.install(RealMrlCopy.SEAR, folder, "--remove");
-        List<String> left = bytes(folder).keySet().stream().filter(name -> name.matches("(.*/)?(SEAR|LIDAR|GPS)[^/]*/?"))
+        List<String> left = bytes(folder).keySet().stream()
+            .filter(name -> name.matches("(.*/)?(SEAR|LIDAR|GPS)[^/]*/?"))
             .collect(Collectors.toList());
         assertEquals("of SEAR", List.of(), left);
         assertItIsAsItWas(folder);

@@ -14,11 +14,14 @@ import java.util.stream.Stream;
 
 final class Job {
     private static final Path ROOT = InRealMrl.ROOT;
-    private static final String WHAT_IS_THERE = "sear.startSimulation()\nsear.simSleep(1)\nfor part in sear.getSensorNames():\n"
+    private static final String WHAT_IS_THERE = "sear.startSimulation()\nsear.simSleep(1)\nfor part in "
+        + "sear.getSensorNames():\n"
         + "    print part, ['%.4f' % value for value in sear.getPose(part)]\n";
     private static final String LISTEN = "sear.simSleep(3)\n";
-    private static final String ROOM = "from org.SEAR.POJOs import Accelerometer, Box, Compass, Distance, Floor, Gyroscope\n"
-        + "Floor('floor', 50, 50)\nBox('wall', 4, 0.1, 1, 0).move(0, 0.5, -1.5)\nexecfile(" + script("scripts/listing02.py") + ", globals())\n"
+    private static final String ROOM = "from org.SEAR.POJOs import Accelerometer, Box, Compass, Distance, "
+        + "Floor, Gyroscope\n"
+        + "Floor('floor', 50, 50)\nBox('wall', 4, 0.1, 1, 0).move(0, 0.5, -1.5)\nexecfile("
+        + script("scripts/listing02.py") + ", globals())\n"
         + "for (name, x) in (('testPing1', 0.05), ('MyNewestSONAR', -0.05)):\n"
         + "    ping = Distance(name, 'laser')\n    ping.move(x, 0.1, 0.15)\n    robot.addComponent(ping)\n"
         + "for sensor in (Accelerometer('accel'), Gyroscope('gyro1'), Compass('comp1')): robot.addComponent(sensor)\n"
@@ -47,7 +50,8 @@ final class Job {
         List<Job> jobs = new ArrayList<>();
         for (int[] numbers : new int[][] {{1, 2, 3}, {1, 4, 5}, {1, 4, 6}, {1, 7, 8}, {9}}) {
             StringBuilder body = new StringBuilder();
-            Arrays.stream(numbers).forEach(number -> body.append(execute(String.format("scripts/listing%02d.py", number))));
+            Arrays.stream(numbers).forEach(
+                number -> body.append(execute(String.format("scripts/listing%02d.py", number))));
             jobs.add(new Job("listings " + Arrays.toString(numbers), "SEAR", true, body.toString()));
         }
         for (Path file : python("scripts", "examples", "examples/drive")) {
@@ -60,11 +64,13 @@ final class Job {
         for (String template : new String[] {"arduino", "userCode"}) {
             Path file = ROOT.resolve("resources/templates/" + template + ".py");
             jobs.add(new Job(template + ".py", serviceOf(file), false, (template.equals("userCode") ? ROOM : "")
-                + "sear.copyTemplate('" + template + ".py', 'SEARproject')\nexecfile('SEARproject/" + template + ".py', globals())\n"));
+                + "sear.copyTemplate('" + template + ".py', 'SEARproject')\nexecfile('SEARproject/" + template
+                    + ".py', globals())\n"));
         }
         jobs.add(new Job("SEAR.py", "sear", false, execute("resources/resource/SEAR/SEAR.py")));
         for (String type : new String[] {"LIDAR", "GPS"}) {
-            jobs.add(new Job(type + ".py", "sear", false, "sear.loadProject(" + script("examples/sensors.sear") + ")\nsear.startSimulation()\n"
+            jobs.add(new Job(type + ".py", "sear", false, "sear.loadProject(" + script("examples/sensors.sear")
+                + ")\nsear.startSimulation()\n"
                 + "sear.simSleep(1)\n" + execute("resources/resource/" + type + "/" + type + ".py") + LISTEN));
         }
         return jobs;
@@ -74,7 +80,8 @@ final class Job {
         List<Path> files = new ArrayList<>();
         for (String folder : folders) {
             try (Stream<Path> here = Files.list(ROOT.resolve(folder))) {
-                files.addAll(here.filter(file -> file.toString().endsWith(".py")).sorted().collect(Collectors.toList()));
+                files.addAll(here.filter(file -> file.toString().endsWith(".py")).sorted()
+                    .collect(Collectors.toList()));
             }
         }
         return files;

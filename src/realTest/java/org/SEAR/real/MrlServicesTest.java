@@ -45,9 +45,11 @@ public class MrlServicesTest extends InRealMrl {
     @Test
     public void theServiceWorksAtTheSimulatedPort() throws Exception {
         int before = mrl.log().length();
-        assertEquals("", mrl.python("ROOT = " + RealMrl.literal(ROOT.toString()), Files.readString(SCRIPTS.resolve("world.py")),
+        assertEquals("", mrl.python("ROOT = " + RealMrl.literal(ROOT.toString()),
+            Files.readString(SCRIPTS.resolve("world.py")),
             Files.readString(SCRIPTS.resolve("mrl_services").resolve(name))));
-        String told = mrl.log().substring(before).lines().filter(line -> line.contains(" ERROR ") && !ALWAYS_SAID.matcher(line).find())
+        String told = mrl.log().substring(before).lines()
+            .filter(line -> line.contains(" ERROR ") && !ALWAYS_SAID.matcher(line).find())
             .collect(Collectors.joining("\n"));
         assertEquals("what its log complains of", "", told);
     }

@@ -14,7 +14,8 @@ import org.junit.Test;
  */
 public class OneOrderTest extends InRealMrl {
     private static final int RUNS = Integer.getInteger("sear.orderRuns", 5);
-    private static final Path SCRIPT = ROOT.resolve("src/test/resources/org/myrobotlab/service/clocks/four_services.py");
+    private static final Path SCRIPT =
+        ROOT.resolve("src/test/resources/org/myrobotlab/service/clocks/four_services.py");
 
     @Test
     public void eachRunEndsWithTheLogOfTheEmbeddedMyRobotLab() throws Exception {

@@ -22,7 +22,8 @@ public class OpencvTest extends InRealMrl {
     @Test
     public void theRobotDocks() throws Exception {
         Path output = Files.createTempFile(mrl.folder(), "docking", ".txt");
-        ProcessBuilder builder = new ProcessBuilder(List.of("python3", "-u", ROOT.resolve("examples/python3/docking.py").toString(), "--fast",
+        ProcessBuilder builder = new ProcessBuilder(
+            List.of("python3", "-u", ROOT.resolve("examples/python3/docking.py").toString(), "--fast",
             "--server", "http://localhost:" + mrl.port()));
         builder.environment().put("PYTHONPATH", System.getProperty("sear.opencv"));
         Process program = builder.redirectErrorStream(true).redirectOutput(output.toFile()).start();

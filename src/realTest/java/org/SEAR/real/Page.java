@@ -14,7 +14,8 @@ final class Page implements AutoCloseable {
     private static final Path PICTURES = RealMrlCopy.BUILD.resolve("pictures");
     /** Source of the console messages of MyRobotLab's own scripts. */
     private static final String OWN = "/lib/atmosphere-";
-    private static final String CLICK = "var name = arguments[0], one = [].find.call(document.querySelectorAll('#mySidenav a'),"
+    private static final String CLICK = "var name = arguments[0], one = "
+        + "[].find.call(document.querySelectorAll('#mySidenav a'),"
         + " function(a) { return a.textContent.trim() === name }); if (one) { one.click() } return Boolean(one)";
 
     final Browser browser;

@@ -18,16 +18,20 @@ public class PanelsTest extends InPage {
      * overlap the header, MyRobotLab rows that miss the sides, and content beyond the right edge.
      */
     private static final String FAULTS = String.join("\n",
-        "var area = [].find.call(document.querySelectorAll('.tab-content > div'), function(e) { return e.getClientRects().length })",
+        "var area = [].find.call(document.querySelectorAll('.tab-content > div'), function(e) { return "
+        + "e.getClientRects().length })",
         "var own = [].slice.call(area.querySelectorAll(':scope > .sear-panel, :scope > .row')), faults = []",
         "var frame = area.getBoundingClientRect(), header = area.querySelector('.tab-header').getBoundingClientRect()",
         "own.forEach(function(e) {",
         "    var box = e.getBoundingClientRect(), margin = e.matches('.row') ? 15 : 0",
-        "    var gaps = [box.left + margin - frame.left, frame.right + margin - box.right, margin ? 0 : Math.min(0, box.top - header.bottom)]",
-        "    if (gaps.some(function(gap) { return Math.abs(gap) > 1 })) { faults.push(e.className + ' is off by ' + gaps) }",
+        "    var gaps = [box.left + margin - frame.left, frame.right + margin - box.right, margin ? 0 : Math.min(0, "
+        + "box.top - header.bottom)]",
+        "    if (gaps.some(function(gap) { return Math.abs(gap) > 1 })) { faults.push(e.className + ' is off "
+        + "by ' + gaps) }",
         "})",
         "area.querySelectorAll('.sear-panel *').forEach(function(e) {",
-        "    if (e.getClientRects().length && e.getBoundingClientRect().right > frame.right + 1 && !e.closest('svg, .sear-file, .sear-log')) {",
+        "    if (e.getClientRects().length && e.getBoundingClientRect().right > frame.right + 1 && !e.closest('svg, "
+        + ".sear-file, .sear-log')) {",
         "        faults.push('cut off: ' + e.outerHTML.substring(0, 100))",
         "    }",
         "})",
@@ -35,7 +39,8 @@ public class PanelsTest extends InPage {
 
     @Test
     public void eachPanelFillsItsServicesAreaAtEveryWidth() throws Exception {
-        assertEquals("", mrl.python("sear.loadProject(" + RealMrl.literal(ROOT + "/examples/sensors.sear") + ")", "sear.startSimulation()",
+        assertEquals("", mrl.python("sear.loadProject(" + RealMrl.literal(ROOT + "/examples/sensors.sear") + ")",
+            "sear.startSimulation()",
             "lidar.connect('/dev/SEAR_LIDAR_01')", "gps.connect('/dev/SEAR_GPS_01')", "lidar.singleScan()"));
         page.open(mrl, "sear");
         for (String service : List.of("sear", "lidar", "gps", "python")) {
@@ -43,7 +48,8 @@ public class PanelsTest extends InPage {
             for (int[] size : SIZES) {
                 page.setSize(size[0], size[1]);
                 String what = service + "-" + size[0];
-                page.browser.until("the panel " + what + " in its place", () -> List.of().equals(page.browser.script(FAULTS)));
+                page.browser.until("the panel " + what + " in its place", () -> List.of()
+                    .equals(page.browser.script(FAULTS)));
                 page.keep(what);
                 checkWhatOneNeeds(service);
             }
@@ -53,8 +59,10 @@ public class PanelsTest extends InPage {
 
     /** Checks that the controls of a service lie beside its header and have a width; the narrowest is an icon. */
     private void checkWhatOneNeeds(String service) {
-        List<String> controls = Map.of("sear", List.of(".sear-start", ".sear-stop", ".sear-stage canvas", ".sear-record"),
-            "lidar", List.of(".lidar-port", ".sear-lidar canvas, .sear-lidar svg"), "gps", List.of(".gps-port", ".sear-gps table"),
+        List<String> controls = Map.of(
+            "sear", List.of(".sear-start", ".sear-stop", ".sear-stage canvas", ".sear-record"),
+            "lidar", List.of(".lidar-port", ".sear-lidar canvas, .sear-lidar svg"), "gps",
+            List.of(".gps-port", ".sear-gps table"),
             "python", List.of("[ng-click='exec()']")).get(service);
         for (String css : controls) {
             assertTrue(css + " is wide enough", page.browser.see(css).getSize().getWidth() >= NARROWEST);
@@ -75,7 +83,8 @@ public class PanelsTest extends InPage {
         page.browser.click(".sear-stop");
         page.show("python");
         page.browser.until("a tab with its text", () -> page.browser.all(".nav-tabs a").stream()
-            .filter(tab -> tab.getText().trim().startsWith("obstacle_avoidance.py")).peek(WebElement::click).count() == 1);
+            .filter(tab -> tab.getText().trim().startsWith("obstacle_avoidance.py")).peek(WebElement::click)
+                .count() == 1);
         page.browser.seeText(".tab-pane.active .ace_content", "loadProject");
     }
 
@@ -107,11 +116,13 @@ public class PanelsTest extends InPage {
         page.await("what the first panel has asked for", "edits.grammar !== null && project.examples.length > 5");
         assertEquals("", mrl.python("another = Runtime.start('another', 'SEAR')"));
         page.show("another");
-        page.browser.until("what the second has asked for", () -> Boolean.TRUE.equals(page.browser.scope("#sear-workspace-another",
+        page.browser.until("what the second has asked for",
+            () -> Boolean.TRUE.equals(page.browser.scope("#sear-workspace-another",
             "edits.grammar !== null && project.examples.length > 5 && project.scripts.length > 1")));
         assertEquals("", mrl.python("Runtime.release('another')", "another = Runtime.start('another', 'SEAR')"));
         page.show("another");
-        page.browser.until("the panel of the one that was started again", () -> Boolean.TRUE.equals(page.browser.scope("#sear-workspace-another",
+        page.browser.until("the panel of the one that was started again",
+            () -> Boolean.TRUE.equals(page.browser.scope("#sear-workspace-another",
             "edits.grammar !== null && project.examples.length > 5 && project.scripts.length > 1")));
     }
 }

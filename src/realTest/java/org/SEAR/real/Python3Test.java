@@ -29,8 +29,10 @@ public class Python3Test extends InRealMrl {
 
     private String run(String port) throws Exception {
         Path output = Files.createTempFile(mrl.folder(), "python3", ".txt");
-        ProcessBuilder builder = new ProcessBuilder(List.of("python3", "-m", "sear", ROOT.resolve("src/test/python3/calls.py").toString()));
-        builder.environment().put("PYTHONPATH", ROOT.resolve("python/src") + File.pathSeparator + System.getProperty("sear.python3"));
+        ProcessBuilder builder = new ProcessBuilder(
+            List.of("python3", "-m", "sear", ROOT.resolve("src/test/python3/calls.py").toString()));
+        builder.environment().put("PYTHONPATH", ROOT.resolve("python/src") + File.pathSeparator
+            + System.getProperty("sear.python3"));
         builder.environment().put("SEAR_GATEWAY", port);
         Process program = builder.redirectErrorStream(true).redirectOutput(output.toFile()).start();
         boolean ended = program.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);

@@ -24,7 +24,8 @@ import org.SEAR.FreePort;
 /** A running MyRobotLab with WebGui, Python and SEAR, controlled over HTTP. */
 final class RealMrl {
     private static final long PATIENCE_SECONDS = 240;
-    private static final Path JAVA = Path.of(System.getProperty("sear.mrlJava", System.getProperty("java.home")), "bin", "java");
+    private static final Path JAVA = Path.of(System.getProperty("sear.mrlJava", System.getProperty("java.home")),
+        "bin", "java");
     /**
      * Runs a script and writes its output to a file. The pending space of "print a, b" is tracked per thread, because
      * MyRobotLab's Python service executes a line of its own after each service start, which would end another thread's
@@ -74,13 +75,18 @@ final class RealMrl {
         port = FreePort.find();
         Path web = folder.resolve("data/config").resolve(config).resolve("webgui.yml");
         Files.createDirectories(web.getParent());
-        Files.writeString(web, "!!org.myrobotlab.service.config.WebGuiConfig\nautoStartBrowser: false\nport: " + port + "\ntype: WebGui\n");
+        Files.writeString(web, "!!org.myrobotlab.service.config.WebGuiConfig\nautoStartBrowser: false\nport: " + port
+            + "\ntype: WebGui\n");
         process = new ProcessBuilder(JAVA.toString(), "-Xmx1200m", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
-            "-Djava.library.path=libraries/native", "-Djna.library.path=libraries/native", "-Dfile.encoding=UTF-8", "-Dsear.headless=true",
-            "-cp", "libraries/jar/*:myrobotlab.jar", "org.myrobotlab.service.Runtime", "--log-level", "warn", "-c", config,
-            "-s", "webgui", "WebGui", "python", "Python").directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start();
+            "-Djava.library.path=libraries/native", "-Djna.library.path=libraries/native", "-Dfile.encoding=UTF-8",
+            "-Dsear.headless=true",
+            "-cp", "libraries/jar/*:myrobotlab.jar", "org.myrobotlab.service.Runtime", "--log-level", "warn",
+            "-c", config,
+            "-s", "webgui", "WebGui", "python", "Python").directory(folder.toFile()).redirectErrorStream(true)
+            .redirectOutput(log.toFile()).start();
         try {
-            await("MyRobotLab's Python", () -> "true".equals(get("/api/service/python/isRunning")) && python("print 'ready'").equals("ready\n"));
+            await("MyRobotLab's Python", () -> "true".equals(get("/api/service/python/isRunning"))
+                && python("print 'ready'").equals("ready\n"));
             firstServices = services();
         } catch (IOException | InterruptedException | AssertionError e) {
             process.destroyForcibly();
@@ -148,12 +154,14 @@ final class RealMrl {
     }
 
     private HttpRequest.Builder request(String path) {
-        return HttpRequest.newBuilder(URI.create("http://localhost:" + port + path)).timeout(Duration.ofSeconds(PATIENCE_SECONDS));
+        return HttpRequest.newBuilder(URI.create("http://localhost:" + port + path))
+            .timeout(Duration.ofSeconds(PATIENCE_SECONDS));
     }
 
     /** Calls a method of a service; {@code json} is the list of its arguments. */
     String call(String serviceAndMethod, String json) throws IOException, InterruptedException {
-        HttpResponse<String> answer = client.send(request("/api/service/" + serviceAndMethod).header("Content-Type", "application/json")
+        HttpResponse<String> answer = client.send(request("/api/service/" + serviceAndMethod)
+            .header("Content-Type", "application/json")
             .POST(HttpRequest.BodyPublishers.ofString(json)).build(), HttpResponse.BodyHandlers.ofString());
         assertEquals(serviceAndMethod + " " + answer.body() + "\n" + tail(), 200, answer.statusCode());
         return answer.body();
@@ -176,7 +184,8 @@ final class RealMrl {
     String run(Path script) throws IOException, InterruptedException {
         Path wrapper = write("run", "");
         Path output = Path.of(wrapper + ".out");
-        Files.writeString(wrapper, String.format(WRAPPER, literal(output + ".part"), literal(script.toString()), literal(output.toString())));
+        Files.writeString(wrapper, String.format(WRAPPER, literal(output + ".part"), literal(script.toString()),
+            literal(output.toString())));
         call("python/execFile", "[\"" + wrapper + "\"]");
         await("the end of " + script, () -> Files.exists(output));
         return Files.readString(output);

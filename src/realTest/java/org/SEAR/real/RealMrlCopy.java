@@ -95,13 +95,15 @@ final class RealMrlCopy {
     static String output(Path folder, List<String> command) throws IOException, InterruptedException {
         File output = File.createTempFile("output", ".txt", BUILD.toFile());
         File errors = File.createTempFile("errors", ".txt", BUILD.toFile());
-        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectError(errors).redirectOutput(output);
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectError(errors)
+            .redirectOutput(output);
         builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
         Process process = builder.start();
         try {
             boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
             String text = Files.readString(output.toPath());
-            assertEquals(command + "\n" + text + Files.readString(errors.toPath()), "0", ended ? "" + process.exitValue() : "it hangs");
+            assertEquals(command + "\n" + text + Files.readString(errors.toPath()), "0", ended
+                ? "" + process.exitValue() : "it hangs");
             return text;
         } finally {
             process.destroyForcibly();

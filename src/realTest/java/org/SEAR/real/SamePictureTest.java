@@ -27,23 +27,27 @@ public class SamePictureTest extends InRealMrl {
     private static final int DIFFERENT = 60;
     /** Largest share of different pixels. The embedded page's buttons and grey text are darker for legibility. */
     private static final double MOST_DIFFERENT = 0.015;
-    private static final String PREPARE = "if (!document.querySelector('.sear-example')) { document.querySelector('.sear-fold-project').click() }"
+    private static final String PREPARE = "if (!document.querySelector('.sear-example')) { "
+        + "document.querySelector('.sear-fold-project').click() }"
         + "document.querySelector('.sear-example').style.width = '190px'";
     private static final String READY =
-        "world.preview !== null && edits.grammar !== null && world.shown() && world.shown().robots.length == 1 && view.fitted";
+        "world.preview !== null && edits.grammar !== null && world.shown() && world.shown().robots.length == 1 "
+        + "&& view.fitted";
     /** Script that returns type, left, top, width and height of each visible part of the panel, in window pixels. */
     private static final String BOXES = String.join("\n",
         "return [].filter.call(document.querySelectorAll('.sear-main, .sear-main *'), function(e) {",
         "    return e.getClientRects().length && !e.closest('option')",
         "}).map(function(e) {",
         "    var box = e.getBoundingClientRect()",
-        "    return {name: e.tagName + ' ' + e.className.replace(/ ?\\bng-\\S+/g, ''), box: [box.left, box.top, box.width, box.height]}",
+        "    return {name: e.tagName + ' ' + e.className.replace(/ ?\\bng-\\S+/g, ''), box: [box.left, box.top, "
+        + "box.width, box.height]}",
         "})");
 
     @Test
     public void everyPartIsAtTheSamePlaceAndPixelsAreTheSame() throws Exception {
         assertEquals("", mrl.python("sear = Runtime.start('sear', 'SEAR')", PROJECT));
-        try (MyRobotLab embedded = new MyRobotLab("sear = Runtime.start('sear', 'SEAR')\n" + PROJECT); Page page = new Page()) {
+        try (MyRobotLab embedded = new MyRobotLab("sear = Runtime.start('sear', 'SEAR')\n" + PROJECT); Page page =
+            new Page()) {
             View[] real = new View[SIZES.length];
             page.open(mrl, "sear");
             for (int i = 0; i < SIZES.length; i++) {
@@ -71,14 +75,16 @@ public class SamePictureTest extends InRealMrl {
             page.await("the project", READY);
             page.browser.script("angular.element(document.querySelector('.sear-main')).scope().$apply('view.fit()')");
             page.browser.until("a drawn frame", () -> Boolean.TRUE.equals(page.browser.driver().executeAsyncScript(
-                "var done = arguments[0]; requestAnimationFrame(function() { requestAnimationFrame(function() { done(true) }) })")));
+                "var done = arguments[0]; requestAnimationFrame(function() { requestAnimationFrame(function() { "
+                    + "done(true) }) })")));
             parts = (List<Map<String, Object>>) page.browser.script(BOXES);
             Path file = page.keep("panel-" + where + "-" + wanted[0]);
             picture = ImageIO.read(Files.newInputStream(file));
         }
 
         private double[] box(int part) {
-            return ((List<?>) parts.get(part).get("box")).stream().mapToDouble(number -> ((Number) number).doubleValue()).toArray();
+            return ((List<?>) parts.get(part).get("box")).stream()
+                .mapToDouble(number -> ((Number) number).doubleValue()).toArray();
         }
 
         private Object name(int part) {
@@ -89,7 +95,8 @@ public class SamePictureTest extends InRealMrl {
             assertEquals(size, parts.size(), other.parts.size());
             for (int i = 0; i < parts.size(); i++) {
                 assertEquals(size, name(i), other.name(i));
-                assertTrue(size + ", " + name(i) + ": " + List.of(parts.get(i), other.parts.get(i)), isNear(box(i), other.box(i)));
+                assertTrue(size + ", " + name(i) + ": " + List.of(parts.get(i), other.parts.get(i)),
+                    isNear(box(i), other.box(i)));
             }
             checkPixels(other);
         }
@@ -115,7 +122,8 @@ public class SamePictureTest extends InRealMrl {
                     all++;
                 }
             }
-            assertTrue(size + ": " + different + " of " + all + " pixels are different", different < MOST_DIFFERENT * all);
+            assertTrue(size + ": " + different + " of " + all + " pixels are different",
+                different < MOST_DIFFERENT * all);
         }
 
         private static int distance(int one, int other) {

@@ -50,10 +50,12 @@ public class ScriptsTest {
         others = Executors.newSingleThreadExecutor();
         alone = new TreeMap<>();
         for (Job job : Job.all()) {
-            Path folder = Files.createDirectories(RealMrlCopy.BUILD.resolve("embedded").resolve(job.toString().replaceAll("\\W+", "_")));
+            Path folder = Files.createDirectories(RealMrlCopy.BUILD.resolve("embedded")
+                .resolve(job.toString().replaceAll("\\W+", "_")));
             Path script = Files.writeString(folder.resolve("job.py"), job.alone());
             alone.put(job.toString(), others.submit(() ->
-                RealMrlCopy.sear(folder, script.toString(), "--headless", "--speed", job.isByTheClock() ? "1" : "max", "--port", "none")));
+                RealMrlCopy.sear(folder, script.toString(), "--headless", "--speed", job.isByTheClock() ? "1" : "max",
+                    "--port", "none")));
         }
     }
 
@@ -72,7 +74,8 @@ public class ScriptsTest {
         if (job.isByTheClock()) {
             outputs.forEach(output -> assertNear(expected, output));
         } else {
-            assertEquals("alone and twice in the session", List.of(expected, expected, expected), List.of(expected, outputs.get(0), outputs.get(1)));
+            assertEquals("alone and twice in the session", List.of(expected, expected, expected),
+                List.of(expected, outputs.get(0), outputs.get(1)));
         }
     }
 
@@ -88,7 +91,8 @@ public class ScriptsTest {
             for (int i = 0; i < ranges.size(); i++) {
                 for (int end = 0; end < 2; end++) {
                     double value = ranges.get(i)[end];
-                    assertEquals(line + "\n" + expected + "\n" + output, value, other.get(line).get(i)[end], ABSOLUTE + SHARE * Math.abs(value));
+                    assertEquals(line + "\n" + expected + "\n" + output, value, other.get(line).get(i)[end],
+                        ABSOLUTE + SHARE * Math.abs(value));
                 }
             }
         });
@@ -98,7 +102,8 @@ public class ScriptsTest {
     private static Map<String, List<double[]>> ranges(String text) {
         Map<String, List<double[]>> ranges = new TreeMap<>();
         for (String line : text.split("\n")) {
-            List<double[]> here = ranges.computeIfAbsent(NUMBER.matcher(line).replaceAll("#"), key -> new ArrayList<>());
+            List<double[]> here = ranges.computeIfAbsent(NUMBER.matcher(line).replaceAll("#"),
+                key -> new ArrayList<>());
             Matcher number = NUMBER.matcher(line);
             for (int i = 0; number.find(); i++) {
                 double value = Double.parseDouble(number.group());

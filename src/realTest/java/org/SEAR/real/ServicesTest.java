@@ -28,7 +28,8 @@ public class ServicesTest extends InRealMrl {
         "    gps.connect('/dev/SEAR_GPS_01')", "");
 
     private void start() throws IOException, InterruptedException {
-        assertEquals("", mrl.python(READ, "services()", "sear.setLockStep(True)", WORLD, "sear.startSimulation()", "sear.simSleep(1)", "connect()"));
+        assertEquals("", mrl.python(READ, "services()", "sear.setLockStep(True)", WORLD, "sear.startSimulation()",
+            "sear.simSleep(1)", "connect()"));
         assertRead();
     }
 
@@ -40,7 +41,8 @@ public class ServicesTest extends InRealMrl {
     private void release(String... names) throws IOException, InterruptedException {
         for (String name : names) {
             assertEquals("", mrl.python("Runtime.release('" + name + "')"));
-            mrl.await("Python to forget " + name, () -> mrl.python("print globals().get('" + name + "')").equals("None\n"));
+            mrl.await("Python to forget " + name, () -> mrl.python("print globals().get('" + name + "')")
+                .equals("None\n"));
         }
     }
 
@@ -59,8 +61,10 @@ public class ServicesTest extends InRealMrl {
         start();
         for (int turn = 0; turn < 2; turn++) {
             release("sear");
-            assertEquals("[]\n", mrl.python("print [name for name in Runtime.getServiceNames() if 'simulator' in name]"));
-            assertEquals("", mrl.python("services()", "sear.setLockStep(True)", "sear.startSimulation()", "sear.simSleep(1)", "connect()"));
+            assertEquals("[]\n", mrl.python(
+                "print [name for name in Runtime.getServiceNames() if 'simulator' in name]"));
+            assertEquals("", mrl.python("services()", "sear.setLockStep(True)", "sear.startSimulation()",
+                "sear.simSleep(1)", "connect()"));
             assertRead();
         }
     }
@@ -70,7 +74,8 @@ public class ServicesTest extends InRealMrl {
         start();
         assertEquals("", mrl.python("sear.stopSimulation()"));
         release("sear", "gps", "lidar");
-        assertEquals("", mrl.python("services()", "sear.setLockStep(True)", "sear.startSimulation()", "sear.simSleep(1)", "connect()"));
+        assertEquals("", mrl.python("services()", "sear.setLockStep(True)", "sear.startSimulation()",
+            "sear.simSleep(1)", "connect()"));
         assertRead();
     }
 
@@ -80,7 +85,8 @@ public class ServicesTest extends InRealMrl {
         assertEquals("", mrl.python(READ, "services()"));
         for (String name : new String[] {"sear", "lidar", "gps"}) {
             String type = name.toUpperCase(Locale.ROOT);
-            assertEquals("the configuration of " + name + " is a PythonConfig, legal: " + type + "Config\n" + type + "Config\n", mrl.python(
+            assertEquals("the configuration of " + name + " is a PythonConfig, legal: " + type + "Config\n" + type
+                + "Config\n", mrl.python(
                 "from java.lang import IllegalArgumentException",
                 "from org.myrobotlab.service.config import PythonConfig",
                 "try: " + name + ".apply(PythonConfig())",
@@ -104,8 +110,10 @@ public class ServicesTest extends InRealMrl {
         List<String> back = mrl.services();
         back.removeIf(name -> name.contains("simulator"));
         assertEquals(names, back);
-        assertEquals("", mrl.python(READ, "services()", "sear.setLockStep(True)", "sear.startSimulation()", "sear.simSleep(3)"));
-        assertEquals("True True\n" + unit, mrl.python("print lidar.isConnected(), gps.isConnected()", "print lidar.getUnit()"));
+        assertEquals("", mrl.python(READ, "services()", "sear.setLockStep(True)", "sear.startSimulation()",
+            "sear.simSleep(3)"));
+        assertEquals("True True\n" + unit,
+            mrl.python("print lidar.isConnected(), gps.isConnected()", "print lidar.getUnit()"));
         assertRead();
         mrl.close();    // the other tests' MyRobotLab has none of the services of this configuration
         mrl = new RealMrl(mrl.folder(), "tests");

@@ -19,7 +19,8 @@ import org.junit.Test;
 /** Files that outlive a call are written by AtomicFile, whole or not at all. */
 public class FileWritersTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", "."), "src");
-    private static final Pattern WRITES = Pattern.compile("Files\\.(write|writeString|newOutputStream|newBufferedWriter|copy)\\("
+    private static final Pattern WRITES =
+        Pattern.compile("Files\\.(write|writeString|newOutputStream|newBufferedWriter|copy)\\("
         + "|new (FileOutputStream|FileWriter)\\(|new PrintWriter\\((new File|file|path)|ImageIO\\.write\\("
         + "|StandardOpenOption\\.(CREATE|WRITE)|\"rw\"");
     private static final Pattern ATOMIC = Pattern.compile("AtomicFile\\.write\\(");
@@ -53,7 +54,8 @@ public class FileWritersTest {
         for (String sources : List.of("main/java", "cli/java")) {
             try (Stream<Path> files = Files.walk(ROOT.resolve(sources))) {
                 for (Path file : files.filter(each -> each.toString().endsWith(".java")).collect(Collectors.toList())) {
-                    if (Files.readAllLines(file).stream().anyMatch(line -> WRITES.matcher(line).find() && !ATOMIC.matcher(line).find())) {
+                    if (Files.readAllLines(file).stream()
+                        .anyMatch(line -> WRITES.matcher(line).find() && !ATOMIC.matcher(line).find())) {
                         found.add(file.getFileName().toString());
                     }
                 }

@@ -35,7 +35,8 @@ public class PackageGraphTest {
 
     @Test
     public void aCycleIsFound() {
-        PackageGraph graph = new PackageGraph(Map.of("a", List.of("b"), "b", List.of("c"), "c", List.of("b", "d"), "e", List.of("a")));
+        PackageGraph graph = new PackageGraph(
+            Map.of("a", List.of("b"), "b", List.of("c"), "c", List.of("b", "d"), "e", List.of("a")));
         assertEquals(Set.of("b", "c"), graph.circles());
     }
 
@@ -51,7 +52,8 @@ public class PackageGraphTest {
     public void namesAreReadFromAClassFile() throws Exception {
         try (java.io.InputStream in = PackageGraphTest.class.getResourceAsStream("PackagePicture.class")) {
             Set<String> names = ClassNames.in(in.readAllBytes());
-            assertTrue(names.toString(), names.containsAll(Set.of("org/SEAR/architecture/PackageGraph", "java/util/Map", "java/util/Locale")));
+            assertTrue(names.toString(), names.containsAll(
+                Set.of("org/SEAR/architecture/PackageGraph", "java/util/Map", "java/util/Locale")));
         }
     }
 }

@@ -30,7 +30,8 @@ public class PackagePagesTest {
         SortedMap<String, SortedSet<String>> said = new TreeMap<>();
         SortedMap<String, SortedSet<String>> used = new TreeMap<>();
         for (String name : graph.uses().keySet()) {
-            said.put(name, said(Files.readString(SOURCES.resolve(name.replace('.', '/')).resolve("package-info.java"))));
+            said.put(name, said(Files.readString(SOURCES.resolve(name.replace('.', '/'))
+                .resolve("package-info.java"))));
             used.put(name, graph.direct(name));
         }
         assertEquals("after \"Uses\" in package-info.java", lines(used), lines(said));
@@ -44,7 +45,8 @@ public class PackagePagesTest {
     @Test
     public void theSentenceIsFoundAmongOthers() {
         assertEquals(new TreeSet<>(java.util.Set.of("org.a.b", "org.c")),
-            said("/**\n * Of {@link org.d}. Uses {@link org.a.b}\n * and {@link org.c}, and what these use. Not {@link org.e}.\n */\npackage x;"));
+            said("/**\n * Of {@link org.d}. Uses {@link org.a.b}\n * and {@link org.c}, and what these use. Not {@link "
+                + "org.e}.\n */\npackage x;"));
     }
 
     /** Returns the packages in the one sentence that begins with "Uses". */

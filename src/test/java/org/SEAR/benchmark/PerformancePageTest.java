@@ -37,12 +37,14 @@ public class PerformancePageTest {
     public final TemporaryFolder folder = new TemporaryFolder();
 
     private String run(String... options) throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(Arrays.asList("python3", ROOT.resolve("src/jmh/python/benchmark.py").toString()));
+        List<String> command = new ArrayList<>(
+            Arrays.asList("python3", ROOT.resolve("src/jmh/python/benchmark.py").toString()));
         command.addAll(Arrays.asList(options));
         Path output = folder.newFile().toPath();
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
         builder.environment().put("PYTHONIOENCODING", "utf-8");
-        builder.environment().put("JDK_JAVA_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC");    // figures of a quick run have no meaning
+        // figures of a quick run have no meaning
+        builder.environment().put("JDK_JAVA_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC");
         Process process = builder.start();
         boolean ended = process.waitFor(LONGEST, TimeUnit.SECONDS);
         process.destroyForcibly();
@@ -54,7 +56,8 @@ public class PerformancePageTest {
 
     private static List<Path> curves(Path docs) throws IOException {
         try (Stream<Path> files = Files.list(docs.resolve("images"))) {
-            return files.filter(file -> file.getFileName().toString().matches("speed-.*\\.svg")).sorted().collect(Collectors.toList());
+            return files.filter(file -> file.getFileName().toString().matches("speed-.*\\.svg")).sorted()
+                .collect(Collectors.toList());
         }
     }
 
@@ -65,8 +68,10 @@ public class PerformancePageTest {
         List<String> commands = DocBlock.commands("docs/performance.md", "scripts/benchmark");
         assertTrue(commands.toString(), commands.size() > 1);
         for (String command : commands) {
-            for (String word : command.replaceAll(" *#.*", "").substring("scripts/benchmark".length()).trim().split(" ")) {
-                assertTrue(command, word.isEmpty() || Pattern.compile("^ +" + word + "\\b", Pattern.MULTILINE).matcher(help).find());
+            for (String word : command.replaceAll(" *#.*", "").substring("scripts/benchmark".length()).trim()
+                .split(" ")) {
+                assertTrue(command, word.isEmpty() || Pattern.compile("^ +" + word + "\\b", Pattern.MULTILINE)
+                    .matcher(help).find());
             }
         }
     }
@@ -74,9 +79,11 @@ public class PerformancePageTest {
     @Test
     public void tablesAndCurvesAreMadeFromRecordedNumbers() throws Exception {
         Path made = folder.newFolder().toPath();
-        run("--page-only", ROOT.resolve("src/test/resources/performance/recorded.json").toString(), "--docs", made.toString());
+        run("--page-only", ROOT.resolve("src/test/resources/performance/recorded.json").toString(), "--docs",
+            made.toString());
         String page = Files.readString(made.resolve("performance.md"));
-        for (String part : new String[] {"# How fast is SEAR?", "| hills-1000000 |", "| everything, 1000 boxes |", "| 8 LIDARs, 20 boxes |",
+        for (String part : new String[] {"# How fast is SEAR?", "| hills-1000000 |", "| everything, 1000 boxes |",
+            "| 8 LIDARs, 20 boxes |",
             "Not measured: ", "of 20 goals are met", "## How it is measured"}) {
             assertTrue(part + " is not in\n" + page, page.contains(part));
         }
@@ -100,16 +107,19 @@ public class PerformancePageTest {
         assertEquals("docs/performance.md is not what \"scripts/benchmark --page-only docs/performance.json\" makes",
             Files.readString(made.resolve("performance.md")), Files.readString(ROOT.resolve("docs/performance.md")));
         for (Path curve : curves(made)) {
-            assertEquals(Files.readString(curve), Files.readString(ROOT.resolve("docs/images").resolve(curve.getFileName())));
+            assertEquals(Files.readString(curve),
+                Files.readString(ROOT.resolve("docs/images").resolve(curve.getFileName())));
         }
     }
 
     @Test
     public void aQuickRunMeasuresEverythingOnce() throws Exception {
         Path work = folder.newFolder().toPath();
-        String said = run("--quick", "--no-peers", "--no-script", "--work", work.toString(), "--classpath", System.getProperty("sear.jmhClasspath"));
+        String said = run("--quick", "--no-peers", "--no-script", "--work", work.toString(), "--classpath",
+            System.getProperty("sear.jmhClasspath"));
         String page = Files.readString(work.resolve("performance.md"));
-        for (String row : new String[] {"| hall-10 |", "| hills-1000 |", "| a LIDAR, 20 boxes |", "| everything, 20 boxes |", "| 10 |",
+        for (String row : new String[] {"| hall-10 |", "| hills-1000 |", "| a LIDAR, 20 boxes |",
+            "| everything, 20 boxes |", "| 10 |",
             "| 1 058 |", "| room-20 | colours | SEAR |", "| room-20 | depths | SEAR |",
             "| with noise | ", "| 3 | 1 | ", "| 3 | 0 | "}) {
             assertTrue(row + " is not in\n" + said, page.contains(row));

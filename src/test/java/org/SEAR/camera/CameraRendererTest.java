@@ -75,7 +75,8 @@ public class CameraRendererTest {
 
     @Test
     public void theSunLightsFacesTowardsItAndTheBoxCastsAShadow() {
-        RenderJob down = new RenderJob(plate(), shape -> new Flat(0, 1, 0), Pose.ofDegrees(0, 0.9, 0, 90, 0, 0), BeamScene.WORLD);
+        RenderJob down = new RenderJob(plate(), shape -> new Flat(0, 1, 0), Pose.ofDegrees(0, 0.9, 0, 90, 0, 0),
+            BeamScene.WORLD);
         double[] sun = Daylight.toSun();
         int lit = (int) (128 * (Daylight.sky()[0] + Daylight.sun()[0] * sun[1]) + 0.5);
         int shaded = (int) (128 * (Daylight.sky()[0] + Daylight.sun()[0] * sun[1]) * (1 - Daylight.SHADOW) + 0.5);
@@ -89,19 +90,22 @@ public class CameraRendererTest {
         double x = 1.0 * -sun[0] / sun[1];
         double z = 1.0 * -sun[2] / sun[1];
         assertTrue("the shadow is a metre wide, towards " + x + ", " + z, dark > 300 && dark < 2500);
-        int away = eye().colors(new RenderJob(plate(), shape -> new Flat(0, -1, 0), Pose.ofDegrees(0, 0.9, 0, 90, 0, 0), BeamScene.WORLD))[0] >> 16;
+        int away = eye().colors(new RenderJob(plate(), shape -> new Flat(0, -1, 0), Pose.ofDegrees(0, 0.9, 0, 90, 0, 0),
+            BeamScene.WORLD))[0] >> 16;
         assertEquals("what looks away has the sky's light only", (int) (128 * Daylight.sky()[0] + 0.5), away);
     }
 
     @Test
     public void theSkyIsTheWindows() {
-        RenderJob up = new RenderJob(new BeamScene(), shape -> null, Pose.ofDegrees(0, 1, 0, -30, 0, 0), BeamScene.WORLD);
+        RenderJob up = new RenderJob(new BeamScene(), shape -> null, Pose.ofDegrees(0, 1, 0, -30, 0, 0),
+            BeamScene.WORLD);
         int middle = eye().colors(up)[24 * WIDTH + 32];
         float[] ring = Daylight.rings()[8];
         assertEquals(30, ring[0], 0);
         assertEquals(255 * ring[1], middle >> 16, 3);
         assertEquals(255 * ring[3], middle & 0xff, 3);
-        int land = eye().colors(new RenderJob(new BeamScene(), shape -> null, Pose.ofDegrees(0, 1, 0, 60, 0, 0), BeamScene.WORLD))[0];
+        int land = eye().colors(new RenderJob(new BeamScene(), shape -> null, Pose.ofDegrees(0, 1, 0, 60, 0, 0),
+            BeamScene.WORLD))[0];
         assertTrue("below the horizon is land", (land >> 8 & 0xff) > (land & 0xff));
     }
 
@@ -116,11 +120,13 @@ public class CameraRendererTest {
             heights[i] = (float) (0.3 * Math.sin(i / 60 * 0.3) * Math.cos(i % 60 * 0.2));
         }
         BeamScene scene = plate();
-        scene.setPose(scene.addHeights(new HeightField(60, 60, -15, -15, 0.5, 0.5, heights), BeamScene.WORLD), 0, 0.2, 0, 0, 0, 0, 1);
+        scene.setPose(scene.addHeights(new HeightField(60, 60, -15, -15, 0.5, 0.5, heights), BeamScene.WORLD), 0, 0.2,
+            0, 0, 0, 0, 1);
         scene.setPose(scene.addSolid(RayRound.cylinder(0.3, 0.8), BeamScene.WORLD), 1, 1, 3, 0, 0, 0, 1);
         scene.commit();
         BrownLens lens = new BrownLens(277, 159.5, 119.5, new double[] {-0.1, 0.01, 0, 0});
-        RenderJob sight = new RenderJob(scene, shape -> new Flat(0, 1, 0), Pose.ofDegrees(0, 1, -4, 8, 10, 0), BeamScene.WORLD);
+        RenderJob sight = new RenderJob(scene, shape -> new Flat(0, 1, 0), Pose.ofDegrees(0, 1, -4, 8, 10, 0),
+            BeamScene.WORLD);
         CameraRenderer alone = new CameraRenderer(320, 240, lens, 0.01, 1000);
         int[] colors = alone.colors(sight);
         float[] depths = alone.depths(sight);
@@ -139,7 +145,8 @@ public class CameraRendererTest {
 
     @Test
     public void aStripAllocatesNothing() {
-        Painter painter = new Painter(new org.SEAR.raycast.PictureBeams(8, new double[64], new double[64]), 0.02, 0.01, 100);
+        Painter painter = new Painter(new org.SEAR.raycast.PictureBeams(8, new double[64], new double[64]),
+            0.02, 0.01, 100);
         Appearance skin = new Flat(0, 1, 0);
         RenderJob down = new RenderJob(plate(), shape -> skin, Pose.ofDegrees(0, 0.9, 0, 90, 0, 0), BeamScene.WORLD);
         Appearance[] skins = {skin, skin};

@@ -39,7 +39,8 @@ public class BrokenCorpusTest {
 
     /** Makes a project folder with its expected messages. */
     private Path folder(String name, String... expected) throws IOException {
-        Path folder = temporary.getRoot().toPath().resolve("corpus").resolve(String.format("%03d %s", count++, name.replace('/', '-')));
+        Path folder = temporary.getRoot().toPath().resolve("corpus")
+            .resolve(String.format("%03d %s", count++, name.replace('/', '-')));
         Files.createDirectories(folder.resolve("SEARproject/environment"));
         Files.createDirectories(folder.resolve("SEARproject/assets"));
         Files.write(folder.resolve("expected"), List.of(expected));
@@ -55,9 +56,11 @@ public class BrokenCorpusTest {
         BrokenModels broken = BrokenModels.models();
         for (Map.Entry<String, byte[]> file : broken.files.entrySet()) {
             for (int mass = 0; mass < 2; mass++) {
-                Path project = folder(file.getKey(), "environment/o.xml", "path is \"" + file.getKey() + "\"", broken.messages.get(file.getKey()));
+                Path project = folder(file.getKey(), "environment/o.xml", "path is \"" + file.getKey() + "\"",
+                    broken.messages.get(file.getKey()));
                 Files.write(project.resolve("assets").resolve(file.getKey()), file.getValue());
-                put(project, "environment/o.xml", "<Model><name>o</name><path>" + file.getKey() + "</path><mass>" + mass + "</mass></Model>");
+                put(project, "environment/o.xml", "<Model><name>o</name><path>" + file.getKey() + "</path><mass>" + mass
+                    + "</mass></Model>");
             }
         }
     }
@@ -65,7 +68,8 @@ public class BrokenCorpusTest {
     private void pictures() throws IOException {
         BrokenModels broken = BrokenModels.pictures();
         for (Map.Entry<String, byte[]> file : broken.files.entrySet()) {
-            Path project = folder(file.getKey(), "environment/o.xml", "image is \"" + file.getKey() + "\"", broken.messages.get(file.getKey()));
+            Path project = folder(file.getKey(), "environment/o.xml", "image is \"" + file.getKey() + "\"",
+                broken.messages.get(file.getKey()));
             Files.write(project.resolve("assets").resolve(file.getKey()), file.getValue());
             put(project, "environment/o.xml", BOX + "<image>" + file.getKey() + "</image></Box>");
         }
@@ -89,13 +93,17 @@ public class BrokenCorpusTest {
     }
 
     private void folders() throws IOException {
-        put(folder("deep", "environment/o.xml", "nested more than 16 deep"), "environment/o.xml", "<Box>".repeat(150_000));
-        put(folder("huge", "environment/o.xml", "at most 1048576 bytes"), "environment/o.xml", "<Box>" + " ".repeat(Xml.MAX_BYTES) + "</Box>");
+        put(folder("deep", "environment/o.xml", "nested more than 16 deep"), "environment/o.xml",
+            "<Box>".repeat(150_000));
+        put(folder("huge", "environment/o.xml", "at most 1048576 bytes"), "environment/o.xml", "<Box>" + " "
+            .repeat(Xml.MAX_BYTES) + "</Box>");
         put(folder("laughs", "environment/o.xml", "document type"), "environment/o.xml",
             "<!DOCTYPE Box [<!ENTITY a \"aaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;&a;\">]><Box><name>&b;</name></Box>");
-        put(folder("many", "environment/o.xml", "<x> occurs once too often"), "environment/o.xml", "<Box>" + "<x>a</x>".repeat(100_000) + "</Box>");
+        put(folder("many", "environment/o.xml", "<x> occurs once too often"), "environment/o.xml", "<Box>" + "<x>a</x>"
+            .repeat(100_000) + "</Box>");
         put(folder("wide", "environment/o.xml"), "environment/o.xml", "<Box " + "a=\"1\" ".repeat(1000) + "/>");
-        Files.createSymbolicLink(folder("endless", "environment/o.xml", "neither a link nor a folder").resolve("environment/o.xml"),
+        Files.createSymbolicLink(folder("endless", "environment/o.xml", "neither a link nor a folder")
+            .resolve("environment/o.xml"),
             Path.of("/dev/zero"));
         Path crowd = folder("crowd of broken files", "environment/o0.xml", "is not an object here");
         for (int i = 0; i < 3000; i++) {
@@ -108,9 +116,11 @@ public class BrokenCorpusTest {
     }
 
     private List<String> check() throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString()));
+        List<String> command = new ArrayList<>(
+            List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString()));
         command.addAll(List.of(MEMORY));
-        command.addAll(List.of("-Dfile.encoding=UTF-8", "-cp", System.getProperty("java.class.path"), CheckEach.class.getName(),
+        command.addAll(List.of("-Dfile.encoding=UTF-8", "-cp", System.getProperty("java.class.path"),
+            CheckEach.class.getName(),
             temporary.getRoot().toPath().resolve("corpus").toString()));
         File out = temporary.newFile();
         File err = temporary.newFile();

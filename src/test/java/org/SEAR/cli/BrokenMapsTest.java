@@ -81,9 +81,11 @@ public class BrokenMapsTest {
         Terrain ground = new Terrain("ground", "map.tif");
         ground.setImage(image);
         assertEquals(said, 2, check());
-        String problem = "environment/ground.xml:11: image is \"" + image + "\", legal: a picture that can be shown (" + message;
+        String problem = "environment/ground.xml:11: image is \"" + image + "\", legal: a picture that "
+            + "can be shown (" + message;
         assertTrue(problem + " in " + said, said.contains(problem));
-        ProjectException refusal = assertThrows(ProjectException.class, () -> Simulation.load(project.folder(), 1).close());
+        ProjectException refusal = assertThrows(ProjectException.class,
+            () -> Simulation.load(project.folder(), 1).close());
         assertTrue(refusal.getMessage(), refusal.getMessage().contains(problem));
     }
 
@@ -92,7 +94,8 @@ public class BrokenMapsTest {
         asset("map.tif", map().bytes());
         for (String format : new String[] {"png", "jpg", "gif"}) {
             byte[] whole = picture(format);
-            refused("cut." + format, Arrays.copyOf(whole, whole.length * 3 / 4), "cut." + format + ": the picture is broken (its end is missing");
+            refused("cut." + format, Arrays.copyOf(whole, whole.length * 3 / 4), "cut." + format
+                + ": the picture is broken (its end is missing");
             asset("whole." + format, whole);
             new Terrain("ground", "map.tif").setImage("whole." + format);
             assertEquals(said, 0, check());
@@ -101,9 +104,12 @@ public class BrokenMapsTest {
         byte[] changed = picture("png");
         changed[changed.length / 2] ^= 1;
         refused("changed.png", changed, "changed.png: the picture is broken (the checksum of its part at byte ");
-        refused("text.png", "hello".getBytes(StandardCharsets.UTF_8), "text.png: the picture is in no known format, legal: PNG, JPEG");
-        refused("text.tif", "hello, this is a text".getBytes(StandardCharsets.UTF_8), "text.tif: the version of the TIFF is ");
-        byte[] aerial = new TiffMaker(SIDE, SIDE, 8, new byte[SIDE * SIDE]).placed(8, 47, STEP).with(273, 60000).bytes();
+        refused("text.png", "hello".getBytes(StandardCharsets.UTF_8), "text.png: the picture is in no known format, "
+            + "legal: PNG, JPEG");
+        refused("text.tif", "hello, this is a text".getBytes(StandardCharsets.UTF_8),
+            "text.tif: the version of the TIFF is ");
+        byte[] aerial = new TiffMaker(SIDE, SIDE, 8, new byte[SIDE * SIDE]).placed(8, 47, STEP)
+            .with(273, 60000).bytes();
         refused("cut.tif", aerial, "cut.tif: strip 0 is 1600 bytes at 60000, legal: inside the file, which has ");
     }
 
@@ -112,7 +118,8 @@ public class BrokenMapsTest {
     public void aPictureOfAnotherPlaceIsRefused() throws Exception {
         asset("map.tif", map().bytes());
         byte[] elsewhere = new TiffMaker(SIDE, SIDE, 8, new byte[SIDE * SIDE]).placed(9, 47, STEP).bytes();
-        refused("elsewhere.tif", elsewhere, "elsewhere.tif: the picture's place is about latitude 46.97950, longitude 9.02050, "
+        refused("elsewhere.tif", elsewhere, "elsewhere.tif: the picture's place is about latitude 46.97950, "
+            + "longitude 9.02050, "
             + "legal: over the terrain");
     }
 
@@ -123,8 +130,10 @@ public class BrokenMapsTest {
         asset("text.png", "hello");
         new Box("box", 1, 1, 1).setImage("text.png");
         assertEquals(said, 0, check());
-        assertTrue(said, said.contains("warning: environment/box.xml: the picture of Box \"box\" can't be shown (text.png: "));
-        refused("text.png", "hello".getBytes(StandardCharsets.UTF_8), "text.png: the picture is in no known format, legal: PNG, JPEG");
+        assertTrue(said, said.contains("warning: environment/box.xml: the picture of Box \"box\" can't be "
+            + "shown (text.png: "));
+        refused("text.png", "hello".getBytes(StandardCharsets.UTF_8), "text.png: the picture is in no known format, "
+            + "legal: PNG, JPEG");
     }
 
     @Test
@@ -139,7 +148,8 @@ public class BrokenMapsTest {
         Terrain ground = new Terrain("ground", "map.tif");
         ground.setArea(46.99, 8.02, 500, 500);
         assertEquals(0, check());
-        assertTrue(said, said.contains("warning: map.tif: the file is cut off: 10 of its 40 strips or tiles are beyond its end"));
+        assertTrue(said, said.contains("warning: map.tif: the file is cut off: 10 of its 40 strips or tiles are "
+            + "beyond its end"));
         ground.setArea(46.97, 8.02, 1000, 500);
         assertEquals(2, check());
         assertTrue(said, said.contains("map.tif: strip 30 is 80 bytes at 52400, legal: inside the file"));
@@ -148,11 +158,16 @@ public class BrokenMapsTest {
     /** The Eiffel Tower: longitude 2.2945, latitude 48.8584. */
     @Test
     public void aGridInLambert93LiesInFrance() throws Exception {
-        asset("paris.asc", "ncols 3\nnrows 3\nxllcenter 648212\nyllcenter 6862246\ncellsize 25\n33 33 33\n33 35 33\n33 33 33\n");
-        asset("paris.prj", "PROJCS[\"RGF_1993_Lambert_93\",GEOGCS[\"GCS_RGF_1993\",DATUM[\"D_RGF_1993\",SPHEROID[\"GRS_1980\",6378137.0,"
-            + "298.257222101]],PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\",0.0174532925199433]],PROJECTION[\"Lambert_Conformal_Conic\"],"
-            + "PARAMETER[\"False_Easting\",700000.0],PARAMETER[\"False_Northing\",6600000.0],PARAMETER[\"Central_Meridian\",3.0],"
-            + "PARAMETER[\"Standard_Parallel_1\",44.0],PARAMETER[\"Standard_Parallel_2\",49.0],PARAMETER[\"Latitude_Of_Origin\",46.5],"
+        asset("paris.asc", "ncols 3\nnrows 3\nxllcenter 648212\nyllcenter 6862246\ncellsize 25\n33 33 33\n33 35 "
+            + "33\n33 33 33\n");
+        asset("paris.prj", "PROJCS[\"RGF_1993_Lambert_93\",GEOGCS[\"GCS_RGF_1993\",DATUM[\"D_RGF_1993\","
+            + "SPHEROID[\"GRS_1980\",6378137.0,"
+            + "298.257222101]],PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\",0.0174532925199433]],"
+            + "PROJECTION[\"Lambert_Conformal_Conic\"],"
+            + "PARAMETER[\"False_Easting\",700000.0],PARAMETER[\"False_Northing\",6600000.0],"
+            + "PARAMETER[\"Central_Meridian\",3.0],"
+            + "PARAMETER[\"Standard_Parallel_1\",44.0],PARAMETER[\"Standard_Parallel_2\",49.0],"
+            + "PARAMETER[\"Latitude_Of_Origin\",46.5],"
             + "UNIT[\"Meter\",1.0]]");
         new Terrain("ground", "paris.asc");
         assertEquals(said, 0, check());
@@ -168,11 +183,13 @@ public class BrokenMapsTest {
         long[] counts = new long[side * side];
         Arrays.fill(offsets, 8);
         Arrays.fill(counts, 2);
-        asset("tiles.tif", new TiffMaker(side, side, 16, (byte) 1, (byte) 0).placed(8, 47, 1e-4).with(273, null).with(278, null).with(279, null)
+        asset("tiles.tif", new TiffMaker(side, side, 16, (byte) 1, (byte) 0).placed(8, 47, 1e-4).with(273, null)
+            .with(278, null).with(279, null)
             .with(322, 1).with(323, 1).with(324, offsets).with(325, counts).bytes());
         new Terrain("ground", "tiles.tif");
         assertEquals(2, check());
-        assertTrue(said, said.contains("tiles.tif: the number of strips or tiles in the area is 4000000, legal: 1 to 100000"));
+        assertTrue(said, said.contains("tiles.tif: the number of strips or tiles in the area is 4000000, "
+            + "legal: 1 to 100000"));
     }
 
     /**
@@ -194,10 +211,14 @@ public class BrokenMapsTest {
         Path mine = Files.createDirectories(project.getRoot().toPath().resolve("mine/environment")).resolve("box.xml");
         Files.writeString(mine, "<Box><name>box</name><length>1</length><width>1</width><height>1</height></Box>");
         Path other = mine.getParent().getParent();
-        for (String told : new String[] {start, assertThrows(ProjectException.class, () -> Bundle.load(project.folder(), other)).getMessage(),
-            assertThrows(ProjectException.class, () -> Bundle.importEnvironment(project.folder(), other, Progress.NONE)).getMessage()}) {
-            for (String why : new String[] {"text.tif: the file is in no known format", "short.asc: cellsize is missing"}) {
-                assertTrue(told, told.contains("tile is \"" + why.split(":")[0] + "\", legal: an elevation map that can be used (" + why));
+        for (String told : new String[] {start,
+            assertThrows(ProjectException.class, () -> Bundle.load(project.folder(), other)).getMessage(),
+            assertThrows(ProjectException.class, () -> Bundle.importEnvironment(project.folder(), other, Progress.NONE))
+                .getMessage()}) {
+            for (String why : new String[] {"text.tif: the file is in no known format",
+                "short.asc: cellsize is missing"}) {
+                assertTrue(told, told.contains("tile is \"" + why.split(":")[0] + "\", legal: an elevation map that "
+                    + "can be used (" + why));
             }
             assertTrue(told, !told.contains("word.asc"));
         }
@@ -212,7 +233,8 @@ public class BrokenMapsTest {
     public void gigabytesOfZerosAreRejectedByTheirHeader() throws Exception {
         asset("huge.asc", "ncols 4000\nnrows 4000\nxllcorner 8\nyllcorner 47\ncellsize 0.0001\n1 2 ");
         new Terrain("ground", "huge.asc");
-        refusedWithLength(3L << 30, "huge.asc: the file's size is 3221225472, legal: 32000000 to 512065536 for 16000000 heights");
+        refusedWithLength(3L << 30, "huge.asc: the file's size is 3221225472, legal: 32000000 to 512065536 for "
+            + "16000000 heights");
         refusedWithLength(400L << 20, "huge.asc: the character at byte 67 is 0, legal: text");
         asset("huge.asc", "");
         refusedWithLength(3L << 30, "huge.asc: the character at byte 0 is 0, legal: text");

@@ -73,11 +73,13 @@ public class ClassCommandTest {
     private void sear(String... arguments) throws IOException {
         List<String> command = SearProcess.command("-Xmx128m", "-Dfile.encoding=UTF-8");
         command.addAll(List.of(arguments));
-        process = new ProcessBuilder(command).directory(folder.getRoot()).redirectErrorStream(true).redirectOutput(path("out.txt").toFile()).start();
+        process = new ProcessBuilder(command).directory(folder.getRoot()).redirectErrorStream(true)
+            .redirectOutput(path("out.txt").toFile()).start();
     }
 
     private static String command(Predicate<String> wanted) {
-        List<String> commands = DocBlock.commands("docs/classroom.md", "sear class --pupils names.txt").stream().filter(wanted)
+        List<String> commands = DocBlock.commands("docs/classroom.md", "sear class --pupils names.txt").stream()
+            .filter(wanted)
             .collect(Collectors.toList());
         assertEquals(commands.toString(), 1, commands.size());
         return commands.get(0);
@@ -123,7 +125,8 @@ public class ClassCommandTest {
         return Files.readString(path("class/.tokens/" + pupil)).trim();
     }
 
-    private HttpResponse<String> call(int number, String token, String method, String arguments) throws IOException, InterruptedException {
+    private HttpResponse<String> call(int number, String token, String method, String arguments)
+        throws IOException, InterruptedException {
         return client().send(request(number, token, method, arguments), HttpResponse.BodyHandlers.ofString());
     }
 
@@ -152,7 +155,8 @@ public class ClassCommandTest {
     }
 
     private ProcessHandle pupil(int number) {
-        return process.children().filter(one -> commandLine(one).contains("--port\0" + number + "\0")).findFirst().orElseThrow();
+        return process.children().filter(one -> commandLine(one).contains("--port\0" + number + "\0")).findFirst()
+            .orElseThrow();
     }
 
     /** Returns the whole command line; Java's own answer ends after 4096 characters. */
@@ -168,7 +172,8 @@ public class ClassCommandTest {
     public void endedProgramsRestartOthersContinueAndNothingRemains() throws Exception {
         startClass();
         assertTrue(out(), out().contains("http://localhost:" + port + "/?token=" + token(ADA)));
-        assertEquals("name,link\n\"Ada Lovelace\",http://localhost:" + port + "/?token=" + token(ADA) + "\n\"Ben\",http://localhost:" + (port + 1)
+        assertEquals("name,link\n\"Ada Lovelace\",http://localhost:" + port + "/?token=" + token(ADA)
+            + "\n\"Ben\",http://localhost:" + (port + 1)
             + "/?token=" + token(BEN) + "\n", Files.readString(path("class/links.csv")));
         for (String own : new String[] {"class/links.csv", "class/.tokens/Ben"}) {
             assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(path(own))));
@@ -180,10 +185,12 @@ public class ClassCommandTest {
 
         ProcessHandle ben = pupil(port + 1);
         assertTrue(pupil(port).destroyForcibly());
-        String killed = "Ada Lovelace: killed, by a user or because the computer is short of memory; restarting (1 of 5)";
+        String killed = "Ada Lovelace: killed, by a user or because the computer is short of memory; "
+            + "restarting (1 of 5)";
         until("Ada's starts again", () -> out().contains(killed)
             && runsScripts(port, token(ADA)));
-        client().sendAsync(request(port, token(ADA), "python/exec", "[\"x = []\\nwhile True: x.append('a' * 1000000)\"]"),
+        client().sendAsync(request(port, token(ADA), "python/exec",
+            "[\"x = []\\nwhile True: x.append('a' * 1000000)\"]"),
             HttpResponse.BodyHandlers.ofString());
         until("Ada's is out of memory", () -> out().contains("Ada Lovelace: out of memory; restarting (2 of 5)")
             && runsScripts(port, token(ADA)));
@@ -200,7 +207,8 @@ public class ClassCommandTest {
         for (ProcessHandle one : all) {
             one.onExit().get(PATIENCE_SECONDS, TimeUnit.SECONDS);
         }
-        assertEquals("nothing stays", "[]", all.stream().filter(ProcessHandle::isAlive).collect(Collectors.toList()).toString());
+        assertEquals("nothing stays", "[]", all.stream().filter(ProcessHandle::isAlive).collect(Collectors.toList())
+            .toString());
         try (Stream<Path> logs = Files.list(path("class/.logs"))) {
             for (Path log : logs.collect(Collectors.toList())) {
                 assertFalse(Files.readString(log).contains(token(ADA)) || Files.readString(log).contains(token(BEN)));
@@ -228,7 +236,8 @@ public class ClassCommandTest {
         Files.writeString(path("names.txt"), "Ada\nBen\n");
         Files.copy(Path.of(System.getProperty("sear.root", "."), "examples", "line.sear"), path("begin.sear"));
         port = FreePort.find();
-        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "96", "--project", "begin.sear", "--at-once", "1");
+        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "96", "--project",
+            "begin.sear", "--at-once", "1");
         AtomicBoolean together = new AtomicBoolean();
         until("all run", () -> {
             if (process.children().count() > 1 && !answers(port)) {
@@ -238,7 +247,8 @@ public class ClassCommandTest {
         });
         assertFalse("Ben's began before Ada's was there", together.get());
         for (String pupil : new String[] {"Ada", "Ben"}) {
-            until(pupil + " has the project", () -> Files.exists(path("class/" + pupil + "/SEARproject/robot/follower.xml")));
+            until(pupil + " has the project",
+                () -> Files.exists(path("class/" + pupil + "/SEARproject/robot/follower.xml")));
         }
     }
 
@@ -246,7 +256,8 @@ public class ClassCommandTest {
     public void examplesAreFoundInEveryFolder() throws Exception {
         Files.writeString(path("names.txt"), "Ada\n");
         port = FreePort.find();
-        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "96", "--project", "examples/line.sear");
+        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "96", "--project",
+            "examples/line.sear");
         until("Ada has the project", () -> Files.exists(path("class/Ada/SEARproject/robot/follower.xml")));
     }
 
@@ -276,7 +287,8 @@ public class ClassCommandTest {
     public void aLargeUploadIsLoadedInPartsAndRefusedAsAWhole() throws Exception {
         Files.writeString(path("names.txt"), "Ada\n");
         port = FreePort.find();
-        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "200", "--project", "examples/line.sear");
+        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "200", "--project",
+            "examples/line.sear");
         until("Ada has the project", () -> call(port, token("Ada"), "sear/getProblems", "[]").statusCode() == 200);
         byte[] bundle = Files.readAllBytes(largeBundle());
         int count = (bundle.length + PART - 1) / PART;
@@ -288,10 +300,12 @@ public class ClassCommandTest {
         assertEquals(LARGE, Files.size(path("class/Ada/SEARproject/assets/noise.bin")));
         try (Socket socket = new Socket("localhost", port)) {
             socket.getOutputStream().write(("POST /api/service/sear/uploadProject HTTP/1.1\r\nHost: localhost:" + port
-                + "\r\nAuthorization: Bearer " + token("Ada") + "\r\nContent-Type: application/json\r\nContent-Length: " + LARGE
+                + "\r\nAuthorization: Bearer " + token("Ada")
+                + "\r\nContent-Type: application/json\r\nContent-Length: " + LARGE
                 + "\r\n\r\n").getBytes(StandardCharsets.US_ASCII));
             String refusal = new String(socket.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
-            assertTrue(refusal, refusal.startsWith("HTTP/1.1 413") && refusal.endsWith("the arguments are longer than 12 MB\n"));
+            assertTrue(refusal, refusal.startsWith("HTTP/1.1 413")
+                && refusal.endsWith("the arguments are longer than 12 MB\n"));
         }
         assertFalse(out(), out().contains("restarting"));
     }
@@ -300,7 +314,8 @@ public class ClassCommandTest {
     public void programsWithTooMuchMemoryAreEnded() throws Exception {
         Files.writeString(path("names.txt"), "Ada\n");
         port = FreePort.find();
-        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "64", "--total-memory", "64");
+        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "64",
+            "--total-memory", "64");
         until("Ada's is too large", () -> out()
             .matches("(?s).* Ada: used \\d+ MB with all that it has started, more than 64; restarting \\(1 of 5\\).*"));
     }
@@ -346,6 +361,7 @@ public class ClassCommandTest {
         assertTrue(out(), out().contains("--at-once is 0, legal: 1 or more"));
         sear("class", "--pupils", "names.txt", "--url", "http://teacher-pc");
         assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
-        assertTrue(out(), out().contains("--url is http://teacher-pc, the same for 2 pupils, legal: with {port} or {name} in it"));
+        assertTrue(out(), out().contains("--url is http://teacher-pc, the same for 2 pupils, legal: with {port} or "
+            + "{name} in it"));
     }
 }

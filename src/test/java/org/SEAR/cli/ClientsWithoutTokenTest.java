@@ -283,7 +283,8 @@ public class ClientsWithoutTokenTest {
         String upgrade = "GET /api/messages HTTP/1.1\r\n" + host + "Origin: http://localhost:" + ports.get("http")
             + "\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
             + "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
-        String call = "POST /api/service/sear/getTime HTTP/1.1\r\n" + host + "Content-Type: application/json\r\nContent-Length: ";
+        String call = "POST /api/service/sear/getTime HTTP/1.1\r\n" + host
+            + "Content-Type: application/json\r\nContent-Length: ";
         String login = "POST /login HTTP/1.1\r\n" + host;
         for (String head : List.of(upgrade, call + HUGE + "\r\n\r\n", login + "Content-Length: 999\r\n\r\n",
                 login + "Transfer-Encoding: chunked\r\n\r\nfffff\r\n")) {

@@ -28,7 +28,8 @@ import org.junit.rules.TemporaryFolder;
  * Scripts of examples/drive in lock-step: the robot reaches the script's goal, and its record has the listed checksum.
  */
 public class DrivingExamplesTest {
-    private static final Path EXAMPLES = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples");
+    private static final Path EXAMPLES = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath()
+        .resolve("examples");
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
@@ -46,7 +47,8 @@ public class DrivingExamplesTest {
     private String run(String script, String... things) throws Exception {
         StringBuilder code = new StringBuilder(Files.readString(EXAMPLES.resolve("drive").resolve(script)));
         for (String thing : things) {
-            code.append("print '").append(thing).append(" ends at %.3f %.3f' % (sear.getPose('").append(thing).append("')[0], sear.getPose('")
+            code.append("print '").append(thing).append(" ends at %.3f %.3f' % (sear.getPose('").append(thing)
+                .append("')[0], sear.getPose('")
                 .append(thing).append("')[2])\n");
         }
         Path file = folder.getRoot().toPath().resolve(script);
@@ -74,8 +76,10 @@ public class DrivingExamplesTest {
     @Test
     public void everyScriptIsTriedHere() throws IOException {
         try (Stream<Path> scripts = Files.list(EXAMPLES.resolve("drive"))) {
-            assertEquals(List.of("arduino_rover.py", "car_waypoints.py", "follow_ball.py", "gps_waypoints.py", "lidar_mapper.py", "line_follower.py",
-                "maze_solver.py", "mountain_climber.py", "obstacle_avoidance.py", "radar_turret.py", "wall_follower.py"),
+            assertEquals(List.of("arduino_rover.py", "car_waypoints.py", "follow_ball.py", "gps_waypoints.py",
+                "lidar_mapper.py", "line_follower.py",
+                "maze_solver.py", "mountain_climber.py", "obstacle_avoidance.py", "radar_turret.py",
+                    "wall_follower.py"),
                 scripts.map(script -> script.getFileName().toString()).sorted().collect(Collectors.toList()));
         }
     }
@@ -125,7 +129,8 @@ public class DrivingExamplesTest {
         double[] rover = end(text, "rover");
         double[] summit = end(text, "summit");
         assertEquals(text, 0, Math.hypot(rover[0] - summit[0], rover[1] - summit[1]), 3);
-        double[] fix = numbers(text, "On the summit after ([0-9.]+) s: latitude ([0-9.]+), longitude (-[0-9.]+), ([0-9.]+) m above the sea");
+        double[] fix = numbers(text, "On the summit after ([0-9.]+) s: latitude ([0-9.]+), longitude (-[0-9.]+), "
+            + "([0-9.]+) m above the sea");
         assertEquals(text, 36.485, fix[1], 3e-5);
         assertEquals(text, -84.23083, fix[2], 3e-5);
         assertEquals("the map's summit is 1076 m high", 1076, fix[3], 1.5);
@@ -159,7 +164,8 @@ public class DrivingExamplesTest {
 
     @Test
     public void theRoverTouchesNothing() throws Exception {
-        Map<String, double[]> places = Map.of("north wall", at(2, 0), "south wall", at(-2, 0), "east wall", at(0, 1.6), "west wall", at(0, -1.6),
+        Map<String, double[]> places = Map.of("north wall", at(2, 0), "south wall", at(-2, 0), "east wall", at(0, 1.6),
+            "west wall", at(0, -1.6),
             "crate 1", at(0.9, 0.7), "crate 2", at(0.6, -0.9), "crate 3", at(-0.9, 0.8), "crate 4", at(-1.1, -0.5));
         String text = run("arduino_rover.py", places.keySet().toArray(new String[0]));
         assertUntouched(text, places);
@@ -199,7 +205,8 @@ public class DrivingExamplesTest {
     @Test
     public void theBallIsFollowedByTheCamera() throws Exception {
         String text = run("follow_ball.py", "hunter", "ball");
-        double[] sight = numbers(text, "In sight (\\d+) of (\\d+) times; at the end ([0-9.]+) m ahead, (-?[0-9]+) degrees to the left");
+        double[] sight = numbers(text, "In sight (\\d+) of (\\d+) times; at the end ([0-9.]+) m ahead, (-?[0-9]+) "
+            + "degrees to the left");
         assertTrue(text, sight[0] > 0.95 * sight[1]);
         assertEquals(text, 0.7, sight[2], 0.1);
         assertEquals(text, 0, sight[3], 5);
@@ -212,11 +219,13 @@ public class DrivingExamplesTest {
     @Test
     public void theRadarShowsTheNearestObject() throws Exception {
         String text = run("radar_turret.py", "scout", "bin");
-        double[] nearest = numbers(text, "echoes. Nearest: ([0-9.]+) m from the turret, (-?[0-9.]+) degrees to the left");
+        double[] nearest = numbers(text, "echoes. Nearest: ([0-9.]+) m from the turret, (-?[0-9.]+) "
+            + "degrees to the left");
         assertEquals("the bin is 1.22 m away and 0.2 m thick", Math.hypot(1, 0.7) - 0.2, nearest[0], 0.03);
         assertEquals(text, Math.toDegrees(Math.atan2(0.7, 1)), nearest[1], 4);
         List<String> lines = text.lines().collect(Collectors.toList());
-        int axis = lines.indexOf(lines.stream().filter(line -> line.length() == 61 && line.charAt(30) == '^').findFirst().orElseThrow());
+        int axis = lines.indexOf(lines.stream().filter(line -> line.length() == 61 && line.charAt(30) == '^')
+            .findFirst().orElseThrow());
         assertEquals(text, '#', lines.get(axis - 4).charAt(30 - 6));      // 0.8 m ahead, 0.6 m to the left
         for (int row = 0; row < 4; row++) {
             assertEquals("nothing is nearer\n" + text, -1, lines.get(axis - row).substring(25, 36).indexOf('#'));

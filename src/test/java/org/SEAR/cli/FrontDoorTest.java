@@ -44,7 +44,8 @@ public class FrontDoorTest {
         Path bin = folder.newFolder("bin").toPath().toRealPath();
         opened = bin.resolve("opened");
         Path browser = bin.resolve("xdg-open");
-        Files.writeString(browser, "#!/bin/sh\necho \"$1\" > " + opened + ".part && mv " + opened + ".part " + opened + "\n");
+        Files.writeString(browser, "#!/bin/sh\necho \"$1\" > " + opened + ".part && mv " + opened + ".part "
+            + opened + "\n");
         assertTrue(browser.toFile().setExecutable(true));
         port = FreePort.find();
     }
@@ -60,7 +61,8 @@ public class FrontDoorTest {
         List<String> command = SearProcess.command("-Xmx256m", "-Dfile.encoding=UTF-8", "-Dsear.headless=true");
         command.addAll(Arrays.asList(arguments));
         command.addAll(List.of("--port", String.valueOf(port)));
-        ProcessBuilder builder = new ProcessBuilder(command).directory(root.toFile()).redirectOutput(log("out")).redirectError(log("err"));
+        ProcessBuilder builder = new ProcessBuilder(command).directory(root.toFile()).redirectOutput(log("out"))
+            .redirectError(log("err"));
         builder.environment().put("PATH", opened.getParent() + File.pathSeparator + System.getenv("PATH"));
         builder.environment().put("DISPLAY", ":none");
         process = builder.start();
@@ -138,7 +140,8 @@ public class FrontDoorTest {
 
     @Test
     public void ctrlCEndsASleepingScriptWithoutAStackTrace() throws Exception {
-        Files.writeString(root.resolve("s.py"), "sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('" + example() + "')\n"
+        Files.writeString(root.resolve("s.py"), "sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('"
+            + example() + "')\n"
             + "sear.startSimulation()\nopen('asleep', 'w').close()\nwhile True: sear.simSleep(1)\n");
         sear("s.py");
         await("the script", root.resolve("asleep"));

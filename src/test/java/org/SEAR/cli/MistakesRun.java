@@ -56,7 +56,8 @@ public final class MistakesRun {
         long before = processorNanos();
         Thread script = new Thread(() -> {
             try {
-                status[0] = new MrlRun(MrlRun.NO_PORT, false, new PrintWriter(out, true)).script(folder.resolve("script.py"), List.of(), false,
+                status[0] = new MrlRun(MrlRun.NO_PORT, false, new PrintWriter(out, true))
+                    .script(folder.resolve("script.py"), List.of(), false,
                     Double.POSITIVE_INFINITY);
             } catch (IOException | InterruptedException e) {
                 out.println(e);
@@ -90,6 +91,7 @@ public final class MistakesRun {
     }
 
     private static long processorNanos() {
-        return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getProcessCpuTime();
+        return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean())
+            .getProcessCpuTime();
     }
 }

@@ -108,9 +108,11 @@ public class MistakesTest {
 
     private void run(ProcessBuilder command) throws IOException, InterruptedException {
         Path output = temporary.newFile().toPath();
-        Process process = command.directory(temporary.newFolder()).redirectErrorStream(true).redirectOutput(output.toFile()).start();
+        Process process = command.directory(temporary.newFolder()).redirectErrorStream(true)
+            .redirectOutput(output.toFile()).start();
         try {
-            assertTrue("the scripts have not ended:\n" + Files.readString(output), process.waitFor(PATIENCE_MINUTES, TimeUnit.MINUTES));
+            assertTrue("the scripts have not ended:\n" + Files.readString(output),
+                process.waitFor(PATIENCE_MINUTES, TimeUnit.MINUTES));
             assertEquals(Files.readString(output), 0, process.exitValue());
         } finally {
             process.destroyForcibly();
@@ -142,7 +144,8 @@ public class MistakesTest {
         assertTrue("only " + laid.size(), laid.size() >= least);
         command.add(root.toString());
         ProcessBuilder builder = new ProcessBuilder(command);
-        builder.environment().put("PYTHONPATH", ROOT.resolve("python/src") + File.pathSeparator + System.getProperty("sear.python3"));
+        builder.environment().put("PYTHONPATH", ROOT.resolve("python/src") + File.pathSeparator
+            + System.getProperty("sear.python3"));
         builder.environment().put("SEAR_HOME", ROOT.resolve("build/install/sear").toString());
         run(builder);
         List<String> wrong = new ArrayList<>();
@@ -163,7 +166,8 @@ public class MistakesTest {
         List<String> tooMany = new ArrayList<>(mistake.without);
         tooMany.removeIf(words -> !seen.contains(words));
         if (!missing.isEmpty() || !tooMany.isEmpty() || !ends || seconds > MOST_SECONDS || mistake.words.isEmpty()) {
-            wrong.add(mistake.title + ": exit status " + status + ", " + seconds + " s, without " + missing + ", with " + tooMany + ":\n" + seen);
+            wrong.add(mistake.title + ": exit status " + status + ", " + seconds + " s, without " + missing + ", with "
+                + tooMany + ":\n" + seen);
         }
     }
 }

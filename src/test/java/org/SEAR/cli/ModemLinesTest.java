@@ -60,10 +60,12 @@ public class ModemLinesTest {
     public void missingRequirementsAreReported() throws Exception {
         Process process = sear("--", "there-is-no-such-program");
         String said = said(process);
-        assertTrue(said, said.startsWith("sear: the program can't be started: ") && said.contains("there-is-no-such-program"));
+        assertTrue(said, said.startsWith("sear: the program can't be started: ")
+            && said.contains("there-is-no-such-program"));
         assertEquals(2, process.waitFor());
         IOException none = assertThrows(IOException.class, () -> ModemLines.compile("no-such-cc"));
-        assertTrue(none.getMessage(), none.getMessage().startsWith("there is no C compiler (no-such-cc)") && none.getMessage().contains("gcc"));
+        assertTrue(none.getMessage(), none.getMessage().startsWith("there is no C compiler (no-such-cc)")
+            && none.getMessage().contains("gcc"));
         IOException broken = assertThrows(IOException.class, () -> ModemLines.compile("false"));
         assertTrue(broken.getMessage(), broken.getMessage().startsWith("the C compiler (false) could not compile"));
     }
@@ -74,7 +76,8 @@ public class ModemLinesTest {
         try (ModemLines lines = ModemLines.compile("cc")) {
             library = lines.getLibrary();
             assertTrue(Files.isRegularFile(library));
-            assertEquals("rwx------", PosixFilePermissions.toString(Files.getPosixFilePermissions(library.getParent())));
+            assertEquals("rwx------", PosixFilePermissions.toString(
+                Files.getPosixFilePermissions(library.getParent())));
         }
         assertFalse(Files.exists(library.getParent()));
     }

@@ -47,7 +47,8 @@ public class ReadmeTest {
                 assertTrue(output, output.contains("181 beams, the nearest at "));
                 assertTrue(output, output.contains("driven 1.0"));
                 if (command.contains("--speed max")) {
-                    assertTrue("what README says that it prints: " + output, output.endsWith(DocBlock.of("README.md", "text").get(0)));
+                    assertTrue("what README says that it prints: " + output,
+                        output.endsWith(DocBlock.of("README.md", "text").get(0)));
                 }
                 scripts++;
             }
@@ -57,7 +58,8 @@ public class ReadmeTest {
 
     /** Starts a command without a display in the folder of the test. */
     private Process start(String command) throws IOException {
-        ProcessBuilder shell = new ProcessBuilder("sh", "-c", "exec " + command).directory(folder.getRoot()).redirectErrorStream(true)
+        ProcessBuilder shell = new ProcessBuilder("sh", "-c", "exec " + command).directory(folder.getRoot())
+            .redirectErrorStream(true)
             .redirectOutput(output().toFile());
         shell.environment().keySet().removeAll(List.of("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"));
         shell.environment().put("JAVA_HOME", System.getProperty("java.home"));
@@ -104,18 +106,22 @@ public class ReadmeTest {
         assertEquals(5, blocks.size());
         Path link = folder.getRoot().toPath().resolve("ttySICK");
         String calls = blocks.get(0).replace("/tmp/ttySICK", link.toString()).replace("5001", "0").replace("5002", "0");
-        String output = run(blocks.get(2) + calls + blocks.get(3) + "import os\nprint 'link', path, os.path.exists(path), 'port', port\n");
+        String output = run(blocks.get(2) + calls + blocks.get(3) + "import os\nprint 'link', path, "
+            + "os.path.exists(path), 'port', port\n");
         for (String port : new String[] {"/dev/SEAR_Robot_01", "/dev/SEAR_LIDAR_01", "/dev/SEAR_GPS_01"}) {
             assertTrue(output, Pattern.compile(Pattern.quote(port) + " is /dev/\\S+").matcher(output).find());
         }
-        assertTrue(output, Pattern.compile("/dev/SEAR_LIDAR_01 is pseudo-terminal /dev/\\S+, pseudo-terminal " + Pattern.quote(link.toString())
+        assertTrue(output, Pattern.compile("/dev/SEAR_LIDAR_01 is pseudo-terminal /dev/\\S+, pseudo-terminal "
+            + Pattern.quote(link.toString())
             + ", tcp port [1-9]\\d+, rfc2217 port [1-9]\\d+").matcher(output).find());
-        assertTrue(output, Pattern.compile("link " + Pattern.quote(link.toString()) + " True port [1-9]\\d+").matcher(output).find());
+        assertTrue(output, Pattern.compile("link " + Pattern.quote(link.toString()) + " True port [1-9]\\d+")
+            .matcher(output).find());
     }
 
     @Test
     public void aProjectCanHaveItsExports() throws Exception {
-        run("from org.SEAR.POJOs import *\nlidar = LIDAR('lidar')\nroomba = Dynamics('drive', 4)\ngps = GPS('gps', 33.61, 182.5, -80.865)\n"
+        run("from org.SEAR.POJOs import *\nlidar = LIDAR('lidar')\nroomba = Dynamics('drive', 4)\ngps = GPS('gps', "
+            + "33.61, 182.5, -80.865)\n"
             + DocBlock.of("docs/other-programs.md", "python").get(1));
         for (String[] one : new String[][] {{"lidar", "ttySICK"}, {"drive", "tcp:5001"}, {"gps", "rfc2217:5002"}}) {
             String file = Files.readString(folder.getRoot().toPath().resolve("SEARproject/robot/" + one[0] + ".xml"));
@@ -125,7 +131,8 @@ public class ReadmeTest {
 
     @Test
     public void aScannerOnANetworkIsExportedToItsPort() throws Exception {
-        run("from org.SEAR.POJOs import *\nlidar = LIDAR('lidar')\n" + DocBlock.of("docs/other-programs.md", "python").get(4));
+        run("from org.SEAR.POJOs import *\nlidar = LIDAR('lidar')\n"
+            + DocBlock.of("docs/other-programs.md", "python").get(4));
         String file = Files.readString(folder.getRoot().toPath().resolve("SEARproject/robot/lidar.xml"));
         assertTrue(file, file.contains("<export>tcp:2112</export>") && file.contains("<model>LMS111</model>"));
     }
@@ -139,7 +146,8 @@ public class ReadmeTest {
         run(Files.readString(ROOT.resolve("scripts/beam_experiment.py")));
         List<String> rows = Files.readAllLines(folder.getRoot().toPath().resolve("beam_experiment.csv"));
         assertEquals("odometer_m,range_m", rows.get(0));
-        double[][] waysAndRanges = {{1.0, 0.54}, {1.9, 0.4956}, {2.6, 0.74}, {3.5, 1.09}, {4.3, 0.3956}, {0.1, 3}, {4.9, 3}};
+        double[][] waysAndRanges = {{1.0, 0.54}, {1.9, 0.4956}, {2.6, 0.74}, {3.5, 1.09}, {4.3, 0.3956},
+            {0.1, 3}, {4.9, 3}};
         for (double[] expected : waysAndRanges) {
             String row = rows.stream().skip(1).min(Comparator.comparingDouble(each ->
                 Math.abs(Double.parseDouble(each.split(",")[0]) - expected[0]))).get();

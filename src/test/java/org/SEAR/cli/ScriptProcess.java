@@ -30,9 +30,11 @@ public final class ScriptProcess {
         command.addAll(List.of(script.toString(), "--headless", "--speed", "max", "--port", "none"));
         command.addAll(Arrays.asList(arguments));
         Path output = Files.createTempFile("script", ".txt");
-        Process process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output.toFile()).start();
+        Process process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
+            .redirectOutput(output.toFile()).start();
         try {
-            assertTrue(script + " has not ended:\n" + Files.readString(output), process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+            assertTrue(script + " has not ended:\n" + Files.readString(output),
+                process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
             String text = Files.readString(output, StandardCharsets.UTF_8);
             assertEquals(text, 0, process.exitValue());
             return text;

@@ -38,7 +38,8 @@ public class SearCommandTest {
         File errFile = folder.newFile();
         List<String> command = SearProcess.command("-Xmx256m", "-Dfile.encoding=UTF-8");
         command.addAll(Arrays.asList(arguments));
-        Process process = new ProcessBuilder(command).directory(folder.getRoot()).redirectOutput(outFile).redirectError(errFile).start();
+        Process process = new ProcessBuilder(command).directory(folder.getRoot()).redirectOutput(outFile)
+            .redirectError(errFile).start();
         assertTrue("sear hangs", process.waitFor(240, TimeUnit.SECONDS));
         out = Files.readString(outFile.toPath());
         err = Files.readString(errFile.toPath());
@@ -53,7 +54,8 @@ public class SearCommandTest {
 
     @Test
     public void aScriptThatEndsIs0AndPrintsNothingElse() throws Exception {
-        assertEquals(err, 0, sear(script("def input(data): pass\nprint 'h\u00e4llo', python.name, sys.argv"), "--port", "none", "--headless"));
+        assertEquals(err, 0, sear(script("def input(data): pass\nprint 'h\u00e4llo', python.name, sys.argv"), "--port",
+            "none", "--headless"));
         assertEquals("h\u00e4llo python ['script.py']\n", out);
         assertEquals("", err);
     }
@@ -62,7 +64,8 @@ public class SearCommandTest {
     public void aScriptThatRaisesIs1WithItsTraceback() throws Exception {
         assertEquals(1, sear(script("print 'first'\nraise ValueError('no')"), "--port", "none"));
         assertEquals("first\n", out);
-        assertTrue(err, err.contains("File \"script.py\", line 2, in <module>") && err.trim().endsWith("ValueError: no"));
+        assertTrue(err, err.contains("File \"script.py\", line 2, in <module>")
+            && err.trim().endsWith("ValueError: no"));
     }
 
     @Test
@@ -73,9 +76,11 @@ public class SearCommandTest {
 
     @Test
     public void optionsReachTheSimulationAsSystemProperties() throws Exception {
-        String code = "from java.lang import System\nprint [System.getProperty('sear.' + x) for x in ['headless', 'speed', 'seed', 'threads', "
+        String code = "from java.lang import System\nprint [System.getProperty('sear.' + x) for x in ['headless', "
+            + "'speed', 'seed', 'threads', "
             + "'parameter.gain']]";
-        assertEquals(0, sear(script(code), "--headless", "--speed", "max", "--seed", "42", "--threads", "3", "--set", "gain=0.5", "--port",
+        assertEquals(0, sear(script(code), "--headless", "--speed", "max", "--seed", "42", "--threads", "3", "--set",
+            "gain=0.5", "--port",
             "none"));
         assertEquals("[u'true', u'max', u'42', u'3', u'0.5']\n", out);
     }
@@ -100,9 +105,11 @@ public class SearCommandTest {
     public void anotherPortReplacesAPortInUse() throws Exception {
         try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             int port = other.getLocalPort();
-            assertEquals(err, 0, sear(script("print webgui.getPort(), webgui.isStarted()"), "--headless", "--port", String.valueOf(port)));
+            assertEquals(err, 0, sear(script("print webgui.getPort(), webgui.isStarted()"), "--headless", "--port",
+                String.valueOf(port)));
             String[] printed = out.trim().split(" ");
-            assertEquals("Port " + port + " is in use by another program. Open this in a browser:\nhttp://localhost:" + printed[0] + "/\n", err);
+            assertEquals("Port " + port + " is in use by another program. Open this in a browser:\nhttp://localhost:"
+                + printed[0] + "/\n", err);
             assertTrue(out, Integer.parseInt(printed[0]) > port && printed[1].equals("True"));
         }
     }
@@ -112,16 +119,19 @@ public class SearCommandTest {
         String home = System.getProperty("user.home");
         int port = FreePort.find();
         Path file = Paths.get(home, ".sear", "token-" + port);
-        assertEquals(err, 0, sear(script("print open('" + file + "').read()"), "--headless", "--token", "--port", String.valueOf(port)));
+        assertEquals(err, 0, sear(script("print open('" + file + "').read()"), "--headless", "--token", "--port",
+            String.valueOf(port)));
         assertTrue(out, out.trim().matches("[\\w-]{32}"));
-        assertTrue(err, err.startsWith("Open this in a browser:\nhttp://localhost:" + port + "/?token=" + out.trim() + "\ntoken: " + file
+        assertTrue(err, err.startsWith("Open this in a browser:\nhttp://localhost:" + port + "/?token=" + out.trim()
+            + "\ntoken: " + file
             + " contains it"));
         assertFalse("it goes when the program ends", Files.exists(file));
     }
 
     @Test
     public void anUnusedParameterIsReported() throws Exception {
-        assertEquals(err, 0, sear(script("sear = Runtime.start('sear', 'SEAR')\nprint sear.getParameter('speed', 0.3)"), "--set", "sped=2", "--port",
+        assertEquals(err, 0, sear(script("sear = Runtime.start('sear', 'SEAR')\nprint sear.getParameter('speed', 0.3)"),
+            "--set", "sped=2", "--port",
             "none"));
         assertTrue(out + err, out.contains("0.3") && err.contains("sear: the script did not read parameter sped: "));
     }
@@ -135,7 +145,8 @@ public class SearCommandTest {
     @Test
     public void python3SyntaxIsReportedWithTheVersionOfThisPython() throws Exception {
         assertEquals(1, sear(script("x = 3\nprint f'{x} m'"), "--port", "none"));
-        assertTrue(err, err.trim().endsWith("scripts are Python 2.7 (Jython), which has no f-strings: write \"%d m\" % metres"));
+        assertTrue(err, err.trim().endsWith("scripts are Python 2.7 (Jython), which has no f-strings: write \"%d "
+            + "m\" % metres"));
         assertEquals(1, sear(script("print('a', end='')"), "--port", "none"));
         assertTrue(err, err.contains("scripts are Python 2.7 (Jython): write print"));
         assertEquals(1, sear(script("x = = 3"), "--port", "none"));
@@ -170,7 +181,8 @@ public class SearCommandTest {
     @Test
     public void anErrorInACallbackMakesTheRunExitWith1() throws Exception {
         String code = "Runtime.getInstance().addListener('started', python.name, 'go')\ndone = []\n"
-            + "def go(name):\n  done.append(1)\n  raise ValueError('in a callback')\nRuntime.start('s', 'Serial')\nRuntime.start('t', 'Serial')\n"
+            + "def go(name):\n  done.append(1)\n  raise ValueError('in a callback')\nRuntime.start('s', "
+            + "'Serial')\nRuntime.start('t', 'Serial')\n"
             + "while len(done) < 2: sleep(0.01)";
         assertEquals(1, sear(script(code), "--port", "none"));
         assertTrue(err, err.contains("ValueError: in a callback"));
@@ -179,7 +191,8 @@ public class SearCommandTest {
     @Test
     public void anErrorInACallbackIsReportedAlthoughTheScriptEnds() throws Exception {
         String code = "Runtime.getInstance().addListener('started', python.name, 'go')\nbegun = []\n"
-            + "def go(name):\n  begun.append(1)\n  sleep(0.3)\n  raise NameError(\"name 'beguhn' is not defined\")\nRuntime.start('s', 'Serial')\n"
+            + "def go(name):\n  begun.append(1)\n  sleep(0.3)\n  raise NameError(\"name 'beguhn' is not "
+            + "defined\")\nRuntime.start('s', 'Serial')\n"
             + "while not begun: sleep(0.01)";
         assertEquals(1, sear(script(code), "--port", "none"));
         assertTrue(err, err.contains("did you mean begun?") && !err.contains("KeyboardInterrupt"));
@@ -188,7 +201,8 @@ public class SearCommandTest {
     @Test
     public void aRepeatedErrorIsPrintedOnceWithItsCount() throws Exception {
         String code = "Runtime.getInstance().addListener('started', python.name, 'go')\ndone = []\n"
-            + "def go(name):\n  done.append(1)\n  raise ValueError('again')\nfor i in range(5): Runtime.start('s%d' % i, 'Serial')\n"
+            + "def go(name):\n  done.append(1)\n  raise ValueError('again')\nfor i in range(5): Runtime.start('s%d' % "
+            + "i, 'Serial')\n"
             + "while len(done) < 5: sleep(0.01)";
         assertEquals(1, sear(script(code), "--port", "none"));
         assertEquals(err, 3, err.split("ValueError: again", -1).length);
@@ -232,10 +246,12 @@ public class SearCommandTest {
         assertEquals(err, 0, sear(script("from org.SEAR.POJOs import Box\nBox('Box1', 1, 2, 3, 4)"), "--port", "none"));
         Path box = folder.getRoot().toPath().resolve("SEARproject/environment/Box1.xml");
         assertEquals(out + err, 0, sear("check", "."));
-        Files.writeString(box, Files.readString(box).replaceAll("<mass>.*</mass>", "<mass>-1</mass>").replaceAll("<width>.*</width>",
+        Files.writeString(box, Files.readString(box).replaceAll("<mass>.*</mass>", "<mass>-1</mass>")
+            .replaceAll("<width>.*</width>",
             "<width>x</width>"));
         assertEquals(2, sear("check", "SEARproject"));
-        assertTrue(out, out.contains("environment/Box1.xml:") && out.contains("mass is \"-1\", legal: ") && out.contains("width is \"x\", legal: "));
+        assertTrue(out, out.contains("environment/Box1.xml:") && out.contains("mass is \"-1\", legal: ")
+            && out.contains("width is \"x\", legal: "));
         assertEquals(2, sear("check", "nix"));
     }
 
@@ -249,7 +265,8 @@ public class SearCommandTest {
     @Test
     public void aMisspeltCommandIsAnsweredWithTheNearestName() throws Exception {
         assertEquals(2, sear("chekc"));
-        assertTrue(err, err.contains("sear: chekc can't be read: there is no such file. If it is a command, did you mean check? Try"));
+        assertTrue(err, err.contains("sear: chekc can't be read: there is no such file. If it is a command, did you "
+            + "mean check? Try"));
         assertEquals(2, sear("nix.py"));
         assertTrue(err, err.contains("sear: nix.py can't be read: there is no such file. Try sear --help."));
     }
@@ -278,11 +295,15 @@ public class SearCommandTest {
 
     @Test
     public void checkDistinguishesPartsOfOneNameByTheirRobots() throws Exception {
-        assertEquals(err, 0, sear(script("from org.SEAR.POJOs import Distance, Dynamics, Floor, SEARrobot\nFloor('floor', 20, 20)\n"
-            + "for name, x in (('rover', 0), ('scout', 2)):\n    robot = SEARrobot(name)\n    drive = Dynamics('drive', 3)\n"
-            + "    robot.addComponent(drive)\n    drive.move(x, 0.1, 0)\n    robot.addComponent(Distance('ping'))\n"), "--port", "none"));
+        assertEquals(err, 0, sear(script(
+            "from org.SEAR.POJOs import Distance, Dynamics, Floor, SEARrobot\nFloor('floor', 20, 20)\n"
+            + "for name, x in (('rover', 0), ('scout', 2)):\n    robot = SEARrobot(name)\n    drive = "
+            + "Dynamics('drive', 3)\n"
+            + "    robot.addComponent(drive)\n    drive.move(x, 0.1, 0)\n    robot.addComponent(Distance('ping'))\n"),
+                "--port", "none"));
         assertEquals(out + err, 0, sear("check", "."));
-        assertTrue(out + err, (out + err).contains("sensor rover/ping sees the ground") && (out + err).contains("sensor scout/ping sees the ground"));
+        assertTrue(out + err, (out + err).contains("sensor rover/ping sees the ground")
+            && (out + err).contains("sensor scout/ping sees the ground"));
         assertTrue(Files.isRegularFile(folder.getRoot().toPath().resolve("SEARproject/robot/rover/ping.xml")));
     }
 
@@ -299,28 +320,35 @@ public class SearCommandTest {
         Files.delete(robot);
         Path environment = Files.createDirectories(project.resolve("environment"));
         Files.writeString(environment.resolve("m.xml"), "<Model><name>m</name><path>m.glb</path></Model>");
-        Files.writeString(Files.createDirectories(project.resolve("assets")).resolve("m.glb"), "glTF is binary, this is not");
+        Files.writeString(Files.createDirectories(project.resolve("assets")).resolve("m.glb"),
+            "glTF is binary, this is not");
         assertEquals(2, sear("check", "project"));
         assertTrue(out, out.startsWith("environment/m.xml: path is \"m.glb\", legal: a model that can be loaded"));
     }
 
     @Test
     public void checkWarnsOfARobotThatTipsOver() throws Exception {
-        assertEquals(err, 0, sear(script("from org.SEAR.POJOs import Box, Floor, Robots\nFloor('floor', 9, 9)\nrover = Robots.rover('rover')\n"
-            + "mast = Box('mast', 0.1, 0.1, 0.1, 9)\nrover.addComponent(mast)\nmast.move(0, 0.5, 0.3)\n"), "--port", "none"));
+        assertEquals(err, 0, sear(script("from org.SEAR.POJOs import Box, Floor, Robots\nFloor('floor', 9, 9)\nrover = "
+            + "Robots.rover('rover')\n"
+            + "mast = Box('mast', 0.1, 0.1, 0.1, 9)\nrover.addComponent(mast)\nmast.move(0, 0.5, 0.3)\n"),
+                "--port", "none"));
         assertEquals(out + err, 0, sear("check"));
-        assertTrue(out, out.contains("warning: robot rover falls over forwards at rest: its centre of mass at x 0.000, y ")
+        assertTrue(out, out.contains("warning: robot rover falls over forwards at rest: its centre of mass "
+            + "at x 0.000, y ")
             && out.endsWith("SEARproject: no problems\n"));
     }
 
     @Test
     public void aLargeProjectShowsItsProgress() throws Exception {
-        String code = "from org.SEAR.POJOs import Box\nfrom java.nio.file import Files, Paths\nBox('Box1', 1, 2, 3, 4)\n"
-            + "f = open('SEARproject/assets/large.dat', 'wb') if Files.createDirectories(Paths.get('SEARproject/assets')) else None\n"
+        String code = "from org.SEAR.POJOs import Box\nfrom java.nio.file import Files, Paths\nBox('Box1', "
+            + "1, 2, 3, 4)\n"
+            + "f = open('SEARproject/assets/large.dat', 'wb') if "
+            + "Files.createDirectories(Paths.get('SEARproject/assets')) else None\n"
             + "f.write('x' * (20 << 20))\nf.close()\n"
             + "s = Runtime.start('s', 'SEAR')\ns.saveProject('large.sear')\ns.loadProject('large.sear')\n";
         assertEquals(err, 0, sear(script(code), "--headless", "--port", "none"));
-        assertTrue(err, err.contains("saving large.sear: 100 % of 20 MB (") && err.contains("loading large.sear: 100 % of 20 MB ("));
+        assertTrue(err, err.contains("saving large.sear: 100 % of 20 MB (")
+            && err.contains("loading large.sear: 100 % of 20 MB ("));
         assertEquals(out + err, 0, sear("check", "large.sear"));
         assertTrue(err, err.contains("checking large.sear: 100 % of 20 MB ("));
     }
@@ -328,17 +356,20 @@ public class SearCommandTest {
     @Test
     public void checkDistinguishesGoodExamplesBrokenFoldersAndHostileBundles() throws Exception {
         Path examples = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples");
-        for (String example : new String[] {"ball", "car", "dock", "line", "maze", "office", "ramps", "rover", "sensors", "turret"}) {
+        for (String example : new String[] {"ball", "car", "dock", "line", "maze", "office", "ramps", "rover",
+            "sensors", "turret"}) {
             Path bundle = examples.resolve(example + ".sear");
             assertEquals(out + err, 0, sear("check", bundle.toString()));
             assertTrue(out, out.endsWith(bundle + ": no problems\n"));
             assertEquals("", err);
         }
         Path environment = Files.createDirectories(folder.getRoot().toPath().resolve("broken/environment"));
-        Files.writeString(environment.resolve("a.xml"), "<Box>\n<name>a</name>\n<length>-1</length>\n<wheels>x</wheels>\n</Box>\n");
+        Files.writeString(environment.resolve("a.xml"),
+            "<Box>\n<name>a</name>\n<length>-1</length>\n<wheels>x</wheels>\n</Box>\n");
         Files.writeString(environment.resolve("b.xml"), "<java.lang.ProcessBuilder/>");
         assertEquals(2, sear("check", "broken"));
-        assertTrue(out, out.contains("environment/a.xml:3: length is \"-1\", legal: ") && out.contains("environment/a.xml:4: <wheels> is unknown")
+        assertTrue(out, out.contains("environment/a.xml:3: length is \"-1\", legal: ")
+            && out.contains("environment/a.xml:4: <wheels> is unknown")
             && out.contains("environment/b.xml:1: <java.lang.ProcessBuilder> is not an object here"));
         assertTrue(err, err.startsWith("broken: problems: "));
     }
@@ -364,8 +395,10 @@ public class SearCommandTest {
 
     @Test
     public void aProjectIsPrintedAsItsScript() throws Exception {
-        assertEquals(0, sear("script", Paths.get(System.getProperty("sear.root", ".")).resolve("examples/maze.sear").toString()));
-        assertTrue(out, out.startsWith("from org.SEAR.POJOs import Box, ") && out.contains("addComponent(Distance(\"leftEye\", \"GP2Y0A21\", "));
+        assertEquals(0, sear("script", Paths.get(System.getProperty("sear.root", ".")).resolve("examples/maze.sear")
+            .toString()));
+        assertTrue(out, out.startsWith("from org.SEAR.POJOs import Box, ")
+            && out.contains("addComponent(Distance(\"leftEye\", \"GP2Y0A21\", "));
         assertEquals(2, sear("script", "nothing.sear"));
         assertTrue(err, err.contains("there is no such file or folder"));
     }
@@ -373,12 +406,14 @@ public class SearCommandTest {
     @Test
     public void sensorsAreListedWithUnitsRangesAndDefaults() throws Exception {
         assertEquals(0, sear("sensors"));
-        for (String type : new String[] {"Accelerometer", "Bumper", "Camera", "ColorSensor", "Compass", "Distance", "GPS", "Gyroscope", "IMU",
+        for (String type : new String[] {"Accelerometer", "Bumper", "Camera", "ColorSensor", "Compass", "Distance",
+            "GPS", "Gyroscope", "IMU",
             "LIDAR", "LineSensor",
             "Odometer"}) {
             assertTrue(out, out.contains(type + ": "));
         }
-        assertTrue(out, out.contains("bandwidth: new readings a second. Legal: a number from 0.01 to 10000 Hz; default 60"));
+        assertTrue(out, out.contains("bandwidth: new readings a second. Legal: a number from 0.01 to 10000 "
+            + "Hz; default 60"));
     }
 
     @Test

@@ -25,7 +25,8 @@ public class ConvexHullTest {
                 }
                 hull.support(d[0], d[1], d[2], far);
                 double reach = d[0] * far[0] + d[1] * far[1] + d[2] * far[2];
-                assertTrue(what(i) + ": a point lies " + (most - reach) + " outside", most - reach <= ConvexHull.TOLERANCE);
+                assertTrue(what(i) + ": a point lies " + (most - reach) + " outside",
+                    most - reach <= ConvexHull.TOLERANCE);
                 assertTrue(what(i) + ": a corner that is no point", reach <= most);
             }
         }
@@ -62,7 +63,8 @@ public class ConvexHullTest {
         }
         double[] far = new double[3];
         hull.support(n[0], n[1], n[2], far);
-        assertEquals(what, plane / length, (n[0] * far[0] + n[1] * far[1] + n[2] * far[2]) / length, ConvexHull.TOLERANCE);
+        assertEquals(what, plane / length, (n[0] * far[0] + n[1] * far[1] + n[2] * far[2]) / length,
+            ConvexHull.TOLERANCE);
         return true;
     }
 

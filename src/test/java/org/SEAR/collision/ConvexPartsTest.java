@@ -52,7 +52,8 @@ public class ConvexPartsTest {
     public void roundHollowsStayOpen() {
         double torus = 2 * Math.PI * Math.PI * 0.3 * 0.05 * 0.05;
         assertEquals(torus, volume(parts(new Meshes().torus(0.3, 0.05, 48, 16))), 0.05 * torus);
-        Meshes cup = new Meshes().turned(64, new double[][] {{0, 0}, {0.04, 0}, {0.04, 0.1}, {0.035, 0.1}, {0.035, 0.005}, {0, 0.005}});
+        Meshes cup = new Meshes().turned(
+            64, new double[][] {{0, 0}, {0.04, 0}, {0.04, 0.1}, {0.035, 0.1}, {0.035, 0.005}, {0, 0.005}});
         double volume = Math.PI * (0.04 * 0.04 * 0.1 - 0.035 * 0.035 * 0.095);
         assertEquals(volume, volume(parts(cup)), 0.15 * volume);
     }

@@ -64,7 +64,8 @@ public class EpaTest {
             double[] n = shapes.direction(3);
             double radius = shapes.size();
             double apart = (0.3 + 0.65 * shapes.random.nextDouble()) * (radius + 0.5);
-            assertTrue(what(i), gjk.measure(RandomShapes.at(new ConvexEllipsoid(radius, radius, radius), apart * n[0], apart * n[1], apart * n[2]),
+            assertTrue(what(i), gjk.measure(RandomShapes.at(new ConvexEllipsoid(radius, radius, radius), apart * n[0],
+                apart * n[1], apart * n[2]),
                 RandomShapes.at(new ConvexEllipsoid(0.5, 0.5, 0.5), 0, 0, 0), 0));
             assertEquals(what(i), apart - radius - 0.5, gjk.distance, 2 * CURVED);
         }
@@ -76,7 +77,8 @@ public class EpaTest {
         for (int i = 0; i < 200; i++) {
             double radius = shapes.size();
             double depth = 1e-4 * shapes.random.nextDouble();
-            assertTrue(what(i), gjk.measure(RandomShapes.at(new ConvexEllipsoid(radius, radius, radius), 0.3, 1 + radius - depth, -0.2),
+            assertTrue(what(i), gjk.measure(
+                RandomShapes.at(new ConvexEllipsoid(radius, radius, radius), 0.3, 1 + radius - depth, -0.2),
                 RandomShapes.at(new ConvexBox(1, 1, 1), 0, 0, 0), 0));
             assertEquals(what(i), -depth, gjk.distance, FLAT);
             assertEquals(what(i), 1, gjk.ny, 1e-4);
@@ -94,11 +96,13 @@ public class EpaTest {
             PlacedConvex second = shapes.place(shapes.shape(), 0.7);
             if (gjk.measure(first, second, 0) && gjk.distance < -1e-5) {
                 deep++;
-                assertEquals(what(i), gjk.distance, RandomShapes.separation(first, second, gjk.nx, gjk.ny, gjk.nz), 2 * CURVED);
+                assertEquals(what(i), gjk.distance, RandomShapes.separation(first, second, gjk.nx, gjk.ny, gjk.nz),
+                    2 * CURVED);
                 for (int k = 0; k < 200; k++) {
                     double[] d = shapes.direction(3);
                     double other = RandomShapes.separation(first, second, d[0], d[1], d[2]);
-                    assertTrue(what(i) + ": depth " + -gjk.distance + ", but " + -other + " is enough", other <= gjk.distance + 2 * CURVED);
+                    assertTrue(what(i) + ": depth " + -gjk.distance + ", but " + -other + " is enough",
+                        other <= gjk.distance + 2 * CURVED);
                 }
             }
         }

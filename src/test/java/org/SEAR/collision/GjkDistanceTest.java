@@ -41,7 +41,8 @@ public class GjkDistanceTest {
             double gap = shapes.size();
             double radius = shapes.size();
             double apart = 0.5 + radius + gap;
-            assertTrue(gjk.measure(RandomShapes.ball(apart * n[0], apart * n[1], apart * n[2], radius), RandomShapes.ball(0, 0, 0, 0.5), FAR));
+            assertTrue(gjk.measure(RandomShapes.ball(apart * n[0], apart * n[1], apart * n[2], radius),
+                RandomShapes.ball(0, 0, 0, 0.5), FAR));
             assertEquals(what(i), gap, gjk.distance, EXACT);
             assertEquals(what(i), 1, gjk.nx * n[0] + gjk.ny * n[1] + gjk.nz * n[2], 1e-6);
             assertEquals(what(i), 0.5 * n[0], gjk.onB[0], 1e-3);
@@ -57,9 +58,11 @@ public class GjkDistanceTest {
             PlacedConvex second = shapes.place(shapes.shape(), 2);
             if (gjk.measure(first, second, FAR) && gjk.distance > 0) {
                 apart++;
-                assertEquals(what(i), gjk.distance, RandomShapes.separation(first, second, gjk.nx, gjk.ny, gjk.nz), 2 * EXACT);
+                assertEquals(what(i), gjk.distance,
+                    RandomShapes.separation(first, second, gjk.nx, gjk.ny, gjk.nz), 2 * EXACT);
                 assertInside(what(i), second, gjk.onB);
-                assertInside(what(i), first, new double[] {gjk.onB[0] + gjk.distance * gjk.nx, gjk.onB[1] + gjk.distance * gjk.ny,
+                assertInside(what(i), first, new double[] {gjk.onB[0] + gjk.distance * gjk.nx, gjk.onB[1]
+                    + gjk.distance * gjk.ny,
                     gjk.onB[2] + gjk.distance * gjk.nz});
             }
         }
@@ -109,7 +112,8 @@ public class GjkDistanceTest {
         cube.feature(0, 1, 0, top);
         assertFalse(gjk.byFace(top, true, beside, 0));
         assertTrue(gjk.byFace(top, true, RandomShapes.at(new ConvexBox(0.1, 0.1, 0.1), 0.2, 0.8, 0), 0));
-        assertFalse("deeper than said", gjk.byFace(top, true, RandomShapes.at(new ConvexBox(0.1, 0.1, 0.1), 0.2, 0.58, 0), 0.01));
+        assertFalse("deeper than said",
+            gjk.byFace(top, true, RandomShapes.at(new ConvexBox(0.1, 0.1, 0.1), 0.2, 0.58, 0), 0.01));
         assertTrue(gjk.byFace(top, true, RandomShapes.at(new ConvexBox(0.1, 0.1, 0.1), 0.2, 0.58, 0), 0.03));
     }
 
@@ -120,7 +124,8 @@ public class GjkDistanceTest {
             PlacedConvex second = shapes.place(shapes.shape(), 2);
             if (gjk.measure(first, second, FAR) && gjk.distance > 0) {
                 double found = shapes.densest(first, second);
-                assertTrue(what(i) + ": " + gjk.distance + ", but a plane parts them by " + found, found <= gjk.distance + EXACT);
+                assertTrue(what(i) + ": " + gjk.distance + ", but a plane parts them by " + found,
+                    found <= gjk.distance + EXACT);
                 assertEquals(what(i), found, gjk.distance, 1e-3);
             }
         }

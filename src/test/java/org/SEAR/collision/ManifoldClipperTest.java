@@ -33,7 +33,8 @@ public class ManifoldClipperTest {
                 for (int k = 0; k < points.size(); k++) {
                     assertEquals(what, clearance, points.height(k), ROUNDING);
                     assertEquals(what, lower[1], points.y(k), Math.abs(clearance) + ROUNDING);
-                    assertTrue(what, Math.abs(points.x(k)) <= lower[0] + ROUNDING && Math.abs(points.z(k)) <= lower[2] + ROUNDING);
+                    assertTrue(what, Math.abs(points.x(k)) <= lower[0] + ROUNDING && Math.abs(points.z(k)) <= lower[2]
+                        + ROUNDING);
                     double ux = points.x(k) - x;
                     double uz = points.z(k) - z;
                     assertTrue(what, Math.abs(Math.cos(yaw) * ux - Math.sin(yaw) * uz) <= upper[0] + ROUNDING);
@@ -45,7 +46,8 @@ public class ManifoldClipperTest {
 
     @Test
     public void aBoxThatRestsTouchesWithItsFourCorners() {
-        assertTrue(meet(RandomShapes.at(new ConvexBox(0.2, 0.1, 0.3), 1, 0.1, 2), RandomShapes.at(new ConvexBox(20, 0.05, 20), 0, -0.05, 0)));
+        assertTrue(meet(RandomShapes.at(new ConvexBox(0.2, 0.1, 0.3), 1, 0.1, 2),
+            RandomShapes.at(new ConvexBox(20, 0.05, 20), 0, -0.05, 0)));
         assertEquals(4, points.size());
         double square = 0;
         for (int i = 0; i < 4; i++) {
@@ -59,7 +61,8 @@ public class ManifoldClipperTest {
     @Test
     public void aBoxOnItsEdgeTouchesWithBothEndsOfTheEdge() {
         double half = Math.PI / 8;
-        PlacedConvex tilted = RandomShapes.place(new ConvexBox(0.1, 0.1, 0.3), new double[] {0, 0, Math.sin(half), Math.cos(half)}, 0,
+        PlacedConvex tilted = RandomShapes.place(new ConvexBox(0.1, 0.1, 0.3),
+            new double[] {0, 0, Math.sin(half), Math.cos(half)}, 0,
             0.1 * Math.sqrt(2), 0);
         assertTrue(meet(tilted, RandomShapes.at(new ConvexBox(20, 0.05, 20), 0, -0.05, 0)));
         double least = Double.POSITIVE_INFINITY;
@@ -74,19 +77,24 @@ public class ManifoldClipperTest {
         assertEquals(0.3, most, 1e-3);
     }
 
-    /** Two cylinders of radius 0.1 m and 0.15 m along z, of half lengths 0.5 m and 0.4 m, the upper one moved by 0.3 m. */
+    /**
+     * Two cylinders of radius 0.1 m and 0.15 m along z, of half lengths 0.5 m and 0.4 m, the upper one moved by 0.3 m.
+     */
     private void lay(double crossing, double tilt, double gap) {
         double[] along = {Math.sin(Math.PI / 4), 0, 0, Math.cos(Math.PI / 4)};
         double[] turn = {0, Math.sin(crossing / 2), 0, Math.cos(crossing / 2)};
         double[] lean = {Math.sin(tilt / 2), 0, 0, Math.cos(tilt / 2)};
-        PlacedConvex upper = RandomShapes.place(ConvexRound.cylinder(0.1, 0.5), product(turn, product(lean, along)), 0, 0.25 + gap, 0.3);
+        PlacedConvex upper = RandomShapes.place(ConvexRound.cylinder(0.1, 0.5), product(turn, product(lean, along)), 0,
+            0.25 + gap, 0.3);
         PlacedConvex lower = RandomShapes.place(ConvexRound.cylinder(0.15, 0.4), along, 0, 0, 0);
         assertTrue(meet(upper, lower));
     }
 
     private static double[] product(double[] p, double[] q) {
-        return new double[] {p[3] * q[0] + p[0] * q[3] + p[1] * q[2] - p[2] * q[1], p[3] * q[1] - p[0] * q[2] + p[1] * q[3] + p[2] * q[0],
-            p[3] * q[2] + p[0] * q[1] - p[1] * q[0] + p[2] * q[3], p[3] * q[3] - p[0] * q[0] - p[1] * q[1] - p[2] * q[2]};
+        return new double[] {p[3] * q[0] + p[0] * q[3] + p[1] * q[2] - p[2] * q[1], p[3] * q[1] - p[0] * q[2]
+            + p[1] * q[3] + p[2] * q[0],
+            p[3] * q[2] + p[0] * q[1] - p[1] * q[0] + p[2] * q[3], p[3] * q[3] - p[0] * q[0] - p[1] * q[1]
+                - p[2] * q[2]};
     }
 
     @Test
@@ -137,7 +145,8 @@ public class ManifoldClipperTest {
     @Test
     public void aCylinderOnABoxEdgeTouchesAtBothEnds() {
         double half = Math.PI / 8;
-        PlacedConvex edge = RandomShapes.place(new ConvexBox(0.1, 0.1, 0.3), new double[] {0, 0, Math.sin(half), Math.cos(half)}, 0, 0, 0);
+        PlacedConvex edge = RandomShapes.place(new ConvexBox(0.1, 0.1, 0.3),
+            new double[] {0, 0, Math.sin(half), Math.cos(half)}, 0, 0, 0);
         PlacedConvex log = RandomShapes.place(ConvexRound.cylinder(0.2, 0.5), new double[] {Math.sin(Math.PI / 4), 0, 0,
             Math.cos(Math.PI / 4)}, 0, 0.2 + 0.1 * Math.sqrt(2), 0);
         assertTrue(meet(log, edge));
@@ -162,7 +171,8 @@ public class ManifoldClipperTest {
         double lean = Math.atan2(0.1, 0.4);
         double angle = (Math.PI / 2 + lean) / 2;
         double high = 0.2 * Math.sin(lean);
-        PlacedConvex cone = RandomShapes.place(ConvexRound.cone(0.1, 0.2), new double[] {Math.sin(angle), 0, 0, Math.cos(angle)}, 0, high, 0);
+        PlacedConvex cone = RandomShapes.place(ConvexRound.cone(0.1, 0.2),
+            new double[] {Math.sin(angle), 0, 0, Math.cos(angle)}, 0, high, 0);
         assertTrue(meet(cone, RandomShapes.at(new ConvexBox(20, 0.05, 20), 0, -0.05, 0)));
         assertEquals(2, points.size());
         assertEquals(Math.hypot(0.1, 0.4), Math.abs(points.z(0) - points.z(1)), 1e-3);
@@ -170,7 +180,8 @@ public class ManifoldClipperTest {
 
     @Test
     public void aDiscThatLiesFlatTouchesWithFourPointsOfItsRim() {
-        assertTrue(meet(RandomShapes.at(ConvexRound.cylinder(0.2, 0.05), 1, 0.05, 2), RandomShapes.at(new ConvexBox(20, 0.05, 20), 0,
+        assertTrue(meet(RandomShapes.at(ConvexRound.cylinder(0.2, 0.05), 1, 0.05, 2),
+            RandomShapes.at(new ConvexBox(20, 0.05, 20), 0,
             -0.05, 0)));
         assertEquals(4, points.size());
         double x = 0;

@@ -17,7 +17,8 @@ public final class Meshes {
         for (int i = 0; i < 8; i++) {
             points.add(new double[] {i % 2 == 0 ? x : toX, i / 2 % 2 == 0 ? y : toY, i / 4 == 0 ? z : toZ});
         }
-        for (int[] side : new int[][] {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
+        for (int[] side : new int[][] {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1},
+            {4, 5, 7, 6}}) {
             face(first + side[0], first + side[1], first + side[2]);
             face(first + side[0], first + side[2], first + side[3]);
         }

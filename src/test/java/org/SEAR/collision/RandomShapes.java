@@ -52,7 +52,8 @@ final class RandomShapes {
     /** Returns the shape in a random pose within {@code reach} metres of the origin along each axis. */
     PlacedConvex place(ConvexShape shape, double reach) {
         double[] q = direction(4);
-        return place(shape, q, reach * (2 * random.nextDouble() - 1), reach * (2 * random.nextDouble() - 1), reach * (2 * random.nextDouble() - 1));
+        return place(shape, q, reach * (2 * random.nextDouble() - 1), reach * (2 * random.nextDouble() - 1),
+            reach * (2 * random.nextDouble() - 1));
     }
 
     /** Returns the unrotated shape at a place. */

@@ -49,7 +49,8 @@ public class DeviceTypesTest {
         ServiceLoader.load(ObjectTypes.class).forEach(more -> registered.addAll(more.types()));
         List<Class<? extends SearObject>> readable = ObjectClasses.find().all();
         for (DeviceType type : ServiceLoader.load(DeviceType.class)) {
-            assertTrue(type.toString(), registered.contains(type.parameterType()) && readable.contains(type.parameterType()));
+            assertTrue(type.toString(), registered.contains(type.parameterType())
+                && readable.contains(type.parameterType()));
         }
         assertEquals("no sensor, and registered by its device alone", Arduino.class, readable.get(readable.size() - 1));
     }
@@ -59,7 +60,8 @@ public class DeviceTypesTest {
     public void theNextTypeIsTriedIfOneHasNoDeviceForAnObject() {
         GPS gps = new GPS("gps", 48, 300, 11);
         SerialDevice device = new GpsType().create(gps, new FakeContext());
-        DeviceTypes types = new DeviceTypes(Arrays.asList(type(GPS.class, null), type(LIDAR.class, null), type(LIDAR.class, device)));
+        DeviceTypes types = new DeviceTypes(
+            Arrays.asList(type(GPS.class, null), type(LIDAR.class, null), type(LIDAR.class, device)));
         assertSame(device, types.create(new LIDAR("lidar"), new FakeContext()));
         assertNull(types.create(gps, new FakeContext()));
         assertTrue(types.isKnown(gps) && !types.isKnown(new Compass("compass")));
@@ -85,7 +87,8 @@ public class DeviceTypesTest {
         FakeContext line = new FakeContext();
         for (LidarModel model : LidarModel.values()) {
             lidar.setModel(model.getName());
-            assertEquals(model.getName(), model.getProtocol() == LidarProtocol.LMS, LidarSettings.of(lidar, LidarProtocol.LMS, line) != null);
+            assertEquals(model.getName(), model.getProtocol() == LidarProtocol.LMS,
+                LidarSettings.of(lidar, LidarProtocol.LMS, line) != null);
         }
         lidar.LMS(0);
         assertNull(LidarSettings.of(lidar, LidarProtocol.RPLIDAR, line));
@@ -100,9 +103,11 @@ public class DeviceTypesTest {
         lidar.setBaud(9600);
         FakeContext line = new FakeContext();
         LidarSettings settings = LidarSettings.of(lidar, LidarProtocol.COLA, line);
-        assertEquals("[spread 300.0 with resolution 0.5 is not available on an LMS111, legal: up to 270 with 0.5 or 0.25;"
+        assertEquals("[spread 300.0 with resolution 0.5 is not available on an LMS111, legal: up to 270 with "
+            + "0.5 or 0.25;"
             + " its device starts with 270 and 0.25,"
-            + " 9600 baud is not available on an LMS111, legal: 100000000; its device starts with 100000000]", line.warnings.toString());
+            + " 9600 baud is not available on an LMS111, legal: 100000000; its device starts with 100000000]",
+                line.warnings.toString());
         assertEquals("270.0 0.25 100000000", settings.spread + " " + settings.resolution + " " + settings.baud);
     }
 

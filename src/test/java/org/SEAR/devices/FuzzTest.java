@@ -41,7 +41,8 @@ public class FuzzTest {
      * Feeds random bytes in which those that begin or fill the device's commands are frequent.
      * @param flush ends any unfinished command; null for power off and on
      */
-    private void fuzz(Function<FakeContext, SerialDevice> maker, int[] likely, String flush, String probe, String answer) {
+    private void fuzz(Function<FakeContext, SerialDevice> maker, int[] likely, String flush, String probe,
+        String answer) {
         Random random = new Random(Fuzz.SEED);
         FakeContext line = new FakeContext();
         line.reading = new GpsFix(1, 2, 3, 0, 0, 0);
@@ -89,7 +90,8 @@ public class FuzzTest {
             line.take();
             line.host("02 00 01 00 32 16 12");
             line.pass(1);
-            assertTrue("seed " + Fuzz.SEED + " round " + round + " " + device.status(), line.takeHex().contains("06 02 80 02 00 B2 10 3F 13"));
+            assertTrue("seed " + Fuzz.SEED + " round " + round + " " + device.status(), line.takeHex()
+                .contains("06 02 80 02 00 B2 10 3F 13"));
         }
     }
 
@@ -106,9 +108,12 @@ public class FuzzTest {
     @Test
     public void requestsOfColaWithRandomValues() {
         Random random = new Random(Fuzz.SEED);
-        String[] requests = {"sMN SetAccessMode 3 F4724744", "sMN mLMPsetscancfg", "sWN LMPoutputRange 1", "sWN LMDscandatacfg 1 0 0 1 0 0 0 0 0 0",
-            "sRN LMDscandata", "sEN LMDscandata", "sMN LMCstartmeas", "sMN LMCstandby", "sWN LocationName", "sRN STlms", "sMN mEEwriteall"};
-        String[] values = {"0", "1", "+1", "1388", "9C4", "+2500", "-450000", "FFF92230", "225510", "DBBA0", "FFFFFFFF", "+99999", "x", "3"};
+        String[] requests = {"sMN SetAccessMode 3 F4724744", "sMN mLMPsetscancfg", "sWN LMPoutputRange 1",
+            "sWN LMDscandatacfg 1 0 0 1 0 0 0 0 0 0",
+            "sRN LMDscandata", "sEN LMDscandata", "sMN LMCstartmeas", "sMN LMCstandby", "sWN LocationName", "sRN STlms",
+                "sMN mEEwriteall"};
+        String[] values = {"0", "1", "+1", "1388", "9C4", "+2500", "-450000", "FFF92230", "225510", "DBBA0", "FFFFFFFF",
+            "+99999", "x", "3"};
         FakeContext line = new FakeContext();
         SerialDevice device = line.attach(org.SEAR.devices.cola.Devices.scanner(LidarModel.LMS111, line));
         for (int i = 0; i < Fuzz.BYTES / 100; i++) {
@@ -125,7 +130,8 @@ public class FuzzTest {
     @Test
     public void hokuyos() {
         for (HokuyoModel model : HokuyoModel.values()) {
-            fuzz(line -> hokuyo(model, line), Bytes.ints("0A 0A 4D 44 47 53 30 30 30 34 34 37 32 35 31 42 4D 56 50 49 51 54 52 43 48 0D 3B"), null,
+            fuzz(line -> hokuyo(model, line),
+                Bytes.ints("0A 0A 4D 44 47 53 30 30 30 34 34 37 32 35 31 42 4D 56 50 49 51 54 52 43 48 0D 3B"), null,
                 Bytes.hex("\nBM\n".getBytes(StandardCharsets.US_ASCII)), "42 4D 0A 30 30 50 0A 0A");
         }
     }
@@ -135,7 +141,8 @@ public class FuzzTest {
         fuzz(line -> {
             scanner(line);
             return new RplidarA1(1, 0.15, line);
-        }, Bytes.ints("A5 A5 A5 20 21 25 40 50 52 59 82 05 00 22 F0 02"), null, "A5 52", "A5 5A 03 00 00 00 06 00 00 00");
+        }, Bytes.ints("A5 A5 A5 20 21 25 40 50 52 59 82 05 00 22 F0 02"), null, "A5 52",
+            "A5 5A 03 00 00 00 06 00 00 00");
     }
 
     private static void scanner(FakeContext line) {
@@ -153,15 +160,18 @@ public class FuzzTest {
     public void roombas() {
         for (OiModel model : OiModel.values()) {
             String flush = model == OiModel.CREATE ? null : new String(new char[600]).replace("\0", "80");
-            fuzz(line -> new RoombaFirmware(model, 57600, true, line), Bytes.ints("80 82 83 84 89 8E 94 95 98 99 9B 9C 9E 8C 8D 01 00 07"), flush,
+            fuzz(line -> new RoombaFirmware(model, 57600, true, line),
+                Bytes.ints("80 82 83 84 89 8E 94 95 98 99 9B 9C 9E 8C 8D 01 00 07"), flush,
                 "80 8E 03", " 0A 8E");
         }
     }
 
     @Test
     public void mt3301() {
-        fuzz(line -> new Mt3301(GpsModel.MT3301, 38400, 1, 0, line), Bytes.ints("24 50 4D 54 4B 32 30 31 34 2C 2A 0D 0A"),
-            "0D 0A", Bytes.hex("$PMTK000*32\r\n".getBytes(StandardCharsets.US_ASCII)), "50 4D 54 4B 30 30 31 2C 30 2C 33");
+        fuzz(line -> new Mt3301(GpsModel.MT3301, 38400, 1, 0, line),
+            Bytes.ints("24 50 4D 54 4B 32 30 31 34 2C 2A 0D 0A"),
+            "0D 0A", Bytes.hex("$PMTK000*32\r\n".getBytes(StandardCharsets.US_ASCII)),
+                "50 4D 54 4B 30 30 31 2C 30 2C 33");
     }
 
     /**
@@ -170,7 +180,8 @@ public class FuzzTest {
      */
     @Test
     public void neoM8n() {
-        fuzz(line -> new NeoM8n(9600, 1, 0, line), Bytes.ints("B5 62 06 01 00 08 09 04 0A F0 07 03 14"), null, "B5 62 0A 04 00 00 0E 34",
+        fuzz(line -> new NeoM8n(9600, 1, 0, line), Bytes.ints("B5 62 06 01 00 08 09 04 0A F0 07 03 14"), null,
+            "B5 62 0A 04 00 00 0E 34",
             "B5 62 0A 04 FA 00");
     }
 
@@ -223,6 +234,7 @@ public class FuzzTest {
         fuzz(line -> {
             line.reading = new ImuReading(new double[3], new double[3], new double[3], new double[3]);
             return new Razor(57600, line);
-        }, Bytes.ints("23 6F 73 62 74 72 63 30 31 66 6E 65 78 6F 23"), null, "23 73 41 42", "23 53 59 4E 43 48 41 42 0D 0A");
+        }, Bytes.ints("23 6F 73 62 74 72 63 30 31 66 6E 65 78 6F 23"), null, "23 73 41 42",
+            "23 53 59 4E 43 48 41 42 0D 0A");
     }
 }

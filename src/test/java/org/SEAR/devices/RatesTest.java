@@ -37,7 +37,8 @@ public class RatesTest {
         SerialDevice device = line.attach(maker.apply(line));
         line.pass(1);
         for (String command : commands) {
-            line.host(command.startsWith("'") ? Bytes.hex(command.substring(1).getBytes(StandardCharsets.ISO_8859_1)) : command);
+            line.host(command.startsWith("'")
+                ? Bytes.hex(command.substring(1).getBytes(StandardCharsets.ISO_8859_1)) : command);
             line.pass(0.5);
         }
         line.pass(1);
@@ -84,14 +85,17 @@ public class RatesTest {
 
     @Test
     public void scanners() {
-        check(1 / (2 * 0.01332), org.SEAR.devices.lms.Devices::lms200, "02 00 0A 00 20 00 53 49 43 4B 5F 4C 4D 53 BE C5",
+        check(1 / (2 * 0.01332), org.SEAR.devices.lms.Devices::lms200,
+            "02 00 0A 00 20 00 53 49 43 4B 5F 4C 4D 53 BE C5",
             "02 00 02 00 20 48 58 08", "02 00 02 00 20 24 34 08");
         check(10, line -> new Hokuyo(HokuyoModel.URG_04LX, HokuyoModel.USB, line), "'MD0044072501000\n");
         check(10.0 / 3, line -> new Hokuyo(HokuyoModel.URG_04LX, HokuyoModel.USB, line), "'MD0044072501200\n");
         check(40, line -> new Hokuyo(HokuyoModel.UTM_30LX, HokuyoModel.USB, line), "'MD0000108001000\n");
         check(125, line -> new RplidarA1(1, 0.15, line), "A5 20");
-        check(50, line -> org.SEAR.devices.cola.Devices.scanner(LidarModel.LMS111, line), "'\u0002sEN LMDscandata 1\u0003");
-        check(15, line -> org.SEAR.devices.cola.Devices.scanner(LidarModel.TIM561, line), "'\u0002sEN LMDscandata 1\u0003");
+        check(50, line -> org.SEAR.devices.cola.Devices.scanner(LidarModel.LMS111, line),
+            "'\u0002sEN LMDscandata 1\u0003");
+        check(15, line -> org.SEAR.devices.cola.Devices.scanner(LidarModel.TIM561, line),
+            "'\u0002sEN LMDscandata 1\u0003");
     }
 
     /** MrlComm reads a pin when more than the whole milliseconds of a period have passed, as its source has it. */

@@ -56,10 +56,12 @@ public class AddASensorTest {
         assertEquals(10, files);
         String text = output.toString();
         assertTrue(text, text.contains("Thermometer"));
-        assertTrue(text, text.contains("ground: temperature at the world's origin. Legal: a number from -100 to 100 degC; default 20"));
+        assertTrue(text, text.contains("ground: temperature at the world's origin. Legal: a number from -100 to 100 "
+            + "degC; default 20"));
         assertTrue(text, text.contains("\n14.35 degC\n"));
         assertTrue(text, text.contains("right: 14.3"));
-        assertTrue("what the thermal camera sees", Pattern.compile("\\n20( 20){7}\\n(.*\\n)*(20 )*34( 34)+.*\\n").matcher(text).find());
+        assertTrue("what the thermal camera sees", Pattern.compile("\\n20( 20){7}\\n(.*\\n)*(20 )*34( 34)+.*\\n")
+            .matcher(text).find());
         assertTrue(text, text.contains("\n[u'eye.coldest', u'eye.warmest']\n"));
     }
 
@@ -67,7 +69,8 @@ public class AddASensorTest {
     @Test
     public void itsClassesAreThoseOfTheTests() throws IOException {
         String page = Files.readString(ROOT.resolve("docs/add-a-sensor.md"));
-        for (String file : List.of("Thermometer.java", "ThermometerSensor.java", "ThermalGrid.java", "ThermalImage.java", "ThermalGridSensor.java")) {
+        for (String file : List.of("Thermometer.java", "ThermometerSensor.java", "ThermalGrid.java",
+            "ThermalImage.java", "ThermalGridSensor.java")) {
             String text = Files.readString(ROOT.resolve("src/test/java/org/example").resolve(file));
             assertTrue(file, page.contains("```java\n" + text.substring(text.indexOf('\n') + 1) + "```"));
         }
@@ -75,11 +78,13 @@ public class AddASensorTest {
 
     private String run(String commands) throws IOException, InterruptedException {
         Path output = Files.createTempFile(temporary.getRoot().toPath(), "output", ".txt");
-        ProcessBuilder shell = new ProcessBuilder("sh", "-e", "-c", commands.replace(HOME, "")).directory(folder.toFile()).redirectErrorStream(true)
+        ProcessBuilder shell = new ProcessBuilder("sh", "-e", "-c", commands.replace(HOME, ""))
+            .directory(folder.toFile()).redirectErrorStream(true)
             .redirectOutput(output.toFile());
         shell.environment().put("SEAR", sear.toString());
         shell.environment().put("JAVA_HOME", System.getProperty("java.home"));
-        shell.environment().merge("PATH", System.getProperty("java.home") + "/bin", (path, first) -> first + File.pathSeparator + path);
+        shell.environment().merge("PATH", System.getProperty("java.home") + "/bin", (path, first) -> first
+            + File.pathSeparator + path);
         Process process = shell.start();
         assertTrue(commands, process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
         String text = Files.readString(output, StandardCharsets.UTF_8);

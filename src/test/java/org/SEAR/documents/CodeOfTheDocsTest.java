@@ -48,8 +48,10 @@ import org.myrobotlab.service.thirdparty.ThirdPartyScannersTest;
 public class CodeOfTheDocsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     /** Pages whose Python runs here. Each page gets a new project, and its blocks run in order. */
-    private static final List<String> HERE = List.of("docs/arduino.md", "docs/building.md", "docs/cameras.md", "docs/joints.md", "docs/objects.md",
-        "docs/physics.md", "docs/projects.md", "docs/records.md", "docs/sensors.md", "docs/terrain.md", "docs/vehicles.md", "docs/window.md");
+    private static final List<String> HERE = List.of("docs/arduino.md", "docs/building.md", "docs/cameras.md",
+        "docs/joints.md", "docs/objects.md",
+        "docs/physics.md", "docs/projects.md", "docs/records.md", "docs/sensors.md", "docs/terrain.md",
+            "docs/vehicles.md", "docs/window.md");
     /**
      * By page and language, and for commands also by their beginning: the class that takes the block from the page and
      * runs it.
@@ -112,9 +114,11 @@ public class CodeOfTheDocsTest {
         "docs/classroom.md sh podman ", "needs a registry of images; the page says what was tried",
         "docs/classroom.md sh ssh ", "needs a second computer",
         "docs/notebooks.md sh venv/bin/", "JupyterLab is some 100 packages; what it runs, a kernel, JupyterTest does",
-        "docs/other-programs.md sh rosrun ", "needs ROS 1, which is in no package of Debian 12; the page says that it was not tried"));
+        "docs/other-programs.md sh rosrun ", "needs ROS 1, which is in no package of Debian 12; the page says that it "
+            + "was not tried"));
     private static final String GRADLE = "./gradlew ";
-    private static final String BEFORE = "from org.SEAR.POJOs import Floor\nif sear.isSimulating(): sear.stopSimulation()\n"
+    private static final String BEFORE = "from org.SEAR.POJOs import Floor\nif sear.isSimulating(): "
+        + "sear.stopSimulation()\n"
         + "sear.newProject()\nfloor = Floor('ground', 9, 9)\n";
 
     @Rule
@@ -128,13 +132,16 @@ public class CodeOfTheDocsTest {
         for (String page : DocBlock.pages()) {
             for (DocBlock block : DocBlock.of(page)) {
                 if (block.language.equals("sh")) {
-                    block.text.lines().map(line -> block + " " + line).filter(line -> !isRun(line, unused)).forEach(orphans::add);
-                } else if (!(HERE.contains(page) && block.language.equals("python")) && !isRun(block.toString(), unused)) {
+                    block.text.lines().map(line -> block + " " + line).filter(line -> !isRun(line, unused))
+                        .forEach(orphans::add);
+                } else if (!(HERE.contains(page) && block.language.equals("python"))
+                    && !isRun(block.toString(), unused)) {
                     orphans.add(block + "\n" + block.text);
                 }
             }
         }
-        assertEquals("a block (or a line of commands) that no test runs: run it in a test that takes it by DocBlock, and name that test here", "",
+        assertEquals("a block (or a line of commands) that no test runs: run it in a test that takes it by DocBlock, "
+            + "and name that test here", "",
             String.join("\n", orphans));
         assertEquals("not in the pages any more", "[]", unused.toString());
     }
@@ -164,7 +171,8 @@ public class CodeOfTheDocsTest {
             assertTrue(one.toString(), taken);
         }
         assertTrue(source(GradleCommandsTest.class).contains("GRADLE = \"" + GRADLE + "\";"));
-        assertTrue(source(GradleCommandsTest.class).contains("DocBlock.pages().stream().flatMap(page -> DocBlock.commands(page, GRADLE)"));
+        assertTrue(source(GradleCommandsTest.class)
+            .contains("DocBlock.pages().stream().flatMap(page -> DocBlock.commands(page, GRADLE)"));
     }
 
     private static String source(Class<?> test) throws IOException {
@@ -177,7 +185,8 @@ public class CodeOfTheDocsTest {
         for (String page : HERE) {
             List<String> blocks = DocBlock.of(page, "python");
             assertTrue(page, !blocks.isEmpty());
-            script.append(BEFORE).append(String.join("\n", blocks)).append("\nprint '").append(page).append(" to the end'\n");
+            script.append(BEFORE).append(String.join("\n", blocks)).append("\nprint '").append(page)
+                .append(" to the end'\n");
         }
         Path file = folder.getRoot().toPath().resolve("pages.py");
         Files.writeString(file, script);

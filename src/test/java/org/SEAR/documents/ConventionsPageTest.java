@@ -64,7 +64,8 @@ public class ConventionsPageTest {
 
     /** Returns the cells of the row that begins with a cell. */
     private static String[] row(String first) throws IOException {
-        List<String> rows = Files.readString(PAGE).lines().filter(line -> line.startsWith("| " + first + " |")).collect(Collectors.toList());
+        List<String> rows = Files.readString(PAGE).lines().filter(line -> line.startsWith("| " + first + " |"))
+            .collect(Collectors.toList());
         assertEquals("rows that begin with " + first, 1, rows.size());
         return Arrays.stream(rows.get(0).split("\\|")).skip(1).map(String::trim).toArray(String[]::new);
     }
@@ -75,7 +76,8 @@ public class ConventionsPageTest {
 
     private static void assertCell(String first, int column, double tolerance, double... expected) throws IOException {
         String cell = row(first)[column];
-        assertArrayEquals(first + ": " + cell + ", expected " + Arrays.toString(expected), expected, numbers(cell), tolerance);
+        assertArrayEquals(first + ": " + cell + ", expected " + Arrays.toString(expected), expected,
+            numbers(cell), tolerance);
     }
 
     private static double[][] product(double[][] a, double[][] b) {
@@ -151,10 +153,12 @@ public class ConventionsPageTest {
 
     private static double[] quaternion(double[][] r) {
         double w = Math.sqrt(1 + r[0][0] + r[1][1] + r[2][2]) / 2;
-        return new double[] {(r[2][1] - r[1][2]) / (4 * w), (r[0][2] - r[2][0]) / (4 * w), (r[1][0] - r[0][1]) / (4 * w), w};
+        return new double[] {(r[2][1] - r[1][2]) / (4 * w), (r[0][2] - r[2][0]) / (4 * w),
+            (r[1][0] - r[0][1]) / (4 * w), w};
     }
 
-    private static void assertConvention(int column, double[][] world, double[][] body, double[] rotation) throws IOException {
+    private static void assertConvention(int column, double[][] world, double[][] body, double[] rotation)
+        throws IOException {
         double[][] own = matrix(TURN[0], TURN[1], TURN[2]);
         double[][] r = product(world, product(own, transposed(body)));
         double[][] place = {{PLACE[0]}, {PLACE[1]}, {PLACE[2]}};
@@ -166,7 +170,8 @@ public class ConventionsPageTest {
         assertCell("R, third row", column, THREE, r[2]);
         assertCell("quaternion x, y, z, w", column, THREE, quaternion(r));
         assertCell("point in the world", column, 0, transposed(product(world, POINT))[0]);
-        assertCell("point in the object's frame", column, THREE, transposed(product(body, product(transposed(own), offset)))[0]);
+        assertCell("point in the object's frame", column, THREE,
+            transposed(product(body, product(transposed(own), offset)))[0]);
     }
 
     @Test
@@ -178,8 +183,10 @@ public class ConventionsPageTest {
         assertCell("quaternion x, y, z, w", 1, THREE, pose.qx, pose.qy, pose.qz, pose.qw);
         assertCell("quaternion x, y, z, w", 2, THREE, pose.qz, pose.qx, pose.qy, pose.qw);
         assertArrayEquals(TURN, EulerAngles.degrees(pose), 1e-9);
-        assertArrayEquals(new double[] {30, 10, 0}, yawPitchRoll(product(REP_103, product(matrix(10, 30, 0), transposed(REP_103)))), 1e-9);
-        assertArrayEquals(new double[] {30, 0, 20}, yawPitchRoll(product(REP_103, product(matrix(0, 30, 20), transposed(REP_103)))), 1e-9);
+        assertArrayEquals(new double[] {30, 10, 0},
+            yawPitchRoll(product(REP_103, product(matrix(10, 30, 0), transposed(REP_103)))), 1e-9);
+        assertArrayEquals(new double[] {30, 0, 20},
+            yawPitchRoll(product(REP_103, product(matrix(0, 30, 20), transposed(REP_103)))), 1e-9);
     }
 
     @Test
@@ -192,7 +199,8 @@ public class ConventionsPageTest {
         assertCell("cx, cy", 2, 0, camera.getLens().column(0, 0), camera.getLens().row(0, 0));
         Pose pose = Pose.ofDegrees(PLACE[0], PLACE[1], PLACE[2], TURN[0], TURN[1], TURN[2]);
         double[] exact = pose.rotateBack(POINT[0][0] - PLACE[0], POINT[1][0] - PLACE[1], POINT[2][0] - PLACE[2]);
-        assertCell("pixel: cx + fx x / z, cy + fy y / z", 2, THREE, camera.getLens().column(-exact[0] / exact[2], -exact[1] / exact[2]),
+        assertCell("pixel: cx + fx x / z, cy + fy y / z", 2, THREE, camera.getLens()
+            .column(-exact[0] / exact[2], -exact[1] / exact[2]),
             camera.getLens().row(-exact[0] / exact[2], -exact[1] / exact[2]));
     }
 
@@ -213,7 +221,8 @@ public class ConventionsPageTest {
 
     private static double[] pose(Simulation simulation, String name) {
         Pose pose = simulation.getPose(name);
-        return DoubleStream.concat(DoubleStream.of(pose.x, pose.y, pose.z), Arrays.stream(EulerAngles.degrees(pose))).toArray();
+        return DoubleStream.concat(DoubleStream.of(pose.x, pose.y, pose.z), Arrays.stream(EulerAngles.degrees(pose)))
+            .toArray();
     }
 
     @Test
@@ -240,7 +249,8 @@ public class ConventionsPageTest {
     }
 
     private static double[] distinct(Collection<Wheel> wheels, ToDoubleFunction<Wheel> number) {
-        return wheels.stream().mapToDouble(number).distinct().boxed().sorted((a, b) -> Double.compare(b, a)).mapToDouble(one -> one).toArray();
+        return wheels.stream().mapToDouble(number).distinct().boxed().sorted((a, b) -> Double.compare(b, a))
+            .mapToDouble(one -> one).toArray();
     }
 
     /** Returns the distance between the extreme values, none without one. */
@@ -257,8 +267,10 @@ public class ConventionsPageTest {
         List<Wheel> idle = wheels(robot, Wheel.IDLER);
         List<Wheel> trailing = idle.stream().filter(wheel -> wheel.getTrail() > 0).collect(Collectors.toList());
         List<Wheel> steered = wheels(robot, Wheel.FREE);
-        return Stream.of(distinct(idle, Wheel::getRadius), distinct(idle, SearObject::getZ), distinct(trailing, Wheel::getTrail),
-            distinct(steered, SearObject::getZ), distinct(steered, Wheel::getSteering)).flatMapToDouble(Arrays::stream).toArray();
+        return Stream.of(distinct(idle, Wheel::getRadius), distinct(idle, SearObject::getZ),
+            distinct(trailing, Wheel::getTrail),
+            distinct(steered, SearObject::getZ), distinct(steered, Wheel::getSteering))
+            .flatMapToDouble(Arrays::stream).toArray();
     }
 
     @Test
@@ -275,18 +287,22 @@ public class ConventionsPageTest {
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 2);
         List<String> listed = new ArrayList<>();
-        List<String> rows = Files.readString(PAGE).split("\\| origin above ground at rest \\|\n")[1].lines().skip(1).collect(Collectors.toList());
+        List<String> rows = Files.readString(PAGE).split("\\| origin above ground at rest \\|\n")[1].lines().skip(1)
+            .collect(Collectors.toList());
         for (String line : rows) {
             String[] cells = line.split("\\|");
             for (MatchResult name : NAME.matcher(cells[1]).results().collect(Collectors.toList())) {
                 SEARrobot robot = robots.get(name.group(1));
                 List<Wheel> driven = wheels(robot, Wheel.DRIVEN);
-                List<Wheel> gripping = robot.getWheels().stream().filter(wheel -> wheel.getType() != Wheel.IDLER).collect(Collectors.toList());
-                double[][] expected = {distinct(gripping, Wheel::getRadius), extent(distinct(gripping, SearObject::getX)),
+                List<Wheel> gripping = robot.getWheels().stream().filter(wheel -> wheel.getType() != Wheel.IDLER)
+                    .collect(Collectors.toList());
+                double[][] expected = {distinct(gripping, Wheel::getRadius),
+                    extent(distinct(gripping, SearObject::getX)),
                     extent(distinct(gripping, SearObject::getZ)), distinct(driven, SearObject::getZ), others(robot),
                     {simulation.getPose(robot.getName()).y}};
                 for (int i = 0; i < expected.length; i++) {
-                    assertArrayEquals(line + ", expected " + Arrays.toString(expected[i]), expected[i], numbers(cells[i + 2]), FOUR);
+                    assertArrayEquals(line + ", expected " + Arrays.toString(expected[i]), expected[i],
+                        numbers(cells[i + 2]), FOUR);
                 }
                 listed.add(name.group(1));
             }

@@ -62,7 +62,8 @@ public final class DocBlock {
                 blocks.add(new DocBlock(page, found));
             }
             if (FENCE.matcher(text).results().count() != 2L * blocks.size()) {
-                throw new AssertionError(page + " has a fence of another kind or one that is not closed; there are " + blocks.size() + " blocks");
+                throw new AssertionError(page + " has a fence of another kind or one that is not closed; there are "
+                    + blocks.size() + " blocks");
             }
             return blocks;
         } catch (IOException e) {
@@ -72,12 +73,14 @@ public final class DocBlock {
 
     /** Returns the texts of the blocks of one language. */
     public static List<String> of(String page, String language) {
-        return of(page).stream().filter(block -> block.language.equals(language)).map(block -> block.text).collect(Collectors.toList());
+        return of(page).stream().filter(block -> block.language.equals(language)).map(block -> block.text)
+            .collect(Collectors.toList());
     }
 
     /** Returns the command lines of a page that begin with a text. */
     public static List<String> commands(String page, String start) {
-        return of(page, "sh").stream().flatMap(String::lines).filter(line -> line.startsWith(start)).collect(Collectors.toList());
+        return of(page, "sh").stream().flatMap(String::lines).filter(line -> line.startsWith(start))
+            .collect(Collectors.toList());
     }
 
     @Override

@@ -43,12 +43,14 @@ public class GradleCommandsTest {
     /** Returns the arguments after ./gradlew of all command lines, without duplicates. */
     private static List<String> calls() {
         return DocBlock.pages().stream().flatMap(page -> DocBlock.commands(page, GRADLE).stream())
-            .map(line -> line.replaceAll(" +#.*", "").substring(GRADLE.length())).distinct().collect(Collectors.toList());
+            .map(line -> line.replaceAll(" +#.*", "").substring(GRADLE.length())).distinct()
+            .collect(Collectors.toList());
     }
 
     private String run(List<String> command) throws IOException, InterruptedException {
         Path output = folder.newFile().toPath();
-        ProcessBuilder builder = new ProcessBuilder(command).directory(ROOT.toFile()).redirectErrorStream(true).redirectOutput(output.toFile());
+        ProcessBuilder builder = new ProcessBuilder(command).directory(ROOT.toFile()).redirectErrorStream(true)
+            .redirectOutput(output.toFile());
         builder.environment().put("CLASSPATH", System.getProperty("sear.jmhClasspath"));
         Process process = builder.start();
         try {
@@ -61,7 +63,8 @@ public class GradleCommandsTest {
     }
 
     private String dryRun(String arguments) throws IOException, InterruptedException {
-        return run(List.of("sh", "-c", "exec gradle --dry-run --offline --project-cache-dir \"$0\" " + arguments, folder.newFolder().toString()));
+        return run(List.of("sh", "-c", "exec gradle --dry-run --offline --project-cache-dir \"$0\" " + arguments,
+            folder.newFolder().toString()));
     }
 
     @Test
@@ -81,7 +84,8 @@ public class GradleCommandsTest {
         String quick = dryRun("test");
         assertFalse(quick, more.matcher(quick).find());
         String selected = dryRun("test --tests '*RoomsTest' --tests '*RasterioTest'");
-        assertEquals(selected, List.of("uv", "rasterio"), more.matcher(selected).results().map(found -> found.group(1)).collect(Collectors.toList()));
+        assertEquals(selected, List.of("uv", "rasterio"), more.matcher(selected).results().map(found -> found.group(1))
+            .collect(Collectors.toList()));
     }
 
     @Test
@@ -106,7 +110,8 @@ public class GradleCommandsTest {
     public void theMeasurementOfThePageIsMade() throws Exception {
         List<String> measurements = calls().stream().filter(call -> call.startsWith(JMH)).collect(Collectors.toList());
         assertEquals(measurements.toString(), 1, measurements.size());
-        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+        List<String> command = new ArrayList<>(
+            List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "org.openjdk.jmh.Main"));
         command.addAll(List.of(measurements.get(0).substring(JMH.length()).replace("\"", "").split(" ")));
         command.add(1, "-Djava.io.tmpdir=" + folder.getRoot());

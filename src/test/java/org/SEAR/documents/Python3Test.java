@@ -51,10 +51,12 @@ public class Python3Test {
         Path folder = temporary.getRoot().toPath();
         String client = blocks().get(0);
         assertTrue(client.contains("http://localhost:8888\""));
-        Files.writeString(folder.resolve("robotlab.py"), client.replace("http://localhost:8888\"", robotLab.url().replaceAll("/$", "") + "\""));
+        Files.writeString(folder.resolve("robotlab.py"),
+            client.replace("http://localhost:8888\"", robotLab.url().replaceAll("/$", "") + "\""));
         Files.writeString(folder.resolve("program.py"), program);
         Path output = folder.resolve("output.txt");
-        Process process = new ProcessBuilder("python3", "program.py").directory(folder.toFile()).redirectErrorStream(true)
+        Process process = new ProcessBuilder("python3", "program.py").directory(folder.toFile())
+            .redirectErrorStream(true)
             .redirectOutput(output.toFile()).start();
         boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
         process.destroyForcibly();
@@ -72,7 +74,8 @@ public class Python3Test {
     @Test
     public void theProgramDrivesAndReads() throws Exception {
         String text = run(blocks().get(1));
-        Matcher place = Pattern.compile("at (-?[0-9.]+) m north, (-?[0-9.]+) m east; the nearest thing is ([0-9.]+) m away").matcher(text);
+        Matcher place = Pattern.compile("at (-?[0-9.]+) m north, (-?[0-9.]+) m east; the nearest thing is "
+            + "([0-9.]+) m away").matcher(text);
         assertTrue(text, place.find());
         assertTrue("it was driven north: " + text, Double.parseDouble(place.group(1)) > -1.8);
         assertEquals(text, -1, Double.parseDouble(place.group(2)), 0.1);
@@ -81,7 +84,8 @@ public class Python3Test {
 
     @Test
     public void theErrorContainsTheCause() throws Exception {
-        String text = run("import urllib.error\nfrom robotlab import Service\ntry:\n    Service('sear').getReading('no such sensor')\n"
+        String text = run("import urllib.error\nfrom robotlab import Service\ntry:\n    Service('sear').getReading('no "
+            + "such sensor')\n"
             + "except urllib.error.HTTPError as error:\n    print(error.code, error.read().decode())\n");
         assertTrue(text, text.startsWith("500 ") && text.contains("no simulation runs: startSimulation() first"));
     }

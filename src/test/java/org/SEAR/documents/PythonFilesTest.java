@@ -51,7 +51,8 @@ public class PythonFilesTest {
 
     @Test
     public void aFileIsTheOldOneOrTheNewOne() throws Exception {
-        Process python = new ProcessBuilder("python3", "-c", SCRIPT, PACKAGE.resolve("_files.py").toAbsolutePath().toString(),
+        Process python = new ProcessBuilder("python3", "-c", SCRIPT, PACKAGE.resolve("_files.py").toAbsolutePath()
+            .toString(),
             temporary.getRoot().getPath()).redirectErrorStream(true).start();
         String printed = new String(python.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(printed, 0, python.waitFor());
@@ -62,10 +63,12 @@ public class PythonFilesTest {
     public void everyOtherWriterIsListed() throws IOException {
         try (Stream<Path> files = Files.walk(PACKAGE)) {
             Set<String> writers = files.filter(file -> file.toString().endsWith(".py")).flatMap(PythonFilesTest::lines)
-                .filter(line -> line.matches(".*\\bopen\\([^)]*[\"'][wax][bt+]*[\"'].*") && !line.contains("open(aside")).map(String::trim)
+                .filter(line -> line.matches(".*\\bopen\\([^)]*[\"'][wax][bt+]*[\"'].*")
+                    && !line.contains("open(aside")).map(String::trim)
                 .collect(Collectors.toSet());
             assertEquals("a run's own copy of a script, and a table beside its place",
-                Set.of("with open(script, \"wb\") as file:", "with open(table, \"w\", encoding=\"utf-8\", newline=\"\") as file:"), writers);
+                Set.of("with open(script, \"wb\") as file:", "with open(table, \"w\", encoding=\"utf-8\", "
+                    + "newline=\"\") as file:"), writers);
         }
     }
 

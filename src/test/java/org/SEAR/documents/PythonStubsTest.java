@@ -24,7 +24,8 @@ public class PythonStubsTest {
         String hints = stubs.hints();
         assertEquals("run gradle pythonStubs", hints, Files.readString(PACKAGE.resolve("__init__.pyi")));
         assertTrue(hints, hints.contains("    def getLidarResult(self, name: str) -> np.ndarray:\n"));
-        assertTrue(hints, hints.contains("(self, name: str, length: float, width: float, height: float, mass: float) -> None: ...\n"));
+        assertTrue(hints, hints.contains("(self, name: str, length: float, width: float, height: float, mass: float) "
+            + "-> None: ...\n"));
     }
 
     /** Without these names, {@code from sear import *} imports nothing for a type checker. */
@@ -41,8 +42,10 @@ public class PythonStubsTest {
             + "    return words, [one.name for one in tree.body if hasattr(one, 'name')]\n"
             + "hints, defined = made(sys.argv[1])\n"
             + "assert hints == made(sys.argv[2])[0] + made(sys.argv[3])[0], hints\n"
-            + "assert set(hints) <= set(defined) | {'python'}, set(hints) - set(defined)", PACKAGE.resolve("__init__.pyi").toString(),
-            PACKAGE.resolve("__init__.py").toString(), PACKAGE.resolve("_names.py").toString()).redirectErrorStream(true).start();
+            + "assert set(hints) <= set(defined) | {'python'}, set(hints) - set(defined)",
+            PACKAGE.resolve("__init__.pyi").toString(),
+            PACKAGE.resolve("__init__.py").toString(), PACKAGE.resolve("_names.py").toString())
+            .redirectErrorStream(true).start();
         assertEquals("", new String(python.getInputStream().readAllBytes()));
         assertEquals(0, python.waitFor());
     }
@@ -50,8 +53,10 @@ public class PythonStubsTest {
     /** Python itself parses the hints. */
     @Test
     public void theHintsAreAPythonModule() throws IOException, InterruptedException {
-        Process python = new ProcessBuilder("python3", "-c", "import ast, sys; tree = ast.parse(open(sys.argv[1]).read());"
-            + " names = [one.name for one in tree.body if isinstance(one, ast.ClassDef)]; assert len(names) == len(set(names)), names",
+        Process python = new ProcessBuilder(
+            "python3", "-c", "import ast, sys; tree = ast.parse(open(sys.argv[1]).read());"
+            + " names = [one.name for one in tree.body if isinstance(one, ast.ClassDef)]; assert len(names) == "
+            + "len(set(names)), names",
             PACKAGE.resolve("__init__.pyi").toString()).redirectErrorStream(true).start();
         assertEquals("", new String(python.getInputStream().readAllBytes()));
         assertEquals(0, python.waitFor());

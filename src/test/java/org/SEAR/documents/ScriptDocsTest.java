@@ -35,7 +35,8 @@ public class ScriptDocsTest {
 
     @Test
     public void thePictureIsUpToDate() throws IOException {
-        assertEquals("run gradle scriptDocs", FramesPicture.svg(), Files.readString(ROOT.resolve("docs/images/frames.svg")));
+        assertEquals("run gradle scriptDocs", FramesPicture.svg(),
+            Files.readString(ROOT.resolve("docs/images/frames.svg")));
     }
 
     @Test
@@ -49,7 +50,8 @@ public class ScriptDocsTest {
         List<String> wrong = new ArrayList<>();
         Map<String, String> variables = new TreeMap<>(Map.of("SEAR", "sear", "LIDAR", "lidar", "GPS", "gps"));
         variables.forEach((service, variable) -> docs.calls(service).forEach(call -> {
-            String called = call.name.startsWith("publish") ? variable + ".addListener(\"" + call.name + "\"" : variable + "." + call.name + "(";
+            String called = call.name.startsWith("publish") ? variable + ".addListener(\"" + call.name + "\"" : variable
+                + "." + call.name + "(";
             if (!call.example.contains(called)) {
                 wrong.add(service + "." + call.signature() + ": " + call.example);
             }

@@ -23,18 +23,22 @@ public class ScriptExamplesTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", "."));
     /** Number of blocks with more than one example: preparation, callbacks, driving. */
     private static final int LONG_BLOCKS = 3;
-    private static final List<String> WHILE_STOPPED = Arrays.asList("startSimulation", "setGroundVisible", "newProject", "loadProject",
+    private static final List<String> WHILE_STOPPED = Arrays.asList("startSimulation", "setGroundVisible", "newProject",
+        "loadProject",
         "importRobot", "importEnvironment", "copyTemplate");
 
     /** Calls that need a vehicle; their examples run with the first block of its page. */
-    private static final List<String> VEHICLES = Arrays.asList("setMotorPower", "setMotorSpeed", "getMotorSpeed", "getEncoder", "setServo",
+    private static final List<String> VEHICLES = Arrays.asList("setMotorPower", "setMotorSpeed", "getMotorSpeed",
+        "getEncoder", "setServo",
         "getServo", "setLed", "getLed", "setSteering");
 
     /** Calls that need a joint with a motor. */
-    private static final List<String> JOINTS = Arrays.asList("setJointPosition", "setJointSpeed", "setJointPower", "getJoint", "getJointForce");
+    private static final List<String> JOINTS = Arrays.asList("setJointPosition", "setJointSpeed", "setJointPower",
+        "getJoint", "getJointForce");
 
     /** Calls that need a camera; their examples run with the world of its page. */
-    private static final List<String> CAMERAS = Arrays.asList("getImage", "getPixels", "getDepth", "getTemperatures", "getPointCloud", "getBlobs",
+    private static final List<String> CAMERAS = Arrays.asList("getImage", "getPixels", "getDepth", "getTemperatures",
+        "getPointCloud", "getBlobs",
         "saveImage", "exportCamera", "stopExportCamera");
 
     /** Restores the state that the page assumes before each example. */
@@ -45,7 +49,8 @@ public class ScriptExamplesTest {
             + " 'environment/door_hinge'))",
         "    if sear.isSimulating() and (not running or special): sear.stopSimulation()",
         "    if running and not sear.isSimulating():",
-        "        if 'gpsUnit1.xml' not in ''.join(os.listdir('SEARproject/robot') if os.path.exists('SEARproject/robot') else []):",
+        "        if 'gpsUnit1.xml' not in ''.join(os.listdir('SEARproject/robot') if "
+        + "os.path.exists('SEARproject/robot') else []):",
         "            sear.loadProject('examples/sensors.sear')",
         "        sear.startSimulation()",
         "    if not running and not os.path.exists('SEARproject'): sear.loadProject('examples/sensors.sear')",
@@ -79,7 +84,8 @@ public class ScriptExamplesTest {
     public void everyExampleRuns() throws Exception {
         List<String> blocks = DocBlock.of("docs/scripting.md", "python");
         StringBuilder script = new StringBuilder(String.join("\n", blocks.subList(0, LONG_BLOCKS))).append('\n')
-            .append("VEHICLE = '''").append(DocBlock.of("docs/vehicles.md", "python").get(0)).append("'''\n").append(READY);
+            .append("VEHICLE = '''").append(DocBlock.of("docs/vehicles.md", "python").get(0)).append("'''\n")
+            .append(READY);
         int count = 0;
         ScriptDocs docs = new ScriptDocs(ROOT);
         for (String service : ScriptDocs.SERVICES) {
@@ -95,7 +101,8 @@ public class ScriptExamplesTest {
                 } else if (service.equals("GPS") && !call.name.equals("connect")) {
                     script.append("connected(gps, '/dev/SEAR_GPS_01', 38400)\n");
                 }
-                script.append(call.example).append("\nsear.simSleep(0.1) if sear.isSimulating() and not sear.isPaused() else None\n");
+                script.append(call.example).append(
+                    "\nsear.simSleep(0.1) if sear.isSimulating() and not sear.isPaused() else None\n");
                 script.append("print 'example ").append(++count).append(" done'\n");
             }
             script.append(service.equals("LIDAR") ? "lidar.singleScan()\nsear.simSleep(30)\n" : "");
@@ -109,10 +116,12 @@ public class ScriptExamplesTest {
         String text = ScriptProcess.run(folder.getRoot().toPath(), file);
         assertTrue(text, text.contains("\nall done"));
         assertEquals(text, count, text.split("example \\d+ done", -1).length - 1);
-        assertTrue("a callback was called:\n" + text, Pattern.compile("\\d+ beams, the nearest at \\d+ mm").matcher(text).find());
+        assertTrue("a callback was called:\n" + text, Pattern.compile("\\d+ beams, the nearest at \\d+ mm")
+            .matcher(text).find());
         assertTrue(text, Pattern.compile("frontPing at [0-9.]+ s: ").matcher(text).find());
         assertTrue(text, Pattern.compile("33\\.6\\d{5}, -80\\.8\\d{5} degrees, 182").matcher(text).find());
-        List<String> errors = Arrays.stream(text.split("\n")).filter(line -> line.matches(".*(Traceback|\\[?ERROR).*")).collect(Collectors.toList());
+        List<String> errors = Arrays.stream(text.split("\n")).filter(line -> line.matches(".*(Traceback|\\[?ERROR).*"))
+            .collect(Collectors.toList());
         assertEquals(text, List.of(), errors);
     }
 }

@@ -35,7 +35,8 @@ public class SiteTest {
     private static final long PATIENCE_MINUTES = 10;
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#\\s:]*)#([^)\\s]+)\\)");
     private static final Pattern HEADING = Pattern.compile("(?m)^#+ (.*)$");
-    private static final Pattern ELSEWHERE = Pattern.compile("<(?:script|link|img|iframe)[^>]*(?:src|href)=\"?(?:https?:)?//");
+    private static final Pattern ELSEWHERE =
+        Pattern.compile("<(?:script|link|img|iframe)[^>]*(?:src|href)=\"?(?:https?:)?//");
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
@@ -49,7 +50,8 @@ public class SiteTest {
         Set<String> found = new TreeSet<>();
         Matcher heading = HEADING.matcher(text(page));
         while (heading.find()) {
-            String words = heading.group(1).replaceAll("\\[([^\\]]*)\\]\\([^)]*\\)", "$1").trim().toLowerCase(Locale.ROOT);
+            String words = heading.group(1).replaceAll("\\[([^\\]]*)\\]\\([^)]*\\)", "$1").trim()
+                .toLowerCase(Locale.ROOT);
             String slug = words.replaceAll("[^\\p{L}\\p{N}_\\- ]", "").replace(' ', '-');
             int again = 1;
             String name = slug;
@@ -80,9 +82,11 @@ public class SiteTest {
     }
 
     /** Returns the output of the command, which must end with this status. */
-    private String make(int status, Path root, Path pages, Path site, String... more) throws IOException, InterruptedException {
+    private String make(int status, Path root, Path pages, Path site, String... more)
+        throws IOException, InterruptedException {
         Path output = temporary.newFile().toPath();
-        List<String> command = new ArrayList<>(List.of("python3", ROOT.resolve("scripts/site").toString(), pages.toString(), site.toString()));
+        List<String> command = new ArrayList<>(
+            List.of("python3", ROOT.resolve("scripts/site").toString(), pages.toString(), site.toString()));
         command.addAll(List.of(more));
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
         builder.environment().put("PYTHONPATH", System.getProperty("sear.mkdocs"));
@@ -109,10 +113,12 @@ public class SiteTest {
             assertTrue(name, Files.exists(pages.resolve(name)) && list.contains(": " + name + "\n"));
             if (FULL) {
                 String html = Files.readString(site.resolve(name.replaceAll("md$", "html")));
-                assertFalse(name + " takes something from elsewhere", ELSEWHERE.matcher(html.replaceAll("<link rel=\"?canonical[^>]*>", "")).find());
+                assertFalse(name + " takes something from elsewhere",
+                    ELSEWHERE.matcher(html.replaceAll("<link rel=\"?canonical[^>]*>", "")).find());
             }
         }
-        assertTrue(Files.exists(pages.resolve("docs/images/office.png")) && Files.exists(pages.resolve("examples/maze.py")));
+        assertTrue(Files.exists(pages.resolve("docs/images/office.png"))
+            && Files.exists(pages.resolve("examples/maze.py")));
     }
 
     @Test
@@ -120,11 +126,14 @@ public class SiteTest {
         Path root = temporary.newFolder().toPath();
         Files.createDirectories(root.resolve("docs"));
         for (String page : List.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md")) {
-            Files.writeString(root.resolve(page), "# " + page + "\n\n| | |\n|---|---|\n| do it? | [it](docs/it.md) |\n");
+            Files.writeString(root.resolve(page), "# " + page + "\n\n| | |\n|---|---|\n| do it? | "
+                + "[it](docs/it.md) |\n");
         }
-        Files.writeString(root.resolve("docs/it.md"), "# It\n\n[![gone](gone.png)](../README.md), [here](#it), `[code](no.md)`\n");
+        Files.writeString(root.resolve("docs/it.md"), "# It\n\n[![gone](gone.png)](../README.md), [here](#it), "
+            + "`[code](no.md)`\n");
         Path pages = root.resolve("pages");
-        assertEquals("docs/it.md links to gone.png, which does not exist\n", make(1, root, pages, root.resolve("site"), "--pages-only"));
+        assertEquals("docs/it.md links to gone.png, which does not exist\n",
+            make(1, root, pages, root.resolve("site"), "--pages-only"));
         Files.writeString(root.resolve("docs/it.md"), "# It\n\n[here](#it), [there](../README.md#nowhere)\n");
         if (FULL) {
             String told = make(1, root, pages, root.resolve("site"));
@@ -133,7 +142,8 @@ public class SiteTest {
             assertEquals("", make(0, root, pages, root.resolve("site"), "--pages-only"));
         }
         try (Stream<Path> written = Files.walk(pages)) {
-            assertEquals(4, written.filter(file -> file.toString().endsWith(".md")).collect(Collectors.toList()).size());
+            assertEquals(4, written.filter(file -> file.toString().endsWith(".md"))
+                .collect(Collectors.toList()).size());
         }
     }
 }

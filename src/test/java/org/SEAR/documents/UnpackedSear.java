@@ -29,8 +29,10 @@ public final class UnpackedSear {
         for (String entry : System.getProperty("sear.cliClasspath").split(File.pathSeparator)) {
             Path path = Path.of(entry);
             if (Files.isDirectory(path)) {
-                Path target = sear.resolve(entry.contains("/main") ? "plugin" : "lib").resolve("sear-" + number++ + ".jar");
-                done &= jar.run(System.out, System.err, "--create", "--no-compress", "--file", target.toString(), "-C", path.toString(), ".") == 0;
+                Path target = sear.resolve(entry.contains("/main") ? "plugin" : "lib")
+                    .resolve("sear-" + number++ + ".jar");
+                done &= jar.run(System.out, System.err, "--create", "--no-compress", "--file", target.toString(), "-C",
+                    path.toString(), ".") == 0;
             } else if (Files.isRegularFile(path)) {
                 Files.createSymbolicLink(plugin.resolve(path.getFileName()), path);
             }

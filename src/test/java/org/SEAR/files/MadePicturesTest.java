@@ -34,7 +34,8 @@ public class MadePicturesTest {
                 int rgb = image.getRGB(column * size, row * size) & 0xffffff;
                 assertTrue("black or paper", rgb == 0 || rgb == 0xc1c1c1);
                 for (int i = 0; i < size * size; i++) {
-                    assertEquals("sharp", rgb, image.getRGB(column * size + i % size, row * size + i / size) & 0xffffff);
+                    assertEquals("sharp", rgb, image.getRGB(column * size + i % size, row * size + i / size)
+                        & 0xffffff);
                 }
                 text.append(rgb == 0 ? '#' : '.');
             }
@@ -45,16 +46,19 @@ public class MadePicturesTest {
 
     @Test
     public void aMarkerHasItsCodeABlackEdgeAndAWhiteMargin() throws IOException {
-        assertEquals(String.join("\n", "........", ".######.", ".#.#..#.", ".##.#.#.", ".###..#.", ".###.##.", ".######.", "........", ""),
+        assertEquals(String.join("\n", "........", ".######.", ".#.#..#.", ".##.#.#.", ".###..#.", ".###.##.",
+            ".######.", "........", ""),
             cells(read("made/marker/DICT_4X4_50/0.png"), 8));
         String tag = cells(read("made/marker/APRILTAG_36h11/0.png"), 10);
-        assertEquals(String.join("\n", "..........", ".########.", ".###.####.", ".##..#.##.", ".####.#.#.", ".####..##.", ".#.#...##.",
+        assertEquals(String.join("\n", "..........", ".########.", ".###.####.", ".##..#.##.", ".####.#.#.",
+            ".####..##.", ".#.#...##.",
             ".#.#.#..#.", ".########.", "..........", ""), tag);
     }
 
     @Test
     public void aChessboardBeginsWithABlackSquareAtTheTopLeft() throws IOException {
-        assertEquals(String.join("\n", "......", ".#.#..", "..#.#.", ".#.#..", "......", ""), cells(read("./made/chessboard/4x3.png"), 6));
+        assertEquals(String.join("\n", "......", ".#.#..", "..#.#.", ".#.#..", "......", ""),
+            cells(read("./made/chessboard/4x3.png"), 6));
         assertEquals("as large as pages show", 496, read("made/chessboard/60x10.png").getWidth());
     }
 
@@ -71,8 +75,10 @@ public class MadePicturesTest {
     @Test
     public void otherNamesHaveNoPicture() throws IOException {
         Assets assets = new Assets(folder.getRoot().toPath());
-        for (String path : new String[] {"made/marker/DICT_4X4_50/50.png", "made/marker/DICT_4X5_50/0.png", "made/marker/DICT_8X8_50/0.png",
-            "made/marker/APRILTAG_36h11/587.png", "made/chessboard/100x1.png", "made/chessboard/4x3.jpg", "made/", "made/testcard.png/x"}) {
+        for (String path : new String[] {"made/marker/DICT_4X4_50/50.png", "made/marker/DICT_4X5_50/0.png",
+            "made/marker/DICT_8X8_50/0.png",
+            "made/marker/APRILTAG_36h11/587.png", "made/chessboard/100x1.png", "made/chessboard/4x3.jpg", "made/",
+                "made/testcard.png/x"}) {
             assertFalse(path, assets.has(path));
         }
         assertTrue(assets.has("made/marker/DICT_7X7_1000/999.png"));

@@ -25,7 +25,8 @@ public class AabbTest {
     @Test
     public void containsPointsAddedInAnyOrder() {
         assertEquals("(-1.0, 0.0, 2.0) to (4.0, 5.0, 6.0)", new Aabb().add(4, 0, 6).add(-1, 5, 2).toString());
-        assertEquals("(-3.0, 0.0, 0.0) to (2.0, 7.0, 1.0)", box(0, 0, 0, 1, 7, 1).add(box(-3, 1, 0, 2, 2, 1)).toString());
+        assertEquals("(-3.0, 0.0, 0.0) to (2.0, 7.0, 1.0)", box(0, 0, 0, 1, 7, 1).add(box(-3, 1, 0, 2, 2, 1))
+            .toString());
     }
 
     @Test

@@ -75,7 +75,8 @@ public class HeightFieldTest {
     public void indistinguishableSamplesAreRejected() {
         IllegalArgumentException refused = assertThrows(IllegalArgumentException.class,
             () -> new HeightField(2, 2, 60_000, 0, 0.001, 1, new float[4]));
-        assertEquals("height field: posts 0.001 and 1.0 m apart, legal at this distance: 0.00390625 m or more", refused.getMessage());
+        assertEquals("height field: posts 0.001 and 1.0 m apart, legal at this distance: 0.00390625 m or more",
+            refused.getMessage());
     }
 
     private static float[] heights(int count, long seed) {
@@ -120,7 +121,8 @@ public class HeightFieldTest {
         Random random = new Random(10);
         for (int i = 0; i < 300; i++) {
             double[] low = {random.nextDouble() * 14 - 4, random.nextDouble() * 12 - 1, random.nextDouble() * 14 + 6};
-            double[] high = {low[0] + random.nextDouble() * 3, low[1] + random.nextDouble(), low[2] + random.nextDouble() * 3};
+            double[] high = {low[0] + random.nextDouble() * 3, low[1] + random.nextDouble(),
+                low[2] + random.nextDouble() * 3};
             int[] found = new int[1];
             assertFalse(search.any(low[0], low[1], low[2], high[0], high[1], high[2], corners -> {
                 found[0]++;

@@ -24,13 +24,15 @@ public class HeightTilesTest {
         for (int i = 0; i < heights.length; i++) {
             heights[i] = (float) (20 * Math.sin(i / 517 * 0.03) * Math.cos(i % 517 * 0.04) + 2 * random.nextDouble());
         }
-        return new HeightField(601, 517, HeightTiles.exact(-7512.3), HeightTiles.exact(-7001.7), HeightTiles.exact(25.03), HeightTiles.exact(27.1),
+        return new HeightField(601, 517, HeightTiles.exact(-7512.3), HeightTiles.exact(-7001.7),
+            HeightTiles.exact(25.03), HeightTiles.exact(27.1),
             heights);
     }
 
     /** Returns the same ground in tiles. */
     public static HeightTiles of(HeightField field, int most) {
-        return new HeightTiles(field.rows, field.columns, field.lowX, field.lowZ, field.spacingX, field.spacingZ, (row, column, height, width) -> {
+        return new HeightTiles(field.rows, field.columns, field.lowX, field.lowZ, field.spacingX, field.spacingZ,
+            (row, column, height, width) -> {
             float[] part = new float[height * width];
             for (int i = 0; i < part.length; i++) {
                 part[i] = field.y(row + i / width, column + i % width);
@@ -119,7 +121,9 @@ public class HeightTilesTest {
     @Test
     public void placesThatRoundDifferentlyAreRefused() {
         IllegalArgumentException e = assertThrows(IllegalArgumentException.class,
-            () -> new HeightTiles(3, 3, 0.1, 0, 1, 1, (row, column, height, width) -> new float[height * width], 1, (tile, row, column) -> { }));
-        assertTrue(e.getMessage(), e.getMessage().contains("legal: numbers of metres with at most 24 binary places, at least 1 held"));
+            () -> new HeightTiles(3, 3, 0.1, 0, 1, 1, (row, column, height, width) -> new float[height * width], 1,
+                (tile, row, column) -> { }));
+        assertTrue(e.getMessage(), e.getMessage()
+            .contains("legal: numbers of metres with at most 24 binary places, at least 1 held"));
     }
 }

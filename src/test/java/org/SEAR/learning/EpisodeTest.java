@@ -123,7 +123,8 @@ public class EpisodeTest {
         assertEquals(episode.getStateBytes() + Float.BYTES + 8 * 6 * 3, episode.getBytes());
         int[] seen = ((CameraImage) episode.getSimulation().read("eye")).picture().getPixels();
         int at = episode.getStateBytes() + Float.BYTES + 3 * 20;
-        assertEquals(seen[20] & 0xffffff, (memory.get(at) & 0xff) << 16 | (memory.get(at + 1) & 0xff) << 8 | memory.get(at + 2) & 0xff);
+        assertEquals(seen[20] & 0xffffff, (memory.get(at) & 0xff) << 16 | (memory.get(at + 1) & 0xff) << 8
+            | memory.get(at + 2) & 0xff);
     }
 
     @Test
@@ -212,7 +213,8 @@ public class EpisodeTest {
         Episode other = new Episode(Project.read(project.folder()), "", null, List.of(), 1, 1);
         other.reset(8);
         assertArrayEquals("in another world that had another seed", eight, drive(other));
-        assertArrayEquals("in a new one", eight, drive(new Episode(Project.read(project.folder()), "", null, List.of(), 1, 8)));
+        assertArrayEquals("in a new one", eight,
+            drive(new Episode(Project.read(project.folder()), "", null, List.of(), 1, 8)));
         other.reset(8, 1, -1, 0);
         byte[] elsewhere = drive(other);
         assertFalse(Arrays.equals(eight, elsewhere));
@@ -274,14 +276,19 @@ public class EpisodeTest {
         robot.addComponent(new Bumper("bumper"));
         Project read = Project.read(project.folder());
         assertRefused("robot is \"rover\", legal: roomba", () -> new Episode(read, "rover", null, List.of(), 1, 1));
-        assertRefused("no sensor is called \"ping\", legal: bumper, eye", () -> new Episode(read, "", List.of("ping"), List.of(), 1, 1));
-        assertRefused("robot roomba observes nothing: sensors and things are empty, legal: sensors of eye, bumper, or names of objects in things",
+        assertRefused("no sensor is called \"ping\", legal: bumper, eye",
+            () -> new Episode(read, "", List.of("ping"), List.of(), 1, 1));
+        assertRefused("robot roomba observes nothing: sensors and things are empty, legal: sensors of eye, bumper, or "
+            + "names of objects in things",
             () -> new Episode(read, "", List.of(), List.of(), 1, 1));
         Episode episode = new Episode(read, "roomba", null, List.of(), 0.5, 1);
-        assertRefused("robot roomba: wheel speeds are 0.6 and NaN m/s, legal: -0.5 to 0.5", () -> episode.step(0.6, Double.NaN, 1));
+        assertRefused("robot roomba: wheel speeds are 0.6 and NaN m/s, legal: -0.5 to 0.5",
+            () -> episode.step(0.6, Double.NaN, 1));
         assertRefused("steps of an action are 0, legal: 1 to 216000", () -> episode.step(0.1, 0.1, 0));
-        assertRefused("robot roomba: start is x NaN, z 0.0, heading 0.0, legal: finite numbers", () -> episode.reset(1, Double.NaN, 0, 0));
-        assertRefused("the buffer has 8 bytes, legal: " + episode.getBytes() + " or more", () -> episode.setMemory(ByteBuffer.allocate(8)));
+        assertRefused("robot roomba: start is x NaN, z 0.0, heading 0.0, legal: finite numbers",
+            () -> episode.reset(1, Double.NaN, 0, 0));
+        assertRefused("the buffer has 8 bytes, legal: " + episode.getBytes() + " or more",
+            () -> episode.setMemory(ByteBuffer.allocate(8)));
         assertRefused("picture is 8 x 100 pixels, legal: 16 to 4096", () -> episode.draw(8, 100));
     }
 
@@ -289,7 +296,8 @@ public class EpisodeTest {
     public void aWorldWithoutARobotOrWithTwoIsRefused() throws Exception {
         new Floor("floor", 20, 20);
         Project none = Project.read(project.folder());
-        assertRefused("the project has no robot; legal: one with a robot that drives", () -> new Episode(none, "", null, List.of(), 1, 1));
+        assertRefused("the project has no robot; legal: one with a robot that drives",
+            () -> new Episode(none, "", null, List.of(), 1, 1));
         Worlds.roomba("one", 0, 0, 0);
         Worlds.roomba("two", 2, 0, 0);
         Project two = Project.read(project.folder());

@@ -32,17 +32,20 @@ public class GymnasiumTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final Path SCRIPTS = ROOT.resolve("src/test/gymnasium");
     private static final long PATIENCE_SECONDS = 600;
-    private static final String PACKAGES = ROOT.resolve("python/src") + File.pathSeparator + System.getProperty("sear.python3");
+    private static final String PACKAGES = ROOT.resolve("python/src") + File.pathSeparator
+        + System.getProperty("sear.python3");
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
 
     /** Returns the output of a program, which must end with this status. */
-    private String run(int status, String packages, Path program, String... arguments) throws IOException, InterruptedException {
+    private String run(int status, String packages, Path program, String... arguments)
+        throws IOException, InterruptedException {
         Path output = folder.newFile().toPath();
         List<String> command = new java.util.ArrayList<>(List.of("python3", program.toString()));
         command.addAll(List.of(arguments));
-        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.getRoot()).redirectErrorStream(true).redirectOutput(output.toFile());
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.getRoot()).redirectErrorStream(true)
+            .redirectOutput(output.toFile());
         builder.environment().put("PYTHONPATH", packages);
         Process process = builder.start();
         boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
@@ -83,7 +86,8 @@ public class GymnasiumTest {
         String text = script("worlds.py");
         assertTrue(text, text.contains("four worlds here, two elsewhere"));
         assertTrue(text, text.contains("forked ones end"));
-        assertTrue(text, text.contains("use the start method \"spawn\", for example gymnasium.make_vec(..., vectorization_mode=\"async\", "
+        assertTrue(text, text.contains("use the start method \"spawn\", for example gymnasium.make_vec(..., "
+            + "vectorization_mode=\"async\", "
             + "vector_kwargs={\"context\": \"spawn\"})"));
     }
 
@@ -110,23 +114,28 @@ public class GymnasiumTest {
     @Test
     public void policiesByHandAreBetterThanChance() throws Exception {
         String text = script("policies.py");
-        assertTrue(text, text.contains("WallFollow by hand ") && text.contains("LineFollow by hand ") && text.contains("Docking by hand "));
+        assertTrue(text, text.contains("WallFollow by hand ") && text.contains("LineFollow by hand ")
+            && text.contains("Docking by hand "));
     }
 
     /** The package itself works without Gymnasium; only the import of sear.gym reports that it is missing. */
     @Test
     public void missingRequirementsAreReported() throws Exception {
         Path program = folder.newFile("program.py").toPath();
-        Files.writeString(program, "import sear\ntry:\n    import sear.gym\nexcept ImportError as error:\n    print(error)\n");
+        Files.writeString(program, "import sear\ntry:\n    import sear.gym\nexcept ImportError as error:\n    "
+            + "print(error)\n");
         Path blocked = folder.newFolder("blocked").toPath();
         Files.writeString(blocked.resolve("gymnasium.py"), "raise ImportError('not here')\n");
-        assertEquals("sear.gym needs Gymnasium: pip install gymnasium\n", run(0, blocked + File.pathSeparator + PACKAGES, program));
+        assertEquals("sear.gym needs Gymnasium: pip install gymnasium\n",
+            run(0, blocked + File.pathSeparator + PACKAGES, program));
         Files.writeString(blocked.resolve("torch.py"), "raise ImportError('not here', name='torch')\n");
         for (String module : List.of("matplotlib", "gymnasium")) {
             Files.writeString(blocked.resolve(module + ".py"), "");
         }
-        String text = run(1, blocked + File.pathSeparator + PACKAGES, ROOT.resolve("examples/python3/learn_wall_follower.py"));
-        assertTrue(text, text.matches("(?s).* is missing\\. Install the requirements: pip install \\./python\\[gym\\] stable-baselines3 "
+        String text = run(1, blocked + File.pathSeparator + PACKAGES,
+            ROOT.resolve("examples/python3/learn_wall_follower.py"));
+        assertTrue(text, text.matches("(?s).* is missing\\. Install the requirements: pip install \\./python\\[gym\\] "
+            + "stable-baselines3 "
             + "matplotlib\n"));
         assertFalse(text, text.contains("Traceback"));
     }

@@ -82,7 +82,8 @@ public class WorkerPoolTest {
         for (int threads : new int[] {2, 4}) {
             threads(threads);
             for (int round = 0; round < ROUNDS / 10; round++) {
-                IllegalStateException[] thrown = {new IllegalStateException("three"), new IllegalStateException("seven")};
+                IllegalStateException[] thrown =
+                    {new IllegalStateException("three"), new IllegalStateException("seven")};
                 AtomicIntegerArray done = new AtomicIntegerArray(9);
                 RuntimeException told = assertThrows(RuntimeException.class, () -> pool.forEach(9, piece -> {
                     done.incrementAndGet(piece);

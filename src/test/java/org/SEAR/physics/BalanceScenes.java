@@ -61,7 +61,8 @@ final class BalanceScenes {
             Pose from = run.pose("ball");
             run.run(20);
             into.in("ball on a slope of " + OFF + " degrees");
-            into.within("way in 20 s, m", 5.0 / 7 * G * Math.sin(slope) * 200, 0.01, Rest.distance(from, run.pose("ball")));
+            into.within("way in 20 s, m", 5.0 / 7 * G * Math.sin(slope) * 200, 0.01,
+                Rest.distance(from, run.pose("ball")));
         }
     }
 }

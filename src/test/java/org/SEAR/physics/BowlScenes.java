@@ -145,10 +145,12 @@ final class BowlScenes {
             }
             double period = 2 * (last - first) / (crossings - 1);
             into.in("ball in a bowl of cells of " + cell + " m");
-            into.within("period, s", 2 * Math.PI * Math.sqrt(7 * radius / (5 * G)) * (1 + start * start / 16), share(cell), period);
+            into.within("period, s", 2 * Math.PI * Math.sqrt(7 * radius / (5 * G)) * (1 + start * start / 16),
+                share(cell), period);
             into.atMost("largest deviation from the surface, m", 1e-3, off);
             into.atMost("gain of energy, share of the swing's", share(cell), gain);
-            into.atMost("loss of energy per period, share of the swing's", cell > COARSE ? LOSS_IN_COARSE_BOWL : LOSS_IN_BOWL,
+            into.atMost("loss of energy per period, share of the swing's", cell > COARSE ? LOSS_IN_COARSE_BOWL
+                : LOSS_IN_BOWL,
                 -loss * period / seconds);
         }
     }
@@ -186,7 +188,8 @@ final class BowlScenes {
             }
             Pose at = run.pose("ball");
             into.in("ball on a dome of cells of " + cell + " m");
-            into.near("angle, share of 20 degrees", 0, Math.max(LOSS_ON_DOME, share(cell)), (Math.atan2(at.x, at.y) - theta) / (-2 * start));
+            into.near("angle, share of 20 degrees", 0, Math.max(LOSS_ON_DOME, share(cell)),
+                (Math.atan2(at.x, at.y) - theta) / (-2 * start));
             into.atMost("largest deviation from the surface, m", 1e-3, off);
             into.atMost("gain of energy, share of the first", SHARE, gain);
             into.atMost("loss of energy, share of the first", LOSS_ON_DOME, -loss);

@@ -22,12 +22,14 @@ final class CrowdScenes {
         crowd(count + " cubes inside each other", count, (int) Math.ceil(Math.cbrt(count)), 0.75 * SIZE, 60, 2, into);
     }
 
-    private static void crowd(String scene, int count, int row, double apart, int steps, double seconds, Findings into) throws Exception {
+    private static void crowd(String scene, int count, int row, double apart, int steps, double seconds, Findings into)
+        throws Exception {
         into.in(scene);
         try (Stage stage = new Stage(100)) {
             Cuboids cubes = new Cuboids();
             for (int i = 0; i < count; i++) {
-                new Box("cube" + i, SIZE, SIZE, SIZE, 1, apart * (i % row), SIZE / 2 + apart * (i / (row * row)), apart * (i / row % row));
+                new Box("cube" + i, SIZE, SIZE, SIZE, 1, apart * (i % row), SIZE / 2 + apart * (i / (row * row)),
+                    apart * (i / row % row));
                 cubes.add("cube" + i, SIZE, SIZE, SIZE);
             }
             BodyRun run = stage.start();

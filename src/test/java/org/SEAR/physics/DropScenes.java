@@ -29,7 +29,8 @@ final class DropScenes {
         try (Stage stage = new Stage(APART * row + 20)) {
             List<Dropped> things = new ArrayList<>();
             for (int i = 0; i < count; i++) {
-                things.add(new Dropped(i % 3, "thing" + i, APART * (i % row - row / 2), APART * (i / row - row / 2), random));
+                things.add(new Dropped(i % 3, "thing" + i, APART * (i % row - row / 2),
+                    APART * (i / row - row / 2), random));
             }
             BodyRun run = stage.start();
             into.in(count + " dropped singly, seed " + seed);

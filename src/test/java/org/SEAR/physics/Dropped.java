@@ -34,7 +34,8 @@ final class Dropped {
         double height = kind == 0 ? size : size(random);
         radius = size / 2;
         half = height / 2;
-        what = String.format(Locale.ROOT, "%s %s of %.3f x %.3f m", new String[] {"cube", "cylinder", "cone"}[kind], name, size, height);
+        what = String.format(Locale.ROOT, "%s %s of %.3f x %.3f m", new String[] {"cube", "cylinder", "cone"}[kind],
+            name, size, height);
         Shape shape = kind == 0 ? new Box(name, size, size, size, 1)
             : kind == 1 ? new Cylinder(name, radius, height, 1) : new Cone(name, radius, height, 1);
         if (kind > 0) {
@@ -53,7 +54,8 @@ final class Dropped {
         double up = pose.rotate(0, 1, 0)[1];
         double across = Math.sqrt(Math.max(0, 1 - up * up));
         if (kind == 0) {
-            return pose.y - radius * (Math.abs(pose.rotate(1, 0, 0)[1]) + Math.abs(up) + Math.abs(pose.rotate(0, 0, 1)[1]));
+            return pose.y - radius * (Math.abs(pose.rotate(1, 0, 0)[1]) + Math.abs(up)
+                + Math.abs(pose.rotate(0, 0, 1)[1]));
         }
         double base = pose.y - half * up - radius * across;
         return Math.min(base, kind == 1 ? pose.y + half * up - radius * across : pose.y + half * up);
@@ -63,7 +65,8 @@ final class Dropped {
     boolean isSettled(Pose pose) {
         double up = pose.rotate(0, 1, 0)[1];
         if (kind == 0) {
-            return Math.max(Math.abs(pose.rotate(1, 0, 0)[1]), Math.max(Math.abs(up), Math.abs(pose.rotate(0, 0, 1)[1]))) > Rest.FLAT;
+            return Math.max(Math.abs(pose.rotate(1, 0, 0)[1]),
+                Math.max(Math.abs(up), Math.abs(pose.rotate(0, 0, 1)[1]))) > Rest.FLAT;
         }
         if (kind == 1) {
             return Math.abs(up) > Rest.FLAT || Math.abs(up) < SLANT;

@@ -38,7 +38,8 @@ final class Findings {
         String row() {
             String limit = low == Double.NEGATIVE_INFINITY ? "at most " + number(high) : low == high ? number(low)
                 : high == Double.POSITIVE_INFINITY ? "at least " + number(low) : number(low) + " to " + number(high);
-            return String.format(Locale.ROOT, "%-4s %-46s %-44s %12s   %s%s", holds() ? "ok" : "FAIL", scene, what, number(value), limit, note);
+            return String.format(Locale.ROOT, "%-4s %-46s %-44s %12s   %s%s", holds() ? "ok" : "FAIL", scene, what,
+                number(value), limit, note);
         }
 
         private static String number(double value) {
@@ -90,7 +91,8 @@ final class Findings {
 
     /** Fails with all values outside their limits. */
     void assertHold() {
-        String wrong = all.stream().filter(finding -> !finding.holds()).map(Finding::row).collect(Collectors.joining("\n"));
+        String wrong = all.stream().filter(finding -> !finding.holds()).map(Finding::row)
+            .collect(Collectors.joining("\n"));
         assertTrue("nothing was measured", !all.isEmpty());
         assertTrue("\n" + wrong, wrong.isEmpty());
     }

@@ -28,7 +28,8 @@ public class JointsTest {
     /** Returns a bar of square section from one point to another in the plane z = 0. */
     private static Box bar(String name, double mass, double x1, double y1, double x2, double y2) {
         double length = Math.hypot(x2 - x1, y2 - y1);
-        return new Box(name, length, 0.02, 0.02, mass, (x1 + x2) / 2, (y1 + y2) / 2, 0, 0, 0, Math.toDegrees(Math.atan2(y2 - y1, x2 - x1)));
+        return new Box(name, length, 0.02, 0.02, mass, (x1 + x2) / 2, (y1 + y2) / 2, 0, 0, 0,
+            Math.toDegrees(Math.atan2(y2 - y1, x2 - x1)));
     }
 
     /** A hinge that turns about z. */
@@ -43,7 +44,8 @@ public class JointsTest {
             double[] v = run.velocities(name);
             double[] turning = body.getPose().rotateBack(v[3], v[4], v[5]);
             sum += body.mass * (G * body.getPose().y + (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 2)
-                + (body.getMassProperties().inertia.xx * turning[0] * turning[0] + body.getMassProperties().inertia.yy * turning[1] * turning[1]
+                + (body.getMassProperties().inertia.xx * turning[0] * turning[0] + body.getMassProperties().inertia.yy
+                    * turning[1] * turning[1]
                     + body.getMassProperties().inertia.zz * turning[2] * turning[2]) / 2;
         }
         return sum;
@@ -276,7 +278,8 @@ public class JointsTest {
             run.run(0.5);
             assertEquals(5, run.pose("light").y, 1e-6);
             assertTrue("it fell", run.pose("heavy").y < 4);
-            assertTrue(run.warnings(), run.warnings().contains("FixedJoint \"breaks\" broke: its force was above its breakingForce, 20 N"));
+            assertTrue(run.warnings(), run.warnings()
+                .contains("FixedJoint \"breaks\" broke: its force was above its breakingForce, 20 N"));
             assertFalse(run.warnings(), run.warnings().contains("\"holds\""));
         }
     }
@@ -318,7 +321,8 @@ public class JointsTest {
             weight.placeAt(0, 0);
             new Rope("rope", null, weight, 0, 2, 0, 0, 0.1, 0).setLimits(1.5, 1.8);
             BodyRun run = stage.start();
-            assertEquals("its lower end is lifted by 0.1 m with the weight, its upper end is not", 1.8, run.joint("rope")[0], 1e-3);
+            assertEquals("its lower end is lifted by 0.1 m with the weight, its upper end is not", 1.8,
+                run.joint("rope")[0], 1e-3);
         }
     }
 
@@ -330,7 +334,8 @@ public class JointsTest {
                 new BallJoint("joint" + i, null, hub, 0, 5, 0);
             }
             String said = assertThrows(ProjectException.class, stage::start).getMessage();
-            assertTrue(said, said.contains("11175 pairs of joints act on a common object") && said.contains("at most 10000"));
+            assertTrue(said, said.contains("11175 pairs of joints act on a common object")
+                && said.contains("at most 10000"));
         }
     }
 }

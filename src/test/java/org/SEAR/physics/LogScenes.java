@@ -92,8 +92,8 @@ final class LogScenes {
     }
 
     /**
-     * A log rolls off a fixed one of thrice its radius: theta'' = 2 g sin theta / 3 (R + r). Its contact moves along the
-     * surface of both.
+     * A log rolls off a fixed one of thrice its radius: theta'' = 2 g sin theta / 3 (R + r). Its contact moves along
+     * the surface of both.
      */
     static void overLog(Findings into) throws Exception {
         try (Stage stage = new Stage()) {
@@ -141,7 +141,8 @@ final class LogScenes {
      * ground at least a third of it, 0.0893.
      * @param scale size as a multiple of logs of 0.1 m radius and 1 m length
      */
-    static void pile(double scale, double logOnLog, double logOnGround, double seconds, boolean stands, Findings into) throws Exception {
+    static void pile(double scale, double logOnLog, double logOnGround, double seconds, boolean stands, Findings into)
+        throws Exception {
         try (Stage stage = new Stage()) {
             double friction = Math.sqrt(logOnLog);
             setSurface(new Floor("floor", 10, 10), logOnGround / friction);

@@ -39,7 +39,8 @@ final class MeshScenes {
             for (int k = 0; k < cells; k++) {
                 int at = i * (cells + 1) + k + 1;
                 int next = at + cells + 1;
-                obj.append(String.format(Locale.ROOT, "f %d %d %d%nf %d %d %d%n", at, at + 1, next, at + 1, next + 1, next));
+                obj.append(String.format(Locale.ROOT, "f %d %d %d%nf %d %d %d%n", at, at + 1, next, at + 1,
+                    next + 1, next));
             }
         }
         Path assets = Files.createDirectories(stage.folder().resolve("assets"));
@@ -60,7 +61,8 @@ final class MeshScenes {
     static void over(boolean ball, int cells, Findings into) throws Exception {
         try (Stage stage = new Stage()) {
             ground(stage, cells, 0);
-            Shape thing = ball ? new Sphere("thing", RADIUS, 1) : new Box("thing", 2 * RADIUS, 2 * RADIUS, 2 * RADIUS, 1);
+            Shape thing = ball ? new Sphere("thing", RADIUS, 1)
+                : new Box("thing", 2 * RADIUS, 2 * RADIUS, 2 * RADIUS, 1);
             throwOver(thing, 1);
             if (ball) {
                 thing.setSpin(0, 0, -Math.toDegrees(1 / RADIUS));

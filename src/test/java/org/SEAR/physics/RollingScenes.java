@@ -62,7 +62,8 @@ final class RollingScenes {
         }
     }
 
-    private static void roll(Stage stage, String scene, double degrees, double share, double radius, double seconds, Findings into) throws Exception {
+    private static void roll(Stage stage, String scene, double degrees, double share, double radius, double seconds,
+        Findings into) throws Exception {
         BodyRun run = stage.start();
         Pose from = run.pose("thing");
         run.run(seconds);
@@ -111,7 +112,8 @@ final class RollingScenes {
             into.near("angle when it hangs straight down, of 60 degrees", 60 - Math.toDegrees(phi), 60 * 1.2 * SHARE,
                 60 - Math.toDegrees(angleOf(run.pose("thing"), slope, height)));
             double[] v = run.velocities("thing");
-            into.within("its spin then, rad/s", Math.abs(rate) / Math.tan(lean), 5 * SHARE, Math.sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]));
+            into.within("its spin then, rad/s", Math.abs(rate) / Math.tan(lean), 5 * SHARE,
+                Math.sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]));
         }
     }
 

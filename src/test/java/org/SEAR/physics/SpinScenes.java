@@ -100,7 +100,8 @@ final class SpinScenes {
      *     likewise wx and wz about the other axes
      * @param tips whether the body must flip about its middle axis
      */
-    private static void tumble(String scene, Stage stage, double wx, double wy, double wz, boolean tips, Findings into) throws Exception {
+    private static void tumble(String scene, Stage stage, double wx, double wy, double wz, boolean tips, Findings into)
+        throws Exception {
         BodyRun run = stage.start();
         into.in(scene);
         PrincipalAxes axes = PrincipalAxes.of(tensor(run));
@@ -123,7 +124,8 @@ final class SpinScenes {
             least = Math.min(least, energy(run));
             most = Math.max(most, energy(run));
             double[] now = momentum(run);
-            off = Math.max(off, length(now[0] - momentum[0], now[1] - momentum[1], now[2] - momentum[2]) / length(momentum));
+            off = Math.max(off, length(now[0] - momentum[0], now[1] - momentum[1], now[2] - momentum[2])
+                / length(momentum));
             double[] tipped = axis(run, axes, middle);
             over = Math.min(over, tipped[0] * first[0] + tipped[1] * first[1] + tipped[2] * first[2]);
         }
@@ -212,7 +214,8 @@ final class SpinScenes {
             top.move(Math.sin(lean) * height / 2, Math.cos(lean) * height / 2, 0);
             BodyRun run = stage.start();
             double own = spin - round * Math.cos(lean);
-            run.set("thing", 0, 0, -round * far * Math.sin(lean), own * Math.sin(lean), round + own * Math.cos(lean), 0);
+            run.set("thing", 0, 0, -round * far * Math.sin(lean), own * Math.sin(lean),
+                round + own * Math.cos(lean), 0);
             into.in("top of 200 rad/s on its tip, leant by 20 degrees");
             double energy = energyOfTop(run, far);
             double[] momentum = momentum(run);

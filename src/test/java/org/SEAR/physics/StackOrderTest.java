@@ -44,7 +44,8 @@ public class StackOrderTest {
         Body beside = body("beside", 1);
         Body flies = body("flies", 1);
         Body meets = body("meets", 1);
-        List<PairContacts> pairs = new ArrayList<>(Arrays.asList(pair(a, floor), pair(a, b), pair(flies, meets), pair(beside, floor), pair(beside, a),
+        List<PairContacts> pairs = new ArrayList<>(
+            Arrays.asList(pair(a, floor), pair(a, b), pair(flies, meets), pair(beside, floor), pair(beside, a),
             pair(b, c)));
         assertEquals(3, levels.measure(List.of(a, b, c, beside, flies, meets), pairs));
         levels.sort(pairs);

@@ -20,7 +20,8 @@ final class StackScenes {
         stack("tower of forty for 30 s", 40, 0.25, 0.25, 1, 30, 5e-3, into);
     }
 
-    private static void stack(String scene, int count, double side, double height, double mass, double seconds, double allowed, Findings into)
+    private static void stack(String scene, int count, double side, double height, double mass, double seconds,
+        double allowed, Findings into)
             throws Exception {
         try (Stage stage = new Stage(20)) {
             Cuboids boxes = new Cuboids();

@@ -41,7 +41,8 @@ final class StructureScenes {
     private void add(Shape body, double mass, double sizeX, double sizeY, double sizeZ) {
         names.add(body.getName());
         masses.add(mass);
-        double most = sizeX * sizeX + sizeY * sizeY + sizeZ * sizeZ - Math.pow(Math.min(sizeX, Math.min(sizeY, sizeZ)), 2);
+        double most = sizeX * sizeX + sizeY * sizeY + sizeZ * sizeZ
+            - Math.pow(Math.min(sizeX, Math.min(sizeY, sizeZ)), 2);
         inertias.add(mass * most / 12);
     }
 
@@ -57,8 +58,10 @@ final class StructureScenes {
             boolean shifted = row % 2 == 1;
             for (int i = 0; i < BRICKS + row % 2; i++) {
                 boolean half = shifted && (i == 0 || i == BRICKS);
-                double x = shifted ? i == 0 ? -BRICK[0] / 4 : i == BRICKS ? (BRICKS - 0.75) * BRICK[0] : (i - 0.5) * BRICK[0] : i * BRICK[0];
-                scene.brick(half ? 0.5 : 1, x + JOINT * 0.45 * (2 * random.nextDouble() - 1), row, 2 * JOINT * (random.nextDouble() - 0.5));
+                double x = shifted ? i == 0 ? -BRICK[0] / 4 : i == BRICKS ? (BRICKS - 0.75) * BRICK[0]
+                    : (i - 0.5) * BRICK[0] : i * BRICK[0];
+                scene.brick(half ? 0.5 : 1, x + JOINT * 0.45 * (2 * random.nextDouble() - 1), row,
+                    2 * JOINT * (random.nextDouble() - 0.5));
             }
         }
         return scene;
@@ -82,7 +85,8 @@ final class StructureScenes {
         for (int row = 0; row < rows; row++) {
             for (int i = 0; i < rows - row; i++) {
                 for (int k = 0; k < (square ? rows - row : 1); k++) {
-                    scene.add(size, size, size, 1, (i + row * 0.5) * size * 1.05, (row + 0.5) * size, (k + (square ? row * 0.5 : 0)) * size * 1.05);
+                    scene.add(size, size, size, 1, (i + row * 0.5) * size * 1.05, (row + 0.5) * size,
+                        (k + (square ? row * 0.5 : 0)) * size * 1.05);
                 }
             }
         }
@@ -121,12 +125,14 @@ final class StructureScenes {
         double outer = radius * (1 + ratio / 2);
         double half = Math.PI / wedges / 2;
         Path file = Files.createDirectories(stage.folder().resolve("assets")).resolve("wedge.obj");
-        double[][] corners = {{-inner * Math.sin(half), inner * Math.cos(half)}, {inner * Math.sin(half), inner * Math.cos(half)},
+        double[][] corners = {{-inner * Math.sin(half), inner * Math.cos(half)},
+            {inner * Math.sin(half), inner * Math.cos(half)},
             {outer * Math.sin(half), outer * Math.cos(half)}, {-outer * Math.sin(half), outer * Math.cos(half)}};
         StringBuilder text = new StringBuilder();
         for (int side = -1; side <= 1; side += 2) {
             for (double[] corner : corners) {
-                text.append(String.format(Locale.ROOT, "v %.12f %.12f %.12f%n", corner[0], corner[1] - radius, side * width / 2));
+                text.append(String.format(Locale.ROOT, "v %.12f %.12f %.12f%n", corner[0], corner[1] - radius,
+                    side * width / 2));
             }
         }
         text.append("f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
@@ -215,7 +221,8 @@ final class StructureScenes {
         rim(2 * radius * row + 0.03);
         for (int i = 0; i < row * row * layers; i++) {
             double shift = i / (row * row) % 2 * 0.01;
-            scene.ball(radius, (i % row - (row - 1) * 0.5) * 2 * radius + shift, radius + i / (row * row) * 2.02 * radius,
+            scene.ball(radius, (i % row - (row - 1) * 0.5) * 2 * radius + shift,
+                radius + i / (row * row) * 2.02 * radius,
                 (i / row % row - (row - 1) * 0.5) * 2 * radius + shift / 2);
         }
         return scene;
@@ -241,7 +248,8 @@ final class StructureScenes {
             } else {
                 double wide = 0.06 + 0.04 * random.nextDouble();
                 double tall = 0.06 + 0.04 * random.nextDouble();
-                Shape body = i % 3 == 0 ? new Box("mixed" + i, wide, 0.08, tall, 1) : new Cylinder("mixed" + i, wide / 2, tall, 1);
+                Shape body = i % 3 == 0 ? new Box("mixed" + i, wide, 0.08, tall, 1)
+                    : new Cylinder("mixed" + i, wide / 2, tall, 1);
                 body.rotate(360 * random.nextDouble(), 360 * random.nextDouble(), 360 * random.nextDouble());
                 body.move(x, y, z);
                 scene.add(body, 1, wide, tall, i % 3 == 0 ? 0.08 : wide);
@@ -300,7 +308,9 @@ final class StructureScenes {
         return before - run.pose(names.get(body)).y;
     }
 
-    /** Hits the box at the top with an impulse along z, N s; the structure falls. Returns all poses after some seconds. */
+    /**
+     * Hits the box at the top with an impulse along z, N s; the structure falls. Returns all poses after some seconds.
+     */
     List<Pose> hit(Stage stage, double impulse, double seconds) throws Exception {
         BodyRun run = stage.start();
         run.run(1);
@@ -325,7 +335,8 @@ final class StructureScenes {
         double energy = 0;
         for (int i = 0; i < names.size(); i++) {
             double[] v = run.velocities(names.get(i));
-            energy += masses.get(i) * (GRAVITY * run.pose(names.get(i)).y + (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 2)
+            energy += masses.get(i) * (GRAVITY * run.pose(names.get(i)).y
+                + (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 2)
                 + inertias.get(i) * (v[3] * v[3] + v[4] * v[4] + v[5] * v[5]) / 2;
         }
         return energy;

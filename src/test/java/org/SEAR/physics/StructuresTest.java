@@ -78,7 +78,8 @@ public class StructuresTest {
             assertEquals("box " + i, first.get(i).y, again.get(i).y, 0);
             assertEquals("box " + i, first.get(i).z, again.get(i).z, 0);
         }
-        assertTrue("the top brick stayed at " + first.get(first.size() - 1).y + " m", first.get(first.size() - 1).y < 0.5);
+        assertTrue("the top brick stayed at " + first.get(first.size() - 1).y + " m",
+            first.get(first.size() - 1).y < 0.5);
     }
 
     private static List<Pose> fallen() throws Exception {

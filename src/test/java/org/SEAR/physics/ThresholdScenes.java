@@ -67,26 +67,30 @@ final class ThresholdScenes {
         }
     }
 
-    private static void put(Stage stage, Kind kind, double degrees, double yaw, double friction, boolean onMesh) throws IOException {
+    private static void put(Stage stage, Kind kind, double degrees, double yaw, double friction, boolean onMesh)
+        throws IOException {
         Shape floor = onMesh ? MeshScenes.ground(stage, 8, 0) : new Floor("floor", 100, 100);
         floor.rotate(0, 0, degrees);
         floor.setFriction(Math.sqrt(friction));
         Shape thing = kind.make();
         thing.setFriction(Math.sqrt(friction));
-        Pose pose = Pose.ofDegrees(0, 0, 0, 0, 0, degrees).times(Pose.ofDegrees(0.07, kind.height / 2, 0.03, 0, yaw, 0));
+        Pose pose = Pose.ofDegrees(0, 0, 0, 0, 0, degrees)
+            .times(Pose.ofDegrees(0.07, kind.height / 2, 0.03, 0, yaw, 0));
         double[] turned = RollingScenes.degrees(pose);
         thing.move(pose.x, pose.y, pose.z);
         thing.rotate(turned[0], turned[1], turned[2]);
     }
 
     /** Places a body at rest on a slope; returns {distance travelled, m; turned, degrees; speed, m/s}. */
-    private static double[] place(Kind kind, double degrees, double yaw, double friction, boolean onMesh, double seconds) throws Exception {
+    private static double[] place(Kind kind, double degrees, double yaw, double friction, boolean onMesh,
+        double seconds) throws Exception {
         try (Stage stage = new Stage()) {
             put(stage, kind, degrees, yaw, friction, onMesh);
             BodyRun run = stage.start();
             Pose from = run.pose("thing");
             run.run(seconds);
-            return new double[] {Rest.distance(from, run.pose("thing")), Math.toDegrees(Rest.angle(from, run.pose("thing"))),
+            return new double[] {Rest.distance(from, run.pose("thing")),
+                Math.toDegrees(Rest.angle(from, run.pose("thing"))),
                 Rest.speed(run.velocities("thing"))};
         }
     }
@@ -94,7 +98,8 @@ final class ThresholdScenes {
     /** A body placed near its tipping angle stands 0.1 degrees below it, and falls over 0.1 degrees above. */
     static void tip(Kind kind, double yaw, boolean onMesh, Findings into) throws Exception {
         double limit = Math.toDegrees(Math.atan(kind.tips(yaw)));
-        into.in(String.format(Locale.ROOT, "%s at %.1f degrees%s, tips over from %.2f degrees", kind, yaw, onMesh ? " on a mesh" : "", limit));
+        into.in(String.format(Locale.ROOT, "%s at %.1f degrees%s, tips over from %.2f degrees", kind, yaw, onMesh
+            ? " on a mesh" : "", limit));
         into.atMost("0.1 degrees below turns by, degrees", STANDS, place(kind, limit - OFF, yaw, ROUGH, onMesh, 3)[1]);
         into.atLeast("0.1 degrees above turns by, degrees", TIPPED, place(kind, limit + OFF, yaw, ROUGH, onMesh, 3)[1]);
     }
@@ -113,14 +118,17 @@ final class ThresholdScenes {
         }
     }
 
-    /** Pushes a standing body at its centre of mass, with a share of its weight that grows to a limit and stays there. */
+    /**
+     * Pushes a standing body at its centre of mass, with a share of its weight that grows to a limit and stays there.
+     */
     private static double[] push(Kind kind, double share, double azimuth, double friction) throws Exception {
         try (Stage stage = new Stage()) {
             put(stage, kind, 0, 0, friction, false);
             BodyRun run = stage.start();
             Pose from = run.pose("thing");
             push(run, "thing", share, Math.cos(azimuth), Math.sin(azimuth), 4);
-            return new double[] {Rest.distance(from, run.pose("thing")), Math.toDegrees(Rest.angle(from, run.pose("thing")))};
+            return new double[] {Rest.distance(from, run.pose("thing")),
+                Math.toDegrees(Rest.angle(from, run.pose("thing")))};
         }
     }
 
@@ -141,9 +149,11 @@ final class ThresholdScenes {
         double tips = kind.tips(azimuth);
         double angle = Math.toRadians(180 - azimuth);
         into.in(String.format(Locale.ROOT, "%s pushed towards %.1f degrees", kind, azimuth));
-        into.atMost("1 % below its tipping force turns by, degrees", STANDS, push(kind, (1 - SHARE) * tips, angle, ROUGH)[1]);
+        into.atMost("1 % below its tipping force turns by, degrees", STANDS,
+            push(kind, (1 - SHARE) * tips, angle, ROUGH)[1]);
         into.atLeast("1 % above turns by, degrees", TIPPED, push(kind, (1 + SHARE) * tips, angle, ROUGH)[1]);
-        into.atMost("1 % below the friction limit moves by, m", HOLDS, push(kind, (1 - SHARE) * SMOOTH, angle, SMOOTH)[0]);
+        into.atMost("1 % below the friction limit moves by, m", HOLDS,
+            push(kind, (1 - SHARE) * SMOOTH, angle, SMOOTH)[0]);
         into.atLeast("1 % above moves by, m", SLID, push(kind, (1 + SHARE) * SMOOTH, angle, SMOOTH)[0]);
     }
 
@@ -160,7 +170,8 @@ final class ThresholdScenes {
                 run.body("thing").pull(SMOOTH * G + a, 0, 0);
                 run.step();
                 if (step == 1 || step == 60) {
-                    into.within("speed after " + step + " steps, m/s", a * step / 60, SHARE, Rest.speed(run.velocities("thing")));
+                    into.within("speed after " + step + " steps, m/s", a * step / 60, SHARE,
+                        Rest.speed(run.velocities("thing")));
                 }
             }
         }
@@ -172,19 +183,21 @@ final class ThresholdScenes {
     }
 
     /**
-     * A robot that is pushed slowly tips over within 1 % of the force that follows from its tipping angle and the lean of
-     * its springs.
+     * A robot that is pushed slowly tips over within 1 % of the force that follows from its tipping angle and the lean
+     * of its springs.
      * @param x direction of the push, likewise z
      * @param degrees of a slope on which it would tip over with stiff springs
      */
     static void robot(Maker maker, String name, double x, double z, double degrees, Findings into) throws Exception {
-        double lean = lean(maker, x, z, Math.tan(Math.toRadians(0.9 * degrees)), 6) / Math.tan(Math.toRadians(0.9 * degrees));
+        double lean = lean(maker, x, z, Math.tan(Math.toRadians(0.9 * degrees)), 6) / Math.tan(
+            Math.toRadians(0.9 * degrees));
         double limit = degrees;
         for (int i = 0; i < 10; i++) {
             // leaning also lowers the centre of mass against the loaded wheels
             limit = degrees - lean * Math.tan(Math.toRadians(limit)) * Math.pow(Math.cos(Math.toRadians(limit)), 2);
         }
-        into.in(String.format(Locale.ROOT, "%s, tips over from %.2f degrees, from %.2f with stiff springs", name, limit, degrees));
+        into.in(String.format(Locale.ROOT, "%s, tips over from %.2f degrees, from %.2f with stiff springs", name,
+            limit, degrees));
         double push = Math.tan(Math.toRadians(limit));
         into.atMost("1 % below its tipping force leans by, degrees", TIPPED, lean(maker, x, z, (1 - SHARE) * push, 6));
         into.atLeast("1 % above leans by, degrees", TIPPED, lean(maker, x, z, (1 + SHARE) * push, 6));

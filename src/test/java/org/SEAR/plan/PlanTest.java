@@ -69,8 +69,10 @@ public class PlanTest {
         double[] arrow = numbers(svg, "fill-opacity=\"0.50\" stroke=\"#222222\" points=\"([\\d.]+),([\\d.]+)");
         assertTrue("it points to the right", arrow[0] > MIDDLE + 10);
         assertEquals(MIDDLE, arrow[1], 0.5);
-        assertTrue(svg, svg.contains(">roomba 90\u00b0</text>") && svg.contains(">wall</text>") && !svg.contains(">floor</text>"));
-        assertTrue(svg, svg.contains(">2 m</text>") && svg.contains(">after 0.00 s</text>") && svg.contains(">north is up</text>"));
+        assertTrue(svg, svg.contains(">roomba 90\u00b0</text>") && svg.contains(">wall</text>")
+            && !svg.contains(">floor</text>"));
+        assertTrue(svg, svg.contains(">2 m</text>") && svg.contains(">after 0.00 s</text>")
+            && svg.contains(">north is up</text>"));
     }
 
     @Test
@@ -80,11 +82,13 @@ public class PlanTest {
         robot.addComponent(new Distance("eye", "laser", 0, 0.3, 0, 0, 0, 0));
         String svg = svg(true);
         double[] laser = numbers(svg,
-            "<line x1=\"([\\d.]+)\" y1=\"([\\d.]+)\" x2=\"([\\d.]+)\" y2=\"([\\d.]+)\" stroke=\"#d55e00\" stroke-width=\"1.0\"");
+            "<line x1=\"([\\d.]+)\" y1=\"([\\d.]+)\" x2=\"([\\d.]+)\" y2=\"([\\d.]+)\" stroke=\"#d55e00\" "
+                + "stroke-width=\"1.0\"");
         assertEquals(MIDDLE, laser[0], 0.01);
         assertEquals(MIDDLE + 2 * METRE, laser[2], 0.05);
         String fan = svg.substring(svg.indexOf("fill-opacity=\"0.15\""));
-        assertEquals("from the scanner, 181 ends", 182, fan.substring(fan.indexOf("points=\"") + 8, fan.indexOf("\"/>")).split(" ").length);
+        assertEquals("from the scanner, 181 ends", 182, fan.substring(fan.indexOf("points=\"") + 8, fan.indexOf("\"/>"))
+            .split(" ").length);
         assertFalse("without", svg(false).contains("#d55e00"));
         for (String x : fan.substring(fan.indexOf("points=\"") + 8, fan.indexOf("\"/>")).split("[, ]")) {
             assertTrue(x, Double.parseDouble(x) >= 0 && Double.parseDouble(x) <= 640);

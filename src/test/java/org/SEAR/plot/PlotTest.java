@@ -70,8 +70,10 @@ public class PlotTest {
         Plot plot = new Plot("time (s)", TIMES);
         plot.add("distance", "m", new double[] {0, 1, 2, 3, 4});
         String svg = svg(plot);
-        assertTrue(svg, svg.contains("points=\"105.00,300.00 296.25,235.00 487.50,170.00 678.75,105.00 870.00,40.00\""));
-        assertTrue(svg, svg.contains(">time (s)</text>") && svg.contains(">distance (m)</text>") && svg.contains(">distance</text>"));
+        assertTrue(svg, svg.contains("points=\"105.00,300.00 296.25,235.00 487.50,170.00 678.75,105.00 "
+            + "870.00,40.00\""));
+        assertTrue(svg, svg.contains(">time (s)</text>") && svg.contains(">distance (m)</text>")
+            && svg.contains(">distance</text>"));
     }
 
     @Test
@@ -90,7 +92,8 @@ public class PlotTest {
         Plot plot = new Plot("time (s)", TIMES);
         plot.add("distance", "m", new double[] {0, 1, Double.NaN, 3, 4});
         String svg = svg(plot);
-        List<String> lines = Arrays.stream(svg.split("\n")).filter(line -> line.startsWith("<polyline")).collect(Collectors.toList());
+        List<String> lines = Arrays.stream(svg.split("\n")).filter(line -> line.startsWith("<polyline"))
+            .collect(Collectors.toList());
         assertEquals(svg, 2, lines.size());
         assertTrue(svg, lines.get(0).contains("points=\"105.00,300.00 296.25,235.00\""));
     }
@@ -121,7 +124,8 @@ public class PlotTest {
     public void undrawableInputIsReported() throws IOException {
         Path folder = temporary.getRoot().toPath();
         Plot plot = new Plot("time (s)", TIMES);
-        assertRefused("\"distance\" has 2 values, and \"time (s)\" has 5, legal: the same number", () -> plot.add("distance", "m", new double[2]));
+        assertRefused("\"distance\" has 2 values, and \"time (s)\" has 5, legal: the same number",
+            () -> plot.add("distance", "m", new double[2]));
         assertRefused("there is nothing to draw", () -> plot.save(folder.resolve("a.png")));
         plot.add("distance", "m", TIMES);
         assertRefused("legal: a name that ends in .png or .svg", () -> plot.save(folder.resolve("a.jpg")));

@@ -55,7 +55,8 @@ public class BeamNamesTest {
             beam("lasers");
             fail("no such beam");
         } catch (IllegalArgumentException e) {
-            assertTrue(e.getMessage(), e.getMessage().contains("beam is \"lasers\", legal: ") && e.getMessage().contains("EZ4"));
+            assertTrue(e.getMessage(), e.getMessage().contains("beam is \"lasers\", legal: ") && e.getMessage()
+                .contains("EZ4"));
         }
     }
 
@@ -67,11 +68,14 @@ public class BeamNamesTest {
         assertEquals("LV-EZ1-A", new Distance("front_LV-EZ1-A").getShape().getName());
         assertEquals("PING)))", new Distance("ping").getShape().getName());
         assertEquals("ultrasonic", new Distance("stopping").getShape().getName());
-        assertEquals("[Distance \"Sharp GP2Y0A21\" gets the beam GP2Y0A21 of its name: Distance(name, beam) chooses another,"
-            + " Distance \"gp2y0a21yk-left\" gets the beam GP2Y0A21YK of its name: Distance(name, beam) chooses another,"
+        assertEquals("[Distance \"Sharp GP2Y0A21\" gets the beam GP2Y0A21 of its name: Distance(name, beam) "
+            + "chooses another,"
+            + " Distance \"gp2y0a21yk-left\" gets the beam GP2Y0A21YK of its name: Distance(name, beam) "
+            + "chooses another,"
             + " Distance \"front_LV-EZ1-A\" gets the beam LV-EZ1-A of its name: Distance(name, beam) chooses another,"
             + " Distance \"ping\" gets the beam PING of its name: Distance(name, beam) chooses another,"
-            + " Distance \"stopping\" gets the beam ultrasonic, as its name contains no beam's: Distance(name, beam) chooses another]",
+            + " Distance \"stopping\" gets the beam ultrasonic, as its name contains no beam's: Distance(name, beam) "
+            + "chooses another]",
             grammar.said.toString());
     }
 
@@ -84,7 +88,8 @@ public class BeamNamesTest {
         eye.set(Map.of("beam", "Parallax PING"));
         assertEquals("Parallax PING)))", eye.getBeam());
         assertEquals("[Distance \"eye\": beam \"Sharp GP2Y0A02YK0F (infrared)\" is taken as GP2Y0A02YK0F,"
-            + " Distance \"eye\": beam \"HC SR04\" is taken as HC-SR04, Distance \"eye\": beam \"Parallax PING\" is taken as Parallax PING)))]",
+            + " Distance \"eye\": beam \"HC SR04\" is taken as HC-SR04, Distance \"eye\": beam \"Parallax PING\" is "
+            + "taken as Parallax PING)))]",
             grammar.said.toString());
     }
 }

@@ -15,7 +15,8 @@ import java.util.Map;
  */
 public final class BrokenFiles {
     /** Valid files of the project around the broken file. */
-    public static final Map<String, String> GOOD = Map.of("robot/r.xml", "<SEARrobot><name>r</name><component>d</component></SEARrobot>",
+    public static final Map<String, String> GOOD =
+        Map.of("robot/r.xml", "<SEARrobot><name>r</name><component>d</component></SEARrobot>",
         "robot/d.xml", "<Dynamics><name>d</name><mass>3</mass></Dynamics>",
         "environment/other.xml", "<Box><name>other</name><length>1</length><width>1</width><height>1</height></Box>");
 
@@ -31,7 +32,8 @@ public final class BrokenFiles {
 
     public static List<BrokenFiles> all() throws IOException {
         List<BrokenFiles> cases = new ArrayList<>();
-        try (BufferedReader in = new BufferedReader(new InputStreamReader(BrokenFiles.class.getResourceAsStream("broken-files.txt"),
+        try (BufferedReader in = new BufferedReader(
+            new InputStreamReader(BrokenFiles.class.getResourceAsStream("broken-files.txt"),
                 StandardCharsets.UTF_8))) {
             for (String line = in.readLine(); line != null; line = in.readLine()) {
                 if (line.startsWith("# ")) {
@@ -50,7 +52,8 @@ public final class BrokenFiles {
     public boolean matches(List<String> found) {
         boolean same = messages.size() == found.size();
         for (int i = 0; same && i < messages.size(); i++) {
-            same = messages.get(i).endsWith("...") ? found.get(i).startsWith(beginning(i)) : found.get(i).equals(messages.get(i));
+            same = messages.get(i).endsWith("...") ? found.get(i).startsWith(beginning(i)) : found.get(i)
+                .equals(messages.get(i));
         }
         return same;
     }

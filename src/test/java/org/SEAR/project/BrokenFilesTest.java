@@ -66,7 +66,8 @@ public class BrokenFilesTest {
 
     @Test
     public void aTruncatedFileIsReportedAsSuch() {
-        String whole = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- a box -->\n<Box>\n  <name>b &amp; c</name>\n  <length>1.5</length>\n"
+        String whole = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- a box -->\n<Box>\n  <name>b &amp; c</name>\n  "
+            + "<length>1.5</length>\n"
             + "<!-- w --><width>1</width>\n<height>1</height>\n</Box>";
         for (int length = 1; length < whole.length(); length++) {
             String cut = whole.substring(0, length);
@@ -78,14 +79,16 @@ public class BrokenFilesTest {
                 fail(cut);
             } catch (ProjectException e) {
                 String said = e.getMessage();
-                assertTrue(cut + "\n" + said, said.contains("b.xml:" + line + ": the file ends in the middle") || said.contains("holds no object"));
+                assertTrue(cut + "\n" + said, said.contains("b.xml:" + line + ": the file ends in the middle")
+                    || said.contains("holds no object"));
             }
         }
     }
 
     @Test
     public void aMissingFolderIsAClearProblem() {
-        assertEquals(List.of(project.folder() + ": there is no such folder, legal: a SEARproject folder; creating an object makes one"),
+        assertEquals(List.of(project.folder() + ": there is no such folder, legal: a SEARproject folder; creating an "
+            + "object makes one"),
             problems(project.folder()));
     }
 
@@ -93,7 +96,8 @@ public class BrokenFilesTest {
     public void hugeDeepAndExpandingFilesAreRefusedQuickly() throws Exception {
         project.put("environment/deep.xml", "<Box>".repeat(150000));
         project.put("environment/huge.xml", "<Box>" + " ".repeat(Xml.MAX_BYTES) + "</Box>");
-        project.put("environment/laughs.xml", "<!DOCTYPE Box [<!ENTITY a \"aaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;&a;\">]><Box><name>&b;</name></Box>");
+        project.put("environment/laughs.xml", "<!DOCTYPE Box [<!ENTITY a \"aaaaaaaa\"><!ENTITY b "
+            + "\"&a;&a;&a;&a;&a;\">]><Box><name>&b;</name></Box>");
         project.put("environment/many.xml", "<Box>" + "<x>a</x>".repeat(100000) + "</Box>");
         project.put("environment/wide.xml", "<Box " + "a=\"1\" ".repeat(1000) + "/>");
         Files.createSymbolicLink(project.folder().resolve("environment/endless.xml"), Path.of("/dev/zero"));

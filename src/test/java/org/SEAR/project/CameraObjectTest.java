@@ -12,7 +12,8 @@ import org.junit.function.ThrowingRunnable;
 
 /** Parameters of a camera: models by name, and messages for illegal values. */
 public class CameraObjectTest {
-    private static final String FOLDS = ", legal: a lens that covers the corners of the picture; these four coefficients fold it back before them";
+    private static final String FOLDS = ", legal: a lens that covers the corners of the picture; these four "
+        + "coefficients fold it back before them";
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -24,7 +25,8 @@ public class CameraObjectTest {
     @Test
     public void atFirstItMakesColoursOf320By240() {
         Camera camera = new Camera("eye");
-        assertEquals("color 320 x 240, 60.0 degrees, 10.0 Hz", camera.getKind() + " " + camera.getWidth() + " x " + camera.getHeight() + ", "
+        assertEquals("color 320 x 240, 60.0 degrees, 10.0 Hz", camera.getKind() + " " + camera.getWidth() + " x "
+            + camera.getHeight() + ", "
             + camera.getFieldOfView() + " degrees, " + camera.getRate() + " Hz");
         assertEquals(160 / Math.tan(Math.toRadians(30)), camera.getFocalLength(), 1e-9);
         assertNull(camera.getCx());
@@ -36,7 +38,8 @@ public class CameraObjectTest {
     public void modelsHaveTheValuesOfTheirDataSheets() {
         Camera camera = new Camera("eye");
         camera.setModel("raspberry pi V2");
-        assertEquals("the focal length is 3.04 mm of a sensor of 3.68 mm", 640 * 3.04 / 3.68, camera.getFocalLength(), 3);
+        assertEquals("the focal length is 3.04 mm of a sensor of 3.68 mm", 640 * 3.04 / 3.68,
+            camera.getFocalLength(), 3);
         camera.setModel("kinect");
         assertEquals(Camera.DEPTH, camera.getKind());
         assertEquals(0.8, camera.getNear(), 0);
@@ -48,7 +51,8 @@ public class CameraObjectTest {
         assertEquals(0.1 * Math.sqrt(8), camera.getNetd(), 0.01);
         camera.setModel("Pixy 2");
         assertEquals(0, camera.getNetd(), 0);
-        refuses("Camera \"eye\": model is \"GoPro\", legal: RaspberryPi-v2, C270, Kinect, D435, MLX90640, Pixy2", () -> camera.setModel("GoPro"));
+        refuses("Camera \"eye\": model is \"GoPro\", legal: RaspberryPi-v2, C270, Kinect, D435, MLX90640, Pixy2",
+            () -> camera.setModel("GoPro"));
     }
 
     @Test
@@ -56,8 +60,10 @@ public class CameraObjectTest {
         Camera camera = new Camera("eye");
         refuses("Camera \"eye\": kind is \"x-ray\", legal: color, depth, infrared", () -> camera.setKind("x-ray"));
         refuses("Camera \"eye\": width is 0, legal: a whole number from 1 to 2048", () -> camera.setSize(0, 10));
-        refuses("Camera \"eye\": 2000 x 2000 are 4000000 pixels, legal: at most 2073600 (1920 x 1080)", () -> camera.setSize(2000, 2000));
-        refuses("Camera \"eye\": fieldOfView is 180, legal: a number from 0.1 to 170 deg", () -> camera.setFieldOfView(180));
+        refuses("Camera \"eye\": 2000 x 2000 are 4000000 pixels, legal: at most 2073600 (1920 x 1080)",
+            () -> camera.setSize(2000, 2000));
+        refuses("Camera \"eye\": fieldOfView is 180, legal: a number from 0.1 to 170 deg",
+            () -> camera.setFieldOfView(180));
         refuses("Camera \"eye\": rate is 100, legal: a number from 0.001 to 60 Hz", () -> camera.setRate(100));
         refuses("Camera \"eye\": near is 5, legal: less than far, 4 m", () -> camera.setRange(5, 4));
         refuses("Camera \"eye\": readNoise is 5, legal: 0 without fullWell, the electrons of a white pixel",
@@ -74,6 +80,7 @@ public class CameraObjectTest {
         refuses("Camera \"eye\": k1 is -0.3" + FOLDS, () -> camera.setFieldOfView(150));
         refuses("Camera \"eye\": k1 is -0.3" + FOLDS, () -> camera.setCentre(-2000.0, null));
         refuses("Camera \"eye\": k1 is -0.3" + FOLDS, () -> camera.setSize(10, 2000));
-        assertEquals("320 x 240 60.0 null", camera.getWidth() + " x " + camera.getHeight() + " " + camera.getFieldOfView() + " " + camera.getCx());
+        assertEquals("320 x 240 60.0 null", camera.getWidth() + " x " + camera.getHeight() + " "
+            + camera.getFieldOfView() + " " + camera.getCx());
     }
 }

@@ -84,7 +84,8 @@ public class CrashTest {
     /** Class path without the jars that only tests need, which take longer to open than everything else. */
     private static String tests() {
         return Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
-            .filter(entry -> entry.endsWith(".jar") ? NEEDED.matcher(new File(entry).getName()).find() : entry.endsWith("test"))
+            .filter(entry -> entry.endsWith(".jar") ? NEEDED.matcher(new File(entry).getName()).find()
+                : entry.endsWith("test"))
             .collect(Collectors.joining(File.pathSeparator));
     }
 
@@ -119,7 +120,8 @@ public class CrashTest {
             assertTrue("it ended by itself", !ended);
             Project.read(folder);
             Map<String, String> found = ProjectRule.files(folder);
-            assertTrue("kill " + kill + ": neither the old nor the new project, but " + found.keySet(), found.equals(a) || found.equals(b));
+            assertTrue("kill " + kill + ": neither the old nor the new project, but " + found.keySet(), found.equals(a)
+                || found.equals(b));
             Bundle.check(root.resolve("c.sear"));
             seenA += found.equals(a) ? 1 : 0;
         }

@@ -85,7 +85,8 @@ public class DiskFullTest {
 
     private String runLimited(int limit) throws IOException, InterruptedException {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
-        Process process = new ProcessBuilder("sh", "-c", "ulimit -f " + limit + "; exec \"$0\" \"$@\"", java, "-XX:-UsePerfData", "-Xshare:auto",
+        Process process = new ProcessBuilder("sh", "-c", "ulimit -f " + limit + "; exec \"$0\" \"$@\"", java,
+            "-XX:-UsePerfData", "-Xshare:auto",
             "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"),
             DiskFullTest.class.getName(), String.valueOf(limit), project.getRoot().getPath())
             .redirectErrorStream(true).start();
@@ -104,7 +105,8 @@ public class DiskFullTest {
         Map<String, String> files = project.files();
         Set<String> names = names(root);
 
-        assertEquals("save refused: IOException\nload refused: IOException\nobject refused: IOException\nsmall done\n", runLimited(LIMIT));
+        assertEquals("save refused: IOException\nload refused: IOException\nobject refused: IOException\nsmall done\n",
+            runLimited(LIMIT));
 
         assertArrayEquals(bundle, Files.readAllBytes(root.resolve("old.sear")));
         assertArrayEquals(bundle, Files.readAllBytes(root.resolve("new.sear")));

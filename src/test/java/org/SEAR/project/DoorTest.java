@@ -90,14 +90,16 @@ public class DoorTest {
         refused(() -> new Cylinder("c", 1, 1, 1, "C:\\x.png"), "image is \"C:\\x.png\"");
         refused(() -> new Wheel("w", 0.1, 0.1, 3), "Wheel \"w\": type is 3, legal: 0, 1, 2");
         refused(() -> new Dynamics("d", 0), "mass is 0, legal: a number from 0.001");
-        refused(() -> new GPS("g", 91, 0, -181), "latitude is 91", "longitude is -181, legal: a number from -180 to 180 deg");
+        refused(() -> new GPS("g", 91, 0, -181), "latitude is 91", "longitude is -181, legal: a number from "
+            + "-180 to 180 deg");
         refused(() -> new Accelerometer("a", 0), "bandwidth is 0", "Hz");
         refused(() -> new LIDAR("l", 8, 90, 100), "resolution is 100, legal: at most the spread, 90 deg");
         refused(() -> new LIDAR("l", 8, 360, 0.0001), "resolution is 0.0001");
         refused(() -> new Distance("d", "PONG"), "Distance \"d\": beam is \"PONG\", legal: ", "PING)))");
         refused(() -> new Distance("d", List.of()), "cone is missing");
         refused(() -> new Distance("d", List.of(List.of(1))), "cone is [1]", "half-angle");
-        refused(() -> new Distance("d", List.of(List.of(1, 2, "rot"))), "color is \"rot\", legal: a colour: #rrggbb, or black, silver");
+        refused(() -> new Distance("d", List.of(List.of(1, 2, "rot"))), "color is \"rot\", legal: a colour: #rrggbb, "
+            + "or black, silver");
         refused(() -> new BeamCone(10, 1, "#000000", 361), "lines is 361, legal: a whole number from 1 to 360");
         refused(() -> new Noise(-1), "white is -1");
         assertEquals(List.of(), wrong);
@@ -111,7 +113,8 @@ public class DoorTest {
         refused(() -> box.scale(0), "scaleX is 0");
         refused(() -> box.setMass(-1), "mass is -1");
         refused(() -> box.setImage(""), "image is \"\"");
-        refused(() -> box.setColor("reddish"), "Box \"box\": color is \"reddish\", legal: a colour: #rrggbb, or black, silver,", ", orange, brown");
+        refused(() -> box.setColor("reddish"), "Box \"box\": color is \"reddish\", legal: a colour: #rrggbb, or "
+            + "black, silver,", ", orange, brown");
         refused(() -> box.setColor("#12345"), "Box \"box\": color is \"#12345\"");
         Floor floor = new Floor("f", 1, 1);
         refused(() -> floor.setImageSize(0), "Floor \"f\": imageSize is 0, legal: a number from 0.01 to 100000 m");
@@ -121,10 +124,12 @@ public class DoorTest {
         refused(() -> lidar.setPorts("a", "a"), "ports are \"a\" and \"a\", legal: two different names");
         refused(() -> lidar.setPorts(null, "a"), "legal: two different names");
         refused(() -> lidar.LMS(2), "lms is 2, legal: 0, 1");
-        refused(() -> lidar.setModel("LMS400"), "LIDAR \"lidar\": model is \"LMS400\", legal: LMS200, LMS221, LMS291, LMS111, TiM561, URG-04LX,",
+        refused(() -> lidar.setModel("LMS400"), "LIDAR \"lidar\": model is \"LMS400\", legal: LMS200, LMS221, LMS291, "
+            + "LMS111, TiM561, URG-04LX,",
             " UTM-30LX, RPLIDAR-A1");
         LIDAR wide = new LIDAR("wide", 10, 270, 0.3);
-        refused(() -> wide.setPorts("a", "b"), "none has spread 270 with resolution 0.3 deg, legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5;",
+        refused(() -> wide.setPorts("a", "b"), "none has spread 270 with resolution 0.3 deg, legal: 100 with 1, 0.5 or "
+            + "0.25; 180 with 1 or 0.5;",
             "without setPorts every fan", "; setModel has it with RPLIDAR-A1");
         wide.LMS(0);
         wide.setPorts("a", "b");

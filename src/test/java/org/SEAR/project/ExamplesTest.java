@@ -52,7 +52,8 @@ public class ExamplesTest {
             robot.getComponents().forEach(c -> kinds.add(c.getClass().getSimpleName()));
         }
         for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
-            if (SensorObject.class.isAssignableFrom(type) && type != Camera.class) {    // the camera is in examples/ball.py
+            // the camera is in examples/ball.py
+            if (SensorObject.class.isAssignableFrom(type) && type != Camera.class) {
                 assertTrue(type.getSimpleName(), kinds.contains(type.getSimpleName()));
             }
         }

@@ -100,7 +100,8 @@ public class FuzzTest {
     @Test
     public void changedBundlesAreOpenedOrRefused() throws Exception {
         List<byte[]> originals = new ArrayList<>();
-        for (String name : new String[] {"golden/version1-sensors.sear", "dissertation/macos-archive-utility.sear", "dissertation/folder-by-zip.sear",
+        for (String name : new String[] {"golden/version1-sensors.sear", "dissertation/macos-archive-utility.sear",
+            "dissertation/folder-by-zip.sear",
             "dissertation/windows-powershell.sear"}) {
             originals.add(Bundle.class.getResourceAsStream(name).readAllBytes());
         }
@@ -112,7 +113,8 @@ public class FuzzTest {
             try {
                 Bundle.check(file);
             } catch (ProjectException e) {
-                assertTrue("seed " + Fuzz.SEED + ", bundle " + i + ": " + e.getMessage(), e.getMessage().contains("legal: "));
+                assertTrue("seed " + Fuzz.SEED + ", bundle " + i + ": " + e.getMessage(), e.getMessage()
+                    .contains("legal: "));
                 refused++;
             }
         }
@@ -125,7 +127,8 @@ public class FuzzTest {
         List<String> endings = new ArrayList<>(originals.keySet());
         Random random = new Random(Fuzz.SEED);
         Path assets = Files.createDirectories(project.folder().resolve("assets"));
-        project.put("environment/fuzz.xml", "<Box><name>fuzz</name><length>1</length><width>1</width><height>1</height></Box>");
+        project.put("environment/fuzz.xml",
+            "<Box><name>fuzz</name><length>1</length><width>1</width><height>1</height></Box>");
         for (String ending : endings) {
             Files.write(assets.resolve("m" + ending), originals.get(ending));
             assertTrue(MutableModels.load(project.folder(), new Model("m", "m" + ending)).size() > 0);
@@ -151,6 +154,7 @@ public class FuzzTest {
     }
 
     private static String text(int number, String ending, byte[] bytes) {
-        return "seed " + Fuzz.SEED + ", model " + number + ending + ": " + new String(bytes, StandardCharsets.ISO_8859_1) + "\n";
+        return "seed " + Fuzz.SEED + ", model " + number + ending + ": "
+            + new String(bytes, StandardCharsets.ISO_8859_1) + "\n";
     }
 }

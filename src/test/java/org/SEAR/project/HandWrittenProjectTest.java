@@ -24,7 +24,8 @@ import org.junit.Test;
 
 /** Projects as users write them: by the instructions of the docs, with typical assumptions. */
 public class HandWrittenProjectTest {
-    private static final String ROBOT = "<SEARrobot><name>r</name><wheel><name>left</name><radius>0.1</radius><width>0.1</width></wheel></SEARrobot>";
+    private static final String ROBOT = "<SEARrobot><name>r</name><wheel><name>left</name>"
+        + "<radius>0.1</radius><width>0.1</width></wheel></SEARrobot>";
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -44,7 +45,8 @@ public class HandWrittenProjectTest {
         assertEquals(List.of(), world.snapshot().warnings);
         steps(world, 60);
         double[] up = world.getPose("rover").rotate(0, 1, 0);
-        assertTrue("tilted by " + Math.toDegrees(Math.acos(Math.min(1, up[1]))) + " degrees", up[1] > Math.cos(Math.toRadians(0.5)));
+        assertTrue("tilted by " + Math.toDegrees(Math.acos(Math.min(1, up[1]))) + " degrees",
+            up[1] > Math.cos(Math.toRadians(0.5)));
         assertEquals(3.0, (Double) world.read("frontEye").value(), 1e-9);
         Pose start = world.getPose("rover");
         world.post(DriveCommand.wheels(0, 0.3, 0.3));
@@ -93,14 +95,17 @@ public class HandWrittenProjectTest {
     public void aRobotWithoutDynamicsIsWarnedOfBeforeItIsStarted() throws Exception {
         project.put("robot/r.xml", ROBOT);
         List<String> warnings = Project.read(project.folder()).getWarnings();
-        assertTrue(warnings.toString(), warnings.size() == 1 && warnings.get(0).startsWith("robot/r.xml: SEARrobot \"r\" has no Dynamics"));
+        assertTrue(warnings.toString(), warnings.size() == 1 && warnings.get(0)
+            .startsWith("robot/r.xml: SEARrobot \"r\" has no Dynamics"));
     }
 
     @Test
     public void aFileWhoseEndingHasCapitalsIsWarnedOf() throws Exception {
-        project.put("environment/crate.XML", "<Box><name>crate</name><length>1</length><width>1</width><height>1</height></Box>");
+        project.put("environment/crate.XML",
+            "<Box><name>crate</name><length>1</length><width>1</width><height>1</height></Box>");
         List<String> warnings = Project.read(project.folder()).getWarnings();
-        assertTrue(warnings.toString(), warnings.size() == 1 && warnings.get(0).startsWith("environment/crate.XML is not read: "));
+        assertTrue(warnings.toString(), warnings.size() == 1 && warnings.get(0)
+            .startsWith("environment/crate.XML is not read: "));
     }
 
     @Test
@@ -119,7 +124,8 @@ public class HandWrittenProjectTest {
             List<String> warnings = new ArrayList<>(world.snapshot().warnings);
             warnings.removeIf(warning -> !warning.startsWith("lidar: "));
             assertEquals(warnings.toString(), 2, warnings.size());
-            assertTrue(warnings.toString(), warnings.get(0).startsWith("lidar: spread 90.0 with resolution 1.0 is not available on an LMS200"));
+            assertTrue(warnings.toString(), warnings.get(0)
+                .startsWith("lidar: spread 90.0 with resolution 1.0 is not available on an LMS200"));
             world.step();
             world.reset();
         }

@@ -56,7 +56,8 @@ public class JythonTest {
     public void relativePathsFollowChdir() {
         String folder = project.folder().toAbsolutePath().getParent().toString().replace('\\', '/');
         try (PythonInterpreter python = new PythonInterpreter(null, new PySystemState())) {
-            python.exec("import os\nfrom org.SEAR.grammar import ScriptText\nbefore = ScriptText.path('a.png')\nos.chdir('" + folder + "')\n"
+            python.exec("import os\nfrom org.SEAR.grammar import ScriptText\nbefore = "
+                + "ScriptText.path('a.png')\nos.chdir('" + folder + "')\n"
                 + "after = ScriptText.path('a.png')\nabsolute = ScriptText.path('" + folder + "/b.png')\n");
             assertEquals(Path.of("a.png"), python.get("before", Path.class));
             assertEquals(Path.of(folder, "a.png"), python.get("after", Path.class));
@@ -71,8 +72,10 @@ public class JythonTest {
         List<String> missing = new ArrayList<>();
         for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
             for (Executable method : type.getMethods()) {
-                boolean reading = method.getName().matches("(get|has|is|to)[A-Z].*") || method.getDeclaringClass() == Object.class;
-                if (!reading && !Modifier.isStatic(method.getModifiers()) && !script.contains("." + method.getName() + "(")) {
+                boolean reading = method.getName().matches("(get|has|is|to)[A-Z].*")
+                    || method.getDeclaringClass() == Object.class;
+                if (!reading && !Modifier.isStatic(method.getModifiers())
+                    && !script.contains("." + method.getName() + "(")) {
                     missing.add(type.getSimpleName() + "." + method.getName());
                 }
             }

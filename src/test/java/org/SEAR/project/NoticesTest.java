@@ -14,7 +14,8 @@ import org.python.util.PythonInterpreter;
 
 /** Warnings about legal but probably unintended values, reported when the object is made. */
 public class NoticesTest {
-    private static final String MADE = "from org.SEAR.POJOs import Box\nfor i in range(2):\n    Box('post', 1, 1, 1, 0)\n";
+    private static final String MADE = "from org.SEAR.POJOs import Box\nfor i in range(2):\n    Box('post', "
+        + "1, 1, 1, 0)\n";
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -30,7 +31,8 @@ public class NoticesTest {
             python.exec(MADE);
         }
         assertEquals(said.toString(), 1, said.size());
-        assertTrue(said.get(0), said.get(0).startsWith("Box \"post\" has the name of an object that this script has made already"));
+        assertTrue(said.get(0), said.get(0)
+            .startsWith("Box \"post\" has the name of an object that this script has made already"));
     }
 
     @Test
@@ -49,7 +51,8 @@ public class NoticesTest {
     public void anObjectMadeWhileASimulationRuns() {
         grammar.bench.begin(null, () -> true);
         new Box("late", 1, 1, 1, 0);
-        assertEquals("[Box \"late\" was made while a simulation runs: it appears at the next startSimulation()]", said.toString());
+        assertEquals("[Box \"late\" was made while a simulation runs: it appears at the next startSimulation()]",
+            said.toString());
     }
 
     @Test
@@ -63,7 +66,8 @@ public class NoticesTest {
         assertEquals("[]", said.toString());
         lidar.setSpread(270);
         assertEquals(said.toString(), 1, said.size());
-        assertTrue(said.get(0), said.get(0).startsWith("LIDAR \"scanner\": at a port there is an LMS200, and none has spread 270 with resolution 0.5"
+        assertTrue(said.get(0), said.get(0).startsWith("LIDAR \"scanner\": at a port there is an LMS200, and none has "
+            + "spread 270 with resolution 0.5"
             + " deg, legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5; without setPorts"));
         assertTrue(said.get(0), said.get(0).endsWith("until then the device starts with 180 and 0.5"));
         lidar.setSpread(180);
@@ -83,18 +87,22 @@ public class NoticesTest {
         lidar.setRange(10);
         assertEquals("[]", said.toString());
         lidar.setRange(11);
-        assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, which reports at most 10 m, but the range is 11 m: read greater distances"
+        assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, which reports at most 10 m, but the range is 11 "
+            + "m: read greater distances"
             + " with sear.getLidarResult(\"scanner\")]", said.toString());
         said.clear();
         lidar.setResolution(0.25);
-        assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, and none has spread 180 with resolution 0.25 deg, legal: up to 270 with"
-            + " 0.3333333; without setPorts every fan, read with sear.getLidarResult(\"scanner\"); setModel has it with LMS111, UTM-30LX, RPLIDAR-A1,"
+        assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, and none has spread 180 with resolution 0.25 "
+            + "deg, legal: up to 270 with"
+            + " 0.3333333; without setPorts every fan, read with sear.getLidarResult(\"scanner\"); setModel has it "
+            + "with LMS111, UTM-30LX, RPLIDAR-A1,"
             + " CoLa; until then the device starts with 270 and 0.3333333]", said.toString());
         said.clear();
         lidar.setModel("LMS111");
         assertEquals("[]", said.toString());
         assertEquals("LMS111", lidar.getModel());
-        assertEquals("[20.0, 270.0, 0.5, 1.0E8]", Arrays.asList(lidar.getRange(), lidar.getSpread(), lidar.getResolution(),
+        assertEquals("[20.0, 270.0, 0.5, 1.0E8]",
+            Arrays.asList(lidar.getRange(), lidar.getSpread(), lidar.getResolution(),
             (double) lidar.getBaud()).toString());
     }
 
@@ -104,7 +112,8 @@ public class NoticesTest {
         project.put("environments/lost.xml", project.text("environment/box.xml"));
         project.put("robots/lost.xml", project.text("environment/box.xml"));
         List<String> warnings = Project.read(project.folder()).getWarnings();
-        assertEquals("the folder environments/ of the project is not read: its objects belong into environment/", warnings.get(0));
+        assertEquals("the folder environments/ of the project is not read: its objects belong into environment/",
+            warnings.get(0));
         assertEquals("the folder robots/ of the project is not read: its objects belong into robot/", warnings.get(1));
     }
 
@@ -121,7 +130,8 @@ public class NoticesTest {
     @Test
     public void foreignObjectsAreNamedInOneLine() {
         String answer = ofOthers("Box('new name', 1, 1, 1, 0)", "new name", "old name");
-        assertEquals("in the project, but not made by this script: \"old name\" (from an earlier run or another script; call"
+        assertEquals("in the project, but not made by this script: \"old name\" (from an earlier run or another "
+            + "script; call"
             + " sear.newProject() first to start with an empty project)", answer);
         answer = ofOthers("Box('new name', 1, 1, 1, 0)", "a", "b", "c", "d", "e", "f", "g");
         assertTrue(answer, answer.contains("\"a\", \"b\", \"c\", \"d\", \"e\" and 2 more (from"));

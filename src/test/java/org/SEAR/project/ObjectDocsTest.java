@@ -47,7 +47,8 @@ public class ObjectDocsTest {
     public void theFileOfThePageEqualsThatOfItsScript() throws Exception {
         String file = "environment/crate.xml";
         new Box("crate", 0.5, 0.4, 0.3, 2).move(1, 0.15, 0);
-        assertTrue(DocBlock.of("docs/objects.md", "python").get(0).contains("Box(\"crate\", 0.5, 0.4, 0.3, 2)\nbox.move(1, 0.15, 0)\n"));
+        assertTrue(DocBlock.of("docs/objects.md", "python").get(0)
+            .contains("Box(\"crate\", 0.5, 0.4, 0.3, 2)\nbox.move(1, 0.15, 0)\n"));
         SearObject scripted = Project.read(project.folder()).getEnvironment().get(0);
         project.put(file, DocBlock.of("docs/objects.md", "xml").get(0));
         SearObject written = Project.read(project.folder()).getEnvironment().get(0);
@@ -82,7 +83,8 @@ public class ObjectDocsTest {
         for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
             assertFalse(type.getName(), ObjectDocs.description(type).isEmpty());
             for (Parameter parameter : ParameterTable.of(type).getParameters()) {
-                assertFalse(type + " " + parameter.getName(), parameter.getDoc().isEmpty() || parameter.legal().isEmpty());
+                assertFalse(type + " " + parameter.getName(), parameter.getDoc().isEmpty() || parameter.legal()
+                    .isEmpty());
             }
         }
     }
@@ -90,6 +92,7 @@ public class ObjectDocsTest {
     @Test
     public void theListingHasUnitLegalRangeAndDefault() {
         String listing = ObjectDocs.listing(LIDAR.class);
-        assertTrue(listing, listing.contains("range              largest distance; a number from 0.01 to 10000 m; default 8.191"));
+        assertTrue(listing, listing.contains("range              largest distance; a number from 0.01 to 10000 m; "
+            + "default 8.191"));
     }
 }

@@ -32,10 +32,12 @@ public class ObjectFilesTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    private static final String BOX = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Box>\n  <name>Box1_name</name>\n  <x>-1.5</x>\n  <y>1.25</y>\n"
+    private static final String BOX = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Box>\n  <name>Box1_name</name>\n  "
+        + "<x>-1.5</x>\n  <y>1.25</y>\n"
         + "  <z>0</z>\n  <rx>45</rx>\n  <ry>0</ry>\n  <rz>0</rz>\n"
         + "  <mass>0</mass>\n  <scaleX>1</scaleX>\n  <scaleY>1</scaleY>\n  <scaleZ>1</scaleZ>\n"
-        + "  <visibleToSensors>true</visibleToSensors>\n  <length>0.25</length>\n  <width>0.25</width>\n  <height>0.25</height>\n</Box>\n";
+        + "  <visibleToSensors>true</visibleToSensors>\n  <length>0.25</length>\n  <width>0.25</width>\n  "
+        + "<height>0.25</height>\n</Box>\n";
 
     private static void createListing2() {
         SEARrobot robot = new SEARrobot("myRoomba");
@@ -71,7 +73,8 @@ public class ObjectFilesTest {
         assertEquals("#c49a6c", box.getColor());
         assertEquals("textures/cardboard.png", box.getPicture());
         box.setColor("Orange");
-        assertTrue(project.text("environment/Box1_name.xml"), project.text("environment/Box1_name.xml").contains("\n  <color>Orange</color>\n"));
+        assertTrue(project.text("environment/Box1_name.xml"), project.text("environment/Box1_name.xml")
+            .contains("\n  <color>Orange</color>\n"));
         Box read = (Box) Project.read(project.folder()).getEnvironment().get(0);
         assertTrue(read.hasColor());
         assertEquals("#ffa500", read.getColor());
@@ -90,9 +93,11 @@ public class ObjectFilesTest {
         new Floor("floor", 50, 50);
         new Cylinder("trash Can", 0.25, 0.75, 10);
         new Cone("Traffic Cone", 0.25, 2, 10);
-        assertEquals(Set.of("environment/floor.xml", "environment/trash Can.xml", "environment/Traffic Cone.xml"), project.files().keySet());
+        assertEquals(Set.of("environment/floor.xml", "environment/trash Can.xml", "environment/Traffic Cone.xml"),
+            project.files().keySet());
         assertEquals(Arrays.asList("Traffic Cone", "floor", "trash Can"),
-            Project.read(project.folder()).getEnvironment().stream().map(SearObject::getName).collect(Collectors.toList()));
+            Project.read(project.folder()).getEnvironment().stream().map(SearObject::getName)
+                .collect(Collectors.toList()));
     }
 
     @Test
@@ -125,13 +130,15 @@ public class ObjectFilesTest {
         Object first = project.files();
         createListing2();
         assertEquals(first, project.files());
-        assertTrue(Project.read(project.folder()).getWarnings().toString(), Project.read(project.folder()).getRobots().size() == 1);
+        assertTrue(Project.read(project.folder()).getWarnings().toString(), Project.read(project.folder()).getRobots()
+            .size() == 1);
     }
 
     @Test
     public void anyOrderCommentsAndMissingOptionalElementsAreRead() throws Exception {
         project.put("environment/hand made.xml",
-            "<!-- mine --><Box><mass>2</mass><!-- kg -->\n<height> 1 </height><width>2</width><length>3e0</length><name>hand made</name></Box>");
+            "<!-- mine --><Box><mass>2</mass><!-- kg -->\n<height> 1 "
+                + "</height><width>2</width><length>3e0</length><name>hand made</name></Box>");
         Box box = (Box) Project.read(project.folder()).getEnvironment().get(0);
         assertEquals(3, box.getLength(), 0);
         assertEquals(2, box.getMass(), 0);
@@ -144,7 +151,8 @@ public class ObjectFilesTest {
         SEARrobot robot = new SEARrobot("r");
         robot.addComponent(new Distance("ping", "PING)))"));
         robot.addComponent(new Distance("MaxBotics EZ1"));
-        robot.addComponent(new Distance("own", Arrays.asList(Arrays.asList(20, 1.5), Arrays.asList(10, 3, "#00ff00", 8, -5, 2))));
+        robot.addComponent(new Distance(
+            "own", Arrays.asList(Arrays.asList(20, 1.5), Arrays.asList(10, 3, "#00ff00", 8, -5, 2))));
         robot.addComponent(new GPS("gpsUnit1", 33.61, 182.5, -80.865));
         List<SearObject> read = Project.read(project.folder()).getRobots().get(0).getComponents();
         assertEquals("PING)))", ((Distance) read.get(0)).getShape().getName());

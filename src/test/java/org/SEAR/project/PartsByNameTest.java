@@ -20,7 +20,8 @@ public class PartsByNameTest {
     public final ProjectRule project = new ProjectRule();
 
     private static String wires(Arduino uno) {
-        return uno.getWires().stream().map(wire -> wire.getPin() + " " + wire.getPart() + " " + wire.getRole().getWord())
+        return uno.getWires().stream()
+            .map(wire -> wire.getPin() + " " + wire.getPart() + " " + wire.getRole().getWord())
             .collect(Collectors.joining(", "));
     }
 
@@ -33,7 +34,8 @@ public class PartsByNameTest {
         SEARrobot rover = Robots.rover("rover");
         assertSame(rover.getComponents().get(2), rover.getPart("leftMotor"));
         assertSame(rover.getWheels().get(0), rover.getPart("left"));
-        assertEquals("SEARrobot \"rover\": part is \"Left\", legal: drive, body, leftMotor, rightMotor, left, right, caster",
+        assertEquals("SEARrobot \"rover\": part is \"Left\", legal: drive, body, leftMotor, rightMotor, left, "
+            + "right, caster",
             refused(() -> rover.getPart("Left")));
     }
 
@@ -56,7 +58,8 @@ public class PartsByNameTest {
     public void missingPartsAreReportedWithTheExistingOnes() {
         Arduino uno = new Arduino("uno");
         String nothing = refused(() -> uno.wire(9, "leftMotor"));
-        assertEquals("Arduino \"uno\": part is \"leftMotor\", legal: a component of the robot; no robot has one to wire yet,"
+        assertEquals("Arduino \"uno\": part is \"leftMotor\", legal: a component of the robot; no robot has one "
+            + "to wire yet,"
             + " call addComponent(...) first", nothing);
         Robots.rover("rover");
         assertEquals("Arduino \"uno\": part is \"engine\", legal: a component of the robot, leftMotor, rightMotor",
@@ -72,7 +75,8 @@ public class PartsByNameTest {
         Robots.rover("scout");
         SEARrobot rover = Robots.rover("rover");
         Arduino uno = new Arduino("uno");
-        assertEquals("Arduino \"uno\": \"leftMotor\" is on several robots, legal: a part of Arduino \"uno\"'s own robot;"
+        assertEquals("Arduino \"uno\": \"leftMotor\" is on several robots, legal: a part of Arduino "
+            + "\"uno\"'s own robot;"
             + " call robot.addComponent(...) first", refused(() -> uno.wire(9, "leftMotor")));
         rover.addComponent(uno);
         uno.wire(9, "leftMotor");

@@ -43,8 +43,10 @@ public class ProjectOwnerTest {
 
     private Process start(String object) throws IOException {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
-        Process process = new ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"),
-            "-Dsear.project=" + project.folder(), ProjectOwnerTest.class.getName(), object).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+        Process process = new ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-cp",
+            System.getProperty("java.class.path"),
+            "-Dsear.project=" + project.folder(), ProjectOwnerTest.class.getName(), object)
+            .redirectError(ProcessBuilder.Redirect.INHERIT).start();
         processes.add(process);
         return process;
     }

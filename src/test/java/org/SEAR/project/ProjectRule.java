@@ -35,7 +35,8 @@ public class ProjectRule extends TemporaryFolder {
     /** Makes something with objects whose files no test reads, in a project that no other test process uses. */
     public static <T> T unread(Supplier<T> maker) {
         String before = System.getProperty("sear.project");
-        System.setProperty("sear.project", System.getProperty("java.io.tmpdir") + "/sear-" + ProcessHandle.current().pid() + "/SEARproject");
+        System.setProperty("sear.project", System.getProperty("java.io.tmpdir") + "/sear-" + ProcessHandle.current()
+            .pid() + "/SEARproject");
         try {
             return maker.get();
         } finally {

@@ -116,7 +116,8 @@ public final class RandomProjects {
                 shape = new Model(name(), "models/Tree/Tree.mesh.xml", mass);
                 break;
             case 5:
-                shape = new Marker(name(), random.nextBoolean() ? "APRILTAG_36h11" : "DICT_6X6_250", random.nextInt(250), number(0.0001, 100));
+                shape = new Marker(name(), random.nextBoolean() ? "APRILTAG_36h11" : "DICT_6X6_250",
+                    random.nextInt(250), number(0.0001, 100));
                 break;
             case 6:
                 shape = new Chessboard(name(), 3 + random.nextInt(58), 3 + random.nextInt(58), number(0.0001, 100));
@@ -138,7 +139,8 @@ public final class RandomProjects {
         SEARrobot robot = new SEARrobot(name());
         place(robot);
         if (random.nextBoolean()) {
-            Dynamics dynamics = new Dynamics(name(), number(0.001, 1e6), number(0, 1e6), number(0, 1e6), number(0, 1e6), number(0, 1e9),
+            Dynamics dynamics = new Dynamics(name(), number(0.001, 1e6), number(0, 1e6), number(0, 1e6), number(0, 1e6),
+                number(0, 1e9),
                 number(0, 100), 0, 0.1, 0, 0, number(-360, 360), 180);
             dynamics.setPorts("/dev/uart" + counter, "/dev/user" + counter);
             robot.addComponent(dynamics);
@@ -159,7 +161,8 @@ public final class RandomProjects {
 
     /** Makes a servo that turns some of the robot's parts and a light. */
     private Servo servo(SEARrobot robot) {
-        Led led = new Led(name(), random.nextBoolean() ? null : String.format("#%06x", random.nextInt(1 << 24)), 0, 0, 0);
+        Led led = new Led(name(), random.nextBoolean() ? null
+            : String.format("#%06x", random.nextInt(1 << 24)), 0, 0, 0);
         led.setSize(number(0.001, 1));
         place(led);
         Servo servo = new Servo(name());
@@ -167,7 +170,8 @@ public final class RandomProjects {
         servo.setRange(number(-360, -1), number(0, 360));
         servo.setSpeed(number(0.1, 36000));
         servo.setStallTorque(number(1e-6, 1e6));
-        robot.getComponents().stream().filter(part -> Servo.canTurn(part) && random.nextBoolean()).forEach(servo::mount);
+        robot.getComponents().stream().filter(part -> Servo.canTurn(part) && random.nextBoolean())
+            .forEach(servo::mount);
         robot.addComponent(led);
         if (random.nextBoolean()) {
             servo.mount(led);
@@ -179,7 +183,8 @@ public final class RandomProjects {
         SensorObject sensor = anySensor();
         place(sensor);
         if (random.nextBoolean()) {
-            sensor.setNoise(new Noise(number(0, 1e6), number(-1e6, 1e6), number(0, 1e6), number(0, 1e6), random.nextDouble()));
+            sensor.setNoise(new Noise(number(0, 1e6), number(-1e6, 1e6), number(0, 1e6), number(0, 1e6),
+                random.nextDouble()));
         }
         return sensor;
     }
@@ -205,17 +210,20 @@ public final class RandomProjects {
                 if (random.nextInt(3) == 0) {
                     return anyCamera();
                 }
-                return random.nextInt(3) == 0 ? new Bumper(name()) : random.nextBoolean() ? new LineSensor(name()) : new ColorSensor(name());
+                return random.nextInt(3) == 0 ? new Bumper(name()) : random.nextBoolean() ? new LineSensor(name())
+                    : new ColorSensor(name());
             case 0:
                 return new Accelerometer(name(), number(0.01, 10000));
             case 1:
                 return new Gyroscope(name(), number(0.01, 10000));
             case 2:
-                return random.nextBoolean() ? new IMU(name(), "/dev/i" + counter, "/dev/j" + counter) : new Compass(name(), random.nextBoolean());
+                return random.nextBoolean() ? new IMU(name(), "/dev/i" + counter, "/dev/j" + counter)
+                    : new Compass(name(), random.nextBoolean());
             case 3:
                 return new Odometer(name());
             case 4:
-                return new GPS(name(), number(-90, 90), number(-12000, 100000), number(-180, 180), "/dev/g" + counter, "/dev/h" + counter);
+                return new GPS(name(), number(-90, 90), number(-12000, 100000), number(-180, 180), "/dev/g" + counter,
+                    "/dev/h" + counter);
             case 5:
                 LIDAR lidar = new LIDAR(name(), number(0.01, 10000), 360, number(0.01, 360));
                 lidar.LMS(random.nextInt(2));
@@ -234,7 +242,8 @@ public final class RandomProjects {
     private List<BeamCone> cones() {
         List<BeamCone> cones = new ArrayList<>();
         for (int i = random.nextInt(5); i >= 0; i--) {
-            cones.add(new BeamCone(number(0, 90), number(0.001, 10000), String.format("#%06x", random.nextInt(1 << 24)), 1 + random.nextInt(360),
+            cones.add(new BeamCone(number(0, 90), number(0.001, 10000), String.format("#%06x", random.nextInt(1 << 24)),
+                1 + random.nextInt(360),
                 number(-180, 180), number(-90, 90)));
         }
         return cones;

@@ -68,6 +68,7 @@ public class RandomProjectsTest {
         Bundle.save(project.folder(), place.resolve("a.sear"));
         Bundle.load(place.resolve("a.sear"), place.resolve("copy"));
         Bundle.save(place.resolve("copy"), place.resolve("b.sear"));
-        assertArrayEquals("seed " + seed, Files.readAllBytes(place.resolve("a.sear")), Files.readAllBytes(place.resolve("b.sear")));
+        assertArrayEquals("seed " + seed, Files.readAllBytes(place.resolve("a.sear")),
+            Files.readAllBytes(place.resolve("b.sear")));
     }
 }

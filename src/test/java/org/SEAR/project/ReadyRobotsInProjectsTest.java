@@ -63,7 +63,8 @@ public class ReadyRobotsInProjectsTest {
     }
 
     private static String parts(SEARrobot robot) {
-        return Stream.concat(robot.getComponents().stream(), robot.getWheels().stream()).map(SearObject::getName).collect(Collectors.joining(" "));
+        return Stream.concat(robot.getComponents().stream(), robot.getWheels().stream()).map(SearObject::getName)
+            .collect(Collectors.joining(" "));
     }
 
     @Test
@@ -117,10 +118,13 @@ public class ReadyRobotsInProjectsTest {
         Robots.create2("newcomer");
         Map<String, String> after = project.files();
         assertEquals(before.get("robot/drive.xml"), after.get("robot/office Roomba/drive.xml"));
-        assertTrue(after.get("robot/office Roomba.xml"), after.get("robot/office Roomba.xml").contains("<component>office Roomba/drive</component>"));
-        assertTrue(after.get("robot/newcomer.xml"), after.get("robot/newcomer.xml").contains("<component>drive</component>"));
+        assertTrue(after.get("robot/office Roomba.xml"), after.get("robot/office Roomba.xml")
+            .contains("<component>office Roomba/drive</component>"));
+        assertTrue(after.get("robot/newcomer.xml"), after.get("robot/newcomer.xml")
+            .contains("<component>drive</component>"));
         SEARrobot old = start().getRobots().get(0);
-        assertEquals("office Roomba/drive", old.getComponents().stream().filter(part -> part instanceof Dynamics).findFirst().get().getFullName());
+        assertEquals("office Roomba/drive", old.getComponents().stream().filter(part -> part instanceof Dynamics)
+            .findFirst().get().getFullName());
     }
 
     @Test
@@ -132,7 +136,8 @@ public class ReadyRobotsInProjectsTest {
         SEARrobot rover = Robots.rover("rover");
         rover.placeAt(3, 0, 0);
         assertEquals("rover drive rover body leftMotor rightMotor rover left right rover caster", parts(rover));
-        assertEquals("drive drive drive body leftMotor rightMotor drive left right drive caster", parts(start().getRobots().get(0)));
+        assertEquals("drive drive drive body leftMotor rightMotor drive left right drive caster",
+            parts(start().getRobots().get(0)));
         new ProjectEditor(project.folder()).apply(Map.of("do", "robot", "template", "rover", "name", "tug"));
         assertEquals("from the palette, too", "tug drive tug body leftMotor rightMotor tug left right tug caster",
             parts(start().getRobots().get(2)));

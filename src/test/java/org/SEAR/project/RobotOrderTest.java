@@ -92,7 +92,8 @@ public class RobotOrderTest {
     @Test
     public void filesWithoutAnOrderGoByNameAndStayAsTheyAre() throws Exception {
         for (String name : new String[] {"b", "a"}) {
-            project.put("robot/" + name + ".xml", "<SEARrobot><name>" + name + "</name><component>" + name + "d</component></SEARrobot>");
+            project.put("robot/" + name + ".xml", "<SEARrobot><name>" + name + "</name><component>" + name
+                + "d</component></SEARrobot>");
             project.put("robot/" + name + "d.xml", "<Dynamics><name>" + name + "d</name><mass>3</mass></Dynamics>");
         }
         project.put("robot/broken.xml", "<SEARrobot><name>broken");

@@ -27,7 +27,8 @@ import org.python.util.PythonInterpreter;
 
 /** Parts of two robots may share a name; scripts ask for robot/part. */
 public class SameNamesTest {
-    private static final String SCRIPT = String.join("\n", "from org.SEAR.POJOs import Box, Distance, Dynamics, Floor, SEARrobot, Wheel",
+    private static final String SCRIPT =
+        String.join("\n", "from org.SEAR.POJOs import Box, Distance, Dynamics, Floor, SEARrobot, Wheel",
         "Floor('floor', 40, 40).setVisibleToSensors(False)",
         "Box('wall', 1, 1, 1, 0).move(0, 0.5, 2)",
         "for name, x in (('rover', 0), ('scout', 4), ('tug', -4)):",
@@ -45,8 +46,10 @@ public class SameNamesTest {
         "        robot.addComponent(ping)",
         "        ping.move(0, 0.5, 0.1 if x else 0.2)",
         "");
-    private static final Set<String> FILES = Set.of("environment/floor.xml", "environment/wall.xml", "robot/rover.xml", "robot/scout.xml",
-        "robot/tug.xml", "robot/rover/body.xml", "robot/rover/drive.xml", "robot/rover/ping.xml", "robot/scout/body.xml", "robot/scout/drive.xml",
+    private static final Set<String> FILES = Set.of("environment/floor.xml", "environment/wall.xml", "robot/rover.xml",
+        "robot/scout.xml",
+        "robot/tug.xml", "robot/rover/body.xml", "robot/rover/drive.xml", "robot/rover/ping.xml",
+        "robot/scout/body.xml", "robot/scout/drive.xml",
         "robot/ping.xml", "robot/body.xml", "robot/drive.xml");
 
     @Rule
@@ -75,14 +78,16 @@ public class SameNamesTest {
         run(SCRIPT);
         Map<String, String> files = project.files();
         assertEquals(FILES, files.keySet());
-        assertTrue(files.get("robot/rover.xml"), files.get("robot/rover.xml").contains("<component>rover/ping</component>"));
+        assertTrue(files.get("robot/rover.xml"), files.get("robot/rover.xml")
+            .contains("<component>rover/ping</component>"));
         assertTrue(files.get("robot/scout.xml"), files.get("robot/scout.xml").contains("<component>ping</component>"));
         assertTrue("a setter behind the move", files.get("robot/rover/ping.xml").contains("<z>0.2</z>"));
         forget();
         run(SCRIPT);
         assertEquals("in a new program", files, project.files());
         run(SCRIPT);
-        assertEquals("in the same program, where the robots are the last again", withoutOrder(files), withoutOrder(project.files()));
+        assertEquals("in the same program, where the robots are the last again", withoutOrder(files),
+            withoutOrder(project.files()));
         assertEquals("nothing was replaced", List.of(), said);
         assertEquals(List.of(), Project.read(project.folder()).getWarnings());
     }
@@ -106,14 +111,16 @@ public class SameNamesTest {
             world.watch("rover/ping", true);
             world.step();
             assertEquals(1.3, ((DistanceReading) world.read("rover/ping")).getDistance(), 0.1);
-            assertNotEquals("scout looks past the wall", 1.3, ((DistanceReading) world.read("scout/ping")).getDistanceOrRange(), 0.1);
+            assertNotEquals("scout looks past the wall", 1.3, ((DistanceReading) world.read("scout/ping"))
+                .getDistanceOrRange(), 0.1);
             assertEquals(Set.of("rover/ping"), world.snapshot().readings.keySet());
             assertEquals(0.2, world.getPose("rover/ping").z - world.getPose("rover").z, 0.01);
             assertEquals(4.12, world.getPose("scout/left").x, 0.01);
             assertEquals(world.getPose("tug").toString(), world.getPose("tug/drive").toString());
             String choices = "\"ping\" is on rover and scout: use \"rover/ping\" or \"scout/ping\"";
             assertEquals(choices, assertThrows(IllegalArgumentException.class, () -> world.read("ping")).getMessage());
-            assertEquals(choices, assertThrows(IllegalArgumentException.class, () -> world.watch("ping", true)).getMessage());
+            assertEquals(choices, assertThrows(IllegalArgumentException.class, () -> world.watch("ping", true))
+                .getMessage());
             assertEquals("\"body\" is on rover, scout and tug: use \"rover/body\", \"scout/body\" or \"tug/body\"",
                 assertThrows(IllegalArgumentException.class, () -> world.getPose("body")).getMessage());
             assertEquals("no sensor is called \"tug/ping\", legal: rover/ping, scout/ping",
@@ -166,7 +173,8 @@ public class SameNamesTest {
         SEARrobot tug = new SEARrobot("tug");
         tug.addComponent(right);
         scout.addWheel(late);
-        assertTrue(project.files().keySet().toString(), project.files().keySet().containsAll(Set.of("robot/rover/left.xml", "robot/right.xml")));
+        assertTrue(project.files().keySet().toString(), project.files().keySet()
+            .containsAll(Set.of("robot/rover/left.xml", "robot/right.xml")));
         assertEquals(3, Project.read(project.folder()).getRobots().size());
     }
 
@@ -196,7 +204,8 @@ public class SameNamesTest {
     public void replacedPartsAreReported() throws Exception {
         run("from org.SEAR.POJOs import Distance\nDistance('ping', 'PING')\nDistance('ping', 'PING')\n");
         assertEquals(said.toString(), 1, said.size());
-        assertTrue(said.get(0), said.get(0).startsWith("Distance \"ping\" has the name of an object that this script has made already, and"));
+        assertTrue(said.get(0), said.get(0)
+            .startsWith("Distance \"ping\" has the name of an object that this script has made already, and"));
     }
 
     @Test
@@ -211,12 +220,14 @@ public class SameNamesTest {
         project.put("robot/rover/notes.txt", "mine");
         project.put("robot/rover/old.xml", "mine, too");
         project.put("robot/nobody/old.xml", "mine, too");
-        assertEquals(List.of("robot/rover/old.xml is not a component of SEARrobot \"rover\" and is left out; <component>rover/old</component> in the"
+        assertEquals(List.of("robot/rover/old.xml is not a component of SEARrobot \"rover\" and is left out; "
+            + "<component>rover/old</component> in the"
             + " robot's file adds it"), Project.read(project.folder()).getWarnings());
     }
 
     private void byHand(String robot, String drive, String eye) throws Exception {
-        project.put("robot/" + robot + ".xml", "<SEARrobot>\n<name>" + robot + "</name>\n<component>" + drive + "</component>\n<component>" + eye
+        project.put("robot/" + robot + ".xml", "<SEARrobot>\n<name>" + robot + "</name>\n<component>" + drive
+            + "</component>\n<component>" + eye
             + "</component>\n</SEARrobot>");
         project.put("robot/" + drive + ".xml", "<Dynamics><name>drive</name><mass>3</mass></Dynamics>");
         project.put("robot/" + eye + ".xml", "<Compass>\n<name>eye</name>\n</Compass>");
@@ -226,28 +237,36 @@ public class SameNamesTest {
     public void invalidInputIsReported() throws Exception {
         byHand("rover", "rover/drive", "rover/eye");
         byHand("scout", "drive", "eye");
-        refused("robot/scout.xml:4: component is \"rover/eye\", legal: a name alone for a file in robot/, or \"scout/eye\" for one in robot/scout/",
-            "robot/scout.xml", "<SEARrobot>\n<name>scout</name>\n<component>drive</component>\n<component>rover/eye</component>\n</SEARrobot>");
+        refused("robot/scout.xml:4: component is \"rover/eye\", legal: a name alone for a file in robot/, or "
+            + "\"scout/eye\" for one in robot/scout/",
+            "robot/scout.xml", "<SEARrobot>\n<name>scout</name>\n<component>drive</component>\n"
+                + "<component>rover/eye</component>\n</SEARrobot>");
         refused("robot/scout.xml:4: component is \"scout/ear\", legal: the name of a file in robot/, without .xml",
-            "robot/scout.xml", "<SEARrobot>\n<name>scout</name>\n<component>drive</component>\n<component>scout/ear</component>\n</SEARrobot>");
+            "robot/scout.xml", "<SEARrobot>\n<name>scout</name>\n<component>drive</component>\n"
+                + "<component>scout/ear</component>\n</SEARrobot>");
         refused("robot/scout.xml:4: component is \"../eye\", legal: a name of 1 to 100 characters",
-            "robot/scout.xml", "<SEARrobot>\n<name>scout</name>\n<component>drive</component>\n<component>../eye</component>\n</SEARrobot>");
+            "robot/scout.xml", "<SEARrobot>\n<name>scout</name>\n<component>drive</component>\n"
+                + "<component>../eye</component>\n</SEARrobot>");
         refused("robot/rover/eye.xml:2: name is \"ear\", legal: the name of the file without .xml, \"eye\"",
             "robot/rover/eye.xml", "<Compass>\n<name>ear</name>\n</Compass>");
-        refused("robot/rover/eye.xml:2: name is \"eye\", legal: a name of its own (capitals don't count); environment/Eye.xml has it too",
+        refused("robot/rover/eye.xml:2: name is \"eye\", legal: a name of its own (capitals don't count); "
+            + "environment/Eye.xml has it too",
             "environment/Eye.xml", "<Box><name>Eye</name><length>1</length><width>1</width><height>1</height></Box>");
         refused("robot/rover/eye.xml:1: <SEARrobot> is not an object here, legal: ",
             "robot/rover/eye.xml", "<SEARrobot><name>eye</name></SEARrobot>");
         String ports = "<uartPort>a</uartPort>\n<userPort>b</userPort></Dynamics>";
         project.put("robot/drive.xml", "<Dynamics><name>drive</name><mass>3</mass>" + ports);
-        refused("robot/drive.xml:1: uartPort is \"a\", legal: a port of its own; robot/rover/drive.xml has it too", "robot/rover/drive.xml",
+        refused("robot/drive.xml:1: uartPort is \"a\", legal: a port of its own; robot/rover/drive.xml has it too",
+            "robot/rover/drive.xml",
             "<Dynamics><name>drive</name><mass>3</mass>" + ports);
         project.put("robot/Drive.xml", "<Dynamics><name>Drive</name><mass>3</mass></Dynamics>");
         refused("legal: a name that differs from that of robot/Drive.xml by more than capitals",
             "robot/tug.xml", "<SEARrobot><name>tug</name><component>Drive</component></SEARrobot>");
         project.put("robot/eye.xml", "<Compass><name>eye</name></Compass>");
-        refused("robot/rover/eye.xml:2: name is \"eye\", legal: a name of its own (capitals don't count); robot/eye.xml has it too",
-            "robot/rover.xml", "<SEARrobot><name>rover</name><component>rover/drive</component><component>eye</component>"
+        refused("robot/rover/eye.xml:2: name is \"eye\", legal: a name of its own (capitals don't count); "
+            + "robot/eye.xml has it too",
+            "robot/rover.xml", "<SEARrobot><name>rover</name>"
+                + "<component>rover/drive</component><component>eye</component>"
             + "<component>rover/eye</component></SEARrobot>");
     }
 

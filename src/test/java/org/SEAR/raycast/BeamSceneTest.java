@@ -51,7 +51,8 @@ public class BeamSceneTest {
         scene.commit();
         assertEquals(9, scene.cast(0, 0, 0, 1, 0, 0, 100, BeamScene.WORLD, hit), EXACT);
         assertEquals(-1, hit.nx, EXACT);
-        assertEquals("at half of its height", 10 - Math.sqrt(0.75), scene.cast(0, 1, 0, 1, 0, 0, 100, BeamScene.WORLD, hit), EXACT);
+        assertEquals("at half of its height", 10 - Math.sqrt(0.75),
+            scene.cast(0, 1, 0, 1, 0, 0, 100, BeamScene.WORLD, hit), EXACT);
         double length = Math.hypot(Math.sqrt(0.75), 0.25);
         assertEquals(-Math.sqrt(0.75) / length, hit.nx, EXACT);
         assertEquals(0.25 / length, hit.ny, EXACT);
@@ -68,7 +69,8 @@ public class BeamSceneTest {
     public void everySolidIsMetOutsideAndLeftFromInside() {
         for (int kind = 0; kind < 3; kind++) {
             BeamScene one = new BeamScene();
-            int shape = kind == 0 ? one.addBox(1, 1, 1, 7) : one.addSolid(kind == 1 ? RayRound.cylinder(1, 1) : RayRound.cone(2, 1), 7);
+            int shape = kind == 0 ? one.addBox(1, 1, 1, 7)
+                : one.addSolid(kind == 1 ? RayRound.cylinder(1, 1) : RayRound.cone(2, 1), 7);
             one.setPose(shape, 5, 0, 0, 0, 0, 0, 1);
             one.commit();
             assertEquals(4, one.cast(0, 0, 0, 1, 0, 0, 10, BeamScene.WORLD, hit), EXACT);
@@ -116,7 +118,8 @@ public class BeamSceneTest {
     @Test
     public void closedMeshesHaveNoGapsAndNoSurfaceEdgeOn() {
         float[] corners = {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1, -1, -1, 1, 1, -1, 1, -1, 1, 1, 1, 1, 1};
-        int[] faces = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+        int[] faces = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3,
+            5, 3, 7, 5};
         scene.addMesh(new Triangles(corners, faces), 1, 1, 1, BeamScene.WORLD);
         scene.commit();
         for (int i = -100; i <= 100; i++) {
@@ -141,7 +144,8 @@ public class BeamSceneTest {
         scene.setVisible(box, true);
         scene.commit();
         assertEquals("moved", 6, alongX(-5, 0, 0), EXACT);
-        IllegalArgumentException refused = assertThrows(IllegalArgumentException.class, () -> scene.setVisible(9, true));
+        IllegalArgumentException refused =
+            assertThrows(IllegalArgumentException.class, () -> scene.setVisible(9, true));
         assertEquals("beam scene: shape 9, legal: 0 to 0, as add... returned it", refused.getMessage());
     }
 
@@ -220,7 +224,8 @@ public class BeamSceneTest {
     @Test
     public void aFanOfAFullTurnSeesAllAround() {
         for (int side = 0; side < 4; side++) {
-            at(scene.addBox(side % 2 == 0 ? 0.5 : 5, 1, side % 2 == 0 ? 5 : 0.5, BeamScene.WORLD), side == 0 ? 3 : side == 2 ? -3 : 0, 0,
+            at(scene.addBox(side % 2 == 0 ? 0.5 : 5, 1, side % 2 == 0 ? 5 : 0.5, BeamScene.WORLD), side == 0 ? 3
+                : side == 2 ? -3 : 0, 0,
                 side == 1 ? 3 : side == 3 ? -3 : 0);
         }
         scene.commit();
@@ -229,7 +234,8 @@ public class BeamSceneTest {
             scene.castFan(Pose.IDENTITY, start, Math.PI / 360, 721, RANGE, BeamScene.WORLD, ranges, null);
             for (int i = 0; i < ranges.length; i++) {
                 double angle = start + i * Math.PI / 360;
-                assertEquals("start " + start + " beam " + i, 2.5 / Math.max(Math.abs(Math.sin(angle)), Math.abs(Math.cos(angle))), ranges[i], 1e-9);
+                assertEquals("start " + start + " beam " + i,
+                    2.5 / Math.max(Math.abs(Math.sin(angle)), Math.abs(Math.cos(angle))), ranges[i], 1e-9);
             }
         }
     }

@@ -29,14 +29,16 @@ public class BundleTest {
             double[] d = pose.rotate(Math.sin(a) * Math.cos(b), Math.sin(b), Math.cos(a) * Math.cos(b));
             System.arraycopy(d, 0, directions, 3 * i, 3);
             ranges[i] = world.between(0.5, 6);
-            double single = world.scene.cast(pose.x, pose.y, pose.z, d[0], d[1], d[2], ranges[i], BeamScene.WORLD, null);
+            double single = world.scene.cast(pose.x, pose.y, pose.z, d[0], d[1], d[2], ranges[i],
+                BeamScene.WORLD, null);
             if (single < shortest) {
                 shortest = single;
                 line = i;
             }
         }
         double[] answer = new double[1];
-        assertEquals(what, line, world.scene.castBundle(pose.x, pose.y, pose.z, directions, ranges, BeamScene.WORLD, answer));
+        assertEquals(what, line, world.scene.castBundle(pose.x, pose.y, pose.z, directions, ranges,
+            BeamScene.WORLD, answer));
         assertEquals(what, shortest, answer[0], 0);
     }
 

@@ -32,14 +32,17 @@ public class CullingTest {
                 if (shape % 2 == 0) {
                     place(world.scene, world.scene.addBox(size, 0.3, 0.4, BeamScene.WORLD), centre, pose);
                     alone.add(new BeamScene());
-                    place(alone.get(alone.size() - 1), alone.get(alone.size() - 1).addBox(size, 0.3, 0.4, BeamScene.WORLD), centre, pose);
+                    place(alone.get(alone.size() - 1), alone.get(alone.size() - 1)
+                        .addBox(size, 0.3, 0.4, BeamScene.WORLD), centre, pose);
                 } else {
                     Triangles soup = world.soup(1 + world.random.nextInt(40));
                     place(world.scene, world.scene.addMesh(soup, 1, size, 1, BeamScene.WORLD), centre, pose);
                     for (int i = 0; i < soup.size(); i++) {
-                        Triangles one = new Triangles(Arrays.copyOfRange(soup.vertices, 9 * i, 9 * i + 9), new int[] {0, 1, 2});
+                        Triangles one = new Triangles(Arrays.copyOfRange(soup.vertices, 9 * i, 9 * i + 9),
+                            new int[] {0, 1, 2});
                         alone.add(new BeamScene());
-                        place(alone.get(alone.size() - 1), alone.get(alone.size() - 1).addMesh(one, 1, size, 1, BeamScene.WORLD), centre, pose);
+                        place(alone.get(alone.size() - 1), alone.get(alone.size() - 1)
+                            .addMesh(one, 1, size, 1, BeamScene.WORLD), centre, pose);
                     }
                 }
             }
@@ -50,7 +53,8 @@ public class CullingTest {
     }
 
     private static void place(BeamScene scene, int shape, double[] centre, Pose pose) {
-        scene.setPose(shape, centre[0] + pose.x, centre[1] + pose.y, centre[2] + pose.z, pose.qx, pose.qy, pose.qz, pose.qw);
+        scene.setPose(shape, centre[0] + pose.x, centre[1] + pose.y, centre[2] + pose.z, pose.qx, pose.qy,
+            pose.qz, pose.qw);
         scene.commit();
     }
 
@@ -72,9 +76,11 @@ public class CullingTest {
         double range = world.random.nextInt(4) == 0 ? Double.MAX_VALUE : world.between(0, 10);
         double expected = Double.POSITIVE_INFINITY;
         for (BeamScene one : alone) {
-            expected = Math.min(expected, one.cast(x, y, z, d[0] / length, d[1] / length, d[2] / length, range, BeamScene.WORLD, null));
+            expected = Math.min(expected, one.cast(x, y, z, d[0] / length, d[1] / length, d[2] / length, range,
+                BeamScene.WORLD, null));
         }
-        double met = world.scene.cast(x, y, z, d[0] / length, d[1] / length, d[2] / length, range, BeamScene.WORLD, null);
+        double met = world.scene.cast(x, y, z, d[0] / length, d[1] / length, d[2] / length, range,
+            BeamScene.WORLD, null);
         assertEquals(what + ", range " + range, expected, met, 0);
     }
 }

@@ -28,7 +28,8 @@ public class ExactnessTest {
             RandomScenes world = new RandomScenes(seed);
             world.shapes(1 + world.random.nextInt(30), 4);
             for (int fan = 0; fan < 3; fan++) {
-                compareFan(seed, world, world.pose(4), fan == 0 ? Math.toRadians(2) : Math.toRadians(1), fan == 0 ? 6 : 50);
+                compareFan(seed, world, world.pose(4), fan == 0 ? Math.toRadians(2) : Math.toRadians(1),
+                    fan == 0 ? 6 : 50);
             }
         }
     }
@@ -64,7 +65,8 @@ public class ExactnessTest {
         StringBuilder answers = new StringBuilder().append(expected);
         boolean same = false;
         for (int k = 0; k < 6; k++) {
-            double[] nudge = {k == 0 ? NUDGE : k == 1 ? -NUDGE : 0, k == 2 ? NUDGE : k == 3 ? -NUDGE : 0, k == 4 ? NUDGE : k == 5 ? -NUDGE : 0};
+            double[] nudge = {k == 0 ? NUDGE : k == 1 ? -NUDGE : 0, k == 2 ? NUDGE : k == 3 ? -NUDGE : 0, k == 4 ? NUDGE
+                : k == 5 ? -NUDGE : 0};
             double other = oracle.cast(o, Oracle.add(d, nudge, 1), range + NUDGE);
             same |= other == measured || Math.abs(other - measured) < 1e3 * NUDGE;
             answers.append(' ').append(other);

@@ -48,7 +48,8 @@ public class FleetWorkTest {
             for (int k = 0; k < BOXES; k++) {
                 double angle = 2 * Math.PI * (k + random.nextDouble()) / BOXES;
                 double distance = 2.8 + 1.5 * random.nextDouble();
-                new Box("box" + i + "-" + k, 0.4, 1, 0.4, 0).move(x + distance * Math.sin(angle), 0.5, z + distance * Math.cos(angle));
+                new Box("box" + i + "-" + k, 0.4, 1, 0.4, 0)
+                    .move(x + distance * Math.sin(angle), 0.5, z + distance * Math.cos(angle));
             }
             SEARrobot robot = Worlds.roomba("robot" + i, x - 1, z, 0);
             LIDAR lidar = new LIDAR("lidar" + i, 8, 180, 0.5, 0, 0.3, 0);
@@ -85,7 +86,8 @@ public class FleetWorkTest {
         PhysicsWorld physics = Worlds.physics(simulation);
         BeamScene scene = simulation.getRobots().get(0).getTruth().scene();
         RayCaster beams = BeamScene.casters().rays;
-        double[] before = {scene.getMoves(), 0, physics.getSolverIterations(), beams.nodes() + beams.fanNodes + beams.tested,
+        double[] before = {scene.getMoves(), 0, physics.getSolverIterations(), beams.nodes() + beams.fanNodes
+            + beams.tested,
             threads.getThreadAllocatedBytes(id)};
         long busy = 0;
         for (int i = 0; i < STEPS; i++) {
@@ -95,7 +97,8 @@ public class FleetWorkTest {
                 simulation.read(simulation.getSensorNames());
             }
         }
-        double[] after = {scene.getMoves(), busy, physics.getSolverIterations(), beams.nodes() + beams.fanNodes + beams.tested,
+        double[] after = {scene.getMoves(), busy, physics.getSolverIterations(), beams.nodes() + beams.fanNodes
+            + beams.tested,
             threads.getThreadAllocatedBytes(id)};
         for (int i = 0; i < after.length; i++) {
             after[i] -= before[i];

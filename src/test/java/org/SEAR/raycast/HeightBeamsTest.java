@@ -38,7 +38,8 @@ public class HeightBeamsTest {
         double rough = spacing * between(0, 3);
         float[] heights = new float[rows * columns];
         for (int i = 0; i < heights.length; i++) {
-            double height = Math.sin(i / columns * 0.3) * Math.cos(i % columns * 0.4) * rough * 3 + between(-rough, rough);
+            double height = Math.sin(i / columns * 0.3) * Math.cos(i % columns * 0.4) * rough * 3
+                + between(-rough, rough);
             heights[i] = (float) (number % 3 == 0 ? Math.rint(height / spacing) * spacing : height);
         }
         double away = number % 2 == 0 ? 0.5 * rows * spacing : between(-1e4, 1e4);
@@ -56,7 +57,8 @@ public class HeightBeamsTest {
             field = ground(number);
             BeamScene scene = new BeamScene();
             BeamScene mesh = new BeamScene();
-            Pose pose = number % 3 == 2 ? Pose.ofDegrees(between(-5, 5), between(-5, 5), between(-5, 5), between(-180, 180), between(-180, 180),
+            Pose pose = number % 3 == 2 ? Pose.ofDegrees(between(-5, 5), between(-5, 5), between(-5, 5),
+                between(-180, 180), between(-180, 180),
                 between(-180, 180)) : Pose.IDENTITY;
             place(scene, scene.addHeights(field, BeamScene.WORLD), pose);
             place(mesh, mesh.addMesh(Grounds.triangles(field), 1, 1, 1, BeamScene.WORLD), pose);
@@ -105,7 +107,8 @@ public class HeightBeamsTest {
                 d = new double[] {between(-1e-9, 1e-9), between(-0.1, 0.1), random.nextBoolean() ? 1 : -1};
                 break;
             case 3:
-                d = new double[] {field.spacingX, between(-1, 1) * field.spacingX, random.nextBoolean() ? field.spacingZ : -field.spacingZ};
+                d = new double[] {field.spacingX, between(-1, 1) * field.spacingX, random.nextBoolean() ? field.spacingZ
+                    : -field.spacingZ};
                 break;
             case 4:
                 double[] here = origin(0);
@@ -176,7 +179,8 @@ public class HeightBeamsTest {
             double oz = z + (vertical ? 0 : between(-3, 3));
             double dy = field.height(x, z) - 5;
             double length = Math.sqrt((x - ox) * (x - ox) + dy * dy + (z - oz) * (z - oz));
-            double t = scene.cast(ox, 5, oz, (x - ox) / length, dy / length, (z - oz) / length, 50, BeamScene.WORLD, null);
+            double t = scene.cast(ox, 5, oz, (x - ox) / length, dy / length, (z - oz) / length, 50,
+                BeamScene.WORLD, null);
             assertTrue("beam " + i + " at " + x + " " + z + ": " + t + " of " + length, t <= length + 1e-6);
         }
     }
@@ -219,7 +223,8 @@ public class HeightBeamsTest {
     public void aFanAndABeamLookAtFewBlocksAndTriangles() {
         float[] heights = new float[317 * 317];
         for (int i = 0; i < heights.length; i++) {
-            heights[i] = (float) (Math.sin(i / 317 * 0.08) * Math.cos(i % 317 * 0.06) + 0.3 * Math.sin(i / 317 * 0.21 + i % 317 * 0.17));
+            heights[i] = (float) (Math.sin(i / 317 * 0.08) * Math.cos(i % 317 * 0.06)
+                + 0.3 * Math.sin(i / 317 * 0.21 + i % 317 * 0.17));
         }
         field = new HeightField(317, 317, -10, -10, 0.0633, 0.0633, heights);
         BeamScene scene = new BeamScene();
@@ -232,10 +237,12 @@ public class HeightBeamsTest {
         for (int i = 0; i < 100; i++) {
             double x = between(-5, 5);
             double z = between(-5, 5);
-            scene.castFan(Pose.ofDegrees(x, field.height(x, z) + 0.3, z, 0, between(-180, 180), 0), -Math.PI / 2, Math.PI / 360, BEAMS, 8,
+            scene.castFan(Pose.ofDegrees(x, field.height(x, z) + 0.3, z, 0, between(-180, 180), 0), -Math.PI / 2,
+                Math.PI / 360, BEAMS, 8,
                 BeamScene.WORLD, ranges, null);
         }
-        String fan = (work.nodes() - nodes) / 100 + " blocks and " + (work.triangles - triangles) / 100 + " triangles a fan";
+        String fan = (work.nodes() - nodes) / 100 + " blocks and " + (work.triangles - triangles) / 100
+            + " triangles a fan";
         assertTrue(fan, work.nodes() - nodes < 100 * 200 && work.triangles - triangles < 100 * 550);
         nodes = work.nodes();
         triangles = work.triangles;
@@ -245,7 +252,8 @@ public class HeightBeamsTest {
             double angle = between(-Math.PI, Math.PI);
             scene.cast(x, field.height(x, z) + 0.3, z, Math.sin(angle), 0, Math.cos(angle), 8, BeamScene.WORLD, null);
         }
-        String beam = (work.nodes() - nodes) / 1000.0 + " blocks and " + (work.triangles - triangles) / 1000.0 + " triangles a beam";
+        String beam = (work.nodes() - nodes) / 1000.0 + " blocks and " + (work.triangles - triangles) / 1000.0
+            + " triangles a beam";
         assertTrue(beam, work.nodes() - nodes < 1000 * 30 && work.triangles - triangles < 1000 * 8);
     }
 }

@@ -62,7 +62,8 @@ final class Oracle {
                 double[] point = add(centre, normal, face % 2 == 0 ? half[k] : -half[k]);
                 double t = dot(add(point, o, -1), normal) / dot(d, normal);
                 double[] at = add(add(o, d, t), centre, -1);
-                boolean in = Math.abs(dot(at, axes[(k + 1) % 3])) <= half[(k + 1) % 3] && Math.abs(dot(at, axes[(k + 2) % 3])) <= half[(k + 2) % 3];
+                boolean in = Math.abs(dot(at, axes[(k + 1) % 3])) <= half[(k + 1) % 3]
+                    && Math.abs(dot(at, axes[(k + 2) % 3])) <= half[(k + 2) % 3];
                 if (in && t >= 0 && t < best) {
                     best = t;
                 }
@@ -84,7 +85,8 @@ final class Oracle {
         return (o, d) -> {
             double[] w = cross(add(o, centre, -1), axis);
             double[] v = cross(d, axis);
-            double best = Math.min(disc(add(centre, axis, h), axis, radius, o, d), disc(add(centre, axis, -h), axis, radius, o, d));
+            double best = Math.min(disc(add(centre, axis, h), axis, radius, o, d),
+                disc(add(centre, axis, -h), axis, radius, o, d));
             double middle = -dot(w, v) / dot(v, v);
             double[] nearest = add(w, v, middle);
             double rest = radius * radius - dot(nearest, nearest);
@@ -160,7 +162,8 @@ final class Oracle {
     static Surface mesh(Pose pose, Triangles triangles, double sx, double sy, double sz) {
         double[][] corner = new double[triangles.vertices.length / 3][];
         for (int i = 0; i < corner.length; i++) {
-            corner[i] = pose.transform(triangles.vertices[3 * i] * sx, triangles.vertices[3 * i + 1] * sy, triangles.vertices[3 * i + 2] * sz);
+            corner[i] = pose.transform(triangles.vertices[3 * i] * sx, triangles.vertices[3 * i + 1] * sy,
+                triangles.vertices[3 * i + 2] * sz);
         }
         return (o, d) -> {
             double best = MISS;
@@ -171,7 +174,8 @@ final class Oracle {
                 double[] normal = cross(add(b, a, -1), add(c, a, -1));
                 double t = dot(add(a, o, -1), normal) / dot(d, normal);
                 double[] p = add(o, d, t);
-                boolean in = dot(cross(add(b, a, -1), add(p, a, -1)), normal) >= 0 && dot(cross(add(c, b, -1), add(p, b, -1)), normal) >= 0
+                boolean in = dot(cross(add(b, a, -1), add(p, a, -1)), normal) >= 0
+                    && dot(cross(add(c, b, -1), add(p, b, -1)), normal) >= 0
                     && dot(cross(add(a, c, -1), add(p, c, -1)), normal) >= 0;
                 if (in && t >= 0 && t < best) {
                     best = t;

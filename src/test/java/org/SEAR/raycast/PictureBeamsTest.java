@@ -36,7 +36,8 @@ public class PictureBeamsTest {
             depths = new double[count];
             shapes = new int[count];
             parts = new int[count];
-            scene.castPicture(beams, pose, start, range, BeamScene.WORLD, 0, beams.tilesAcross * beams.tilesDown, depths, shapes, parts);
+            scene.castPicture(beams, pose, start, range, BeamScene.WORLD, 0, beams.tilesAcross * beams.tilesDown,
+                depths, shapes, parts);
         }
     }
 
@@ -47,7 +48,8 @@ public class PictureBeamsTest {
         for (long seed = 1; seed <= 200; seed++) {
             RandomScenes world = new RandomScenes(seed);
             world.shapes(1 + world.random.nextInt(40), 4);
-            PictureBeams beams = beams(1 + world.random.nextInt(30), 1 + world.random.nextInt(30), world.between(0.002, 0.2));
+            PictureBeams beams = beams(1 + world.random.nextInt(30), 1 + world.random.nextInt(30),
+                world.between(0.002, 0.2));
             Pose pose = world.pose(4);
             double range = world.between(1, 8);
             Cast cast = new Cast(world.scene, beams, pose, 0, range);
@@ -55,7 +57,8 @@ public class PictureBeamsTest {
                 double length = Math.sqrt(1 + beams.left(i) * beams.left(i) + beams.up(i) * beams.up(i));
                 double[] way = pose.rotate(beams.left(i) / length, beams.up(i) / length, 1 / length);
                 hit.shape = -1;
-                double single = world.scene.cast(pose.x, pose.y, pose.z, way[0], way[1], way[2], range * length, BeamScene.WORLD, hit);
+                double single = world.scene.cast(pose.x, pose.y, pose.z, way[0], way[1], way[2], range * length,
+                    BeamScene.WORLD, hit);
                 assertEquals("seed " + seed + ", pixel " + i, single / length, cast.depths[i], NEAR);
                 assertEquals("seed " + seed + ", pixel " + i, hit.shape, cast.shapes[i]);
                 met += hit.shape >= 0 ? 1 : 0;
@@ -77,7 +80,8 @@ public class PictureBeamsTest {
                 double length = Math.sqrt(1 + beams.left(i) * beams.left(i) + beams.up(i) * beams.up(i));
                 double[] way = pose.rotate(beams.left(i) / length, beams.up(i) / length, 1 / length);
                 double[] from = pose.transform(start * beams.left(i), start * beams.up(i), start);
-                double single = world.scene.cast(from[0], from[1], from[2], way[0], way[1], way[2], (20 - start) * length, BeamScene.WORLD, null);
+                double single = world.scene.cast(from[0], from[1], from[2], way[0], way[1], way[2],
+                    (20 - start) * length, BeamScene.WORLD, null);
                 assertEquals("seed " + seed + ", pixel " + i, start + single / length, cast.depths[i], NEAR);
             }
         }
@@ -161,7 +165,8 @@ public class PictureBeamsTest {
         double[] later = new double[poses.length];
         world.scene.poses(later);
         copy.setPoses(later);
-        assertSame("the copy that followed", new Cast(world.scene, beams, pose, 0, 9), new Cast(copy, beams, pose, 0, 9));
+        assertSame("the copy that followed", new Cast(world.scene, beams, pose, 0, 9),
+            new Cast(copy, beams, pose, 0, 9));
         copy.setPoses(poses);
         assertSame("the copy that went back", before, new Cast(copy, beams, pose, 0, 9));
     }
@@ -193,7 +198,8 @@ public class PictureBeamsTest {
             for (int i = 0; i < count; i++) {
                 boolean free = true;
                 for (int shape = 0; shape < casting.length; shape++) {
-                    free &= !casting[shape] || BeamScene.casters().rays.test(world.scene.shapes(), shape, points[3 * i], points[3 * i + 1],
+                    free &= !casting[shape] || BeamScene.casters().rays.test(world.scene.shapes(), shape, points[3 * i],
+                        points[3 * i + 1],
                         points[3 * i + 2], light[0], light[1], light[2], Double.MAX_VALUE) == Double.POSITIVE_INFINITY;
                 }
                 assertEquals("seed " + seed + ", point " + i, asked[i] == 1 && free ? 1 : 0, lit[i]);
@@ -215,7 +221,8 @@ public class PictureBeamsTest {
         long least = Long.MAX_VALUE;
         for (int i = 0; i < 20; i++) {
             long before = threads.getThreadAllocatedBytes(id);
-            world.scene.castPicture(beams, pose, 0, 9, BeamScene.WORLD, 0, beams.tilesAcross * beams.tilesDown, cast.depths, cast.shapes,
+            world.scene.castPicture(beams, pose, 0, 9, BeamScene.WORLD, 0, beams.tilesAcross * beams.tilesDown,
+                cast.depths, cast.shapes,
                 cast.parts);
             least = Math.min(least, threads.getThreadAllocatedBytes(id) - before);
         }
@@ -224,8 +231,10 @@ public class PictureBeamsTest {
 
     @Test
     public void aPictureIsARectangle() {
-        String message = assertThrows(IllegalArgumentException.class, () -> new PictureBeams(3, new double[4], new double[4])).getMessage();
-        assertEquals("picture of 4 left and 4 up coordinates in rows of 3, legal: equal numbers, one or more full rows of 1 or more", message);
+        String message = assertThrows(IllegalArgumentException.class,
+            () -> new PictureBeams(3, new double[4], new double[4])).getMessage();
+        assertEquals("picture of 4 left and 4 up coordinates in rows of 3, legal: equal numbers, one or more full rows "
+            + "of 1 or more", message);
         assertThrows(IllegalArgumentException.class, () -> new PictureBeams(1, new double[4], new double[3]));
         assertThrows(IllegalArgumentException.class, () -> new PictureBeams(0, new double[0], new double[0]));
     }

@@ -38,7 +38,8 @@ public class PictureWorkTest {
     }
 
     private void cast(BeamScene scene, PictureBeams beams, Pose pose, double start) {
-        scene.castPicture(beams, pose, start, RANGE, BeamScene.WORLD, 0, beams.tilesAcross * beams.tilesDown, depths, shapes, parts);
+        scene.castPicture(beams, pose, start, RANGE, BeamScene.WORLD, 0, beams.tilesAcross * beams.tilesDown, depths,
+            shapes, parts);
     }
 
     private static HeightField hills() {
@@ -46,7 +47,8 @@ public class PictureWorkTest {
         for (int i = 0; i < heights.length; i++) {
             int row = i / POSTS;
             int column = i % POSTS;
-            heights[i] = (float) (Math.sin(row * 0.08) * Math.cos(column * 0.06) + 0.3 * Math.sin(row * 0.21 + column * 0.17));
+            heights[i] = (float) (Math.sin(row * 0.08) * Math.cos(column * 0.06)
+                + 0.3 * Math.sin(row * 0.21 + column * 0.17));
         }
         return new HeightField(POSTS, POSTS, -10, -10, SPACING, SPACING, heights);
     }
@@ -81,7 +83,8 @@ public class PictureWorkTest {
             single[1] += 20.0 * (work.triangles - triangles);
         }
         double pixels = (double) pictures * WIDTH * HEIGHT;
-        String measured = String.format(Locale.ROOT, "%.2f blocks and %.2f triangles a pixel; one by one it is %.1f and %.1f", picture[0] / pixels,
+        String measured = String.format(Locale.ROOT, "%.2f blocks and %.2f triangles a pixel; one by one it is "
+            + "%.1f and %.1f", picture[0] / pixels,
             picture[1] / pixels, single[0] / pixels, single[1] / pixels);
         assertTrue(measured, picture[0] < 2.2 * pixels && picture[1] < 4 * pixels && picture[0] < single[0] / 8);
     }
@@ -94,17 +97,22 @@ public class PictureWorkTest {
         int met = 0;
         for (int i = 0; i < 6; i++) {
             BeamScene scene = new BeamScene();
-            Pose ground = Pose.ofDegrees(3, 1, -2, 40 * random.nextDouble(), 360 * random.nextDouble(), 40 * random.nextDouble());
-            scene.setPose(scene.addHeights(field, BeamScene.WORLD), ground.x, ground.y, ground.z, ground.qx, ground.qy, ground.qz, ground.qw);
+            Pose ground = Pose.ofDegrees(3, 1, -2, 40 * random.nextDouble(), 360 * random.nextDouble(),
+                40 * random.nextDouble());
+            scene.setPose(scene.addHeights(field, BeamScene.WORLD), ground.x, ground.y, ground.z, ground.qx, ground.qy,
+                ground.qz, ground.qw);
             scene.commit();
-            Pose pose = ground.times(Pose.ofDegrees(2 * random.nextDouble(), 2 - i, 1, 60 * random.nextDouble() - 20, 360 * random.nextDouble(), 15));
+            Pose pose = ground.times(Pose.ofDegrees(2 * random.nextDouble(), 2 - i, 1, 60 * random.nextDouble() - 20,
+                360 * random.nextDouble(), 15));
             double start = i % 2 == 0 ? 0 : 0.5;
             cast(scene, beams, pose, start);
             for (int pixel = i; pixel < depths.length; pixel += 37) {
-                double length = Math.sqrt(1 + beams.left(pixel) * beams.left(pixel) + beams.up(pixel) * beams.up(pixel));
+                double length = Math.sqrt(1 + beams.left(pixel) * beams.left(pixel)
+                    + beams.up(pixel) * beams.up(pixel));
                 double[] way = pose.rotate(beams.left(pixel) / length, beams.up(pixel) / length, 1 / length);
                 double[] from = pose.transform(start * beams.left(pixel), start * beams.up(pixel), start);
-                double single = scene.cast(from[0], from[1], from[2], way[0], way[1], way[2], (RANGE - start) * length, BeamScene.WORLD, null);
+                double single = scene.cast(from[0], from[1], from[2], way[0], way[1], way[2], (RANGE - start) * length,
+                    BeamScene.WORLD, null);
                 assertEquals("picture " + i + ", pixel " + pixel, start + single / length, depths[pixel], 1e-9);
                 met += single < RANGE ? 1 : 0;
             }
@@ -120,12 +128,15 @@ public class PictureWorkTest {
         for (int wall = 0; wall < 4; wall++) {
             double at = wall % 2 == 0 ? 5.05 : -5.05;
             boolean across = wall < 2;
-            scene.setPose(scene.addBox(across ? 5 : 0.05, 1, across ? 0.05 : 5, BeamScene.WORLD), across ? 0 : at, 1, across ? at : 0, 0, 0, 0, 1);
+            scene.setPose(scene.addBox(across ? 5 : 0.05, 1, across ? 0.05 : 5, BeamScene.WORLD), across ? 0 : at, 1,
+                across ? at : 0, 0, 0, 0, 1);
         }
         for (int i = 0; i < 20; i++) {
             double around = Math.toRadians(18 * i);
-            Pose pose = Pose.ofDegrees(3.5 * Math.sin(around), 0.4, 3.5 * Math.cos(around), 0, 360 * random.nextDouble(), 20);
-            scene.setPose(scene.addBox(0.3, 0.4, 0.2, BeamScene.WORLD), pose.x, pose.y, pose.z, pose.qx, pose.qy, pose.qz, pose.qw);
+            Pose pose = Pose.ofDegrees(3.5 * Math.sin(around), 0.4, 3.5 * Math.cos(around), 0,
+                360 * random.nextDouble(), 20);
+            scene.setPose(scene.addBox(0.3, 0.4, 0.2, BeamScene.WORLD), pose.x, pose.y, pose.z, pose.qx, pose.qy,
+                pose.qz, pose.qw);
         }
         scene.commit();
         PictureBeams beams = beams();
@@ -136,7 +147,8 @@ public class PictureWorkTest {
             cast(scene, beams, Pose.ofDegrees(0, 0.3, 0, 10, turn, 0), 0);
             tiles += beams.tilesAcross * beams.tilesDown;
         }
-        String measured = (work.boxes - boxes) / tiles + " boxes a tile, of " + (work.asked - asked) / tiles + " all sides";
+        String measured = (work.boxes - boxes) / tiles + " boxes a tile, of " + (work.asked - asked) / tiles
+            + " all sides";
         assertTrue(measured, work.boxes - boxes < 1.5 * tiles && work.asked - asked < 0.4 * tiles);
     }
 
@@ -145,7 +157,8 @@ public class PictureWorkTest {
         BeamScene scene = new BeamScene();
         scene.setPose(scene.addBox(5, 0.05, 5, BeamScene.WORLD), 0, -0.05, 0, 0, 0, 0, 1);
         Pose turned = Pose.ofDegrees(0.4, 0.5, 2, 10, 30, 20);
-        scene.setPose(scene.addBox(0.3, 0.4, 0.2, BeamScene.WORLD), turned.x, turned.y, turned.z, turned.qx, turned.qy, turned.qz, turned.qw);
+        scene.setPose(scene.addBox(0.3, 0.4, 0.2, BeamScene.WORLD), turned.x, turned.y, turned.z, turned.qx, turned.qy,
+            turned.qz, turned.qw);
         scene.commit();
         PictureBeams all = beams();
         Pose pose = Pose.ofDegrees(0, 0.3, 0, 10, 5, 0);

@@ -32,7 +32,8 @@ public class TileBeamsTest {
         Random noise = new Random(3);
         float[] heights = new float[SIDE * SIDE];
         for (int i = 0; i < heights.length; i++) {
-            heights[i] = (float) (30 * Math.sin(i / SIDE * 0.03) * Math.cos(i % SIDE * 0.02) + 0.7 * noise.nextDouble());
+            heights[i] = (float) (30 * Math.sin(i / SIDE * 0.03) * Math.cos(i % SIDE * 0.02)
+                + 0.7 * noise.nextDouble());
         }
         return new HeightField(SIDE, SIDE, -SIDE, -SIDE, SPACING, SPACING, heights);
     }
@@ -53,7 +54,8 @@ public class TileBeamsTest {
     private Pose pose(int kind) {
         double x = kind % 5 == 0 ? field.x(256) : between(-480, 480);
         double z = kind % 7 == 0 ? field.z(384) : between(-480, 480);
-        return Pose.ofDegrees(x, field.height(x, z) + between(0.3, kind % 3 == 0 ? 40 : 3), z, between(-180, 180), between(-12, 8), between(-5, 5));
+        return Pose.ofDegrees(x, field.height(x, z) + between(0.3, kind % 3 == 0 ? 40 : 3), z, between(-180, 180),
+            between(-12, 8), between(-5, 5));
     }
 
     @Test
@@ -68,14 +70,17 @@ public class TileBeamsTest {
             double dy = i % 13 == 0 ? -1 : between(-0.2, 0.1);
             double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
             double range = i % 4 == 0 ? between(1, 500) : Double.POSITIVE_INFINITY;
-            double t = whole.cast(at.x, at.y, at.z, dx / length, dy / length, dz / length, range, BeamScene.WORLD, expected);
-            assertEquals(t, cut.cast(at.x, at.y, at.z, dx / length, dy / length, dz / length, range, BeamScene.WORLD, hit), 0);
+            double t = whole.cast(at.x, at.y, at.z, dx / length, dy / length, dz / length, range,
+                BeamScene.WORLD, expected);
+            assertEquals(t, cut.cast(at.x, at.y, at.z, dx / length, dy / length, dz / length, range,
+                BeamScene.WORLD, hit), 0);
             if (t < Double.POSITIVE_INFINITY) {
                 met++;
                 assertEquals(expected.shape, hit.shape);
                 boolean edge = i % 5 == 0 && dx == 0 || i % 7 == 0 && dz == 0 || i % 13 == 0;
                 if (!edge) {
-                    assertArrayEquals(new double[] {expected.nx, expected.ny, expected.nz}, new double[] {hit.nx, hit.ny, hit.nz}, 0);
+                    assertArrayEquals(new double[] {expected.nx, expected.ny, expected.nz},
+                        new double[] {hit.nx, hit.ny, hit.nz}, 0);
                 }
             }
         }
@@ -91,7 +96,8 @@ public class TileBeamsTest {
         int[] shapes = new int[BEAMS];
         for (int i = 0; i < 100; i++) {
             Pose at = pose(i);
-            whole.castFan(at, -Math.PI / 2, Math.PI / (BEAMS - 1), BEAMS, 400, BeamScene.WORLD, expected, shapesExpected);
+            whole.castFan(at, -Math.PI / 2, Math.PI / (BEAMS - 1), BEAMS, 400, BeamScene.WORLD, expected,
+                shapesExpected);
             cut.castFan(at, -Math.PI / 2, Math.PI / (BEAMS - 1), BEAMS, 400, BeamScene.WORLD, ranges, shapes);
             assertArrayEquals("fan " + i, expected, ranges, 0);
             assertArrayEquals("fan " + i, shapesExpected, shapes);
@@ -121,7 +127,8 @@ public class TileBeamsTest {
         int met = 0;
         for (int i = 0; i < 12; i++) {
             Pose at = pose(i);
-            whole.castPicture(beams, at, 0.1, 3000, BeamScene.WORLD, 0, tilesOfPicture, expected, shapesExpected, parts);
+            whole.castPicture(beams, at, 0.1, 3000, BeamScene.WORLD, 0, tilesOfPicture, expected,
+                shapesExpected, parts);
             cut.castPicture(beams, at, 0.1, 3000, BeamScene.WORLD, 0, tilesOfPicture, depths, shapes, parts);
             assertArrayEquals("picture " + i, expected, depths, 0);
             assertArrayEquals("picture " + i, shapesExpected, shapes);

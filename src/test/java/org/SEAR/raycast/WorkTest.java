@@ -27,9 +27,11 @@ public class WorkTest {
     private static BeamScene boxes(int count, RandomScenes world) {
         double half = Math.sqrt(5.0 * count) / 2;
         for (int i = 0; i < count; i++) {
-            Pose pose = Pose.ofDegrees(world.between(-half, half), 0, world.between(-half, half), world.between(-180, 180),
+            Pose pose = Pose.ofDegrees(world.between(-half, half), 0, world.between(-half, half),
+                world.between(-180, 180),
                 world.between(-180, 180), world.between(-180, 180));
-            world.place(world.scene.addBox(world.between(0.1, 0.5), world.between(0.1, 0.5), world.between(0.1, 0.5), BeamScene.WORLD), pose);
+            world.place(world.scene.addBox(world.between(0.1, 0.5), world.between(0.1, 0.5), world.between(0.1, 0.5),
+                BeamScene.WORLD), pose);
         }
         world.scene.commit();
         return world.scene;
@@ -37,7 +39,8 @@ public class WorkTest {
 
     private void scan(BeamScene scene, RandomScenes world, double size) {
         for (int i = 0; i < FANS; i++) {
-            Pose pose = Pose.ofDegrees(world.between(-size, size), 0, world.between(-size, size), 0, world.between(-180, 180), 0);
+            Pose pose = Pose.ofDegrees(world.between(-size, size), 0, world.between(-size, size), 0,
+                world.between(-180, 180), 0);
             scene.castFan(pose, -Math.PI / 2, Math.PI / 360, BEAMS, 8, BeamScene.WORLD, ranges, null);
         }
     }
@@ -45,7 +48,8 @@ public class WorkTest {
     private void beams(BeamScene scene, RandomScenes world, double size) {
         for (int i = 0; i < FANS; i++) {
             double angle = world.between(-Math.PI, Math.PI);
-            scene.cast(world.between(-size, size), 0, world.between(-size, size), Math.sin(angle), 0, Math.cos(angle), 8, BeamScene.WORLD, null);
+            scene.cast(world.between(-size, size), 0, world.between(-size, size), Math.sin(angle), 0, Math.cos(angle),
+                8, BeamScene.WORLD, null);
         }
     }
 
@@ -66,8 +70,10 @@ public class WorkTest {
             beams(scene, world, size);
             perBeam[i] = (double) (work.nodes() + work.tested - before) / FANS;
         }
-        String measured = perFan[0] + " " + perFan[1] + " " + perFan[2] + "; " + perBeam[0] + " " + perBeam[1] + " " + perBeam[2];
-        assertTrue("nodes and shapes a fan of 100, 1000, 10000 boxes: " + measured, perFan[0] < 120 && perFan[1] < 140 && perFan[2] < 160);
+        String measured = perFan[0] + " " + perFan[1] + " " + perFan[2] + "; " + perBeam[0] + " " + perBeam[1] + " "
+            + perBeam[2];
+        assertTrue("nodes and shapes a fan of 100, 1000, 10000 boxes: " + measured, perFan[0] < 120 && perFan[1] < 140
+            && perFan[2] < 160);
         assertTrue("a beam: " + measured, perBeam[0] < 22 && perBeam[1] < 28 && perBeam[2] < 36);
     }
 
@@ -81,7 +87,8 @@ public class WorkTest {
         long nodes = work.nodes();
         long triangles = work.triangles;
         scan(world.scene, world, 5);
-        assertTrue((work.triangles - triangles) / FANS + " triangles of " + hills.size(), (work.triangles - triangles) / FANS < 430);
+        assertTrue((work.triangles - triangles) / FANS + " triangles of " + hills.size(),
+            (work.triangles - triangles) / FANS < 430);
         assertTrue((work.nodes() - nodes) / FANS + " nodes", (work.nodes() - nodes) / FANS < 260);
         long all = (work.nodes() - nodes + work.triangles - triangles) / FANS;
         assertTrue(all + " nodes and triangles", all < 690);
@@ -95,9 +102,11 @@ public class WorkTest {
         check("over 105800 triangles", world.scene, world, 8, 36, 5);
         RandomScenes crowd = new RandomScenes(3);
         for (int i = 0; i < 1000; i++) {
-            Pose pose = Pose.ofDegrees(crowd.between(-4.5, 4.5), 0.5, crowd.between(-4.5, 4.5), crowd.between(-180, 180),
+            Pose pose = Pose.ofDegrees(crowd.between(-4.5, 4.5), 0.5, crowd.between(-4.5, 4.5),
+                crowd.between(-180, 180),
                 crowd.between(-180, 180), crowd.between(-180, 180));
-            crowd.place(crowd.scene.addBox(crowd.between(0.125, 0.5), crowd.between(0.125, 0.5), crowd.between(0.125, 0.5), BeamScene.WORLD), pose);
+            crowd.place(crowd.scene.addBox(crowd.between(0.125, 0.5), crowd.between(0.125, 0.5),
+                crowd.between(0.125, 0.5), BeamScene.WORLD), pose);
         }
         crowd.scene.commit();
         check("between 1000 boxes on 81 m^2", crowd.scene, crowd, 4, 57, 16);
@@ -109,11 +118,14 @@ public class WorkTest {
         long items = work.tested + work.triangles;
         for (int i = 0; i < 1000; i++) {
             double angle = world.between(-Math.PI, Math.PI);
-            scene.cast(world.between(-size, size), world.between(0.2, 0.8), world.between(-size, size), Math.sin(angle), 0, Math.cos(angle), 8,
+            scene.cast(world.between(-size, size), world.between(0.2, 0.8), world.between(-size, size), Math.sin(angle),
+                0, Math.cos(angle), 8,
                 BeamScene.WORLD, null);
         }
-        String measured = (work.nodes() - nodes) / 1000.0 + " nodes, " + (work.tested + work.triangles - items) / 1000.0 + " items a beam " + where;
-        assertTrue(measured, work.nodes() - nodes < 1000L * mostNodes && work.tested + work.triangles - items < 1000L * mostItems);
+        String measured = (work.nodes() - nodes) / 1000.0 + " nodes, " + (work.tested + work.triangles - items) / 1000.0
+            + " items a beam " + where;
+        assertTrue(measured, work.nodes() - nodes < 1000L * mostNodes && work.tested + work.triangles
+            - items < 1000L * mostItems);
     }
 
     @Test

@@ -70,17 +70,21 @@ public class KilledWhileRecordingTest {
     }
 
     private Process start() throws IOException {
-        return new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xshare:auto", "-XX:TieredStopAtLevel=1",
-            "-XX:+UseSerialGC", "-cp", System.getProperty("java.class.path"), KilledWhileRecordingTest.class.getName(), project.getRoot().toString())
+        return new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xshare:auto",
+            "-XX:TieredStopAtLevel=1",
+            "-XX:+UseSerialGC", "-cp", System.getProperty("java.class.path"), KilledWhileRecordingTest.class.getName(),
+                project.getRoot().toString())
             .redirectError(new File(project.getRoot(), "errors.txt")).start();
     }
 
     /** Kills a process after it printed this number of steps. */
     private void kill(Process process, int steps) throws Exception {
-        try (BufferedReader in = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.US_ASCII))) {
+        try (BufferedReader in = new BufferedReader(
+            new InputStreamReader(process.getInputStream(), StandardCharsets.US_ASCII))) {
             for (int step = 1; step <= steps; step++) {
                 String line = in.readLine();
-                assertEquals(Files.readString(project.getRoot().toPath().resolve("errors.txt")), Integer.toString(step), line);
+                assertEquals(Files.readString(project.getRoot().toPath().resolve("errors.txt")),
+                    Integer.toString(step), line);
             }
             long patience = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
             while (!RunRecord.open(file()).isBeingWritten() && System.nanoTime() < patience) {

@@ -73,7 +73,8 @@ public class OrdersTest {
     }
 
     private static SerialLine lidar(Simulation world) {
-        return world.getLines().stream().filter(line -> line.getObjectName().equals("lidar")).findFirst().orElseThrow(AssertionError::new);
+        return world.getLines().stream().filter(line -> line.getObjectName().equals("lidar")).findFirst()
+            .orElseThrow(AssertionError::new);
     }
 
     private void record(Simulation world) throws Exception {
@@ -103,7 +104,8 @@ public class OrdersTest {
         }
         Rerun.Result result = again();
         assertTrue(result.toString(), result.same);
-        result.ports.forEach((port, text) -> assertTrue(port + ": " + text, text.matches("[1-9][0-9]{2,} bytes, the same")));
+        result.ports.forEach((port, text) ->
+            assertTrue(port + ": " + text, text.matches("[1-9][0-9]{2,} bytes, the same")));
     }
 
     @Test
@@ -125,7 +127,8 @@ public class OrdersTest {
                 orders.add(String.format(Locale.ROOT, "%d %s %s %s", steps, order.kind, order.name, order.value));
             }
         });
-        assertEquals(List.of("30 SPEED engine 10.0", "30 STEERING car 20.0", "30 BRIGHTNESS car/lamp 0.25", "90 ANGLE neck 60.0",
+        assertEquals(List.of("30 SPEED engine 10.0", "30 STEERING car 20.0", "30 BRIGHTNESS car/lamp 0.25",
+            "90 ANGLE neck 60.0",
             "150 POWER engine -0.5"), orders);
     }
 
@@ -133,7 +136,8 @@ public class OrdersTest {
     private static int place(byte[] bytes) {
         byte[] order = ByteBuffer.allocate(10).put((byte) Kind.ANGLE.ordinal()).putDouble(TURNED).put((byte) 0).array();
         for (int at = 0; at < bytes.length; at++) {
-            if (bytes[at] == org.SEAR.record.EventKind.ORDER && Arrays.equals(order, Arrays.copyOfRange(bytes, at + 1, at + 1 + order.length))) {
+            if (bytes[at] == org.SEAR.record.EventKind.ORDER
+                && Arrays.equals(order, Arrays.copyOfRange(bytes, at + 1, at + 1 + order.length))) {
                 return at;
             }
         }
@@ -160,7 +164,8 @@ public class OrdersTest {
     private void comesAfterItsStep(Consumer<Simulation> callback) throws Exception {
         try (Simulation world = world()) {
             Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
-            world.getLines().stream().filter(line -> line.getObjectName().equals("gps")).findFirst().orElseThrow(AssertionError::new)
+            world.getLines().stream().filter(line -> line.getObjectName().equals("gps")).findFirst()
+                .orElseThrow(AssertionError::new)
                 .setSink((bytes, starts) -> callback.accept(world));
             for (int i = 0; i < 60; i++) {
                 run(world, 10);
@@ -203,7 +208,8 @@ public class OrdersTest {
         });
         int reset = events.indexOf("reset");
         assertTrue(String.valueOf(reset), reset > 200);
-        assertEquals("what the step said, the step, the reset", List.of("said", "step", "reset"), events.subList(reset - 2, reset + 1));
+        assertEquals("what the step said, the step, the reset", List.of("said", "step", "reset"),
+            events.subList(reset - 2, reset + 1));
     }
 
     @Test
@@ -217,14 +223,16 @@ public class OrdersTest {
     /** Returns the error for a recorded move with an invalid first letter or an invalid coordinate. */
     private String saidOfMove(int letter, int number, double value) throws Exception {
         byte[] bytes = Files.readAllBytes(file());
-        byte[] event = ByteBuffer.allocate(6).put((byte) org.SEAR.record.EventKind.MOVED).putShort((short) 3).put("car".getBytes()).array();
+        byte[] event = ByteBuffer.allocate(6).put((byte) org.SEAR.record.EventKind.MOVED).putShort((short) 3)
+            .put("car".getBytes()).array();
         int at = new String(bytes, StandardCharsets.ISO_8859_1).indexOf(new String(event, StandardCharsets.ISO_8859_1));
         assertTrue("the move", at > 0);
         bytes[at + 3] = (byte) letter;
         ByteBuffer.wrap(bytes).putDouble(at + event.length + (7 + number) * Double.BYTES, value);
         Path copy = file().resolveSibling("changed.record");
         Files.write(copy, bytes);
-        String said = assertThrows(IOException.class, () -> Rerun.of(RunRecord.open(copy), Project.read(project.folder()))).getMessage();
+        String said = assertThrows(IOException.class,
+            () -> Rerun.of(RunRecord.open(copy), Project.read(project.folder()))).getMessage();
         return said.substring(said.indexOf("after"));
     }
 
@@ -240,6 +248,7 @@ public class OrdersTest {
         }
         assertEquals("after 3 steps \"bar\" is moved, legal: a robot or object in its header", saidOfMove('b', 0, 1));
         assertEquals("after 3 steps an object is moved to NaN, legal: a finite number", saidOfMove('c', 0, Double.NaN));
-        assertEquals("after 3 steps an object is rotated by a quaternion of length 0.0, legal: 1", saidOfMove('c', 6, 0));
+        assertEquals("after 3 steps an object is rotated by a quaternion of length 0.0, legal: 1",
+            saidOfMove('c', 6, 0));
     }
 }

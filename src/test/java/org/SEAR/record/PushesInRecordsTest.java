@@ -53,7 +53,8 @@ public class PushesInRecordsTest {
             world.order(new BodyOrder(Kind.SPIN, "box", 0, 90, 0, 0));
             run(world, 60);
             world.order(new BodyOrder(Kind.PUSH, "car", FORCE, 0, 80, 0.5));
-            assertThrows(IllegalArgumentException.class, () -> world.order(new BodyOrder(Kind.PUSH, "floor", 1, 0, 0, 1)));
+            assertThrows(IllegalArgumentException.class,
+                () -> world.order(new BodyOrder(Kind.PUSH, "floor", 1, 0, 0, 1)));
             run(world, 210);
             recorder.end();
         }
@@ -74,7 +75,8 @@ public class PushesInRecordsTest {
         byte[] bytes = Files.readAllBytes(file());
         byte[] wanted = ByteBuffer.allocate(8).putDouble(FORCE).array();
         for (int at = 0; at + 8 <= bytes.length; at++) {
-            if (ByteBuffer.wrap(bytes, at, 8).equals(ByteBuffer.wrap(wanted)) && bytes[at - 2] == org.SEAR.record.EventKind.BODY_ORDER) {
+            if (ByteBuffer.wrap(bytes, at, 8).equals(ByteBuffer.wrap(wanted))
+                && bytes[at - 2] == org.SEAR.record.EventKind.BODY_ORDER) {
                 ByteBuffer.wrap(bytes).putDouble(at, force);
                 Files.write(file(), bytes);
                 return;
@@ -120,11 +122,13 @@ public class PushesInRecordsTest {
         RunRecord.Visitor visitor = new RunRecord.Visitor() {
             @Override
             public void order(BodyOrder order) {
-                orders.add(String.format(Locale.ROOT, "%s %s %s %s %s %s", order.kind, order.name, order.x, order.y, order.z, order.seconds));
+                orders.add(String.format(Locale.ROOT, "%s %s %s %s %s %s", order.kind, order.name, order.x, order.y,
+                    order.z, order.seconds));
             }
         };
         RunRecord.open(file()).read(visitor);
-        assertEquals(List.of("VELOCITY box 0.0 1.0 -6.0 0.0", "SPIN box 0.0 90.0 0.0 0.0", "PUSH car 123.5 0.0 80.0 0.5"), orders);
+        assertEquals(List.of("VELOCITY box 0.0 1.0 -6.0 0.0", "SPIN box 0.0 90.0 0.0 0.0",
+            "PUSH car 123.5 0.0 80.0 0.5"), orders);
         change(Double.NaN);
         IOException e = assertThrows(IOException.class, () -> RunRecord.open(file()).read(visitor));
         assertTrue(e.getMessage(), e.getMessage().contains("push is NaN along an axis"));

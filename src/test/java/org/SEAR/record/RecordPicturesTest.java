@@ -195,10 +195,12 @@ public class RecordPicturesTest {
     /** A few bytes that claim gigabytes of memory. */
     @Test
     public void aPictureThatIsTooLargeIsRefusedBeforeItIsUnpacked() {
-        ByteBuffer head = ByteBuffer.allocate(17).put("IHDR".getBytes(StandardCharsets.US_ASCII)).putInt(60_000).putInt(60_000).putInt(0x10000000);
+        ByteBuffer head = ByteBuffer.allocate(17).put("IHDR".getBytes(StandardCharsets.US_ASCII)).putInt(60_000)
+            .putInt(60_000).putInt(0x10000000);
         CRC32 check = new CRC32();
         check.update(head.array());
-        ByteBuffer file = ByteBuffer.allocate(33).putLong(0x89504e470d0a1a0aL).putInt(13).put(head.array()).putInt((int) check.getValue());
+        ByteBuffer file = ByteBuffer.allocate(33).putLong(0x89504e470d0a1a0aL).putInt(13).put(head.array())
+            .putInt((int) check.getValue());
         String said = assertThrows(IOException.class, () -> PixelGrid.read(Camera.DEPTH, file.array())).getMessage();
         assertEquals("a picture has 3600000000 pixels, legal: at most " + Camera.MAX_PIXELS, said);
     }
@@ -207,7 +209,8 @@ public class RecordPicturesTest {
         byte[] broken = whole.clone();
         ByteBuffer.wrap(broken).putInt(at, number);
         Files.write(file("run.searlog"), broken);
-        String said = assertThrows(IOException.class, () -> RecordPictures.of(RunRecord.open(file("run.searlog")))).getMessage();
+        String said = assertThrows(IOException.class, () -> RecordPictures.of(RunRecord.open(file("run.searlog"))))
+            .getMessage();
         assertTrue(said, said.contains(words));
     }
 }

@@ -95,7 +95,8 @@ public class RecordTest {
     }
 
     private static SerialLine line(Simulation world, String object) {
-        return world.getLines().stream().filter(line -> line.getObjectName().equals(object)).findFirst().orElseThrow(AssertionError::new);
+        return world.getLines().stream().filter(line -> line.getObjectName().equals(object)).findFirst()
+            .orElseThrow(AssertionError::new);
     }
 
     /** Drives by bytes and by calls, switches a device off and on, changes the baud rate and resets. */
@@ -164,8 +165,10 @@ public class RecordTest {
             }
             assertTrue("steps on the disk: " + stepsOnDisk(), stepsOnDisk() >= 60);
             assertTrue("that it is written", RunRecord.open(file()).isBeingWritten());
-            String said = assertThrows(IOException.class, () -> Recorder.begin(world, file(), Recorder.LIMIT, more -> { })).getMessage();
-            assertTrue(said, said.endsWith("is being written by another simulation: end its record, or choose another name"));
+            String said = assertThrows(IOException.class,
+                () -> Recorder.begin(world, file(), Recorder.LIMIT, more -> { })).getMessage();
+            assertTrue(said, said.endsWith("is being written by another simulation: end its record, or choose "
+                + "another name"));
             recorder.end();
             assertFalse("that it is written", RunRecord.open(file()).isBeingWritten());
         }
@@ -202,7 +205,8 @@ public class RecordTest {
         assertTrue(result.toString(), result.same);
         assertEquals(390 / 60.0, result.seconds, 1e-9);
         assertEquals(3, result.ports.size());
-        result.ports.forEach((port, text) -> assertTrue(port + ": " + text, text.matches("[1-9][0-9]{2,} bytes, the same")));
+        result.ports.forEach((port, text) ->
+            assertTrue(port + ": " + text, text.matches("[1-9][0-9]{2,} bytes, the same")));
         assertEquals("all is where it was", 0, result.apart, 0);
         Rerun.Result moved = Rerun.of(RunRecord.open(file()), Project.read(project.folder()), world -> {
             if (world.getTime() == 0) {
@@ -262,7 +266,8 @@ public class RecordTest {
         assertFalse(result.same);
         assertTrue(result.toString(), result.ports.get("drive at /dev/user").endsWith("different"));
         new Box("new", 1, 1, 1).move(5, 5, 5);
-        String said = assertThrows(IOException.class, () -> Rerun.of(RunRecord.open(file()), Project.read(project.folder()))).getMessage();
+        String said = assertThrows(IOException.class,
+            () -> Rerun.of(RunRecord.open(file()), Project.read(project.folder()))).getMessage();
         assertTrue(said, said.contains("is of another project than"));
     }
 
@@ -288,8 +293,10 @@ public class RecordTest {
             run(world, 5);
             recorded(world);
         }
-        String said = assertThrows(IOException.class, () -> Rerun.of(RunRecord.open(file()), Project.read(project.folder()))).getMessage();
-        assertTrue(said, said.contains("begins at step 5 of its run and can't be run again: begin the record before the start"));
+        String said = assertThrows(IOException.class,
+            () -> Rerun.of(RunRecord.open(file()), Project.read(project.folder()))).getMessage();
+        assertTrue(said, said.contains("begins at step 5 of its run and can't be run again: begin the record "
+            + "before the start"));
     }
 
     @Test
@@ -300,7 +307,8 @@ public class RecordTest {
             last[0] = world.getPose("rover").x;
             last[1] = world.read("compass").numbers()[0];
         }
-        Series series = Series.of(RunRecord.open(file()), List.of("rover.x", "compass", "accel.x", "can.y", "drive at /dev/user sent",
+        Series series = Series.of(RunRecord.open(file()),
+            List.of("rover.x", "compass", "accel.x", "can.y", "drive at /dev/user sent",
             "rover speed wanted"), 10000);
         assertEquals(196, series.times.length);
         assertEquals(390 / 60.0, series.times[195], 1e-9);
@@ -314,7 +322,8 @@ public class RecordTest {
         assertEquals(197, series.csv().split("\n").length);
         Series few = Series.of(RunRecord.open(file()), List.of("rover.x"), 50);
         assertTrue("" + few.times.length, few.times.length >= 25 && few.times.length <= 50);
-        String said = assertThrows(IllegalArgumentException.class, () -> Series.of(RunRecord.open(file()), List.of("rover.q"), 50)).getMessage();
+        String said = assertThrows(IllegalArgumentException.class,
+            () -> Series.of(RunRecord.open(file()), List.of("rover.q"), 50)).getMessage();
         assertTrue(said, said.contains("no value is called \"rover.q\", legal: rover.x, "));
     }
 
@@ -341,7 +350,8 @@ public class RecordTest {
         Series series = Series.of(RunRecord.open(file()), List.of("ping", "compass", "rover.speed"), 50);
         RecordHeader header = RunRecord.open(file()).getHeader();
         int ping = header.sizes.subList(0, header.sensors.indexOf("ping")).stream().mapToInt(Integer::intValue).sum();
-        int compass = header.sizes.subList(0, header.sensors.indexOf("compass")).stream().mapToInt(Integer::intValue).sum();
+        int compass = header.sizes.subList(0, header.sensors.indexOf("compass")).stream()
+            .mapToInt(Integer::intValue).sum();
         for (int i = 0; i < series.times.length; i++) {
             assertEquals(series.times[i], frames.times.get(i), 1e-9);
             assertEquals(series.values[0][i], frames.readings.get(i)[ping], 0);
@@ -397,7 +407,8 @@ public class RecordTest {
     public void onlyRecordsAreReplaced() throws Exception {
         Files.writeString(file(), "my diary");
         try (Simulation world = world()) {
-            String said = assertThrows(IOException.class, () -> Recorder.begin(world, file(), 1000, text -> { })).getMessage();
+            String said = assertThrows(IOException.class, () -> Recorder.begin(world, file(), 1000, text -> { }))
+                .getMessage();
             assertTrue(said, said.contains("exists and is no record of a run; choose another name"));
         }
         assertEquals("my diary", Files.readString(file()));
@@ -425,7 +436,8 @@ public class RecordTest {
                 assertFalse(complete);
                 assertTrue(steps[0] <= 390);
             } catch (RecordException e) {
-                assertTrue(e.getMessage(), e.getMessage().matches("(?s).*(it ends in the middle of its header|does not begin with).*"));
+                assertTrue(e.getMessage(), e.getMessage()
+                    .matches("(?s).*(it ends in the middle of its header|does not begin with).*"));
             }
         }
     }
@@ -448,14 +460,17 @@ public class RecordTest {
                 record.read(new RunRecord.Visitor() { });
                 Frames.of(record, 100);
             } catch (RecordException e) {
-                assertTrue(e.getMessage(), e.getMessage().contains("can't be read as a record: ") && e.getMessage().length() < 2000);
+                assertTrue(e.getMessage(), e.getMessage().contains("can't be read as a record: ") && e.getMessage()
+                    .length() < 2000);
             }
         }
     }
 
     @Test
     public void aReadingWithTooManyNumbersIsRejectedWithTheLimit() {
-        String said = assertThrows(IllegalArgumentException.class, () -> Recorder.names("eye", () -> new double[200])).getMessage();
-        assertTrue(said, said.contains("sensor eye has 200 numbers and 200 names, legal: as many names as numbers, at most 127"));
+        String said = assertThrows(IllegalArgumentException.class, () -> Recorder.names("eye", () -> new double[200]))
+            .getMessage();
+        assertTrue(said, said.contains("sensor eye has 200 numbers and 200 names, legal: as many names as "
+            + "numbers, at most 127"));
     }
 }

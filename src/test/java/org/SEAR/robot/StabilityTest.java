@@ -12,7 +12,8 @@ import org.junit.Test;
 public class StabilityTest {
     private static final double EXACT = 1e-9;
     /** A rectangle 0.4 m wide and 0.6 m long, and a foot inside. */
-    private static final double[][] FEET = {{0.2, -0.1, 0.3}, {-0.2, -0.1, 0.3}, {0.05, -0.1, 0}, {0.2, -0.1, -0.3}, {-0.2, -0.1, -0.3}};
+    private static final double[][] FEET = {{0.2, -0.1, 0.3}, {-0.2, -0.1, 0.3}, {0.05, -0.1, 0}, {0.2, -0.1, -0.3},
+        {-0.2, -0.1, -0.3}};
 
     private static Stability at(double x, double y, double z, double[]... feet) {
         return new Stability(new double[] {x, y, z}, feet, false);
@@ -23,7 +24,8 @@ public class StabilityTest {
         Stability middle = at(0, 0.3, 0, FEET);
         assertEquals(Math.toDegrees(Math.atan2(0.2, 0.4)), middle.degrees, EXACT);
         assertEquals(4, middle.getSupport().length);
-        assertEquals("tips over to the left on a slope of 14 degrees, or when it brakes or turns with more than 2.5 m/s\u00b2. Put weight lower or"
+        assertEquals("tips over to the left on a slope of 14 degrees, or when it brakes or turns with more than 2.5 "
+            + "m/s\u00b2. Put weight lower or"
             + " further inwards, or its wheels further apart", at(0.1, 0.3, 0, FEET).getWords());
         assertEquals(Math.toDegrees(Math.atan2(0.05, 0.4)), at(-0.15, 0.3, 0, FEET).degrees, EXACT);
         assertTrue(at(-0.15, 0.3, 0, FEET).getWords().startsWith("tips over to the right on a slope of 7 degrees"));
@@ -43,7 +45,8 @@ public class StabilityTest {
         assertEquals(Math.toDegrees(Math.atan2(room / 2, 0.1)), at(0, 0.1, -0.1, feet).degrees, EXACT);
         assertEquals(3, stability.getSupport().length);
         assertTrue(at(0.01, 0.1, -0.1, feet).getWords().startsWith("tips over backwards to the left on a slope of 1"));
-        assertTrue(at(-0.01, 0.1, -0.1, feet).getWords().startsWith("tips over backwards to the right on a slope of 1"));
+        assertTrue(at(-0.01, 0.1, -0.1, feet).getWords()
+            .startsWith("tips over backwards to the right on a slope of 1"));
     }
 
     @Test
@@ -51,8 +54,10 @@ public class StabilityTest {
         Stability stability = at(0, 0.3, 0.35, FEET);
         assertEquals(-Math.toDegrees(Math.atan2(0.05, 0.4)), stability.degrees, EXACT);
         assertTrue(stability.isCritical());
-        assertEquals("falls over forwards at rest: its centre of mass at x 0.000, y 0.300, z 0.350 of its frame is 0.050 m"
-            + " outside its wheels. Put weight lower or further inwards, or its wheels further apart", stability.getWords());
+        assertEquals("falls over forwards at rest: its centre of mass at x 0.000, y 0.300, z 0.350 of its "
+            + "frame is 0.050 m"
+            + " outside its wheels. Put weight lower or further inwards, or its wheels further apart",
+                stability.getWords());
     }
 
     @Test
@@ -64,7 +69,8 @@ public class StabilityTest {
 
     @Test
     public void aLineSupportsNothing() {
-        for (double[][] feet : new double[][][] {{}, {{0, 0, 0}}, {{0.1, 0, 0}, {-0.1, 0, 0}}, {{0, 0, 0.2}, {0, 0, -0.2}, {0, 0, 0}, {0, 0, 0.1}}}) {
+        for (double[][] feet : new double[][][] {{}, {{0, 0, 0}}, {{0.1, 0, 0}, {-0.1, 0, 0}},
+            {{0, 0, 0.2}, {0, 0, -0.2}, {0, 0, 0}, {0, 0, 0.1}}}) {
             Stability stability = at(0, 0.1, 0, feet);
             assertEquals(Double.NaN, stability.degrees, 0);
             assertEquals(0, stability.getSupport().length);

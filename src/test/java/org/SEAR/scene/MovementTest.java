@@ -17,7 +17,8 @@ public class MovementTest {
 
     /** Returns the state of one object at z at this step. */
     private static Snapshot state(long step, double z) {
-        return new Snapshot(step, step * STEP, List.of(new Pose(0, 0, z, 0, 0, 0, 1)), List.of(), Map.of(), List.of(), List.of());
+        return new Snapshot(step, step * STEP, List.of(new Pose(0, 0, z, 0, 0, 0, 1)), List.of(), Map.of(),
+            List.of(), List.of());
     }
 
     @Test
@@ -71,7 +72,8 @@ public class MovementTest {
         Pose far = new Pose(0, 0, 5.9, 0, 0, 0, 1);
         assertEquals("a metre may be driven", 0.25, Movement.between(from, metre, 0.25, 0).z, EXACT);
         assertSame(farther, Movement.between(from, farther, 0.25, STEP));
-        assertEquals("in a tenth of a second a car drives farther", 2.95, Movement.between(from, far, 0.5, 0.1).z, EXACT);
+        assertEquals("in a tenth of a second a car drives farther", 2.95,
+            Movement.between(from, far, 0.5, 0.1).z, EXACT);
         assertSame("back in time nothing drives", far, Movement.between(from, far, 0.5, -3));
     }
 }

@@ -24,7 +24,8 @@ public class PagePosesTest {
                 Pose b = pose(one.get("b"));
                 same("frame", one, a);
                 same("times", one, a.times(b));
-                same("between", one, Movement.between(a, b, one.get("share").asDouble(), one.get("seconds").asDouble()));
+                same("between", one, Movement.between(a, b, one.get("share").asDouble(), one.get("seconds")
+                    .asDouble()));
             }
         }
     }

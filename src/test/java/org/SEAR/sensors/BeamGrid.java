@@ -109,12 +109,14 @@ final class BeamGrid {
 
     private static void scale(StringBuilder svg, double width, double height) {
         for (double metres = 0; metres * SCALE < height; metres += 0.5) {
-            add(svg, "<path d=\"M%.0f %.0fH%.0f\" stroke=\"#ddd\"/><text x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%.1f m</text>", -width / 2,
+            add(svg, "<path d=\"M%.0f %.0fH%.0f\" stroke=\"#ddd\"/><text x=\"%.0f\" y=\"%.0f\" "
+                + "text-anchor=\"end\">%.1f m</text>", -width / 2,
                 -metres * SCALE, width / 2, -width / 2 - 4, -metres * SCALE + 4, metres);
         }
         for (double metres = 0; metres * SCALE < width / 2; metres += 0.5) {
             for (double side : metres == 0 ? new double[] {0} : new double[] {-metres, metres}) {
-                add(svg, "<path d=\"M%.0f 0V%.0f\" stroke=\"#ddd\"/><text x=\"%.0f\" y=\"16\" text-anchor=\"middle\">%.1f</text>", side * SCALE,
+                add(svg, "<path d=\"M%.0f 0V%.0f\" stroke=\"#ddd\"/><text x=\"%.0f\" y=\"16\" "
+                    + "text-anchor=\"middle\">%.1f</text>", side * SCALE,
                     -height, side * SCALE, Math.abs(side));
             }
         }
@@ -127,7 +129,8 @@ final class BeamGrid {
                 end++;
             }
             if (end > column) {
-                add(svg, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#6fa8dc\"/>", (side(column) - cell / 2) * SCALE,
+                add(svg, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#6fa8dc\"/>",
+                    (side(column) - cell / 2) * SCALE,
                     -(depth(row) + cell / 2) * SCALE, (end - column) * cell * SCALE, cell * SCALE);
                 column = end;
             }
@@ -137,10 +140,12 @@ final class BeamGrid {
     private void line(StringBuilder svg) {
         StringBuilder path = new StringBuilder("M0 0");
         for (int i = 1; i < outline.depths.length; i++) {
-            path.append(String.format(Locale.ROOT, "L%.1f %.1f", outline.widths[i] * SCALE, -outline.depths[i] * SCALE));
+            path.append(String.format(Locale.ROOT, "L%.1f %.1f", outline.widths[i] * SCALE,
+                -outline.depths[i] * SCALE));
         }
         for (int i = outline.depths.length - 1; i > 0; i--) {
-            path.append(String.format(Locale.ROOT, "L%.1f %.1f", -outline.widths[i] * SCALE, -outline.depths[i] * SCALE));
+            path.append(String.format(Locale.ROOT, "L%.1f %.1f", -outline.widths[i] * SCALE,
+                -outline.depths[i] * SCALE));
         }
         add(svg, "<path d=\"%sZ\" fill=\"none\" stroke=\"#cc0000\" stroke-width=\"2\"/>", path);
     }

@@ -36,7 +36,8 @@ final class BeamOutline {
     }
 
     static List<BeamOutline> all() throws IOException {
-        try (BufferedReader in = new BufferedReader(new InputStreamReader(BeamOutline.class.getResourceAsStream("beam-outlines.txt"),
+        try (BufferedReader in = new BufferedReader(
+            new InputStreamReader(BeamOutline.class.getResourceAsStream("beam-outlines.txt"),
                 StandardCharsets.US_ASCII))) {
             return in.lines().filter(line -> !line.startsWith("#")).map(BeamOutline::new).collect(Collectors.toList());
         }

@@ -31,7 +31,8 @@ public class BeamOutlineTest {
     public final ProjectRule project = new ProjectRule();
 
     private static void assertSeen(String beam, double cell, String picture) throws IOException {
-        BeamOutline outline = BeamOutline.all().stream().filter(each -> each.beam.equals(beam)).findFirst().orElseThrow();
+        BeamOutline outline = BeamOutline.all().stream().filter(each -> each.beam.equals(beam)).findFirst()
+            .orElseThrow();
         BeamGrid grid = new BeamGrid(outline, cell);
         Path drawn = ROOT.resolve("build/pictures").resolve(picture);
         grid.draw(drawn);
@@ -68,7 +69,8 @@ public class BeamOutlineTest {
         ScriptedTruth truth = new ScriptedTruth();
         truth.scene = new BeamScene();
         int wall = truth.scene.addBox(5, 2, 0.1, BeamScene.WORLD);
-        for (Object[] each : List.of(new Object[] {"PING)))", 3.0}, new Object[] {"LV-EZ0", 6.45}, new Object[] {"LV-EZ1", 6.1})) {
+        for (Object[] each : List.of(new Object[] {"PING)))", 3.0}, new Object[] {"LV-EZ0", 6.45},
+            new Object[] {"LV-EZ1", 6.1})) {
             DistanceSensor sensor = new DistanceSensor(new Distance("sensor", (String) each[0]), 1);
             double range = (Double) each[1];
             for (double distance : new double[] {0.5, range - 0.01}) {

@@ -80,8 +80,10 @@ public class BeamSensorsTest {
                 Pose pose = truth.body.times(sensor.getMount());
                 for (int beam = 0; beam < scan.size(); beam++) {
                     double angle = Math.toRadians(scan.angle(beam));
-                    double expected = world.march(pose.transform(0, 0, 0), pose.rotate(Math.sin(angle), 0, Math.cos(angle)), 8, OWNER);
-                    assertEquals("seed " + seed + ", world " + i + ", beam " + beam, expected, scan.range(beam), MILLIMETRE);
+                    double expected = world.march(pose.transform(0, 0, 0),
+                        pose.rotate(Math.sin(angle), 0, Math.cos(angle)), 8, OWNER);
+                    assertEquals("seed " + seed + ", world " + i + ", beam " + beam, expected, scan.range(beam),
+                        MILLIMETRE);
                 }
             }
         }
@@ -94,15 +96,18 @@ public class BeamSensorsTest {
         for (int i = 0; i < WORLDS; i++) {
             MarchedWorld world = MarchedWorld.random(random, 4, OWNER);
             world.scatter(random, 6);
-            Distance parameters = new Distance("ping", Arrays.asList(new BeamCone(40, 1 + random.nextDouble(), "#ff8800", 5, 0, 0),
-                new BeamCone(10, 2 + random.nextDouble(), "#ff0000", 4, 0, 0), new BeamCone(5, 1.5, "#00ff00", 3, 50, 20)));
+            Distance parameters = new Distance(
+                "ping", Arrays.asList(new BeamCone(40, 1 + random.nextDouble(), "#ff8800", 5, 0, 0),
+                new BeamCone(10, 2 + random.nextDouble(), "#ff0000", 4, 0, 0),
+                    new BeamCone(5, 1.5, "#00ff00", 3, 50, 20)));
             parameters.move(random.nextDouble(), random.nextDouble(), random.nextDouble());
             parameters.rotate(random.nextInt(360), random.nextInt(360), random.nextInt(360));
             DistanceSensor sensor = new DistanceSensor(parameters, 1);
             ScriptedTruth truth = truth(world.scene);
             truth.body = MarchedWorld.pose(random, 4);
             DistanceReading reading = sensor.read(truth);
-            assertEquals("seed " + seed + ", world " + i, nearest(world, reading.getPattern(), truth.body.times(sensor.getMount())),
+            assertEquals("seed " + seed + ", world " + i,
+                nearest(world, reading.getPattern(), truth.body.times(sensor.getMount())),
                 reading.getDistance(), MILLIMETRE);
         }
     }
@@ -127,7 +132,8 @@ public class BeamSensorsTest {
         scene.commit();
         DistanceSensor sensor = new DistanceSensor(single(10), 1);
         ScriptedTruth truth = truth(scene);
-        double[][] cases = {{1 - micrometre, 4}, {1 + micrometre, Double.POSITIVE_INFINITY}, {19.5 - micrometre, Double.POSITIVE_INFINITY},
+        double[][] cases = {{1 - micrometre, 4}, {1 + micrometre, Double.POSITIVE_INFINITY},
+            {19.5 - micrometre, Double.POSITIVE_INFINITY},
             {19.5 + micrometre, 5 - Math.sqrt(0.25 - (0.5 - micrometre) * (0.5 - micrometre))}};
         for (double[] each : cases) {
             truth.at(each[0], 0, 0, 0, 0, 0).step++;
@@ -176,7 +182,9 @@ public class BeamSensorsTest {
         }
     }
 
-    /** Without the doubled end a full circle has the same beams except the last. Other fans, and devices, do not change. */
+    /**
+     * Without the doubled end a full circle has the same beams except the last. Other fans, and devices, do not change.
+     */
     @Test
     public void aFullCircleWithoutTheDoubledEnd() {
         ScriptedTruth truth = truth(wall(BeamScene.WORLD));
@@ -213,7 +221,8 @@ public class BeamSensorsTest {
     @Test
     public void aReadingNamesTheObjectAndThePointHit() {
         ScriptedTruth truth = truth(wall(BeamScene.WORLD));
-        Distance parameters = new Distance("ping", Arrays.asList(new BeamCone(20, 3, "#00ff00", 4, 0, 0), new BeamCone(0, 5, "#ff0000", 1, 0, 0)));
+        Distance parameters = new Distance(
+            "ping", Arrays.asList(new BeamCone(20, 3, "#00ff00", 4, 0, 0), new BeamCone(0, 5, "#ff0000", 1, 0, 0)));
         parameters.move(0, 0, 0.5);
         DistanceReading reading = new DistanceSensor(parameters, 1).read(truth);
         assertEquals(1.5, reading.getDistance(), 1e-9);
@@ -232,7 +241,8 @@ public class BeamSensorsTest {
     @Test
     public void belowTheMinimumRangeItReturnsTheMinimum() {
         ScriptedTruth truth = truth(wall(BeamScene.WORLD)).at(0, 0, 1.9, 0, 0, 0);
-        assertEquals("LV-EZ1: 6 inches", 0.1524, new DistanceSensor(new Distance("ez", "LV-EZ1"), 1).read(truth).getDistance(), 1e-12);
+        assertEquals("LV-EZ1: 6 inches", 0.1524, new DistanceSensor(new Distance("ez", "LV-EZ1"), 1).read(truth)
+            .getDistance(), 1e-12);
         assertEquals(0.1, new DistanceSensor(new Distance("ping", "PING)))"), 1).read(truth).getDistance(), 1e-9);
     }
 
@@ -247,7 +257,8 @@ public class BeamSensorsTest {
             assertEquals(Math.max(0.1, point[0]), sensor.read(truth).getDistance(), 1e-9);
         }
         truth.at(0, 0, 2 - 1 / ((1 / 0.2 + 1 / 0.25) / 2), 0, 0, 0).step++;
-        assertEquals("half way in 1/distance, between 20 and 25 cm", (1.31 + 1.09) / 2, sensor.read(truth).volts(), 0.001);
+        assertEquals("half way in 1/distance, between 20 and 25 cm", (1.31 + 1.09) / 2, sensor.read(truth)
+            .volts(), 0.001);
         truth.at(0, 0, 0, 0, 0, 0).step++;
         assertEquals("nothing there: that of the farthest distance", 0.40, sensor.read(truth).volts(), 0.001);
         assertTrue(Double.isNaN(new DistanceSensor(single(5), 1).read(truth).volts()));
@@ -255,7 +266,8 @@ public class BeamSensorsTest {
 
     @Test
     public void linesLieOnTheirCones() {
-        BeamPattern pattern = BeamPattern.of(Arrays.asList(new BeamCone(30, 2, "#112233", 8, 0, 0), new BeamCone(10, 1, "#445566", 4, 60, -15)));
+        BeamPattern pattern = BeamPattern.of(
+            Arrays.asList(new BeamCone(30, 2, "#112233", 8, 0, 0), new BeamCone(10, 1, "#445566", 4, 60, -15)));
         assertEquals(12, pattern.size());
         assertEquals(2, pattern.getMaxRange(), 0);
         for (int line = 0; line < 8; line++) {

@@ -230,13 +230,15 @@ public class CameraSensorTest {
         Simulation world = load();
         steps(world, 6);
         CameraImage image = image(world, "eye");
-        org.SEAR.camera.CameraRenderer alone = new org.SEAR.camera.CameraRenderer((Camera) world.getSensor("eye").getParameters());
+        org.SEAR.camera.CameraRenderer alone = new org.SEAR.camera.CameraRenderer((Camera) world.getSensor("eye")
+            .getParameters());
         Truth truth = world.getRobots().get(0).getTruth();
         for (int threads : new int[] {1, 2, 4}) {
             try (WorkerPool pool = new WorkerPool(threads)) {
                 alone.setWorkers(pool);
                 assertArrayEquals(image.getPixels(),
-                    alone.colors(new org.SEAR.camera.RenderJob(truth.sight(), truth.looks(), image.getPose(), truth.owner())));
+                    alone.colors(new org.SEAR.camera.RenderJob(truth.sight(), truth.looks(), image.getPose(),
+                        truth.owner())));
             }
         }
     }
@@ -321,7 +323,8 @@ public class CameraSensorTest {
         Box wall = new Box("wall", 20, 0.2, 6, 0);
         wall.move(0, 3, 4.1);
         wall.setTemperature(30);
-        plate(camera("eye", Camera.COLOR, 33, 20), camera("depth", Camera.DEPTH, 33, 20), camera("heat", Camera.INFRARED, 33, 20));
+        plate(camera("eye", Camera.COLOR, 33, 20), camera("depth", Camera.DEPTH, 33, 20),
+            camera("heat", Camera.INFRARED, 33, 20));
         Simulation world = load();
         steps(world, 60);
         int[] pixels = image(world, "eye").getPixels();
@@ -353,7 +356,8 @@ public class CameraSensorTest {
         assertTrue(red.get(0).area > 1.5 * red.get(1).area && red.get(0).area <= red.get(0).width * red.get(0).height);
         assertEquals(1, image(world, "eye").blobs(0x0000ff, 8).size());
         assertEquals(0, image(world, "eye").blobs(0x0000ff, 100_000).size());
-        String message = assertThrows(IllegalStateException.class, () -> image(world, "depth").blobs(0xff0000, 8)).getMessage();
+        String message = assertThrows(IllegalStateException.class, () -> image(world, "depth").blobs(0xff0000, 8))
+            .getMessage();
         assertEquals("a picture of depth has no colours; use setKind(\"color\")", message);
         assertThrows(IllegalStateException.class, () -> image(world, "eye").getPoints(true));
     }

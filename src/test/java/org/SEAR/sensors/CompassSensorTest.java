@@ -46,7 +46,8 @@ public class CompassSensorTest {
     @Test
     public void tiltingForwardDoesNotTurnIt() {
         assertEquals(90, heading(new Compass("compass"), new ScriptedTruth().at(0, 0, 0, 40, 0, 0)), 1e-9);
-        assertEquals("straight down there is no heading", 0, heading(new Compass("compass"), new ScriptedTruth().at(0, 0, 0, 90, 0, 0)), 91);
+        assertEquals("straight down there is no heading", 0,
+            heading(new Compass("compass"), new ScriptedTruth().at(0, 0, 0, 90, 0, 0)), 91);
     }
 
     @Test
@@ -61,7 +62,8 @@ public class CompassSensorTest {
         Compass compass = new Compass("compass");
         compass.setNorth(0, 50, 10);
         assertEquals("north is at +Z", 0, heading(compass, new ScriptedTruth()), 1e-9);
-        assertEquals("from beside it, north is at +X", 90, heading(compass, new ScriptedTruth().at(-5, 0, 10, 0, 0, 0)), 1e-9);
+        assertEquals("from beside it, north is at +X", 90,
+            heading(compass, new ScriptedTruth().at(-5, 0, 10, 0, 0, 0)), 1e-9);
         assertEquals("at the point itself the direction from the origin counts", 0,
             heading(compass, new ScriptedTruth().at(0, 3, 10, 0, 0, 0)), 1e-9);
     }
@@ -88,7 +90,8 @@ public class CompassSensorTest {
         truth.earth = new Earth(new GeoOrigin(35, 200, -80), MagneticModel.standard());
         assertTrue(sensor.warnings(truth).isEmpty());
         truth.epoch = 1924992000000L;
-        assertEquals("compass north: WMM-2025 is valid from 2025.0 to 2030.0, the simulated date is 2031.0; the declination is less accurate;"
+        assertEquals("compass north: WMM-2025 is valid from 2025.0 to 2030.0, the simulated date is 2031.0; the "
+            + "declination is less accurate;"
             + " put that year's coefficients into assets/WMM.COF", sensor.warnings(truth).get(0));
         assertTrue(new CompassSensor(new Compass("other"), 1).warnings(truth).isEmpty());
     }

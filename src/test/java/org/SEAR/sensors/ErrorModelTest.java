@@ -132,7 +132,8 @@ public class ErrorModelTest {
         assertEquals(one.apply(1, truth.step, 1, 1), two.apply(1, truth.step, 1, 1), 0);
         one.reset();
         truth.step = 0;
-        assertEquals(model("drift", 4, new Noise().setDrift(0.1).setWhite(0.2)).apply(1, 0, 0, 0), one.apply(1, 0, 0, 0), 0);
+        assertEquals(model("drift", 4, new Noise().setDrift(0.1).setWhite(0.2)).apply(1, 0, 0, 0),
+            one.apply(1, 0, 0, 0), 0);
     }
 
     @Test
@@ -157,7 +158,8 @@ public class ErrorModelTest {
     @Test
     public void theGeneratorsNumbersAreForEver() {
         CounterRandom random = new CounterRandom(42, "ping");
-        assertEquals("saved runs replay with later versions", GOLDEN, random.bits(1, 2, 3) + " " + random.uniform(4, 5, 6) + " "
+        assertEquals("saved runs replay with later versions", GOLDEN, random.bits(1, 2, 3) + " "
+            + random.uniform(4, 5, 6) + " "
             + random.normal(7, 8, 9));
     }
 

@@ -22,7 +22,8 @@ public class GpsSensorTest {
     private static final double FIVE_CENTIMETRES = 0.05;
 
     private static GpsFix at(double latitude, double longitude, double x, double y, double z) {
-        return new GpsSensor(new GPS("gps", latitude, 182.5, longitude), 1).read(new ScriptedTruth().at(x, y, z, 0, 0, 0));
+        return new GpsSensor(new GPS("gps", latitude, 182.5, longitude), 1)
+            .read(new ScriptedTruth().at(x, y, z, 0, 0, 0));
     }
 
     @Test
@@ -34,7 +35,8 @@ public class GpsSensorTest {
             double longitude = random.nextDouble() * 360 - 180;
             double azimuth = random.nextDouble() * 360;
             double far = random.nextDouble() * 1000;
-            GpsFix fix = at(latitude, longitude, far * Math.cos(Math.toRadians(azimuth)), 0, far * Math.sin(Math.toRadians(azimuth)));
+            GpsFix fix = at(latitude, longitude, far * Math.cos(Math.toRadians(azimuth)), 0,
+                far * Math.sin(Math.toRadians(azimuth)));
             GeodesicData end = Geodesic.WGS84.Direct(latitude, longitude, azimuth, far);
             double miss = Geodesic.WGS84.Inverse(end.lat2, end.lon2, fix.getLatitude(), fix.getLongitude()).s12;
             assertTrue("seed " + seed + ", world " + i + ": " + miss + " m off", miss < FIVE_CENTIMETRES);
@@ -43,7 +45,8 @@ public class GpsSensorTest {
 
     @Test
     public void nearTheOriginMetresAreTheLengthsOfADegree() {
-        double[][] table = {{0, 110574.276, 111319.491}, {15, 110648.696, 107550.489}, {30, 110852.442, 96486.280}, {45, 111131.777, 78846.835},
+        double[][] table = {{0, 110574.276, 111319.491}, {15, 110648.696, 107550.489}, {30, 110852.442, 96486.280},
+            {45, 111131.777, 78846.835},
             {60, 111412.287, 55800.002}, {75, 111618.384, 28902.006}};
         for (double[] row : table) {
             assertEquals(row[0] + 10 / row[1], at(row[0], 0, 10, 0, 0).getLatitude(), 1e-9);

@@ -54,7 +54,8 @@ public class GroundCheckTest {
 
     private List<String> warnings(boolean groundVisible) throws Exception {
         try (Simulation simulation = Simulation.load(project.folder(), 1, groundVisible)) {
-            return simulation.snapshot().warnings.stream().filter(one -> one.contains("sees the ground")).collect(Collectors.toList());
+            return simulation.snapshot().warnings.stream().filter(one -> one.contains("sees the ground"))
+                .collect(Collectors.toList());
         }
     }
 
@@ -71,7 +72,8 @@ public class GroundCheckTest {
         assertEquals(warnings.toString(), 1, warnings.size());
         String warning = warnings.get(0);
         assertTrue(warning, warning.startsWith("sensor low sees the ground (tiles) at 0.4"));
-        assertTrue(warning, warning.contains("sear.setGroundVisible(False)") && warning.contains("low.rotate(-20, 0, 0)"));
+        assertTrue(warning, warning.contains("sear.setGroundVisible(False)")
+            && warning.contains("low.rotate(-20, 0, 0)"));
     }
 
     @Test

@@ -24,7 +24,8 @@ public class InertialSensorsTest {
         return parameters;
     }
 
-    private static void assertVector(String why, double x, double y, double z, VectorReading reading, double tolerance) {
+    private static void assertVector(String why, double x, double y, double z, VectorReading reading,
+        double tolerance) {
         assertEquals(why, x, reading.getX(), tolerance);
         assertEquals(why, y, reading.getY(), tolerance);
         assertEquals(why, z, reading.getZ(), tolerance);
@@ -79,7 +80,8 @@ public class InertialSensorsTest {
             double radius = 0.5;
             for (int i = 0; i < 200; i++) {
                 double angle = speed / radius * (truth.time() + ScriptedTruth.STEP);
-                truth.at(0, 0, 0, 0, Math.toDegrees(angle), 0).moving(speed * Math.sin(angle), 0, speed * Math.cos(angle)).advance(sensor);
+                truth.at(0, 0, 0, 0, Math.toDegrees(angle), 0)
+                    .moving(speed * Math.sin(angle), 0, speed * Math.cos(angle)).advance(sensor);
             }
             assertVector(speed * speed / radius, 0, 0, sensor.read(truth), 0.02 * speed * speed / radius);
             assertEquals("no acceleration along the path", 0, sensor.read(truth).getZ(), 1e-6);
@@ -113,7 +115,8 @@ public class InertialSensorsTest {
             truth.at(0, 0, 0, 0, Math.toDegrees(rate * i * ScriptedTruth.STEP), 0).turning(0, rate, 0).advance(sensor);
         }
         double inwards = rate * rate * 0.2;
-        assertVector("the centre lies to the left of a sensor that sits in front and looks left", inwards, 0, 0, sensor.read(truth), 0.02 * inwards);
+        assertVector("the centre lies to the left of a sensor that sits in front and looks left", inwards, 0, 0,
+            sensor.read(truth), 0.02 * inwards);
     }
 
     @Test

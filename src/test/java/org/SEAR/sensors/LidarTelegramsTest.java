@@ -79,7 +79,8 @@ public class LidarTelegramsTest {
                     for (int i = 0; i < count; i++) {
                         double angle = Math.toRadians((Double) variant[2] + i * (Double) variant[3]);
                         double[] direction = scanner.rotate(Math.sin(angle), 0, Math.cos(angle));
-                        double exact = marched.march(new double[] {scanner.x, scanner.y, scanner.z}, direction, RANGE, BeamScene.WORLD);
+                        double exact = marched.march(new double[] {scanner.x, scanner.y, scanner.z}, direction, RANGE,
+                            BeamScene.WORLD);
                         int value = (reply[7 + 2 * i] & 0xFF | (reply[8 + 2 * i] & 0xFF) << 8) & 0x1FFF;
                         String beam = "seed " + SEED + ", world " + world + ", " + count + " values, beam " + i;
                         if (exact == Double.POSITIVE_INFINITY) {
@@ -121,7 +122,8 @@ public class LidarTelegramsTest {
                 int hit = 0;
                 for (int beam = 0; beam <= 180; beam++) {
                     int value = scan[7 + 2 * beam] & 0xFF | (scan[8 + 2 * beam] & 0xFF) << 8;
-                    assertTrue("beam " + beam + " reads " + value, value == nothing || beam >= 87 && beam <= 93 && value >= 11749 && value < 12000);
+                    assertTrue("beam " + beam + " reads " + value, value == nothing || beam >= 87 && beam <= 93
+                        && value >= 11749 && value < 12000);
                     hit += value == nothing ? 0 : 1;
                 }
                 assertEquals("beams on a post of half a metre", 3, hit);
@@ -148,7 +150,8 @@ public class LidarTelegramsTest {
             double height = 0.5 + random.nextDouble();
             object.move(distance * Math.cos(bearing), height, distance * Math.sin(bearing));
             object.rotate(turned[0], turned[1], turned[2]);
-            marched.move(shape, Pose.ofDegrees(distance * Math.cos(bearing), height, distance * Math.sin(bearing), turned[0], turned[1], turned[2]));
+            marched.move(shape, Pose.ofDegrees(distance * Math.cos(bearing), height, distance * Math.sin(bearing),
+                turned[0], turned[1], turned[2]));
         }
         marched.scene.commit();
         robot(random);

@@ -27,10 +27,12 @@ public class MagneticModelTest {
     public TemporaryFolder folder = new TemporaryFolder();
 
     private static List<double[]> rows(String resource) throws IOException {
-        try (BufferedReader in = new BufferedReader(new InputStreamReader(MagneticModelTest.class.getResourceAsStream(resource),
+        try (BufferedReader in = new BufferedReader(
+            new InputStreamReader(MagneticModelTest.class.getResourceAsStream(resource),
                 StandardCharsets.US_ASCII))) {
             return in.lines().filter(line -> !line.startsWith("#"))
-                .map(line -> java.util.Arrays.stream(line.trim().split("\\s+")).mapToDouble(Double::parseDouble).toArray())
+                .map(line -> java.util.Arrays.stream(line.trim().split("\\s+"))
+                    .mapToDouble(Double::parseDouble).toArray())
                 .collect(Collectors.toList());
         }
     }
@@ -112,7 +114,8 @@ public class MagneticModelTest {
         };
         for (String[] each : cases) {
             Path file = write(java.util.Arrays.copyOfRange(each, 2, each.length));
-            MagneticModel.FormatException e = assertThrows(MagneticModel.FormatException.class, () -> MagneticModel.read(file));
+            MagneticModel.FormatException e = assertThrows(MagneticModel.FormatException.class,
+                () -> MagneticModel.read(file));
             assertEquals(each[1], e.getMessage());
             assertEquals(each[0], String.valueOf(e.getLine()));
         }

@@ -93,7 +93,8 @@ final class MarchedWorld {
     }
 
     static Pose pose(Random random, double size) {
-        return Pose.ofDegrees(size * (random.nextDouble() - 0.5), size * (random.nextDouble() - 0.5), size * (random.nextDouble() - 0.5),
+        return Pose.ofDegrees(size * (random.nextDouble() - 0.5), size * (random.nextDouble() - 0.5),
+            size * (random.nextDouble() - 0.5),
             360 * random.nextDouble(), 360 * random.nextDouble(), 360 * random.nextDouble());
     }
 
@@ -125,7 +126,8 @@ final class MarchedWorld {
             for (Solid solid : solids) {
                 if (solid.owner == BeamScene.WORLD || solid.owner != ignoredOwner) {
                     Pose p = solid.pose;
-                    double[] in = p.rotateBack(origin[0] + far * direction[0] - p.x, origin[1] + far * direction[1] - p.y,
+                    double[] in = p.rotateBack(origin[0] + far * direction[0] - p.x,
+                        origin[1] + far * direction[1] - p.y,
                         origin[2] + far * direction[2] - p.z);
                     nearest = Math.min(nearest, solid.surface.distance(in[0], in[1], in[2]));
                 }

@@ -82,7 +82,8 @@ public class ReadingTest {
         assertEquals("yaw 1.0, pitch -2.0, roll 3.5 deg", new ImuReading(new double[] {1, -2, 3.5}, none, none, none)
             .words(types.unit(new IMU("imu"))));
         assertEquals("red 255, green 128, blue 0", new ColorReading(255, 128, 0).words("of 255"));
-        assertEquals("35.1234568, -97.5000000 deg, 350.25 m", new GpsFix(35.12345678, -97.5, 350.25, 0, 0, 0).words("deg, deg, m"));
+        assertEquals("35.1234568, -97.5000000 deg, 350.25 m", new GpsFix(35.12345678, -97.5, 350.25, 0, 0, 0)
+            .words("deg, deg, m"));
     }
 
     /** A reading class needs nothing besides its numbers. */

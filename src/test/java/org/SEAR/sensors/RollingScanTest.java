@@ -89,7 +89,8 @@ public class RollingScanTest {
         for (int beam = 0; beam < scan.size(); beam++) {
             for (double time : new double[] {truth.time() - 1.9 + beam / 600.0, truth.time() + 0.0155}) {
                 double expected = walls(time, 0.5, 30 + TURN * time + scan.angle(beam));
-                assertEquals("beam " + beam + " at " + time, expected, sensor.range(truth, scan, beam, time), MILLIMETRE);
+                assertEquals("beam " + beam + " at " + time, expected, sensor.range(truth, scan, beam, time),
+                    MILLIMETRE);
             }
         }
     }

@@ -38,10 +38,13 @@ public class SensorIndependenceTest {
     public final ProjectRule project = new ProjectRule();
 
     private static List<SensorObject> objects() {
-        List<SensorObject> objects = new ArrayList<>(Arrays.asList(new Distance("ping", "ultrasonic"), new LIDAR("lidar"),
-            new GPS("gps", 35, 200, -80), new Compass("compass", true), new Accelerometer("accel", 12), new Gyroscope("gyro", 7),
+        List<SensorObject> objects = new ArrayList<>(
+            Arrays.asList(new Distance("ping", "ultrasonic"), new LIDAR("lidar"),
+            new GPS("gps", 35, 200, -80), new Compass("compass", true), new Accelerometer("accel", 12),
+            new Gyroscope("gyro", 7),
             new Odometer("odometer"), new IMU("imu"), new LineSensor("line"), new ColorSensor("color"),
-            new Bumper("bumper"), camera("eye", Camera.COLOR), camera("kinect", Camera.DEPTH), camera("heat", Camera.INFRARED)));
+            new Bumper("bumper"), camera("eye", Camera.COLOR), camera("kinect", Camera.DEPTH),
+                camera("heat", Camera.INFRARED)));
         objects.forEach(object -> object.setNoise(new Noise(0.01, 0.02, 0.03, 0.0005, 0.1)));
         return objects;
     }
@@ -94,7 +97,8 @@ public class SensorIndependenceTest {
                     sensor.read(truth);
                 }
                 if (i % 6 == 5) {
-                    readings.computeIfAbsent(sensor.getName(), name -> new StringBuilder()).append(text(sensor.read(truth))).append('\n');
+                    readings.computeIfAbsent(sensor.getName(), name -> new StringBuilder())
+                        .append(text(sensor.read(truth))).append('\n');
                 }
             }
         }

@@ -31,12 +31,14 @@ public class SensorTypesTest {
     public final ProjectRule project = new ProjectRule();
 
     private static List<String> names() {
-        return SensorTypes.load().all().stream().map(type -> type.parameterType().getSimpleName()).collect(Collectors.toList());
+        return SensorTypes.load().all().stream().map(type -> type.parameterType().getSimpleName())
+            .collect(Collectors.toList());
     }
 
     @Test
     public void theSensorsOfSearAreThere() {
-        assertEquals(List.of("Accelerometer", "Bumper", "Camera", "ColorSensor", "Compass", "Distance", "GPS", "Gyroscope", "IMU", "LIDAR",
+        assertEquals(List.of("Accelerometer", "Bumper", "Camera", "ColorSensor", "Compass", "Distance", "GPS",
+            "Gyroscope", "IMU", "LIDAR",
             "LineSensor", "Odometer"), names());
         assertTrue(SensorTypes.load().create(new Compass("north"), 1) instanceof CompassSensor);
         assertTrue(SensorTypes.load().isSensor(new Compass("north")));
@@ -46,8 +48,10 @@ public class SensorTypesTest {
     public void unknownSensorsAreReportedWithTheKnownOnes() {
         Box box = new Box("crate", 1, 1, 1, 0);
         assertFalse(SensorTypes.load().isSensor(box));
-        IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> SensorTypes.load().create(box, 1));
-        assertEquals("Box crate is no sensor; sensors are Accelerometer, Bumper, Camera, ColorSensor, Compass, Distance, GPS, Gyroscope, IMU, LIDAR,"
+        IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> SensorTypes.load()
+            .create(box, 1));
+        assertEquals("Box crate is no sensor; sensors are Accelerometer, Bumper, Camera, ColorSensor, Compass, "
+            + "Distance, GPS, Gyroscope, IMU, LIDAR,"
             + " LineSensor, Odometer", e.getMessage());
     }
 
@@ -56,7 +60,8 @@ public class SensorTypesTest {
         for (SensorType type : SensorTypes.load().all()) {
             assertFalse(type.description().isEmpty());
             for (Parameter parameter : ParameterTable.of(type.parameterType()).getParameters()) {
-                assertFalse(type + ": " + parameter.getName(), parameter.getDoc().isEmpty() || parameter.legal().isEmpty());
+                assertFalse(type + ": " + parameter.getName(), parameter.getDoc().isEmpty() || parameter.legal()
+                    .isEmpty());
             }
         }
         ParameterTable gyroscope = ParameterTable.of(Gyroscope.class);
@@ -80,16 +85,19 @@ public class SensorTypesTest {
             object.move(0, 2, 0);
             robot.addComponent(object);
             Sensor<?> sensor = SensorTypes.load().create(object, 1);
-            assertEquals(20 - 0.0065 * 102, (Double) sensor.read(new ScriptedTruth().at(0, 100, 0, 0, 0, 0)).value(), 1e-12);
+            assertEquals(20 - 0.0065 * 102, (Double) sensor.read(new ScriptedTruth().at(0, 100, 0, 0, 0, 0))
+                .value(), 1e-12);
 
             String file = project.text("robot/outside.xml");
             assertTrue(file, file.contains("<Thermometer>"));
             project.put("robot/outside.xml", file.replace("<Thermometer>", "<Thermometer><ground>1000</ground>"));
             ProjectException e = assertThrows(ProjectException.class, () -> Project.read(project.folder()));
-            assertTrue(e.getMessage(), e.getMessage().contains("ground") && e.getMessage().contains("-100 to 100 degC"));
+            assertTrue(e.getMessage(), e.getMessage().contains("ground") && e.getMessage()
+                .contains("-100 to 100 degC"));
         } finally {
             Thread.currentThread().setContextClassLoader(before);
         }
-        assertEquals(Collections.emptyList(), names().stream().filter("Thermometer"::equals).collect(Collectors.toList()));
+        assertEquals(Collections.emptyList(), names().stream().filter("Thermometer"::equals)
+            .collect(Collectors.toList()));
     }
 }

@@ -57,7 +57,8 @@ public class SensorsInTheWorldTest {
         return (VectorReading) world.read(name);
     }
 
-    private static void assertVector(String what, double x, double y, double z, VectorReading reading, double tolerance) {
+    private static void assertVector(String what, double x, double y, double z, VectorReading reading,
+        double tolerance) {
         assertEquals(what, x, reading.getX(), tolerance);
         assertEquals(what, y, reading.getY(), tolerance);
         assertEquals(what, z, reading.getZ(), tolerance);

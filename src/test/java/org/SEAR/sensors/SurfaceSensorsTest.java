@@ -82,7 +82,8 @@ public class SurfaceSensorsTest {
     @Test
     public void aPictureLiesOnAFloorAsTheWindowShowsIt() throws Exception {
         new Floor("floor", 2, 2, picture("four.png", 2, RED, GREEN, BLUE, WHITE));
-        plate(new ColorSensor("red", -0.3, 0, 0.3), new ColorSensor("green", -0.3, 0, -0.3), new ColorSensor("blue", 0.3, 0, 0.3),
+        plate(new ColorSensor("red", -0.3, 0, 0.3), new ColorSensor("green", -0.3, 0, -0.3),
+            new ColorSensor("blue", 0.3, 0, 0.3),
             new ColorSensor("white", 0.3, 0, -0.3));
         try (Simulation world = settled()) {
             assertColor("upper left", RED, world.read("red"));
@@ -107,7 +108,8 @@ public class SurfaceSensorsTest {
     public void aPictureOfItsTrueSizeIsRepeated() throws Exception {
         Floor floor = new Floor("floor", 2, 2, picture("two.png", 2, RED, GREEN));
         floor.setImageSize(0.4);
-        plate(new ColorSensor("a", 0.1, 0, 0), new ColorSensor("b", 0.3, 0, 0), new ColorSensor("c", -0.1, 0, 0), new ColorSensor("d", -0.3, 0, 0));
+        plate(new ColorSensor("a", 0.1, 0, 0), new ColorSensor("b", 0.3, 0, 0), new ColorSensor("c", -0.1, 0, 0),
+            new ColorSensor("d", -0.3, 0, 0));
         try (Simulation world = settled()) {
             assertColor("0 to 0.2 m", RED, world.read("a"));
             assertColor("0.2 to 0.4 m", GREEN, world.read("b"));
@@ -173,14 +175,16 @@ public class SurfaceSensorsTest {
         Terrain terrain = new Terrain("land", picture("flat.png", 8, heights));
         terrain.setSize(2, 2, -1, 1.008);
         terrain.setImage(picture("four.png", 2, RED, GREEN, BLUE, WHITE));
-        plate(new ColorSensor("north west", 0.3, 0, -0.3), new ColorSensor("north east", 0.3, 0, 0.3), new ColorSensor("south west", -0.3, 0, -0.3),
+        plate(new ColorSensor("north west", 0.3, 0, -0.3), new ColorSensor("north east", 0.3, 0, 0.3),
+            new ColorSensor("south west", -0.3, 0, -0.3),
             new ColorSensor("south east", -0.3, 0, 0.3));
         try (Simulation world = settled()) {
             assertColor("north west", RED, mostly(world.read("north west")));
             assertColor("north east", GREEN, mostly(world.read("north east")));
             assertColor("south west", BLUE, mostly(world.read("south west")));
             assertColor("south east", WHITE, mostly(world.read("south east")));
-            assertEquals(List.of(), world.snapshot().warnings.stream().filter(text -> text.contains("picture")).collect(Collectors.toList()));
+            assertEquals(List.of(), world.snapshot().warnings.stream().filter(text -> text.contains("picture"))
+                .collect(Collectors.toList()));
         }
     }
 
@@ -282,7 +286,8 @@ public class SurfaceSensorsTest {
                 world.step();
                 readings[i] = (Double) world.read("line").value();
             }
-            assertTrue(Arrays.stream(readings).allMatch(reading -> Double.isNaN(reading) || reading >= 0 && reading <= 100));
+            assertTrue(Arrays.stream(readings).allMatch(reading -> Double.isNaN(reading) || reading >= 0
+                && reading <= 100));
             assertTrue(Arrays.stream(readings).anyMatch(Double::isNaN));
             assertTrue(Arrays.stream(readings).anyMatch(reading -> reading < 90));
         }

@@ -52,7 +52,8 @@ public final class GroundWorld {
             physics.add(builder.body);
             builder.addTo(scenes, 0);
             robot = new RobotModel(builder, 0, scenes,
-                new RobotTruth(builder, scenes, new SurfaceColors(project.getAssets(), warnings::add), 0, Earth.of(project, object), 0,
+                new RobotTruth(builder, scenes, new SurfaceColors(project.getAssets(), warnings::add), 0,
+                    Earth.of(project, object), 0,
                     WorkerPool.ALONE),
                 new VirtualWalls(scenes), warnings::add);
         }

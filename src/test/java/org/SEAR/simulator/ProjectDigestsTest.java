@@ -37,7 +37,8 @@ public class ProjectDigestsTest {
     /** Open Interface: start, safe, stream bumps, distance and angle. */
     private static final byte[] STREAM = Bytes.bytes("80 83 94 03 07 13 14");
     /** Requests scans from any scanner: LMS200, CoLa, SCIP, RPLIDAR. */
-    private static final List<byte[]> SCANS = List.of(Bytes.bytes("02 00 02 00 20 24 34 08"), ascii("\2sEN LMDscandata 1\3"),
+    private static final List<byte[]> SCANS = List.of(Bytes.bytes("02 00 02 00 20 24 34 08"),
+        ascii("\2sEN LMDscandata 1\3"),
         ascii("BM\nMS0044072501000\n"), Bytes.bytes("A5 20"));
 
     @Rule
@@ -52,7 +53,8 @@ public class ProjectDigestsTest {
     @Parameterized.Parameters(name = "{0}")
     public static Collection<String> bundles() throws IOException {
         try (Stream<Path> files = Files.list(EXAMPLES)) {
-            return files.map(file -> file.getFileName().toString()).filter(file -> file.endsWith(".sear")).sorted().collect(Collectors.toList());
+            return files.map(file -> file.getFileName().toString()).filter(file -> file.endsWith(".sear")).sorted()
+                .collect(Collectors.toList());
         }
     }
 
@@ -77,7 +79,8 @@ public class ProjectDigestsTest {
             for (int step = 0; step < STEPS; step++) {
                 if (step == ASKED) {
                     simulation.getLines().forEach(ProjectDigestsTest::ask);
-                    simulation.post(world -> world.getRobots().forEach(robot -> robot.drive(0.3, Double.POSITIVE_INFINITY)));
+                    simulation.post(world -> world.getRobots()
+                        .forEach(robot -> robot.drive(0.3, Double.POSITIVE_INFINITY)));
                 } else if (step == TURNED) {
                     simulation.post(world -> world.getRobots().forEach(robot -> robot.drive(-0.2, 1)));
                 }

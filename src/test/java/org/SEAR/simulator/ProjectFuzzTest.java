@@ -32,8 +32,10 @@ public class ProjectFuzzTest {
     private static final int COUNT = Math.max(1, Fuzz.FILES / 8);
     private static final int STEPS = 10;
     private static final Pattern NUMBER = Pattern.compile("(?<=>)[-+0-9.eE]+(?=<)");
-    private static final String[] VALUES = {"0", "-0", "-1", "1", "0.5", "90", "180", "-90", "360", "1e-6", "1e-38", "1e-45", "1e-300", "1000", "1e6",
-        "1e9", "2147483648", "1e30", "1e38", "1e300", "NaN", "Infinity", "-Infinity", "", "x", "1e-3", "0.01", "100", "-1000000"};
+    private static final String[] VALUES = {"0", "-0", "-1", "1", "0.5", "90", "180", "-90", "360", "1e-6", "1e-38",
+        "1e-45", "1e-300", "1000", "1e6",
+        "1e9", "2147483648", "1e30", "1e38", "1e300", "NaN", "Infinity", "-Infinity", "", "x", "1e-3", "0.01", "100",
+            "-1000000"};
 
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -29,7 +29,8 @@ public class SnapshotTest {
     private Simulation roomba() throws Exception {
         new Floor("floor", 20, 20);
         SEARrobot robot = Worlds.roomba("roomba", 1, 2, 30);
-        robot.getComponents().stream().filter(part -> part instanceof Dynamics).forEach(part -> ((Dynamics) part).setPorts("oiUart", "oiUser"));
+        robot.getComponents().stream().filter(part -> part instanceof Dynamics)
+            .forEach(part -> ((Dynamics) part).setPorts("oiUart", "oiUser"));
         return Worlds.start(project);
     }
 
@@ -70,7 +71,8 @@ public class SnapshotTest {
     }
 
     private static void assertSamePose(Pose expected, Pose actual) {
-        assertArrayEquals(new double[] {expected.x, expected.y, expected.z, expected.qx, expected.qy, expected.qz, expected.qw},
+        assertArrayEquals(new double[] {expected.x, expected.y, expected.z, expected.qx, expected.qy, expected.qz,
+            expected.qw},
             new double[] {actual.x, actual.y, actual.z, actual.qx, actual.qy, actual.qz, actual.qw}, 1e-12);
     }
 

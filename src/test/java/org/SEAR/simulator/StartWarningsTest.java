@@ -52,7 +52,8 @@ public class StartWarningsTest {
     public void readyRobotsAreNotWarnedOf() throws Exception {
         new Floor("floor", 20, 20);
         double z = 0;
-        for (Function<String, SEARrobot> maker : List.<Function<String, SEARrobot>>of(Robots::rover, Robots::fourWheeled, Robots::car, Robots::create,
+        for (Function<String, SEARrobot> maker : List.<Function<String, SEARrobot>>of(
+            Robots::rover, Robots::fourWheeled, Robots::car, Robots::create,
             Robots::create2, Robots::roomba400)) {
             maker.apply("robot" + (int) z).move(0, 0, z++);
         }
@@ -63,7 +64,8 @@ public class StartWarningsTest {
     public void aTiltedRobotIsReportedWithItsDirection() throws Exception {
         new Floor("floor", 20, 20);
         threeWheels(0, 0, 0.03);
-        assertTold("robot robot stands tilted by 7 degrees, with its front up", "caster to y -0.020 m", "should be the same for all");
+        assertTold("robot robot stands tilted by 7 degrees, with its front up", "caster to y -0.020 m",
+            "should be the same for all");
     }
 
     @Test
@@ -72,7 +74,8 @@ public class StartWarningsTest {
         threeWheels(0, 0, -0.03);
         assertTold("stands tilted by 7 degrees, with its back up");
         threeWheels(-0.02, 0.02, 0);
-        assertTrue(warnings().toString(), warnings().toString().contains("stands tilted by 9 degrees, with its left up"));
+        assertTrue(warnings().toString(), warnings().toString()
+            .contains("stands tilted by 9 degrees, with its left up"));
         threeWheels(0, 0, 0.005);
         assertEquals(List.of(), warnings());
     }
@@ -98,7 +101,8 @@ public class StartWarningsTest {
         assertTrue(warnings().toString(), warnings().get(0).contains("robot robot is "));
         project.put("assets/hall.obj", "v 0 0 0\nv 12000 0 0\nv 0 3000 0\nf 1 2 3\n");
         new Model("hall", "hall.obj").move(20000, 0, 0);
-        assertTrue(warnings().toString(), warnings().toString().contains("model hall is 12000 m large. Lengths are in metres: if it was drawn in"));
+        assertTrue(warnings().toString(), warnings().toString()
+            .contains("model hall is 12000 m large. Lengths are in metres: if it was drawn in"));
         new Model("hall", "hall.obj").setTerrain(true);
         assertTrue(warnings().toString(), !warnings().toString().contains("model hall is"));
     }
@@ -121,7 +125,8 @@ public class StartWarningsTest {
         Model pair = new Model("pair", "pair.obj");
         assertEquals(List.of(), warnings());
         pair.setMass(100);
-        assertTold("contacts of a model of pair use its convex hull, which has 2.0 times the volume inside its triangles",
+        assertTold("contacts of a model of pair use its convex hull, which has 2.0 times the volume inside "
+            + "its triangles",
             "setCollision(\"parts\")");
         pair.setCollision("parts");
         assertEquals(List.of(), warnings());
@@ -140,7 +145,8 @@ public class StartWarningsTest {
         robot.addWheel(new Wheel("front", 0.05, 0.03, 1, -0.12, 0, 0.1));
         robot.addWheel(new Wheel("back", 0.05, 0.03, 1, -0.12, 0, -0.1));
         robot.addWheel(new Wheel("caster", 0.05, 0.02, 0, 0.12, 0, 0));
-        assertTold("robot robot has all its driven wheels on the right (front, x -0.12 m)", "wheel.move(0.12, 0, 0.1) puts one on the other side");
+        assertTold("robot robot has all its driven wheels on the right (front, x -0.12 m)",
+            "wheel.move(0.12, 0, 0.1) puts one on the other side");
     }
 
     @Test
@@ -168,7 +174,8 @@ public class StartWarningsTest {
         SEARrobot rover = threeWheels(0, 0, 0);
         rover.addComponent(new Motor("leftMotor", rover.getWheels().get(0), 0.0005, 20));
         rover.addComponent(new Motor("rightMotor", rover.getWheels().get(1), 0.0005, 20));
-        assertTold("robot robot weighs 2 kg, but its motors push it with only 0.020 N in all: it needs 10 s to reach 0.1 m/s",
+        assertTold("robot robot weighs 2 kg, but its motors push it with only 0.020 N in all: it needs 10 s to "
+            + "reach 0.1 m/s",
             "stallTorque of leftMotor, now 0.0005 N m");
     }
 
@@ -177,6 +184,7 @@ public class StartWarningsTest {
         new Floor("floor", 20, 20);
         new Box("wall", 1, 1, 1).move(0, 0.5, 0);
         Robots.rover("rover");
-        assertTold("rover started inside a fixed object (wall); SEAR moved it by (0.000, 0.000, -0.560) m, the shortest way out");
+        assertTold("rover started inside a fixed object (wall); SEAR moved it by (0.000, 0.000, -0.560) m, the "
+            + "shortest way out");
     }
 }

@@ -131,7 +131,8 @@ public class ThreadsTest {
                     bytes[number] += each.length;
                 });
             }
-            simulation.getSensorNames().stream().filter(name -> name.startsWith("lidar")).forEach(name -> simulation.watch(name, true));
+            simulation.getSensorNames().stream().filter(name -> name.startsWith("lidar"))
+                .forEach(name -> simulation.watch(name, true));
             Recorder recorder = Recorder.begin(simulation, record, 100_000_000, 10, message -> { });
             simulation.post(world -> world.getRobots().get(0).drive(0.4, 1));
             for (int step = 0; step < STEPS; step++) {
@@ -183,7 +184,8 @@ public class ThreadsTest {
             long before = simulation.getWorld().getWorkers().getShared();
             Worlds.run(simulation, 5);
             long scans = simulation.getWorld().getWorkers().getShared() - before;
-            assertTrue(scans + " scans of 5 scanners in 5 s, each of 722 bytes at 960 a second", scans >= 5 * 5 && scans <= 5 * 8);
+            assertTrue(scans + " scans of 5 scanners in 5 s, each of 722 bytes at 960 a second", scans >= 5 * 5
+                && scans <= 5 * 8);
         }
     }
 
@@ -210,7 +212,8 @@ public class ThreadsTest {
             List<Reading> readings = simulation.read(List.of("lidar0", "lidar1", "lidar2", "lidar0", "lidar2"));
             assertEquals(5, readings.size());
             assertEquals(3, simulation.getWorld().getWorkers().getShared());
-            assertTrue(readings.get(0) == readings.get(3) && readings.get(2) == readings.get(4) && readings.get(0) == simulation.read("lidar0"));
+            assertTrue(readings.get(0) == readings.get(3) && readings.get(2) == readings.get(4)
+                && readings.get(0) == simulation.read("lidar0"));
             simulation.read(List.of("lidar0", "lidar1", "lidar2"));
             assertEquals("they are measured already", 3, simulation.getWorld().getWorkers().getShared());
         }
@@ -221,7 +224,8 @@ public class ThreadsTest {
         world();
         try (Simulation simulation = Worlds.start(project)) {
             String one = assertThrows(IllegalArgumentException.class, () -> simulation.read("nobody")).getMessage();
-            assertEquals(one, assertThrows(IllegalArgumentException.class, () -> simulation.read(List.of("lidar0", "nobody"))).getMessage());
+            assertEquals(one, assertThrows(IllegalArgumentException.class,
+                () -> simulation.read(List.of("lidar0", "nobody"))).getMessage());
             LidarScan scan = (LidarScan) simulation.read(List.of("lidar0")).get(0);
             assertArrayEquals(scan.ranges(), ((LidarScan) simulation.read("lidar0")).ranges(), 0);
         }

@@ -110,7 +110,8 @@ public class WorldTest {
         }
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 1);
-        assertTrue(simulation.snapshot().warnings.toString(), simulation.snapshot().warnings.contains("robot roomba has overturned"));
+        assertTrue(simulation.snapshot().warnings.toString(), simulation.snapshot().warnings.contains(
+            "robot roomba has overturned"));
     }
 
     @Test
@@ -156,7 +157,8 @@ public class WorldTest {
         RobotHardware hardware = simulation.getRobots().get(0).getHardware();
         for (int i = 0; i < 90; i++) {
             simulation.step();
-            assertFalse("step " + i, hardware.isLeftWheelDropped() || hardware.isRightWheelDropped() || hardware.isCasterDropped());
+            assertFalse("step " + i, hardware.isLeftWheelDropped() || hardware.isRightWheelDropped()
+                || hardware.isCasterDropped());
         }
         assertTrue("after a second it counts", simulation.getRobots().get(1).getHardware().isLeftWheelDropped());
     }
@@ -192,6 +194,7 @@ public class WorldTest {
         SEARrobot robot = new SEARrobot("bare");
         robot.addComponent(new Box("body", 0.4, 0.4, 0.2, 0));
         ProjectException refused = assertThrows(ProjectException.class, () -> Worlds.start(project));
-        assertTrue(refused.getMessage(), refused.getMessage().contains("bare") && refused.getMessage().contains("Dynamics"));
+        assertTrue(refused.getMessage(), refused.getMessage().contains("bare") && refused.getMessage()
+            .contains("Dynamics"));
     }
 }

@@ -46,10 +46,12 @@ public final class Worlds {
     /**
      * Makes a box-shaped robot with wheels at (+-halfTrack, 0, z) and an idler at (0, 0, idlerZ) unless idlerZ is 0.
      */
-    public static SEARrobot cart(String name, double mass, double radius, double halfTrack, double[] axles, double idlerZ,
+    public static SEARrobot cart(String name, double mass, double radius, double halfTrack, double[] axles,
+        double idlerZ,
             double x, double z, double heading) {
         SEARrobot robot = new SEARrobot(name);
-        robot.addComponent(new Dynamics(name + "Dynamics", mass, 60, 0.3, 0.4, 10000, radius, x, 2 * radius, z, 0, heading, 0));
+        robot.addComponent(new Dynamics(name + "Dynamics", mass, 60, 0.3, 0.4, 10000, radius, x, 2 * radius, z, 0,
+            heading, 0));
         Box body = new Box(name + "Body", 1.6 * halfTrack, 3 * halfTrack, radius, 0);
         body.move(0, radius, 0);
         robot.addComponent(body);

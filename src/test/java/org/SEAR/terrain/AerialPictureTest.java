@@ -42,7 +42,8 @@ public class AerialPictureTest {
             pixels[i * samples + (samples > 1 ? 1 : 0)] = (byte) (i / side * 256 / side);
         }
         return new TiffMaker(side, side, 8, pixels).with(277, samples).with(262, samples > 1 ? 2 : 1)
-            .with(258, samples > 1 ? new int[] {8, 8, 8} : new int[] {8}).placed(500000 - side, 5_200_000 + side, 2).with(34735, UTM);
+            .with(258, samples > 1 ? new int[] {8, 8, 8} : new int[] {8}).placed(500000 - side, 5_200_000 + side, 2)
+            .with(34735, UTM);
     }
 
     private static GeoOrigin origin() throws IOException {
@@ -58,7 +59,8 @@ public class AerialPictureTest {
     @Test
     public void coloursLieWhereTheyLieOnEarth() throws IOException {
         AerialPicture picture = load(picture(256, 3), -100, 100, -50, 50);
-        assertTrue(picture.rows + " x " + picture.columns, picture.rows >= 100 && picture.rows <= 106 && picture.columns >= 50);
+        assertTrue(picture.rows + " x " + picture.columns, picture.rows >= 100 && picture.rows <= 106
+            && picture.columns >= 50);
         for (int row = 0; row < picture.rows; row += 7) {
             for (int column = 0; column < picture.columns; column += 7) {
                 double x = picture.north - (row + 0.5) * (picture.north - picture.south) / picture.rows;
@@ -94,9 +96,11 @@ public class AerialPictureTest {
         refused(picture(8, 3).with(33550, null).with(33922, null), place);
         refused(picture(8, 3).with(34735, null), place);
         refused(picture(8, 3).with(262, 3), "aerial.tif: PhotometricInterpretation is 3, legal: 0, 1 (grey) or 2");
-        refused(picture(8, 3).with(258, new int[] {16, 16, 16}), "aerial.tif: the pixels is 3 values of 16 bits, legal: 1 to 4 values of 8 bits");
+        refused(picture(8, 3).with(258, new int[] {16, 16, 16}), "aerial.tif: the pixels is 3 values of 16 bits, "
+            + "legal: 1 to 4 values of 8 bits");
         refused(picture(8, 3).with(259, 7), "aerial.tif: Compression is 7 (JPEG)");
-        refused(picture(8, 3).placed(500000, 5_300_000, 2).with(34735, UTM), "aerial.tif: the picture's place is about latitude 47.8");
+        refused(picture(8, 3).placed(500000, 5_300_000, 2).with(34735, UTM), "aerial.tif: the picture's place is about "
+            + "latitude 47.8");
     }
 
     private void refused(TiffMaker picture, String message) {

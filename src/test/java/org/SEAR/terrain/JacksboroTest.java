@@ -17,7 +17,8 @@ import org.junit.Test;
  * fault.
  */
 public class JacksboroTest {
-    private static final Path FOLDER = Paths.get(System.getProperty("sear.root", "."), "src/test/resources/org/SEAR/terrain");
+    private static final Path FOLDER = Paths.get(System.getProperty("sear.root", "."),
+        "src/test/resources/org/SEAR/terrain");
     private static final Assets ASSETS = new Assets(FOLDER);
 
     private static TerrainArea all(String path) {
@@ -35,7 +36,8 @@ public class JacksboroTest {
             if (!Double.isNaN(height)) {
                 assertEquals(probe.toString(), probe.get(elevation).asDouble(), height, 0.05);
                 double[] at = ground.origin.to(probe.get("latitude").asDouble(), probe.get("longitude").asDouble());
-                assertEquals(probe.toString(), probe.get(elevation).asDouble(), ground.altitude + ground.field.height(at[0], at[1]), 0.5);
+                assertEquals(probe.toString(), probe.get(elevation).asDouble(), ground.altitude
+                    + ground.field.height(at[0], at[1]), 0.5);
                 seen++;
             }
         }
@@ -66,7 +68,8 @@ public class JacksboroTest {
         JsonNode summit = probes().get("summit");
         double latitude = summit.get("latitude").asDouble();
         double longitude = summit.get("longitude").asDouble();
-        Ground ground = TerrainLoader.load(all("terrain/jacksboro.tif").around(latitude, longitude, 2000, 2000), ASSETS);
+        Ground ground = TerrainLoader.load(
+            all("terrain/jacksboro.tif").around(latitude, longitude, 2000, 2000), ASSETS);
         assertEquals(1076, ground.altitude, 1);
         assertEquals(0, ground.field.height(0, 0), 1e-6);
         assertEquals(1076, ground.height(latitude, longitude), 1);

@@ -34,7 +34,8 @@ import org.junit.rules.TemporaryFolder;
 @Category(Slow.class)
 public class MapFuzzTest {
     private static final int TRIES = HowMany.of("sear.fuzzMaps", 300);
-    private static final Path REAL = Paths.get(System.getProperty("sear.root", "."), "src/test/resources/org/SEAR/terrain");
+    private static final Path REAL = Paths.get(System.getProperty("sear.root", "."),
+        "src/test/resources/org/SEAR/terrain");
 
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
@@ -50,9 +51,11 @@ public class MapFuzzTest {
         files.put("small.tif", small.with(42113, "-9999").bytes());
         files.put("big-endian.tif", small.bigEndian().bytes());
         files.put("utm.tif", Files.readAllBytes(REAL.resolve("jacksboro-utm16n.tif")));
-        files.put("grid.asc", "ncols 4\nnrows 3\nxllcorner 8\nyllcorner 47\ncellsize 0.001\nNODATA_value -9999\n1 2 3 4\n5 6.5 7 8\n9 10 11 12\n"
+        files.put("grid.asc", ("ncols 4\nnrows 3\nxllcorner 8\nyllcorner 47\ncellsize 0.001\nNODATA_value -9999\n"
+            + "1 2 3 4\n5 6.5 7 8\n9 10 11 12\n")
             .getBytes(StandardCharsets.US_ASCII));
-        files.put("colours.tif", new TiffMaker(20, 10, 8, new byte[600]).with(277, 3).with(258, new int[] {8, 8, 8}).with(262, 2)
+        files.put("colours.tif", new TiffMaker(20, 10, 8, new byte[600]).with(277, 3).with(258, new int[] {8, 8, 8})
+            .with(262, 2)
             .placed(8, 47, 0.001).bytes());
         ByteArrayOutputStream zipped = new ByteArrayOutputStream();
         try (ZipOutputStream zip = new ZipOutputStream(zipped)) {

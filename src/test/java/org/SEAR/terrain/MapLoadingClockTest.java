@@ -50,7 +50,8 @@ public class MapLoadingClockTest {
         double seconds = time.seconds();
         ground.field.getPyramid();
         double bytes = (used() - before) / (double) ground.field.heights.length;
-        System.out.printf("%d x %d posts: %.2f s, %.1f bytes each%n", ground.field.rows, ground.field.columns, seconds, bytes);
+        System.out.printf("%d x %d posts: %.2f s, %.1f bytes each%n", ground.field.rows, ground.field.columns,
+            seconds, bytes);
         assertTrue(ground.field.heights.length > 12_500_000);
         assertTrue(seconds + " s", seconds < SECONDS);
         assertTrue(bytes + " bytes", bytes < BYTES);

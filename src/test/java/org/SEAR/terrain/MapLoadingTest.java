@@ -46,12 +46,14 @@ public class MapLoadingTest {
     }
 
     /** Writes a map whose elevations follow from column and row, counted from longitude 8, latitude 47. */
-    private void tile(String name, int column, int row, int columns, int rows, IntBinaryOperator height) throws IOException {
+    private void tile(String name, int column, int row, int columns, int rows, IntBinaryOperator height)
+        throws IOException {
         int[] heights = new int[rows * columns];
         for (int i = 0; i < heights.length; i++) {
             heights[i] = height.applyAsInt(column + i % columns, row + i / columns);
         }
-        write(name, TiffMaker.heights(columns, rows, 8 + column * STEP, 47 - row * STEP, STEP, heights).with(42113, "-1").bytes());
+        write(name, TiffMaker.heights(columns, rows, 8 + column * STEP, 47 - row * STEP, STEP, heights)
+            .with(42113, "-1").bytes());
     }
 
     private static TerrainArea all(String path, String... tiles) {
@@ -85,8 +87,10 @@ public class MapLoadingTest {
         assertEquals(latitude(20), ground.origin.getLatitude(), 0);
         assertEquals(ground.altitude, ground.origin.getAltitude(), 0);
         assertEquals(100 + 3 * 33.25 + 5 * 21.5, ground.height(latitude(21.5), longitude(33.25)), 0.001);
-        assertTrue(ground.field.lowX <= -500 && ground.field.x(ground.field.rows - 1) >= 500 && ground.field.lowX > -520);
-        assertTrue(ground.field.lowZ <= -400 && ground.field.z(ground.field.columns - 1) >= 400 && ground.field.lowZ > -420);
+        assertTrue(ground.field.lowX <= -500 && ground.field.x(ground.field.rows - 1) >= 500
+            && ground.field.lowX > -520);
+        assertTrue(ground.field.lowZ <= -400 && ground.field.z(ground.field.columns - 1) >= 400
+            && ground.field.lowZ > -420);
         assertTrue(Double.isNaN(ground.height(latitude(40), longitude(30))));
         // 111.17 m north is one row less
         assertEquals(-5, ground.field.height(111.17, 0), 0.01);
@@ -108,7 +112,8 @@ public class MapLoadingTest {
         tile("west.tif", 0, 0, 30, 40, slope);
         tile("east.tif", 30, 0, 30, 40, slope);
         tile("shared.tif", 29, 5, 31, 20, slope);
-        TerrainArea[] orders = {all("west.tif", "east.tif"), all("east.tif", "west.tif"), all("west.tif", "shared.tif", "east.tif")};
+        TerrainArea[] orders = {all("west.tif", "east.tif"), all("east.tif", "west.tif"),
+            all("west.tif", "shared.tif", "east.tif")};
         for (TerrainArea area : orders) {
             Ground ground = load(area);
             for (double column = 2; column < 57; column += 0.25) {
@@ -148,8 +153,10 @@ public class MapLoadingTest {
         Ground ground = load(all("a.tif"));
         assertEquals(520, ground.height(latitude(20), longitude(12)), 1);
         assertEquals(1, ground.warnings.size());
-        assertTrue(ground.warnings.get(0), ground.warnings.get(0).matches("a.tif: (9|10|11)\\.\\d % of the area has no data.*"));
-        assertEquals(Collections.emptyList(), load(all("a.tif").around(latitude(20), longitude(25), 500, 500)).warnings);
+        assertTrue(ground.warnings.get(0), ground.warnings.get(0)
+            .matches("a.tif: (9|10|11)\\.\\d % of the area has no data.*"));
+        assertEquals(Collections.emptyList(),
+            load(all("a.tif").around(latitude(20), longitude(25), 500, 500)).warnings);
         tile("b.tif", 0, 0, 40, 40, (c, r) -> c < 30 ? -1 : 500 + r);
         refused(all("b.tif"), "b.tif: the part of the area without data is 7");
         refused(all("b.tif"), " %, legal: at most 50 %: choose another area");
@@ -158,7 +165,8 @@ public class MapLoadingTest {
     @Test
     public void anAreaBeyondTheMapIsRejectedWithThePlaceOfTheMap() throws IOException {
         tile("a.tif", 0, 0, 60, 50, (c, r) -> 100);
-        refused(all("a.tif").around(46.99, 8.01, 10000, 100), "a.tif: the area is 46.99, 8.01, 10000 m x 100 m, which reaches beyond the map, legal: "
+        refused(all("a.tif").around(46.99, 8.01, 10000, 100), "a.tif: the area is 46.99, 8.01, 10000 m x 100 m, which "
+            + "reaches beyond the map, legal: "
             + "inside latitudes 46.95000 to 47.00000 and longitudes 8.00000 to 8.06000");
         refused(all("a.tif").around(-46.99, 8.01, 100, 100), "reaches beyond the map");
         refused(all("a.tif").sized(100, 100, 0, 10), "no setSize for a georeferenced map");
@@ -175,7 +183,8 @@ public class MapLoadingTest {
 
     @Test
     public void greysBecomeHeights() throws IOException {
-        for (int type : new int[] {BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_USHORT_GRAY, BufferedImage.TYPE_INT_RGB}) {
+        for (int type : new int[] {BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_USHORT_GRAY,
+            BufferedImage.TYPE_INT_RGB}) {
             BufferedImage image = new BufferedImage(21, 11, type);
             int white = type == BufferedImage.TYPE_USHORT_GRAY ? 65535 : 255;
             for (int i = 0; i < 21 * 11; i++) {
@@ -195,7 +204,8 @@ public class MapLoadingTest {
             assertTrue(Double.isNaN(ground.field.height(50.01, 0)));
             assertThrows(IllegalStateException.class, () -> ground.height(47, 8));
         }
-        refused(all("hills10.png"), "hills10.png: the size is not known, legal: setSize(northSouth, eastWest, lowest, highest) in metres");
+        refused(all("hills10.png"), "hills10.png: the size is not known, legal: setSize(northSouth, eastWest, lowest, "
+            + "highest) in metres");
         refused(all("hills10.png").around(47, 8, 10, 10), "no setArea for a map without a georeference");
     }
 
@@ -206,7 +216,8 @@ public class MapLoadingTest {
         ByteArrayOutputStream png = new ByteArrayOutputStream();
         ImageIO.write(image, "png", png);
         write("colours.png", png.toByteArray());
-        refused(all("colours.png").sized(10, 10, 0, 1), "colours.png: the picture is coloured (row 3), legal: greys of 8 or 16 bits");
+        refused(all("colours.png").sized(10, 10, 0, 1), "colours.png: the picture is coloured (row 3), legal: greys of "
+            + "8 or 16 bits");
         write("cut.png", Arrays.copyOf(png.toByteArray(), 40));
         refused(all("cut.png").sized(10, 10, 0, 1), "cut.png: the picture");
     }
@@ -230,11 +241,14 @@ public class MapLoadingTest {
     public void tilesOfOtherSystemsAndNone() throws IOException {
         tile("a.tif", 0, 0, 40, 40, (c, r) -> 100);
         int[] keys = {1, 1, 0, 2, 1024, 0, 1, 1, 3072, 0, 1, 32632};
-        write("utm.tif", TiffMaker.heights(3, 3, 500000, 5200000, 30, 1, 2, 3, 4, 5, 6, 7, 8, 9).with(34735, keys).bytes());
+        write("utm.tif", TiffMaker.heights(3, 3, 500000, 5200000, 30, 1, 2, 3, 4, 5, 6, 7, 8, 9)
+            .with(34735, keys).bytes());
         refused(all("a.tif", "utm.tif"), "utm.tif: the coordinate system is EPSG:32632, legal: EPSG:4326 as in a.tif");
         keys[11] = 9999;
-        write("unknown.tif", TiffMaker.heights(3, 3, 500000, 5200000, 30, 1, 2, 3, 4, 5, 6, 7, 8, 9).with(34735, keys).bytes());
-        refused(all("unknown.tif"), "unknown.tif: the coordinate system is EPSG:9999, legal: a horizontal system of the EPSG register: "
+        write("unknown.tif", TiffMaker.heights(3, 3, 500000, 5200000, 30, 1, 2, 3, 4, 5, 6, 7, 8, 9)
+            .with(34735, keys).bytes());
+        refused(all("unknown.tif"), "unknown.tif: the coordinate system is EPSG:9999, legal: a horizontal system of "
+            + "the EPSG register: "
             + "convert the map by gdalwarp -t_srs EPSG:4326 unknown.tif");
         write("wrong.tif", TiffMaker.heights(3, 3, 500000, 5200000, 30, 1, 2, 3, 4, 5, 6, 7, 8, 9).bytes());
         refused(all("wrong.tif"), "wrong.tif: the centre of the map is latitude ");
@@ -242,15 +256,20 @@ public class MapLoadingTest {
 
     @Test
     public void foreignFilesAreRejectedWithTheirType() throws IOException {
-        List<String[]> kinds = Arrays.asList(new String[] {"\u0089HDF\r\n", "a NetCDF or HDF5"}, new String[] {"CDF\1", "a NetCDF"},
-            new String[] {"\0\0\0\fjP  \r\n", "a JPEG 2000"}, new String[] {"GRIB", "a GRIB"}, new String[] {"<kml>", "XML or HTML"},
-            new String[] {"hello", "in no known format"}, new String[] {"PK\3\4", "a zip"}, new String[] {"%PDF-1.4", "a PDF"});
+        List<String[]> kinds = Arrays.asList(new String[] {"\u0089HDF\r\n", "a NetCDF or HDF5"},
+            new String[] {"CDF\1", "a NetCDF"},
+            new String[] {"\0\0\0\fjP  \r\n", "a JPEG 2000"}, new String[] {"GRIB", "a GRIB"},
+            new String[] {"<kml>", "XML or HTML"},
+            new String[] {"hello", "in no known format"}, new String[] {"PK\3\4", "a zip"},
+                new String[] {"%PDF-1.4", "a PDF"});
         for (String[] kind : kinds) {
             write("map.tif", kind[0]);
-            refused(all("map.tif"), "map.tif: the file is " + kind[1] + ", legal: SRTM (.hgt, .hgt.zip), GeoTIFF (.tif)");
+            refused(all("map.tif"), "map.tif: the file is " + kind[1] + ", legal: SRTM (.hgt, .hgt.zip), "
+                + "GeoTIFF (.tif)");
         }
         write("n36.dt2", "UHL1");
-        refused(all("n36.dt2"), "n36.dt2: the file is a DTED, legal: SRTM (.hgt, .hgt.zip), GeoTIFF (.tif), ESRI ASCII grid (.asc) or a grey picture "
+        refused(all("n36.dt2"), "n36.dt2: the file is a DTED, legal: SRTM (.hgt, .hgt.zip), GeoTIFF (.tif), ESRI ASCII "
+            + "grid (.asc) or a grey picture "
             + "(.png, .jpg, .bmp): convert other elevation maps by gdal_translate n36.dt2 n36_converted.tif");
         write("utah.dem", "UTAH     ");
         refused(all("utah.dem"), "utah.dem: the file is a USGS DEM, legal: SRTM (.hgt, .hgt.zip), GeoTIFF (.tif)");

@@ -11,7 +11,10 @@ import org.junit.Test;
 /** Coordinate systems by EPSG number. */
 public class MapSystemTest {
     private static final double METRES_PER_DEGREE = 111_195;
-    /** EPSG number, x, y, latitude and longitude of WGS 84 by PROJ 9.5.1: old datums, feet, grads, polar, meridians, axes. */
+    /**
+     * EPSG number, x, y, latitude and longitude of WGS 84 by PROJ 9.5.1: old datums, feet, grads, polar, meridians,
+     * axes.
+     */
     private static final String[] PLACES = {
         "31467 3498667.9294936 5675312.7083448 51.21273317 8.97988671",
         "27700 586863.1289041 329499.0586072 52.83060499 0.77233913",
@@ -52,7 +55,10 @@ public class MapSystemTest {
         "4314 11.9330582 49.5850508 49.58396702 11.93159625"
     };
 
-    /** Returns the distance from the place in a line of number, x, y, latitude, longitude, metres; to Earth or there and back. */
+    /**
+     * Returns the distance from the place in a line of number, x, y, latitude, longitude, metres; to Earth or there and
+     * back.
+     */
     static double error(String line) throws IOException {
         String[] words = line.split(" ");
         double x = Double.parseDouble(words[1]);
@@ -62,7 +68,8 @@ public class MapSystemTest {
         MapSystem system = MapSystem.over("map.tif", "EPSG:" + words[0], x, y);
         double[] map = new double[2];
         system.toMap(latitude, longitude, map);
-        return Math.max(distance(system.toEarth(x, y), latitude, longitude), distance(system.toEarth(map[0], map[1]), latitude, longitude));
+        return Math.max(distance(system.toEarth(x, y), latitude, longitude),
+            distance(system.toEarth(map[0], map[1]), latitude, longitude));
     }
 
     private static double distance(double[] place, double latitude, double longitude) {
@@ -71,8 +78,10 @@ public class MapSystemTest {
     }
 
     private static void assertRefused(String system, String reason) {
-        String message = assertThrows(IOException.class, () -> MapSystem.over("maps/old.tif", system, 100, 100)).getMessage();
-        assertTrue(message, message.startsWith("maps/old.tif: ") && message.contains(system) && message.contains(reason));
+        String message = assertThrows(IOException.class, () -> MapSystem.over("maps/old.tif", system, 100, 100))
+            .getMessage();
+        assertTrue(message, message.startsWith("maps/old.tif: ") && message.contains(system)
+            && message.contains(reason));
         assertTrue(message, message.contains("gdalwarp -t_srs EPSG:4326 old.tif wgs84.tif"));
     }
 
@@ -85,9 +94,11 @@ public class MapSystemTest {
 
     @Test
     public void systemsThatSearCannotConvertAreRefusedByName() {
-        assertRefused("EPSG:5233", "(SLD99), legal: one with a datum shift within 5 m; this one has none without grid files "
+        assertRefused("EPSG:5233", "(SLD99), legal: one with a datum shift within 5 m; this one has none "
+            + "without grid files "
             + "that is more certain than 14 m");
-        assertRefused("EPSG:3821", "(TWD67), legal: one with a datum shift within 5 m; this one has none without grid files: ");
+        assertRefused("EPSG:3821", "(TWD67), legal: one with a datum shift within 5 m; this one has none without "
+            + "grid files: ");
         assertRefused("EPSG:5880", "American Polyconic");
         assertRefused("EPSG:29873", "Hotine Oblique Mercator (variant B)");
         assertRefused("EPSG:2218", "Lambert Conic Conformal (West Orientated)");
@@ -98,9 +109,12 @@ public class MapSystemTest {
     /** The projection of a .prj on a datum by its name has the same shift as the EPSG number of the whole. */
     @Test
     public void aProjectionOnAKnownDatumEqualsItsNumber() throws IOException {
-        String[][] pairs = {{"EPSG:4314 tmerc k_0=1.0 lat_0=0.0 lon_0=9.0 x_0=3500000.0 y_0=0.0 units=m", "EPSG:31467", "3498667.9", "5675312.7"},
-            {"EPSG:4277 tmerc k_0=0.9996012717 lat_0=49.0 lon_0=-2.0 x_0=400000.0 y_0=-100000.0 units=m", "EPSG:27700", "586863.1", "329499.1"},
-            {"EPSG:4289 sterea k_0=0.9999079 lat_0=52.1561605555556 lon_0=5.38763888888889 x_0=155000.0 y_0=463000.0 units=m", "EPSG:28992",
+        String[][] pairs = {{"EPSG:4314 tmerc k_0=1.0 lat_0=0.0 lon_0=9.0 x_0=3500000.0 y_0=0.0 units=m", "EPSG:31467",
+            "3498667.9", "5675312.7"},
+            {"EPSG:4277 tmerc k_0=0.9996012717 lat_0=49.0 lon_0=-2.0 x_0=400000.0 y_0=-100000.0 units=m", "EPSG:27700",
+                "586863.1", "329499.1"},
+            {"EPSG:4289 sterea k_0=0.9999079 lat_0=52.1561605555556 lon_0=5.38763888888889 x_0=155000.0 "
+                + "y_0=463000.0 units=m", "EPSG:28992",
                 "114411.9", "446706.0"}};
         for (String[] pair : pairs) {
             double x = Double.parseDouble(pair[2]);
@@ -113,8 +127,10 @@ public class MapSystemTest {
 
     @Test
     public void aPlaceOutsideTheAreasOfAllDatumShiftsIsRefused() {
-        String message = assertThrows(IOException.class, () -> MapSystem.at("old.tif", "EPSG:4230", 10, 100)).getMessage();
-        assertTrue(message, message.contains("EPSG:4230 (ED50), legal: at latitude 10.0000, longitude 100.0000 one with a datum shift within 5 m"));
+        String message = assertThrows(IOException.class, () -> MapSystem.at("old.tif", "EPSG:4230", 10, 100))
+            .getMessage();
+        assertTrue(message, message.contains("EPSG:4230 (ED50), legal: at latitude 10.0000, longitude 100.0000 one "
+            + "with a datum shift within 5 m"));
     }
 
     @Test

@@ -41,13 +41,15 @@ public class PagedGroundTest {
         assets = new Assets(folder.getRoot().toPath());
     }
 
-    private void tile(String name, int column, int row, int columns, int rows, IntBinaryOperator height) throws IOException {
+    private void tile(String name, int column, int row, int columns, int rows, IntBinaryOperator height)
+        throws IOException {
         int[] heights = new int[rows * columns];
         for (int i = 0; i < heights.length; i++) {
             heights[i] = height.applyAsInt(column + i % columns, row + i / columns);
         }
         Files.write(folder.getRoot().toPath().resolve(name),
-            TiffMaker.heights(columns, rows, 8 + column * STEP, 47 - row * STEP, STEP, heights).with(42113, "-1").bytes());
+            TiffMaker.heights(columns, rows, 8 + column * STEP, 47 - row * STEP, STEP, heights)
+                .with(42113, "-1").bytes());
     }
 
     private Ground load(int atOnce, TerrainArea area) throws IOException {
@@ -80,12 +82,14 @@ public class PagedGroundTest {
         }
         for (int row = 0; row < paged.field.rows; row += 7) {
             for (int column = 0; column < paged.field.columns; column += 5) {
-                assertEquals("of the overview", tiles.height(paged.field.x(row), paged.field.z(column)), paged.field.y(row, column), 1e-3);
+                assertEquals("of the overview", tiles.height(paged.field.x(row), paged.field.z(column)),
+                    paged.field.y(row, column), 1e-3);
             }
         }
         assertEquals(tiles.x(tiles.rows - 1), paged.field.x(paged.field.rows - 1), 0);
         GeoOrigin.GeoPoint place = whole.origin.at(300.3, 0, -211.1);
-        assertEquals(whole.height(place.latitude, place.longitude), paged.height(place.latitude, place.longitude), tolerance);
+        assertEquals(whole.height(place.latitude, place.longitude),
+            paged.height(place.latitude, place.longitude), tolerance);
         assertTrue(Double.isNaN(paged.height(place.latitude + 1, place.longitude)));
         assertEquals(whole.origin.getLatitude(), paged.origin.getLatitude(), 0);
     }
@@ -109,21 +113,26 @@ public class PagedGroundTest {
         tile("gap.tif", 0, 0, 80, 90, (c, r) -> c > 30 && c < 50 && r > 10 && r < 70 ? -1 : 500 + c + 2 * r);
         Ground ground = load(FEW, TerrainArea.of("gap.tif", Collections.emptyList()));
         assertEquals(1, ground.warnings.size());
-        assertTrue(ground.warnings.get(0), ground.warnings.get(0).startsWith("gap.tif: 15.6 % of the area has no data"));
+        assertTrue(ground.warnings.get(0), ground.warnings.get(0)
+            .startsWith("gap.tif: 15.6 % of the area has no data"));
         HeightTiles tiles = (HeightTiles) ground.heights;
         for (int row = 0; row < tiles.rows; row++) {
             for (int column = 0; column < tiles.columns; column++) {
                 double x = tiles.x(row);
                 double z = tiles.z(column);
                 double plane = tiles.y(0, 0)
-                    + (tiles.y(tiles.rows - 1, 0) - tiles.y(0, 0)) * (x - tiles.x(0)) / (tiles.x(tiles.rows - 1) - tiles.x(0))
-                    + (tiles.y(0, tiles.columns - 1) - tiles.y(0, 0)) * (z - tiles.z(0)) / (tiles.z(tiles.columns - 1) - tiles.z(0));
+                    + (tiles.y(tiles.rows - 1, 0) - tiles.y(0, 0)) * (x - tiles.x(0)) / (
+                    tiles.x(tiles.rows - 1) - tiles.x(0))
+                    + (tiles.y(0, tiles.columns - 1) - tiles.y(0, 0)) * (z - tiles.z(0)) / (
+                    tiles.z(tiles.columns - 1) - tiles.z(0));
                 assertEquals("post " + row + ", " + column, plane, tiles.y(row, column), 8);
             }
         }
         tile("none.tif", 0, 0, 80, 90, (c, r) -> c < 50 ? -1 : 500 + c);
-        IOException e = assertThrows(IOException.class, () -> load(FEW, TerrainArea.of("none.tif", Collections.emptyList())));
-        assertEquals("none.tif: the part of the area without data is 62.5 %, legal: at most 50 %: choose another area, or add the missing tile",
+        IOException e = assertThrows(IOException.class,
+            () -> load(FEW, TerrainArea.of("none.tif", Collections.emptyList())));
+        assertEquals("none.tif: the part of the area without data is 62.5 %, legal: at most 50 %: choose another area, "
+            + "or add the missing tile",
             e.getMessage());
     }
 

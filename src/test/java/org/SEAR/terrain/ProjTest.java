@@ -37,7 +37,8 @@ public class ProjTest {
         Path places = folder.getRoot().toPath().resolve("places");
         File log = folder.newFile("log");
         Path script = Paths.get(System.getProperty("sear.root", "."), "src/test/pyproj/write_places.py");
-        Process python = new ProcessBuilder("python3", script.toString(), System.getProperty("sear.pyproj", "build/pyproj"), places.toString(),
+        Process python = new ProcessBuilder("python3", script.toString(),
+            System.getProperty("sear.pyproj", "build/pyproj"), places.toString(),
             Integer.toString(SYSTEMS), Long.toString(SEED)).redirectErrorStream(true).redirectOutput(log).start();
         assertTrue("PROJ takes long", python.waitFor(10, TimeUnit.MINUTES));
         assertEquals(Files.readString(log.toPath(), StandardCharsets.UTF_8), 0, python.exitValue());

@@ -43,7 +43,8 @@ public class RasterioTest {
     public static void write() throws IOException, InterruptedException {
         Path script = Paths.get(System.getProperty("sear.root", "."), "src/test/rasterio/make_maps.py");
         File log = FOLDER.newFile("log");
-        Process python = new ProcessBuilder("python3", script.toString(), System.getProperty("sear.rasterio", "build/rasterio"),
+        Process python = new ProcessBuilder("python3", script.toString(),
+            System.getProperty("sear.rasterio", "build/rasterio"),
             FOLDER.getRoot().getPath(), Long.toString(SEED)).redirectErrorStream(true).redirectOutput(log).start();
         assertTrue("GDAL takes long", python.waitFor(5, TimeUnit.MINUTES));
         assertEquals(Files.readString(log.toPath(), StandardCharsets.UTF_8), 0, python.exitValue());
@@ -52,7 +53,8 @@ public class RasterioTest {
 
     private static List<String> maps() throws IOException {
         try (Stream<Path> files = Files.list(FOLDER.getRoot().toPath())) {
-            List<String> names = files.map(file -> file.getFileName().toString()).filter(ElevationMaps::isMap).sorted().collect(Collectors.toList());
+            List<String> names = files.map(file -> file.getFileName().toString()).filter(ElevationMaps::isMap).sorted()
+                .collect(Collectors.toList());
             assertTrue(names.toString(), names.size() >= MAPS);
             return names;
         }

@@ -36,7 +36,8 @@ public class TerrainColorsTest {
         files = Files.createDirectories(folder.getRoot().toPath().resolve("assets"));
         assets = new Assets(files);
         terrain = new Terrain("land", "terrain/jacksboro.tif");
-        ground = TerrainLoader.load(TerrainArea.of("terrain/jacksboro.tif", java.util.List.of()).around(36.485, -84.2308, 2000, 1000), assets);
+        ground = TerrainLoader.load(TerrainArea.of("terrain/jacksboro.tif", java.util.List.of())
+            .around(36.485, -84.2308, 2000, 1000), assets);
     }
 
     /** Writes a picture: red in the north-west, blue elsewhere. */

@@ -36,7 +36,8 @@ public final class WideMap {
     public int height(int row, int column) {
         int r = row % (2 * real.rows);
         int c = column % (2 * real.columns);
-        return (int) real.heights[(r < real.rows ? r : 2 * real.rows - 1 - r) * real.columns + (c < real.columns ? c : 2 * real.columns - 1 - c)];
+        return (int) real.heights[(r < real.rows ? r : 2 * real.rows - 1 - r) * real.columns
+            + (c < real.columns ? c : 2 * real.columns - 1 - c)];
     }
 
     /** Returns the latitude of a row of samples, degrees. */

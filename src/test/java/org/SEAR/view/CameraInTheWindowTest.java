@@ -77,15 +77,18 @@ public class CameraInTheWindowTest {
             List<ConeView> cones = view.ask(() -> view.scene().world().cones());
             assertEquals(2, cones.size());
             assertTrue(view.is(() -> cones.stream().allMatch(ConeView::isVisible)));
-            assertEquals("in front of the eye", 1.5, view.ask(() -> cones.get(0).node().localToWorld(new Vector3f(), null)).y, 0.1);
-            Views.until("words without a picture", () -> view.is(() -> view.scene().hud().statusText().contains("heat: 640 x 480")));
+            assertEquals("in front of the eye", 1.5,
+                view.ask(() -> cones.get(0).node().localToWorld(new Vector3f(), null)).y, 0.1);
+            Views.until("words without a picture",
+                () -> view.is(() -> view.scene().hud().statusText().contains("heat: 640 x 480")));
             assertFalse("nobody looks", view.world.snapshot().readings.containsKey("heat"));
             view.press("F2");
             assertFalse(view.is(() -> cones.stream().anyMatch(ConeView::isVisible)));
             view.press("F6");
             Views.until("a picture", () -> view.is(() -> view.scene().hud().camera().shown() != null));
             assertEquals(320, (int) view.ask(() -> view.scene().hud().camera().shown().width));
-            assertEquals("of the wall", BLUE, (int) view.ask(() -> view.scene().hud().camera().shown().pixel(160, 120)));
+            assertEquals("of the wall", BLUE,
+                (int) view.ask(() -> view.scene().hud().camera().shown().pixel(160, 120)));
             view.frames(3);
             BufferedImage window = view.picture("camera");
             assertTrue("in the corner: " + blue(window), blue(window) > MUCH);

@@ -48,7 +48,8 @@ public class CameraPictureTest {
     public void allExamplesLookAlikeInTheWindowAndToACamera() throws Exception {
         List<String> names;
         try (Stream<Path> files = Files.list(Path.of(System.getProperty("sear.root", "."), "examples"))) {
-            names = files.map(file -> file.getFileName().toString()).filter(file -> file.endsWith(".sear")).map(file -> file.replace(".sear", ""))
+            names = files.map(file -> file.getFileName().toString()).filter(file -> file.endsWith(".sear"))
+                .map(file -> file.replace(".sear", ""))
                 .sorted().collect(Collectors.toList());
         }
         List<String> unlike = new ArrayList<>();

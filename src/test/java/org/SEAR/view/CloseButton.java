@@ -33,7 +33,8 @@ final class CloseButton {
         event.setLong(40, atom(xlib, display, "WM_PROTOCOLS"));
         event.setInt(48, 32);
         event.setLong(56, atom(xlib, display, "WM_DELETE_WINDOW"));
-        xlib.getFunction("XSendEvent").invokeInt(new Object[] {display, new NativeLong(Long.parseLong(found)), 0, new NativeLong(0), event});
+        xlib.getFunction("XSendEvent")
+            .invokeInt(new Object[] {display, new NativeLong(Long.parseLong(found)), 0, new NativeLong(0), event});
         xlib.getFunction("XCloseDisplay").invokeInt(new Object[] {display});
     }
 

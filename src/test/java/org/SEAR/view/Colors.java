@@ -24,7 +24,8 @@ final class Colors {
         int count = 0;
         for (int dx = -AROUND; dx <= AROUND; dx++) {
             for (int dy = -AROUND; dy <= AROUND; dy++) {
-                Color color = new Color(picture.getRGB(clamp(x + dx, picture.getWidth()), clamp(y + dy, picture.getHeight())));
+                Color color = new Color(picture.getRGB(clamp(x + dx, picture.getWidth()),
+                    clamp(y + dy, picture.getHeight())));
                 red[count] = color.getRed();
                 green[count] = color.getGreen();
                 blue[count++] = color.getBlue();
@@ -41,7 +42,8 @@ final class Colors {
         int count = 0;
         for (int dx = -FAR; dx <= FAR; dx++) {
             for (int dy = -FAR; dy <= FAR; dy++) {
-                Color color = new Color(picture.getRGB(clamp(x + dx, picture.getWidth()), clamp(y + dy, picture.getHeight())));
+                Color color = new Color(picture.getRGB(clamp(x + dx, picture.getWidth()),
+                    clamp(y + dy, picture.getHeight())));
                 red += color.getRed();
                 green += color.getGreen();
                 blue += color.getBlue();

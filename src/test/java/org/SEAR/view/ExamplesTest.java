@@ -57,7 +57,8 @@ public class ExamplesTest {
         Vector3f middle = object.getWorldBound().getCenter();
         for (int i = 0; i < DIRECTIONS; i++) {
             float yaw = FastMath.TWO_PI * i / DIRECTIONS;
-            Vector3f ahead = new Vector3f(FastMath.sin(yaw) * FastMath.cos(DOWN), -FastMath.sin(DOWN), FastMath.cos(yaw) * FastMath.cos(DOWN));
+            Vector3f ahead = new Vector3f(FastMath.sin(yaw) * FastMath.cos(DOWN), -FastMath.sin(DOWN),
+                FastMath.cos(yaw) * FastMath.cos(DOWN));
             Vector3f place = middle.subtract(ahead.mult(AWAY));
             CollisionResults hits = new CollisionResults();
             for (Node other : view.scene().world().environment()) {

@@ -27,7 +27,8 @@ public class FirstPictureTest {
         List<Boolean> asked = Collections.synchronizedList(new ArrayList<>());
         try (RunningWorld world = new RunningWorld(ViewProjects.room())) {
             WorldLink link = new RunnerLink(world.runner, () -> false);
-            WorldLink watched = (WorldLink) Proxy.newProxyInstance(WorldLink.class.getClassLoader(), new Class<?>[] {WorldLink.class},
+            WorldLink watched = (WorldLink) Proxy.newProxyInstance(WorldLink.class.getClassLoader(),
+                new Class<?>[] {WorldLink.class},
                 (proxy, method, arguments) -> {
                     if (method.getName().equals("snapshot")) {
                         asked.add(isVisible());
@@ -39,7 +40,8 @@ public class FirstPictureTest {
             WindowApplication window = WindowStart.open(watched, new WindowOptions(), () -> shown.add(isVisible()));
             assertNull(window.problem());
             try {
-                assertEquals("without anything to draw", Collections.nCopies(10, false), new ArrayList<>(asked.subList(0, 10)));
+                assertEquals("without anything to draw", Collections.nCopies(10, false),
+                    new ArrayList<>(asked.subList(0, 10)));
                 assertEquals(List.of(true), shown);
                 assertTrue(window.isOpen());
             } finally {

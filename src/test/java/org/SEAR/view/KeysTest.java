@@ -68,11 +68,13 @@ public class KeysTest {
         double startX = view.world.robot().pose.x;
         double startZ = view.world.robot().pose.z;
         view.press("u");
-        Views.until("it is away", () -> Math.hypot(view.world.robot().pose.x - startX, view.world.robot().pose.z - startZ) > 0.2);
+        Views.until("it is away", () -> Math.hypot(view.world.robot().pose.x - startX, view.world.robot().pose.z
+            - startZ) > 0.2);
         long step = view.world.snapshot().step;
         view.world.runner.setSpeed(SLOW);    // few steps, until a busy machine has drawn two pictures
         view.press("Return");
-        Views.until("it is back", () -> Math.hypot(view.world.robot().pose.x - startX, view.world.robot().pose.z - startZ) < 0.02);
+        Views.until("it is back", () -> Math.hypot(view.world.robot().pose.x - startX, view.world.robot().pose.z
+            - startZ) < 0.02);
         assertTrue("started again", view.world.snapshot().step < step + 30);
         Views.until("it stands", () -> Math.abs(view.world.robot().speed) < 0.01);
     }
@@ -127,11 +129,13 @@ public class KeysTest {
         Views.tool("mousedown", "1");
         view.frames(3);
         Views.tool("mousemove", "740", "420");
-        Views.until("the camera turns", () -> view.is(() -> view.app().getCamera().getDirection().angleBetween(direction) > 0.1));
+        Views.until("the camera turns",
+            () -> view.is(() -> view.app().getCamera().getDirection().angleBetween(direction) > 0.1));
         Views.tool("mouseup", "1");
         Views.tool("click", "4");
         Views.tool("click", "4");
-        Views.until("the camera is nearer", () -> view.is(() -> view.app().getCamera().getLocation().length() < distance * 0.9));
+        Views.until("the camera is nearer",
+            () -> view.is(() -> view.app().getCamera().getLocation().length() < distance * 0.9));
     }
 
     @Test
@@ -205,7 +209,8 @@ public class KeysTest {
         Views.until("one line", () -> view.is(() -> view.scene().hud().shownText().matches("time [^\n]*")));
         view.picture("folded");
         view.press("F1", "F1");
-        Views.until("one line after the help, too", () -> view.is(() -> view.scene().hud().shownText().matches("time [^\n]*")));
+        Views.until("one line after the help, too",
+            () -> view.is(() -> view.scene().hud().shownText().matches("time [^\n]*")));
         view.press("F4");
         Views.until("all numbers again", () -> view.is(() -> view.scene().hud().shownText().contains("Odometer1: ")));
     }
@@ -227,7 +232,8 @@ public class KeysTest {
             before = files.filter(file -> file.getFileName().toString().startsWith("sear-")).count();
         }
         view.press("F12");
-        Views.until("the panel names the file", () -> view.is(() -> view.scene().hud().messagesText().contains("picture saved")));
+        Views.until("the panel names the file",
+            () -> view.is(() -> view.scene().hud().messagesText().contains("picture saved")));
         try (var files = Files.list(folder)) {
             assertEquals(before + 1, files.filter(file -> file.getFileName().toString().startsWith("sear-")).count());
         }

@@ -65,10 +65,12 @@ public class LoopClockTest {
                 double picture = picture(view);
                 cores = FRAMES_PER_SECOND * picture;
                 ratio = picture / Math.max(yardstick, yardstick(view));
-                System.out.println("30 pictures a second at 1024 x 640 take " + cores + " cores; a picture " + ratio + " of " + yardstick + " s");
+                System.out.println("30 pictures a second at 1024 x 640 take " + cores + " cores; a picture " + ratio
+                    + " of " + yardstick + " s");
             }
             view.press("semicolon");
-            assertTrue("30 pictures a second take " + cores + " cores, a picture " + ratio + " yardsticks", cores <= CORES || ratio <= YARDSTICKS);
+            assertTrue("30 pictures a second take " + cores + " cores, a picture " + ratio + " yardsticks",
+                cores <= CORES || ratio <= YARDSTICKS);
         }
     }
 
@@ -162,7 +164,8 @@ public class LoopClockTest {
             long with = slowStep(steps(simulation, TIMED_STEPS));
             window.close();
             ratio = Math.min(ratio, (double) with / without);
-            System.out.println("99th percentile of a step, us: " + without / 1000 + " without, " + with / 1000 + " with window; best ratio " + ratio);
+            System.out.println("99th percentile of a step, us: " + without / 1000 + " without, " + with / 1000
+                + " with window; best ratio " + ratio);
         }
         assertTrue("99 % of the steps take at least " + ratio + " times as long with the window", ratio <= SLOWER);
     }

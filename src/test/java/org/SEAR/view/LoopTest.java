@@ -23,7 +23,8 @@ public class LoopTest {
     private static List<String> readings(Path project, boolean windowed) throws Exception {
         List<String> lines = new ArrayList<>();
         try (RunningWorld world = new RunningWorld(project, true)) {
-            SimulatorWindow window = windowed ? SimulatorWindow.open(world.runner, new WindowOptions().setSize(640, 400)) : null;
+            SimulatorWindow window = windowed
+                ? SimulatorWindow.open(world.runner, new WindowOptions().setSize(640, 400)) : null;
             world.simulation.post(simulation -> simulation.getRobots().get(0).drive(0.3, 1.5));
             world.runner.addStepListener(() -> lines.add(line(world.simulation)));
             world.runner.setSpeed(windowed ? 4 : Double.POSITIVE_INFINITY);
@@ -37,7 +38,8 @@ public class LoopTest {
     }
 
     private static String line(Simulation simulation) {
-        StringBuilder line = new StringBuilder().append(simulation.getTime()).append(' ').append(simulation.getRobots().get(0).getPose());
+        StringBuilder line = new StringBuilder().append(simulation.getTime()).append(' ')
+            .append(simulation.getRobots().get(0).getPose());
         for (String name : simulation.getSensorNames()) {
             Object reading = simulation.read(name);
             line.append(' ').append(name).append(' ')

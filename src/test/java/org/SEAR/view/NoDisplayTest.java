@@ -68,7 +68,8 @@ public class NoDisplayTest {
     @Test
     public void withoutDisplay() throws Exception {
         String output = run(Xvfb.java(null, options(), Opener.class.getName()).start());
-        assertTrue(output, output.contains("warning: there is no display (DISPLAY is not set); the simulation runs without a window"));
+        assertTrue(output, output.contains("warning: there is no display (DISPLAY is not set); the simulation runs "
+            + "without a window"));
         assertTrue(output, output.contains("opened: false, headless: true"));
     }
 
@@ -94,7 +95,8 @@ public class NoDisplayTest {
             ProcessBuilder builder = Xvfb.java(server.display(), options(), Opener.class.getName());
             withoutJars(builder, "-natives-");
             String output = run(builder.start());
-            assertTrue(output, output.contains("warning: no window could be opened (jMonkeyEngine or its native libraries can't be loaded: "));
+            assertTrue(output, output.contains("warning: no window could be opened (jMonkeyEngine or its native "
+                + "libraries can't be loaded: "));
             assertTrue(output, output.contains("opened: false, headless: true"));
         }
     }
@@ -105,7 +107,8 @@ public class NoDisplayTest {
             ProcessBuilder builder = Xvfb.java(server.display(), options(), Opener.class.getName());
             withoutJars(builder, "jme3-lwjgl3", "lwjgl");
             String output = run(builder.start());
-            assertTrue(output, output.contains("warning: no window could be opened (jMonkeyEngine or its native libraries can't be loaded: "));
+            assertTrue(output, output.contains("warning: no window could be opened (jMonkeyEngine or its native "
+                + "libraries can't be loaded: "));
             assertTrue(output, output.contains("opened: false, headless: true"));
         }
     }
@@ -121,7 +124,8 @@ public class NoDisplayTest {
             Process process = builder.start();
             BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream()));
             String warning = lines.lines().filter(line -> line.startsWith("warning")).findFirst().orElse("it ended");
-            assertTrue(warning, warning.startsWith("warning: no window could be opened (the window needs jMonkeyEngine 3.6 and LWJGL 3.3 but "
+            assertTrue(warning, warning.startsWith("warning: no window could be opened (the window needs jMonkeyEngine "
+                + "3.6 and LWJGL 3.3 but "
                 + "found older or mixed versions: jMonkeyEngine 3.6.1-stable, LWJGL 3.3.2"));
             assertTrue(warning, warning.contains("sear install --replace-jme"));
             assertTrue(warning, warning.contains("NoSuchMethodError") && warning.contains("getKeyName"));
@@ -154,7 +158,8 @@ public class NoDisplayTest {
         List<String> command = builder.command();
         int at = command.indexOf("-cp") + 1;
         command.set(at, Arrays.stream(command.get(at).split(File.pathSeparator))
-            .filter(jar -> Arrays.stream(unwanted).noneMatch(new File(jar).getName()::contains)).collect(Collectors.joining(File.pathSeparator)));
+            .filter(jar -> Arrays.stream(unwanted).noneMatch(new File(jar).getName()::contains))
+                .collect(Collectors.joining(File.pathSeparator)));
         builder.command(command);
     }
 
@@ -168,7 +173,8 @@ public class NoDisplayTest {
             server.kill();
             process.getOutputStream().close();
             String rest = lines.lines().collect(Collectors.joining("\n"));
-            assertTrue(rest, rest.contains("warning: the simulator window's process has ended; the simulation continues without it"));
+            assertTrue(rest, rest.contains("warning: the simulator window's process has ended; the simulation "
+                + "continues without it"));
             assertTrue(rest, rest.contains("still alive"));
             assertEquals(0, process.waitFor());
         }

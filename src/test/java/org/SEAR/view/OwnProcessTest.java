@@ -70,7 +70,8 @@ public class OwnProcessTest {
 
     @Test
     public void closingEndsTheProcessWithoutACallback() {
-        ProcessHandle child = ProcessHandle.current().children().filter(process -> process.info().command().orElse("").endsWith("java"))
+        ProcessHandle child = ProcessHandle.current().children()
+            .filter(process -> process.info().command().orElse("").endsWith("java"))
             .findFirst().get();
         window.close();
         assertFalse(window.isOpen());
@@ -85,19 +86,22 @@ public class OwnProcessTest {
         window.close();
         int most = 0;
         for (int i = 0; i < TIMES; i++) {
-            window = SimulatorWindow.open(world.runner, new WindowOptions().setSize(200, 160).setWarnings(warnings::add));
+            window = SimulatorWindow.open(world.runner, new WindowOptions().setSize(200, 160)
+                .setWarnings(warnings::add));
             assertTrue("window " + i + ": " + warnings, window.isOpen());
             window.close();
             assertFalse(window.isOpen());
             most = i == 0 ? threads() : most;
         }
         int threads = most;
-        Views.until("no more threads than " + threads, () -> threads() <= threads);    // a thread that is ending may still run
+        // a thread that is ending may still run
+        Views.until("no more threads than " + threads, () -> threads() <= threads);
         assertEquals("processes", 0, ProcessHandle.current().children().count());
     }
 
     private static int threads() {
-        return (int) Thread.getAllStackTraces().keySet().stream().filter(thread -> !thread.getName().startsWith("process reaper")).count();
+        return (int) Thread.getAllStackTraces().keySet().stream()
+            .filter(thread -> !thread.getName().startsWith("process reaper")).count();
     }
 
     @Test
@@ -122,7 +126,8 @@ public class OwnProcessTest {
     public void aProcessThatDiesTakesOnlyTheWindowAway() {
         ProcessHandle.current().children().forEach(ProcessHandle::destroyForcibly);
         Views.until("it is noticed", () -> !window.isOpen() && !warnings.isEmpty());
-        assertEquals(List.of("the simulator window's process has ended; the simulation continues without it"), warnings);
+        assertEquals(List.of("the simulator window's process has ended; the simulation continues without it"),
+            warnings);
         long step = world.snapshot().step;
         Views.until("the world goes on", () -> world.snapshot().step > step);
     }

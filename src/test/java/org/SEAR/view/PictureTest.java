@@ -33,7 +33,8 @@ public class PictureTest {
     }
 
     private Color at(BufferedImage picture, double x, double y, double z) throws Exception {
-        Vector3f pixel = view.ask(() -> view.app().getCamera().getScreenCoordinates(new Vector3f((float) x, (float) y, (float) z)));
+        Vector3f pixel = view.ask(() -> view.app().getCamera()
+            .getScreenCoordinates(new Vector3f((float) x, (float) y, (float) z)));
         return Colors.around(picture, Math.round(pixel.x), Math.round(picture.getHeight() - 1 - pixel.y));
     }
 
@@ -59,7 +60,8 @@ public class PictureTest {
         assertHue("Egg", 1 / 3f, at(picture, 2, 0.6, 3.2));
         assertHue("Plain, without a picture, is orange", 0.108f, at(picture, 1, 0.1, 1.39));
         Color ball = at(picture, -1, 0.12, 1.41);
-        assertTrue("a ball without picture and colour is violet: " + ball, ball.getRed() > ball.getGreen() + 20 && ball.getBlue() > ball.getRed());
+        assertTrue("a ball without picture and colour is violet: " + ball, ball.getRed() > ball.getGreen() + 20
+            && ball.getBlue() > ball.getRed());
         Color floor = at(picture, 0, 0, 1);
         assertTrue("the floor is grey: " + floor, Math.abs(floor.getRed() - floor.getBlue()) < 30);
     }
@@ -144,9 +146,11 @@ public class PictureTest {
 
     @Test
     public void thePanelShowsNumbersOfTheSimulation() throws Exception {
-        Views.until("all sensors are listed", () -> view.is(() -> view.scene().hud().statusText().contains("Odometer1: ")));
+        Views.until("all sensors are listed",
+            () -> view.is(() -> view.scene().hud().statusText().contains("Odometer1: ")));
         String text = view.ask(() -> view.scene().hud().statusText());
-        for (String part : new String[] {"time ", " of 1", "Roomba1   x ", "heading 90 deg", "m/s", "1  LIDAR1: nearest ", "2  Ping1: ", "GPS1: 35.2",
+        for (String part : new String[] {"time ", " of 1", "Roomba1   x ", "heading 90 deg", "m/s",
+            "1  LIDAR1: nearest ", "2  Ping1: ", "GPS1: 35.2",
             "Compass1: ", "Accel1: ", "Gyro1: "}) {
             assertTrue(part + " in " + text, text.contains(part));
         }

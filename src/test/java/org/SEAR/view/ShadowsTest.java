@@ -88,7 +88,8 @@ public class ShadowsTest {
                 can.getChild(0).move(0, 2, 0); // the simulation sets the pose of the node itself
                 return null;
             });
-            Views.until("it is drawn for its shadow", () -> view.is(() -> view.scene().lighting().shadowDraws() > before));
+            Views.until("it is drawn for its shadow",
+                () -> view.is(() -> view.scene().lighting().shadowDraws() > before));
             view.frames(PICTURES);
             int drawn = draws(view);
             view.frames(PICTURES);
@@ -114,7 +115,8 @@ public class ShadowsTest {
             int floor = 0;
             for (int y = with.getHeight() / 3; y < with.getHeight() * 4 / 5; y++) {
                 for (int x = with.getWidth() / 8; x < with.getWidth() * 7 / 8; x++) {
-                    double ratio = (double) brightness(with.getRGB(x, y)) / Math.max(1, brightness(without.getRGB(x, y)));
+                    double ratio = (double) brightness(with.getRGB(x, y)) / Math.max(
+                        1, brightness(without.getRGB(x, y)));
                     floor++;
                     shaded += ratio > SHADED_LOW && ratio < SHADED_HIGH ? 1 : 0;
                     same += ratio > SAME ? 1 : 0;
@@ -122,7 +124,8 @@ public class ShadowsTest {
             }
             assertTrue(shaded + " of " + floor + " lie in a shadow", shaded > floor / 100);
             assertTrue(same + " of " + floor + " lie in the sun", same > floor / 2);
-            assertTrue(shaded + " and " + same + " of " + floor + ": all but the shadows' edges", shaded + same > floor * 9 / 10);
+            assertTrue(shaded + " and " + same + " of " + floor + ": all but the shadows' edges",
+                shaded + same > floor * 9 / 10);
         }
     }
 }

@@ -49,12 +49,14 @@ public class TerrainPictureTest {
                 double x = row / 97.0;
                 double z = column / 83.0;
                 double height = 900 + 500 * Math.sin(x) * Math.cos(z) + 180 * Math.sin(3.7 * x + z) * Math.sin(2.9 * z)
-                    + 50 * Math.sin(11.3 * x) * Math.cos(12.7 * z - x) + 12 * Math.sin(31 * x + 5 * z) * Math.sin(29 * z);
+                    + 50 * Math.sin(11.3 * x) * Math.cos(12.7 * z - x) + 12 * Math.sin(31 * x + 5 * z)
+                    * Math.sin(29 * z);
                 posts.putShort((short) height);
             }
         }
         posts.flip();
-        try (FileChannel file = FileChannel.open(folder.resolve("assets/N46E007.hgt"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+        try (FileChannel file = FileChannel.open(folder.resolve("assets/N46E007.hgt"), StandardOpenOption.CREATE,
+            StandardOpenOption.WRITE)) {
             file.write(posts);
         }
         new Terrain("Alps", "N46E007.hgt");
@@ -76,7 +78,8 @@ public class TerrainPictureTest {
         long frames = view.app().frames;
         long before = system.getProcessCpuTime();
         view.frames(MEASURED);
-        return (system.getProcessCpuTime() - before) / (double) TimeUnit.MILLISECONDS.toNanos(1) / (view.app().frames - frames);
+        return (system.getProcessCpuTime() - before) / (double) TimeUnit.MILLISECONDS.toNanos(1) / (
+            view.app().frames - frames);
     }
 
     @Test
@@ -102,7 +105,8 @@ public class TerrainPictureTest {
             Color land = Colors.mean(picture, 512, 560);
             assertTrue("sky: " + sky, sky.getBlue() > sky.getRed() + 20);
             assertTrue("land: " + land, land.getGreen() > land.getBlue());
-            System.out.printf("a picture costs %.0f ms of a processor without terrain, %.0f on it, %.0f above it; %d tiles seen, %d kept%n", nothing,
+            System.out.printf("a picture costs %.0f ms of a processor without terrain, %.0f on it, %.0f above it; %d "
+                + "tiles seen, %d kept%n", nothing,
                 near, far, terrain.seen(), terrain.kept());
             assertTrue("on it " + near + " ms, without " + nothing, near < 15 * nothing);
             assertTrue("above it " + far + " ms, without " + nothing, far < 15 * nothing);

@@ -65,7 +65,8 @@ public final class UnderXvfb extends Runner {
             List<String> options = new ArrayList<>(List.of("-Xmx192m", "-Djava.io.tmpdir=" + temporary.getRoot()));
             options.addAll(tests.getName().endsWith("ClockTest") ? OPTIMIZED : List.of());
             Process process = Xvfb.java(server.display(), options, Inside.class.getName(), tests.getName()).start();
-            BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+            BufferedReader lines = new BufferedReader(
+                new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 if (line.startsWith(MARK)) {
                     relay(line.substring(MARK.length()).split(" "), open, notifier);
@@ -96,7 +97,8 @@ public final class UnderXvfb extends Runner {
                 notifier.fireTestStarted(method);
                 break;
             case "fail":
-                notifier.fireTestFailure(new Failure(method, new AssertionError(new String(Base64.getDecoder().decode(words[2]),
+                notifier.fireTestFailure(new Failure(
+                    method, new AssertionError(new String(Base64.getDecoder().decode(words[2]),
                     StandardCharsets.UTF_8))));
                 break;
             default:
@@ -123,7 +125,8 @@ public final class UnderXvfb extends Runner {
                 @Override
                 public void testFailure(Failure failure) {
                     byte[] trace = failure.getTrace().getBytes(StandardCharsets.UTF_8);
-                    System.out.println(MARK + "fail " + failure.getDescription().getMethodName() + " " + Base64.getEncoder().encodeToString(trace));
+                    System.out.println(MARK + "fail " + failure.getDescription().getMethodName() + " "
+                        + Base64.getEncoder().encodeToString(trace));
                 }
 
                 @Override

@@ -61,7 +61,8 @@ final class ViewProjects {
         paint(assets.resolve("blue.png"), Color.BLUE);
         paint(assets.resolve("yellow.png"), new Color(240, 220, 0));
         paint(assets.resolve("grey.png"), new Color(150, 150, 150));
-        Files.writeString(assets.resolve("wedge.obj"), "v -0.3 0 -0.3\nv 0.3 0 -0.3\nv 0 0 0.4\nv 0 0.7 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n");
+        Files.writeString(assets.resolve("wedge.obj"), "v -0.3 0 -0.3\nv 0.3 0 -0.3\nv 0 0 0.4\nv 0 0.7 0\nf 1 2 3\nf "
+            + "1 4 2\nf 2 4 3\nf 3 4 1\n");
         Floor floor = new Floor("Floor", 16, 16);
         floor.setImage("grey.png");
         floor.setImageSize(0.5);
@@ -71,7 +72,8 @@ final class ViewProjects {
         Random random = new Random(20);
         for (int i = 0; i < 17; i++) {
             double around = Math.PI * (0.3 + 1.4 * i / 17);
-            box("Box" + i, "grey.png", Math.sin(around) * (3 + random.nextDouble()), Math.cos(around) * (3 + random.nextDouble()));
+            box("Box" + i, "grey.png", Math.sin(around) * (3 + random.nextDouble()),
+                Math.cos(around) * (3 + random.nextDouble()));
         }
         new Cylinder("Drum", 0.25, 0.7, 0, "yellow.png").move(1, 0.35, 3.4);
         new Cone("Spike", 0.25, 0.7, 0, "red.png").move(-1, 0.35, 3.4);

@@ -31,7 +31,8 @@ final class Views implements AutoCloseable {
 
     Views(Path project, WindowOptions options) throws Exception {
         world = new RunningWorld(project);
-        window = WindowStart.open(new RunnerLink(world.runner, options.getScriptDrives()), options.setWarnings(warnings::add)
+        window = WindowStart.open(new RunnerLink(world.runner, options.getScriptDrives()),
+            options.setWarnings(warnings::add)
             .setScreenshotFolder(report()), () -> { });
         assertNull(window.problem(), window.problem());
         until("the window shows the world", () -> app().frames > 2);
@@ -40,7 +41,8 @@ final class Views implements AutoCloseable {
 
     /** Returns the folder for pictures of test reports. */
     static Path report() throws IOException {
-        return Files.createDirectories(Paths.get(System.getProperty("sear.root", "."), "build", "reports", "screenshots"));
+        return Files.createDirectories(
+            Paths.get(System.getProperty("sear.root", "."), "build", "reports", "screenshots"));
     }
 
     WindowApplication app() {

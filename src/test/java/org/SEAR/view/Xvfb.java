@@ -24,10 +24,12 @@ final class Xvfb implements AutoCloseable {
      * @param more options for it
      */
     Xvfb(String... more) throws IOException {
-        List<String> command = new ArrayList<>(Arrays.asList("Xvfb", "-displayfd", "1", "-screen", "0", SCREEN, "-nolisten", "tcp", "-noreset"));
+        List<String> command = new ArrayList<>(
+            Arrays.asList("Xvfb", "-displayfd", "1", "-screen", "0", SCREEN, "-nolisten", "tcp", "-noreset"));
         command.addAll(Arrays.asList(more));
         server = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
-        String number = new BufferedReader(new InputStreamReader(server.getInputStream(), StandardCharsets.US_ASCII)).readLine();
+        String number = new BufferedReader(new InputStreamReader(server.getInputStream(), StandardCharsets.US_ASCII))
+            .readLine();
         if (number == null) {
             throw new IOException("Xvfb did not start; install xvfb (Debian: apt-get install xvfb)");
         }
@@ -49,7 +51,8 @@ final class Xvfb implements AutoCloseable {
         command.add(System.getProperty("java.home") + File.separator + "bin" + File.separator + "java");
         command.addAll(QUICK);
         command.addAll(Arrays.asList("-cp", System.getProperty("java.class.path"),
-            "-Dsear.root=" + System.getProperty("sear.root", "."), "-Dsear.cliClasspath=" + System.getProperty("sear.cliClasspath", "")));
+            "-Dsear.root=" + System.getProperty("sear.root", "."), "-Dsear.cliClasspath="
+                + System.getProperty("sear.cliClasspath", "")));
         command.addAll(options);
         command.add(main);
         command.addAll(Arrays.asList(arguments));

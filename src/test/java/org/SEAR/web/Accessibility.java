@@ -16,11 +16,13 @@ public final class Accessibility {
     private static final String FUNCTIONS = String.join("\n",
         "function shown(e) { return e.getClientRects().length > 0 }",
         "function what(e) { return e.outerHTML.substring(0, 100) }",
-        "function rgb(text) { var n = text.match(/[\\d.]+/g).map(Number); return n.length < 4 || n[3] > 0.5 ? n.slice(0, 3) : null }",
+        "function rgb(text) { var n = text.match(/[\\d.]+/g).map(Number); return n.length < 4 || n[3] > 0.5 ? "
+        + "n.slice(0, 3) : null }",
         "function light(c) {",
         "    return c.reduce(function(sum, v, i) {",
         "        v /= 255",
-        "        return sum + [0.2126, 0.7152, 0.0722][i] * (v <= 0.03928 ? v / 12.92 : Math.pow((v + 0.055) / 1.055, 2.4))",
+        "        return sum + [0.2126, 0.7152, 0.0722][i] * (v <= 0.03928 ? v / 12.92 : Math.pow((v + 0.055) / "
+        + "1.055, 2.4))",
         "    }, 0.05)",
         "}",
         "function behind(e) {",
@@ -31,7 +33,8 @@ public final class Accessibility {
         "    return [255, 255, 255]",
         "}",
         "function ownText(e) {",
-        "    return ['INPUT', 'SELECT'].indexOf(e.tagName) >= 0 && e.type !== 'color' || [].some.call(e.childNodes, function(n) {",
+        "    return ['INPUT', 'SELECT'].indexOf(e.tagName) >= 0 && e.type !== 'color' || [].some.call(e.childNodes, "
+        + "function(n) {",
         "        return n.nodeType === 3 && n.textContent.trim()",
         "    })",
         "}",
@@ -46,7 +49,8 @@ public final class Accessibility {
         "    if (shown(e) && !e.closest('[aria-hidden=true]') && !name(e)) { found.push('no name: ' + what(e)) }",
         "})",
         "panel.querySelectorAll('[id]').forEach(function(e) {",
-        "    if (document.querySelectorAll('[id=\"' + e.id + '\"]').length > 1) { found.push('id used twice: ' + what(e)) }",
+        "    if (document.querySelectorAll('[id=\"' + e.id + '\"]').length > 1) { found.push('id used twice: ' "
+        + "+ what(e)) }",
         "})",
         "panel.querySelectorAll('*').forEach(function(e) {",
         "    if (!shown(e) || e.disabled || e.tagName === 'OPTION' || !ownText(e)) { return }",
@@ -60,8 +64,10 @@ public final class Accessibility {
     private static final String AXE = String.join("\n",
         "var done = arguments[arguments.length - 1]",
         "axe.run(document.querySelector(arguments[0]), {resultTypes: ['violations']}).then(function(results) {",
-        "    done(results.violations.filter(function(one) { return one.impact === 'serious' || one.impact === 'critical' }).map(function(one) {",
-        "        return one.id + ': ' + one.nodes.map(function(node) { return node.html.substring(0, 150) }).join(', ')",
+        "    done(results.violations.filter(function(one) { return one.impact === 'serious' || one.impact === "
+        + "'critical' }).map(function(one) {",
+        "        return one.id + ': ' + one.nodes.map(function(node) { return node.html.substring(0, 150) "
+        + "}).join(', ')",
         "    }))",
         "})");
 
@@ -77,10 +83,12 @@ public final class Accessibility {
             browser.setTheme(theme);
             try {
                 // colours change gradually
-                browser.until("a panel that can be read", () -> isTheme(browser, theme) && problems(browser, panel).isEmpty());
+                browser.until("a panel that can be read", () -> isTheme(browser, theme) && problems(browser, panel)
+                    .isEmpty());
                 Assert.assertEquals("axe-core, in the " + theme + " theme", List.of(), faults(browser, panel));
             } catch (AssertionError e) {
-                throw new AssertionError("in the " + theme + " theme: " + problems(browser, panel) + "; " + e.getMessage(), e);
+                throw new AssertionError("in the " + theme + " theme: " + problems(browser, panel) + "; "
+                    + e.getMessage(), e);
             }
         }
     }
@@ -103,6 +111,7 @@ public final class Accessibility {
     }
 
     private static boolean isTheme(Browser browser, String theme) {
-        return Boolean.TRUE.equals(browser.script("return window.matchMedia('(prefers-color-scheme: ' + arguments[0] + ')').matches", theme));
+        return Boolean.TRUE.equals(browser.script("return window.matchMedia('(prefers-color-scheme: ' + arguments[0] + "
+            + "')').matches", theme));
     }
 }

@@ -46,12 +46,14 @@ public final class Browser implements AutoCloseable {
     private static final Duration LOOK = Duration.ofMillis(100);
     private static final int ATTEMPTS = 2;
     /** Browsers as users have them. */
-    private static final List<String> WHOLE = List.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
+    private static final List<String> WHOLE = List.of("chromium", "chromium-browser", "google-chrome",
+        "google-chrome-stable");
     /**
      * The first is Debian's Chromium without windows, which takes less CPU time. The full path avoids a wrapper script
      * on the PATH: the driver would end the script instead of the browser, whose pages would stay connected.
      */
-    private static final List<String> BROWSERS = Stream.concat(Stream.of("/usr/lib/chromium/chromium-headless-shell"), WHOLE.stream())
+    private static final List<String> BROWSERS = Stream.concat(Stream.of("/usr/lib/chromium/chromium-headless-shell"),
+        WHOLE.stream())
         .collect(Collectors.toList());
     /** For tests that don't look at edges: on the CPU, antialiasing takes as long as the rest of the picture. */
     private static final String ROUGH_EDGES = "--webgl-antialiasing-mode=none";
@@ -91,17 +93,21 @@ public final class Browser implements AutoCloseable {
         ChromeOptions options = new ChromeOptions();
         options.setBinary(binary);
         // The profile is the driver's; with another one the first of BROWSERS opens no page.
-        options.addArguments("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+        options.addArguments("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+            "--disable-background-networking",
             "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--hide-scrollbars", "--lang=en",
             "--window-size=" + width + "," + height);
         options.addArguments(more);
-        options.setExperimentalOption("prefs", Map.of("download.default_directory", downloads.toString(), "download.prompt_for_download", false));
+        options.setExperimentalOption("prefs",
+            Map.of("download.default_directory", downloads.toString(), "download.prompt_for_download", false));
         LoggingPreferences logs = new LoggingPreferences();
         logs.enable(LogType.BROWSER, Level.ALL);
         options.setCapability("goog:loggingPrefs", logs);
         driver = start(driverProgram, options);
-        if (!WHOLE.contains(Paths.get(binary).getFileName().toString())) {      // its driver sets it for the first tab only
-            driver.executeCdpCommand("Browser.setDownloadBehavior", Map.of("behavior", "allow", "downloadPath", downloads.toString()));
+        // its driver sets it for the first tab only
+        if (!WHOLE.contains(Paths.get(binary).getFileName().toString())) {
+            driver.executeCdpCommand("Browser.setDownloadBehavior",
+                Map.of("behavior", "allow", "downloadPath", downloads.toString()));
         }
         driver.manage().window().setSize(new Dimension(width, height));
     }
@@ -127,7 +133,8 @@ public final class Browser implements AutoCloseable {
 
     /** Deletes the stored data of an address's pages. */
     void forgetPages(String url) {
-        driver.executeCdpCommand("Storage.clearDataForOrigin", Map.of("origin", url.replaceAll("/$", ""), "storageTypes", "all"));
+        driver.executeCdpCommand("Storage.clearDataForOrigin",
+            Map.of("origin", url.replaceAll("/$", ""), "storageTypes", "all"));
     }
 
     /** @return false if the browser has ended or does not answer */
@@ -154,7 +161,8 @@ public final class Browser implements AutoCloseable {
     private static ChromeDriver start(String driverProgram, ChromeOptions options) {
         for (int attempt = 1;; attempt++) {
             try {
-                return new ChromeDriver(new ChromeDriverService.Builder().usingDriverExecutable(new File(driverProgram)).usingAnyFreePort()
+                return new ChromeDriver(new ChromeDriverService.Builder().usingDriverExecutable(new File(driverProgram))
+                    .usingAnyFreePort()
                     .withSilent(true).build(), options);
             } catch (SessionNotCreatedException e) {
                 if (attempt == ATTEMPTS) {
@@ -173,8 +181,10 @@ public final class Browser implements AutoCloseable {
                 }
             }
         }
-        throw new AssertionError("the browser tests need one of " + names + " on the PATH: install Chromium and its driver"
-            + " (on Debian: apt-get install chromium-headless-shell chromium-driver; ./gradlew check does it by itself)");
+        throw new AssertionError("the browser tests need one of " + names + " on the PATH: install Chromium "
+            + "and its driver"
+            + " (on Debian: apt-get install chromium-headless-shell chromium-driver; ./gradlew check does "
+                + "it by itself)");
     }
 
     /** Returns the driver, for calls without a shorter form here. */
@@ -187,7 +197,8 @@ public final class Browser implements AutoCloseable {
         return downloads;
     }
 
-    // ---- elements ------------------------------------------------------------------------------------------------------
+    // ---- elements
+    // ------------------------------------------------------------------------------------------------------
 
     /**
      * Waits for a condition.
@@ -203,7 +214,8 @@ public final class Browser implements AutoCloseable {
      */
     public <T> T value(String what, Supplier<T> supplier) {
         try {
-            return new WebDriverWait(driver, LIMIT, LOOK).ignoring(StaleElementReferenceException.class, NoSuchElementException.class)
+            return new WebDriverWait(driver, LIMIT, LOOK)
+                .ignoring(StaleElementReferenceException.class, NoSuchElementException.class)
                 .until(unused -> supplier.get());
         } catch (TimeoutException e) {
             throw new AssertionError("waited " + LIMIT.toSeconds() + " s for " + what, e);
@@ -222,7 +234,8 @@ public final class Browser implements AutoCloseable {
 
     /** Waits until a visible element's text contains a part. */
     public void seeText(String css, String part) {
-        value(css + " with the text \"" + part + "\"", () -> elements.withLetters(css, part).stream().map(WebElement::getText)
+        value(css + " with the text \"" + part + "\"", () -> elements.withLetters(css, part).stream()
+            .map(WebElement::getText)
             .filter(text -> text.contains(part)).findFirst().orElse(null));
     }
 
@@ -280,7 +293,8 @@ public final class Browser implements AutoCloseable {
      * @param module its path below {@code js/sear}, such as {@code world/pointing.js}
      */
     public Object module(String module, String code) {
-        return script("return import(new URL('service/js/sear/" + module + "', document.baseURI)).then(function(module) {"
+        return script("return import(new URL('service/js/sear/" + module
+            + "', document.baseURI)).then(function(module) {"
             + code + "})");
     }
 
@@ -305,7 +319,8 @@ public final class Browser implements AutoCloseable {
      * @param theme "light" or "dark"
      */
     public void setTheme(String theme) {
-        driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features", List.of(Map.of("name", "prefers-color-scheme", "value", theme))));
+        driver.executeCdpCommand("Emulation.setEmulatedMedia",
+            Map.of("features", List.of(Map.of("name", "prefers-color-scheme", "value", theme))));
     }
 
     /**
@@ -326,7 +341,8 @@ public final class Browser implements AutoCloseable {
             Map.of("width", width, "height", height, "deviceScaleFactor", 0, "mobile", false));
     }
 
-    // ---- what went wrong -----------------------------------------------------------------------------------------------
+    // ---- what went wrong
+    // -----------------------------------------------------------------------------------------------
 
     /**
      * Ignores console errors that this test causes on purpose.
@@ -340,7 +356,8 @@ public final class Browser implements AutoCloseable {
     public List<String> errors() {
         List<String> errors = new ArrayList<>();
         for (LogEntry entry : driver.manage().logs().get(LogType.BROWSER)) {
-            if (entry.getLevel().intValue() >= Level.SEVERE.intValue() && expected.stream().noneMatch(entry.getMessage()::contains)) {
+            if (entry.getLevel().intValue() >= Level.SEVERE.intValue() && expected.stream()
+                .noneMatch(entry.getMessage()::contains)) {
                 errors.add(entry.getMessage());
             }
         }

@@ -30,7 +30,8 @@ public class DemoStaysTest {
     /** Script that waits for an open page before the demo, so that the demo cannot end first. */
     private static final String OPENED = String.join("\n", "from java.lang import System",
         "from java.util.concurrent.locks import LockSupport", "from org.myrobotlab.embedded.web import OpenPages",
-        "while OpenPages.count() == 0:", "    LockSupport.parkNanos(20000000)", "execfile(System.getProperty('sear.root') + '/scripts/demo.py')", "");
+        "while OpenPages.count() == 0:", "    LockSupport.parkNanos(20000000)",
+            "execfile(System.getProperty('sear.root') + '/scripts/demo.py')", "");
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
@@ -66,7 +67,8 @@ public class DemoStaysTest {
         String root = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().toString();
         List<String> command = SearProcess.command("-Xmx384m", "-Dfile.encoding=UTF-8", "-Dsear.root=" + root);
         command.addAll(List.of(script.toString(), "--headless", "--speed", "max", "--port", String.valueOf(port)));
-        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.newFolder("work")).redirectErrorStream(true)
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.newFolder("work"))
+            .redirectErrorStream(true)
             .redirectOutput(log.toFile()).redirectInput(folder.newFile("nothing"));
         builder.environment().remove("SEAR_TERMINAL");
         process = builder.start();
@@ -81,7 +83,8 @@ public class DemoStaysTest {
             browser.until("an address", () -> log().contains(address + "/"));
             browser.driver().get(address + "/#/SEAR");
             browser.until("the end of what the demo does", () -> log().contains("The simulation goes on while"));
-            assertEquals(List.of("The simulation goes on while a browser has its tabs open at " + address + ". Ctrl+C ends it, too."), lastLines(1));
+            assertEquals(List.of("The simulation goes on while a browser has its tabs open at " + address
+                + ". Ctrl+C ends it, too."), lastLines(1));
             browser.seeText(".sear-robots", "demoRoomba");
             assertTrue("it stays", process.isAlive());
             browser.driver().get("about:blank");

@@ -24,10 +24,12 @@ final class Elements {
         + "function first(css) { return all(css).find(shown) || null }"
         + "return {first: first, shown: function(css) { return all(css).filter(shown) },"
         + "withLetters: function(css, part) {"
-        + "return all(css).filter(function(one) { return letters(one.textContent).includes(letters(part)) && shown(one) }) },"
+        + "return all(css).filter(function(one) { return letters(one.textContent).includes(letters(part)) && "
+        + "shown(one) }) },"
         + "clickable: function(css) { var one = first(css); return one && !one.matches(':disabled') ? one : null },"
         + "option: function(css, text) { var select = first(css);"
-        + "return select && !select.matches(':disabled') && Array.from(select.options).find(function(one) { return one.text === text }) || null }}"
+        + "return select && !select.matches(':disabled') && Array.from(select.options).find(function(one) { return "
+        + "one.text === text }) || null }}"
         + "})(" + seleniums("isDisplayed") + ");";
 
     private final Browser browser;

@@ -80,7 +80,8 @@ public final class MyRobotLab implements AutoCloseable {
     }
 
     private void write(String script) throws IOException {
-        Files.writeString(folder.resolve(START), "# coding: utf-8\n" + script + "\nopen('" + STARTED + "', 'w').close()\n");
+        Files.writeString(folder.resolve(START), "# coding: utf-8\n" + script + "\nopen('" + STARTED
+            + "', 'w').close()\n");
     }
 
     /**
@@ -128,7 +129,8 @@ public final class MyRobotLab implements AutoCloseable {
         List<String> command = SearProcess.command(moreClasses, new String[] {"-Xmx384m", "-Dfile.encoding=UTF-8"});
         command.addAll(List.of(START, "--headless", "--keep", "--port", String.valueOf(port)));
         command.addAll(options);
-        process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(logFile().toFile()).start();
+        process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
+            .redirectOutput(logFile().toFile()).start();
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(START_SECONDS);
         while (Files.notExists(folder.resolve(STARTED))) {
             if (process.waitFor(LOOK_MILLIS, TimeUnit.MILLISECONDS) || System.nanoTime() > end) {
@@ -155,7 +157,8 @@ public final class MyRobotLab implements AutoCloseable {
 
     /** Returns the path of an example that comes with SEAR, such as {@code example("office")}. */
     public static Path example(String name) {
-        return Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples").resolve(name + ".sear");
+        return Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples")
+            .resolve(name + ".sear");
     }
 
     /** Returns the path of an example as a Python literal. */
@@ -170,14 +173,18 @@ public final class MyRobotLab implements AutoCloseable {
     public JsonNode call(String service, String method, Object... arguments) {
         URI uri = URI.create(url() + "api/service/" + service + "/" + method);
         try {
-            HttpResponse<String> answer = client.send(HttpRequest.newBuilder(uri).header("Content-Type", "application/json")
-                .POST(HttpRequest.BodyPublishers.ofString(JSON.writeValueAsString(arguments))).build(), HttpResponse.BodyHandlers.ofString());
+            HttpResponse<String> answer = client.send(
+                HttpRequest.newBuilder(uri).header("Content-Type", "application/json")
+                .POST(HttpRequest.BodyPublishers.ofString(JSON.writeValueAsString(arguments))).build(),
+                    HttpResponse.BodyHandlers.ofString());
             if (answer.statusCode() != 200) {
-                throw new AssertionError(service + "." + method + " answered " + answer.statusCode() + ": " + answer.body());
+                throw new AssertionError(service + "." + method + " answered " + answer.statusCode() + ": "
+                    + answer.body());
             }
             return JSON.readTree(answer.body());
         } catch (IOException e) {
-            throw new AssertionError(service + "." + method + ": " + e + ", the process " + (process.isAlive() ? "runs" : "has ended") + ":\n"
+            throw new AssertionError(service + "." + method + ": " + e + ", the process "
+                + (process.isAlive() ? "runs" : "has ended") + ":\n"
                 + log(), e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

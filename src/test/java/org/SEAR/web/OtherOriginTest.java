@@ -83,22 +83,29 @@ public class OtherOriginTest {
 
     /** Returns a page by name; each page attempts a call immediately or has something to click. */
     private static String page(String name) {
-        String done = ".then(function(a) { return fetch('/report/" + name + "') }, function() { return fetch('/report/" + name + "') })";
+        String done = ".then(function(a) { return fetch('/report/" + name + "') }, function() { return fetch('/report/"
+            + name + "') })";
         String ended = "fetch('/report/" + name + "')";
         Map<String, String> pages = Map.of(
             "link", "<a id='go' href='" + call("link") + "'>go</a>",
-            "image", "<img src='" + call("image") + "' onerror=\"" + ended + "\"><script src='" + call("script") + "'></script>",
+            "image", "<img src='" + call("image") + "' onerror=\"" + ended + "\"><script src='" + call("script")
+            + "'></script>",
             "frame", "<iframe src='" + call("frame") + "' onload=\"" + ended + "\"></iframe>",
-            "form", "<form id='form' method='post' enctype='text/plain' action='" + api() + "'><input name='" + json("form").replace("\"", "&quot;")
+            "form", "<form id='form' method='post' enctype='text/plain' action='" + api() + "'><input name='"
+            + json("form").replace("\"", "&quot;")
                 .replace("]", ", &quot;") + "' value='&quot;]'></form><script>document.forms[0].submit()</script>",
-            "fetch", "<script>fetch('" + api() + "', {method: 'POST', headers: {'Content-Type': 'application/json'}, body: '"
+            "fetch", "<script>fetch('" + api() + "', {method: 'POST', headers: {'Content-Type': "
+                + "'application/json'}, body: '"
                 + json("fetch").replace("'", "\\'") + "'})" + done + "</script>",
             "simplefetch", "<script>fetch('" + api() + "', {method: 'POST', mode: 'no-cors', body: '"
                 + json("simplefetch").replace("'", "\\'") + "'})" + done + "</script>",
             "getfetch", "<script>fetch('" + call("getfetch") + "', {mode: 'no-cors'})" + done + "</script>",
-            "put", "<script>fetch('" + api() + "', {method: 'PUT', body: '" + json("put").replace("'", "\\'") + "'})" + done + "</script>",
-            "socket", "<script>var s = new WebSocket('" + api().replace("http:", "ws:").replace("service/python/exec", "messages") + "');"
-                + "s.onopen = function() { s.send(JSON.stringify({name: 'python', method: 'exec', data: " + json("socket") + "})) };"
+            "put", "<script>fetch('" + api() + "', {method: 'PUT', body: '" + json("put").replace("'", "\\'") + "'})"
+            + done + "</script>",
+            "socket", "<script>var s = new WebSocket('" + api().replace("http:", "ws:")
+            .replace("service/python/exec", "messages") + "');"
+                + "s.onopen = function() { s.send(JSON.stringify({name: 'python', method: 'exec', data: "
+                + json("socket") + "})) };"
                 + "s.onclose = s.onerror = function() { " + ended + " }</script>");
         return "<!DOCTYPE html><title>" + name + "</title>" + pages.getOrDefault(name, "");
     }
@@ -121,7 +128,8 @@ public class OtherOriginTest {
         browser.until("the link", () -> !browser.driver().getCurrentUrl().endsWith("/link"));
         browser.driver().get(evil("form"));
         browser.until("the form", () -> !browser.driver().getCurrentUrl().endsWith("/form"));
-        for (String file : new String[] {"image", "script", "frame", "fetch", "simplefetch", "getfetch", "put", "socket", "redirect", "address",
+        for (String file : new String[] {"image", "script", "frame", "fetch", "simplefetch", "getfetch", "put",
+            "socket", "redirect", "address",
             "link", "form"}) {
             assertFalse(file + " ran code", Files.exists(robotLab.file(file)));
         }

@@ -21,10 +21,12 @@ public class PanelNamesTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
     private static final List<Path> FOLDERS = List.of(ROOT.resolve("resources/resource/WebGui/app/service"),
         ROOT.resolve("src/mrl/resources/org/myrobotlab/embedded/pages/service"));
-    private static final String TAKEN = "(?:save|release|apply|peer|showPeers|saveDefault|startPeer|releasePeer|toggleVirtual|updateServiceData"
+    private static final String TAKEN = "(?:save|release|apply|peer|showPeers|saveDefault|startPeer|releasePeer|"
+        + "toggleVirtual|updateServiceData"
         + "|servicedatajson|parentPanel)";
     private static final Pattern IN_SCRIPT = Pattern.compile("\\$scope(?:\\.|\\[')" + TAKEN + "\\b");
-    private static final Pattern EXPRESSION = Pattern.compile("ng-[a-z-]+=\"([^\"]*)\"|\\{\\{(.*?)\\}\\}", Pattern.DOTALL);
+    private static final Pattern EXPRESSION = Pattern.compile("ng-[a-z-]+=\"([^\"]*)\"|\\{\\{(.*?)\\}\\}",
+        Pattern.DOTALL);
     private static final Pattern IN_EXPRESSION = Pattern.compile("(?<![\\w$.])" + TAKEN + "\\b");
 
     private static List<String> scriptNames(String script) {
@@ -59,7 +61,8 @@ public class PanelNamesTest {
                 if (Files.exists(script)) {
                     panels++;
                     assertEquals(script.toString(), List.of(), scriptNames(Files.readString(script)));
-                    assertEquals(type + "Gui.html", List.of(), viewNames(Files.readString(folder.resolve("views/" + type + "Gui.html"))));
+                    assertEquals(type + "Gui.html", List.of(),
+                        viewNames(Files.readString(folder.resolve("views/" + type + "Gui.html"))));
                 }
             }
         }
@@ -68,8 +71,11 @@ public class PanelNamesTest {
 
     @Test
     public void suchNamesAreFound() {
-        assertEquals(List.of("$scope.save", "$scope['peer"), scriptNames("$scope.save = f; $scope['peer'] = 1; $scope.saveProject = g; msg.save()"));
-        assertEquals(List.of("save", "showPeers", "servicedatajson"), viewNames("<p title=\"save\" ng-click=\"save()\" ng-if=\"a || showPeers\">"
-            + "{{ 1 + servicedatajson }} {{'peer'}} {{robot.peer}} save <b ng-click=\"msg.release(); saveProject()\">"));
+        assertEquals(List.of("$scope.save", "$scope['peer"),
+            scriptNames("$scope.save = f; $scope['peer'] = 1; $scope.saveProject = g; msg.save()"));
+        assertEquals(List.of("save", "showPeers", "servicedatajson"),
+            viewNames("<p title=\"save\" ng-click=\"save()\" ng-if=\"a || showPeers\">"
+            + "{{ 1 + servicedatajson }} {{'peer'}} {{robot.peer}} save <b ng-click=\"msg.release(); "
+                + "saveProject()\">"));
     }
 }

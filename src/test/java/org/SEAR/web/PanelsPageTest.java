@@ -38,12 +38,16 @@ public class PanelsPageTest {
         Path classes = folder.newFolder("classes").toPath();
         Path source = folder.newFile("X.java").toPath();
         Files.writeString(source, SERVICE);
-        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-proc:none", "-cp", System.getProperty("sear.cliClasspath"), "-d",
+        assertEquals(0, ToolProvider.getSystemJavaCompiler()
+            .run(null, null, null, "-proc:none", "-cp", System.getProperty("sear.cliClasspath"), "-d",
             classes.toString(), source.toString()));
-        try (MyRobotLab robotLab = new MyRobotLab("Runtime.start('x', 'X')", classes.toString()); Browser browser = new Browser(900, 700)) {
+        try (MyRobotLab robotLab = new MyRobotLab("Runtime.start('x', 'X')", classes.toString()); Browser browser =
+            new Browser(900, 700)) {
             Path panels = robotLab.file("resource/WebGui/app/service");
-            Files.writeString(Files.createDirectories(panels.resolve("js")).resolve("XGui.js"), only(DocBlock.of("docs/panels.md", "js")));
-            Files.writeString(Files.createDirectories(panels.resolve("views")).resolve("XGui.html"), only(DocBlock.of("docs/panels.md", "html")));
+            Files.writeString(Files.createDirectories(panels.resolve("js")).resolve("XGui.js"),
+                only(DocBlock.of("docs/panels.md", "js")));
+            Files.writeString(Files.createDirectories(panels.resolve("views")).resolve("XGui.html"),
+                only(DocBlock.of("docs/panels.md", "html")));
             browser.driver().get(robotLab.url() + "#/x");
             browser.seeText("mrl-panel[name='x'] p", "x: ");
             browser.click("mrl-panel[name='x'] p button");
@@ -56,7 +60,8 @@ public class PanelsPageTest {
 
     @Test
     public void theCallsFromOutsideAreAnswered() throws Exception {
-        List<String> calls = DocBlock.commands("docs/panels.md", "curl").stream().filter(line -> !line.contains("Bearer"))
+        List<String> calls = DocBlock.commands("docs/panels.md", "curl").stream()
+            .filter(line -> !line.contains("Bearer"))
             .collect(Collectors.toList());
         assertEquals(calls.toString(), 3, calls.size());
         try (MyRobotLab robotLab = new MyRobotLab("Runtime.start('sear', 'SEAR')")) {
@@ -70,7 +75,8 @@ public class PanelsPageTest {
 
     @Test
     public void theCallWithTheTokenIsAnsweredAndOneWithoutIsNot() throws Exception {
-        String call = only(DocBlock.commands("docs/panels.md", "curl").stream().filter(line -> line.contains("Bearer")).collect(Collectors.toList()));
+        String call = only(DocBlock.commands("docs/panels.md", "curl").stream().filter(line -> line.contains("Bearer"))
+            .collect(Collectors.toList()));
         try (MyRobotLab robotLab = new MyRobotLab("pass", "", "--token")) {
             assertTrue(answer(call, robotLab).contains("python@"));
             assertTrue(answer(call.replaceAll(" -H .*", " -w '%{http_code}'"), robotLab).endsWith("401"));
@@ -87,7 +93,8 @@ public class PanelsPageTest {
         assertTrue(line, line.contains(LINK));
         String port = robotLab.url().replaceAll("\\D", "");
         Path output = folder.newFile().toPath();
-        ProcessBuilder shell = new ProcessBuilder("sh", "-c", line.replace("8888", port).replaceFirst("^curl ", "curl --silent --show-error "))
+        ProcessBuilder shell = new ProcessBuilder("sh", "-c", line.replace("8888", port)
+            .replaceFirst("^curl ", "curl --silent --show-error "))
             .redirectErrorStream(true).redirectOutput(output.toFile());
         shell.environment().put("HOME", System.getProperty("user.home"));
         Process process = shell.start();

@@ -80,9 +80,11 @@ public final class SearTab {
     /** Returns the colour of a point of the ground in the view: red, green, blue, alpha as 0xRRGGBBAA. */
     public long colour(double x, double z) {
         WebElement view = browser.see(".sear-view");
-        Object value = browser.script("var at = angular.element(arguments[0]).scope().view.toScreen(arguments[1], arguments[2]);"
+        Object value = browser.script("var at = angular.element(arguments[0]).scope().view.toScreen(arguments[1], "
+            + "arguments[2]);"
             + "var ratio = window.devicePixelRatio || 1;"
-            + "var c = arguments[0].getContext('2d').getImageData(Math.round(at.x * ratio), Math.round(at.y * ratio), 1, 1).data;"
+            + "var c = arguments[0].getContext('2d').getImageData(Math.round(at.x * ratio), Math.round(at.y * "
+            + "ratio), 1, 1).data;"
             + "return ((c[0] * 256 + c[1]) * 256 + c[2]) * 256 + c[3]", view, x, z);
         return ((Number) value).longValue();
     }

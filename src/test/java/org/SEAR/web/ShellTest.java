@@ -18,7 +18,8 @@ import org.openqa.selenium.WebElement;
 /** The page around the tabs, light and dark, in one browser and in two. */
 public class ShellTest {
     @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\n"
+    public static final Tabs TABS =
+        new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\n"
         + "Runtime.start('line', 'Serial')");
     /** Least contrast by the guidelines for accessible pages (WCAG 2, level AA). */
     private static final double CONTRAST = 4.5;
@@ -30,19 +31,22 @@ public class ShellTest {
      */
     private static final String FAINT = "var limit = arguments[0]; var faint = [];"
         + "function parse(c) { var n = c.match(/[\\d.]+/g).map(Number); return n.length < 4 ? n.concat(1) : n }"
-        + "function mix(top, under) { return [0, 1, 2].map(function(i) { return top[i] * top[3] + under[i] * (1 - top[3]) }).concat(1) }"
+        + "function mix(top, under) { return [0, 1, 2].map(function(i) { return top[i] * top[3] + under[i] * (1 - "
+        + "top[3]) }).concat(1) }"
         + "function ground(e) { var c = e ? parse(getComputedStyle(e).backgroundColor) : [255, 255, 255, 1];"
         + "  return c[3] === 1 ? c : mix(c, ground(e.parentElement)) }"
         + "function light(c) { var v = c.slice(0, 3).map(function(x) {"
         + "  x /= 255; return x <= 0.03928 ? x / 12.92 : Math.pow((x + 0.055) / 1.055, 2.4) });"
         + "  return 0.2126 * v[0] + 0.7152 * v[1] + 0.0722 * v[2] }"
         + "document.querySelectorAll('body *').forEach(function(e) {"
-        + "  var own = Array.prototype.some.call(e.childNodes, function(n) { return n.nodeType === 3 && n.data.trim() });"
+        + "  var own = Array.prototype.some.call(e.childNodes, function(n) { return n.nodeType === 3 && "
+        + "n.data.trim() });"
         + "  var off = e.matches(':disabled, .python-code') || e.closest('[disabled]');"
         + "  if (!own && !e.matches('input, select') || !e.getClientRects().length || off) { return }"
         + "  var under = ground(e); var a = light(under), b = light(mix(parse(getComputedStyle(e).color), under));"
         + "  var ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);"
-        + "  if (ratio < limit) { faint.push(ratio.toFixed(1) + ' ' + e.tagName + '.' + e.className + ' ' + e.textContent.trim().substring(0, 30)) }"
+        + "  if (ratio < limit) { faint.push(ratio.toFixed(1) + ' ' + e.tagName + '.' + e.className + ' ' + "
+        + "e.textContent.trim().substring(0, 30)) }"
         + "}); return faint";
     @Rule
     public final TestRule page = TABS.page("sear");
@@ -64,10 +68,12 @@ public class ShellTest {
 
     @Test
     public void myRobotLabsOwnMembersAreOnAPanelsScopeAfterItsControllerHasRun() {
-        String members = "[save, saveDefault, release, apply, startPeer, releasePeer, toggleVirtual, updateServiceData]";
+        String members = "[save, saveDefault, release, apply, startPeer, releasePeer, toggleVirtual, "
+            + "updateServiceData]";
         for (String panel : new String[] {SearTab.ROOT, ".mrl-python", ".mrl-serial"}) {
             browser.until(panel, () -> !browser.all(panel).isEmpty());
-            assertEquals(panel, 8L, browser.script("return angular.element(document.querySelector(arguments[0])).scope().$eval(arguments[1])"
+            assertEquals(panel, 8L, browser.script(
+                "return angular.element(document.querySelector(arguments[0])).scope().$eval(arguments[1])"
                 + ".filter(angular.isFunction).length", panel, members));
             assertEquals(false, browser.scope(panel, "showPeers"));
         }
@@ -107,7 +113,8 @@ public class ShellTest {
             } else {
                 browser.click(".sear-status");
             }
-            browser.until("a closed menu", () -> !browser.see("#shell-more").getAttribute("aria-expanded").equals("true")
+            browser.until("a closed menu", () -> !browser.see("#shell-more").getAttribute("aria-expanded")
+                .equals("true")
                 && browser.all("#shell-menu").stream().noneMatch(WebElement::isDisplayed));
         }
     }

@@ -31,7 +31,8 @@ public final class Tabs extends ExternalResource {
     private static final int HEIGHT = 1000;
     private static final int MOST_WORDS = 2000;
     /** Unfolds the sections that the tests need; the others are in their initial state. */
-    private static final String OPEN = "localStorage.setItem('sear.folds', '{\"project\":false,\"messages\":false,\"scripts\":false}')";
+    private static final String OPEN = "localStorage.setItem('sear.folds', '{\"project\":false,\"messages\":false,"
+        + "\"scripts\":false}')";
     private static final Path PICTURES = Paths.get(System.getProperty("sear.root", "."), "build/reports/web");
 
     private final String script;
@@ -100,7 +101,8 @@ public final class Tabs extends ExternalResource {
     public void open(Browser other, String service) {
         other.driver().get(robotLab.url() + "?load=" + ++loads + "#/" + service);
         other.see("mrl-panel[name='" + service + "'] > *");
-        other.until("the modules of " + service, () -> other.all("mrl-panel[name='" + service + "'] .sear-loading").isEmpty());
+        other.until("the modules of " + service, () -> other.all("mrl-panel[name='" + service + "'] .sear-loading")
+            .isEmpty());
     }
 
     /**
@@ -144,7 +146,8 @@ public final class Tabs extends ExternalResource {
         Path file = PICTURES.resolve(test.getTestClass().getSimpleName() + "." + test.getMethodName() + ".png");
         try {
             browser.picture(file);
-            System.err.println(test + " failed, see " + file + "; console: " + browser.errors() + "; MyRobotLab printed:\n" + robotLab.log());
+            System.err.println(test + " failed, see " + file + "; console: " + browser.errors()
+                + "; MyRobotLab printed:\n" + robotLab.log());
         } catch (IOException | RuntimeException e) {
             System.err.println(test + " failed, and there is no picture of it: " + e);
         }

@@ -39,9 +39,11 @@ public class TwoPagesTest {
         }
 
         void select(String object) {
-            browser.until(object + " in the world", () -> tab.isTrue("edits.grammar !== null && world.shown() && world.shown().objects.length > 0"));
+            browser.until(object + " in the world",
+                () -> tab.isTrue("edits.grammar !== null && world.shown() && world.shown().objects.length > 0"));
             browser.scope(SearTab.ROOT, "edits.select('" + object + "')");
-            browser.until(object + " selected", () -> tab.isTrue("edits.object && edits.object.object == '" + object + "'"));
+            browser.until(object + " selected",
+                () -> tab.isTrue("edits.object && edits.object.object == '" + object + "'"));
         }
 
         void type(String field, String value) {
@@ -52,7 +54,8 @@ public class TwoPagesTest {
 
         /** Waits until both the page's data and the field have a value. */
         void waitFor(String field, String value) {
-            browser.until(field + " to be " + value, () -> tab.isTrue("edits.object && edits.object.values." + field + " == '" + value + "'")
+            browser.until(field + " to be " + value,
+                () -> tab.isTrue("edits.object && edits.object.values." + field + " == '" + value + "'")
                 && value.equals(browser.see("[data-field='" + field + "'] .form-control").getAttribute("value")));
         }
 
@@ -111,7 +114,8 @@ public class TwoPagesTest {
     private static void aStaleOneIsRefused(Page one, Page two) throws IOException {
         one.type("x", "3");
         two.waitFor("x", "3");
-        two.browser.script("var rows = angular.element(document.querySelector(\"[data-field='x']\")).scope().inspector.rows;"
+        two.browser.script("var rows = "
+            + "angular.element(document.querySelector(\"[data-field='x']\")).scope().inspector.rows;"
             + "rows.filter(function(row) { return row.p.name === 'x' })[0].was = '1'");
         two.type("x", "5");
         two.browser.seeText("[data-field='x'] .sear-wrong", "a value based on the present one, 3, since another page");
@@ -128,7 +132,8 @@ public class TwoPagesTest {
         two.build();
         two.browser.until("its edit", () -> two.tab.isTrue("edits.undoable == 'add sphere1'"));
         two.browser.click(".sear-undo");
-        one.browser.until("that it was taken back", () -> one.tab.isTrue("world.shown().objects.length == 1 && edits.redoable == 'add sphere1'"));
+        one.browser.until("that it was taken back",
+            () -> one.tab.isTrue("world.shown().objects.length == 1 && edits.redoable == 'add sphere1'"));
         assertTrue(Files.notExists(TABS.robotLab().file("SEARproject/environment/sphere1.xml")));
         assertTrue(crate(), crate().contains("<x>6</x>") && crate().contains("<color>red</color>"));
     }

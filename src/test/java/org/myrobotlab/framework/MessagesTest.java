@@ -161,7 +161,8 @@ public class MessagesTest {
         b.subscribe("a", "publishError", "onStatus");
         a.in(Message.createMessage("b", "a", "fail", new Object[0]));
         String error = ((Status) b.next()).key;
-        assertTrue(error, error.matches("could not invoke a\\.fail \\(\\[Ljava\\.lang\\.Object;@[0-9a-f]+\\) .*: no good - check logs for details"));
+        assertTrue(error, error.matches("could not invoke a\\.fail \\(\\[Ljava\\.lang\\.Object;@[0-9a-f]+\\) .*: no "
+            + "good - check logs for details"));
         a.in(Message.createMessage("b", "a", "nix", new Object[] {1, "two"}));
         assertEquals("a has no method nix(Integer, String)", ((Status) b.next()).key);
         a.in(Message.createMessage("b", "a", "tick", new Object[0]));

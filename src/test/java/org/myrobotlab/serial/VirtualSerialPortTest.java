@@ -175,7 +175,8 @@ public class VirtualSerialPortTest {
             left.setParams(0, 8, 1, 0);
             fail("0 baud");
         } catch (IllegalArgumentException e) {
-            assertTrue(e.getMessage(), e.getMessage().contains("baud rate of port /dev/left is 0, legal: 50 to 4000000"));
+            assertTrue(e.getMessage(), e.getMessage()
+                .contains("baud rate of port /dev/left is 0, legal: 50 to 4000000"));
         }
     }
 }

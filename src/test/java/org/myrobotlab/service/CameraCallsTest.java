@@ -110,11 +110,15 @@ public class CameraCallsTest {
 
     @Test
     public void queriesToTheWrongCameraAreAnswered() {
-        refuses("sensor compass is a Compass, not a Camera, legal: color eye, depth eye, infrared eye", () -> sear.getImage("compass"));
+        refuses("sensor compass is a Compass, not a Camera, legal: color eye, depth eye, infrared eye",
+            () -> sear.getImage("compass"));
         refuses("the name is missing (None), legal: color eye, depth eye, infrared eye", () -> sear.getPixels(null));
-        refuses("camera color eye makes pictures of kind color, legal: setKind(\"depth\") before the start", () -> sear.getDepth("color eye"));
-        refuses("the path is \"eye.gif\", legal: a file that ends with .png", () -> sear.saveImage("color eye", "eye.gif"));
-        refuses("the colour is \"white\", legal: one with a hue, such as red, orange or #2060ff; white, grey and black have none",
+        refuses("camera color eye makes pictures of kind color, legal: setKind(\"depth\") before the start",
+            () -> sear.getDepth("color eye"));
+        refuses("the path is \"eye.gif\", legal: a file that ends with .png",
+            () -> sear.saveImage("color eye", "eye.gif"));
+        refuses("the colour is \"white\", legal: one with a hue, such as red, orange or #2060ff; white, grey and "
+            + "black have none",
             () -> sear.getBlobs("color eye", "white"));
         assertTrue(assertThrows(IllegalArgumentException.class, () -> sear.getImage("eye")).getMessage()
             .startsWith("no sensor is called \"eye\", legal: color eye, "));
@@ -133,11 +137,13 @@ public class CameraCallsTest {
         assertEquals("color eye of testSear", image.name + " of " + image.source);
         String start = "data:image/png;base64,";
         assertTrue(image.src.startsWith(start));
-        BufferedImage picture = ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(image.src.substring(start.length()))));
+        BufferedImage picture = ImageIO.read(
+            new ByteArrayInputStream(Base64.getDecoder().decode(image.src.substring(start.length()))));
         assertEquals(WIDTH, picture.getWidth());
         sear.addListener("publishReading", "searStatus", "onValue");
         sear.startPublishing("depth eye", 10);
         sear.simSleep(0.5);
-        assertTrue(heard.awaitValue(value -> value instanceof SensorReading && ((SensorReading) value).value instanceof float[]));
+        assertTrue(heard.awaitValue(value -> value instanceof SensorReading
+            && ((SensorReading) value).value instanceof float[]));
     }
 }

@@ -116,7 +116,8 @@ public class ImitationTest {
     @Test
     public void aMissingConfigurationIsAnError() {
         Runtime.startConfig(SET);
-        assertEquals("there is no saved configuration " + SET + ": its runtime.yml is missing", Runtime.getInstance().getLastError().key);
+        assertEquals("there is no saved configuration " + SET + ": its runtime.yml is missing", Runtime.getInstance()
+            .getLastError().key);
     }
 
     @Test
@@ -125,7 +126,8 @@ public class ImitationTest {
         Talker first = (Talker) Runtime.start("first", TALKER);
         Talker second = (Talker) Runtime.start("second", TALKER);
         first.addListener("publishNumber", "python", "shared");
-        assertTrue(python.exec("from java.util.concurrent import LinkedBlockingQueue as Q\ngot = Q()\ndef shared(data): got.put(data)"));
+        assertTrue(python.exec("from java.util.concurrent import LinkedBlockingQueue as Q\ngot = Q()\ndef "
+            + "shared(data): got.put(data)"));
         first.invoke("publishNumber", 1);
         assertTrue(python.exec("assert got.take() == 1"));
         assertTrue(python.exec("got = Q()\ndef shared(data): got.put(data)"));
@@ -135,7 +137,8 @@ public class ImitationTest {
         Runtime.release("python");
         python = (Python) Runtime.start("python", "Python");
         second.addListener("publishNumber", "python", "shared");
-        assertTrue(python.exec("from java.util.concurrent import LinkedBlockingQueue as Q\ngot = Q()\ndef shared(data): got.put(data)"));
+        assertTrue(python.exec("from java.util.concurrent import LinkedBlockingQueue as Q\ngot = Q()\ndef "
+            + "shared(data): got.put(data)"));
         second.invoke("publishNumber", 3);
         assertTrue("a new Python service has forgotten", python.exec("assert got.take() == 3"));
     }
@@ -145,7 +148,8 @@ public class ImitationTest {
         Python python = (Python) Runtime.start("snake", "Python");
         Talker talker = (Talker) Runtime.start("talker", TALKER);
         talker.addListener("publishNumber", "snake", "nameOfThread");
-        assertTrue(python.exec("from java.util.concurrent import LinkedBlockingQueue as Q\nfrom java.lang import Thread\ngot = Q()\n"
+        assertTrue(python.exec("from java.util.concurrent import LinkedBlockingQueue as Q\nfrom java.lang import "
+            + "Thread\ngot = Q()\n"
             + "def nameOfThread(data): got.put(Thread.currentThread().getName())"));
         talker.invoke("publishNumber", 1);
         assertTrue(python.exec("assert got.take() == 'python.snake.input'"));
@@ -154,8 +158,10 @@ public class ImitationTest {
     @Test
     public void startingALidarReplacesAnImportedClassOfThatName() {
         Python python = (Python) Runtime.start("python", "Python");
-        assertTrue(python.exec("from org.SEAR.POJOs import LIDAR\nfrom java.util.concurrent import TimeUnit\nimport time\nimported = LIDAR\n"
-            + "Runtime.start('scanner', 'LIDAR')\nend = time.time() + 20\nwhile LIDAR is imported and time.time() < end: time.sleep(0.005)\n"
+        assertTrue(python.exec("from org.SEAR.POJOs import LIDAR\nfrom java.util.concurrent import TimeUnit\nimport "
+            + "time\nimported = LIDAR\n"
+            + "Runtime.start('scanner', 'LIDAR')\nend = time.time() + 20\nwhile LIDAR is imported and time.time() < "
+            + "end: time.sleep(0.005)\n"
             + "assert LIDAR is not imported"));
         assertFalse(python.exec("LIDAR('x')"));
         assertTrue(python.getLastError().key, python.getLastError().key.contains("expected 2 args"));

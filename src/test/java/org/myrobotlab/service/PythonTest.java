@@ -86,9 +86,11 @@ public class PythonTest {
 
     @Test
     public void functionsAreCalledBackOneAfterAnother() {
-        assertTrue(python.exec("got = []\ndef input(data):\n  got.append(data)\ndef second(data):\n  got.append(list(data))\n"
+        assertTrue(python.exec("got = []\ndef input(data):\n  got.append(data)\ndef second(data):\n  "
+            + "got.append(list(data))\n"
             + "talker = Runtime.getService('talker')\n"
-            + "talker.addListener('publishNumber', python.name, 'input')\ntalker.addListener('publishArray', python.name, 'second')"));
+            + "talker.addListener('publishNumber', python.name, 'input')\ntalker.addListener('publishArray', "
+                + "python.name, 'second')"));
         for (int i = 0; i < 200; i++) {
             talker.invoke("publishNumber", i);
         }
@@ -98,19 +100,22 @@ public class PythonTest {
 
     @Test
     public void aCallbackDoesNotEndTheLineThatTheScriptPrints() {
-        assertTrue(python.exec("import time\nclass Out:\n  text = ''\n  softspace = 0\n  def write(self, part): self.text += part\n"
+        assertTrue(python.exec("import time\nclass Out:\n  text = ''\n  softspace = 0\n  def write(self, part): "
+            + "self.text += part\n"
             + "got = []\ndef input(data):\n  got.append(data)\ntalker = Runtime.getService('talker')\n"
             + "talker.addListener('publishNumber', python.name, 'input')\ndef called():\n  end = time.time() + 60\n"
             + "  talker.invoke('publishNumber', 1)\n  talker.invoke('publishNumber', 2)\n"
             + "  while got != [1, 2] and time.time() < end: time.sleep(0.005)\n  return got\n"
-            + "console, out = sys.stdout, Out()\nsys.stdout = out\ntry:\n  print 'got', called()\nfinally:\n  sys.stdout = console\n"
+            + "console, out = sys.stdout, Out()\nsys.stdout = out\ntry:\n  print 'got', called()\nfinally:\n  "
+            + "sys.stdout = console\n"
             + "assert out.text == 'got [1, 2]\\n', out.text"));
     }
 
     @Test
     public void bytesOfAPortAreNumbersFrom0To255() throws Exception {
         Serial uart = Serial.connectVirtualUart("/dev/py");
-        assertTrue(python.exec("got = []\nchunks = []\ndef input(data):\n  got.append(data)\ndef piece(data):\n  chunks.extend(data)\n"
+        assertTrue(python.exec("got = []\nchunks = []\ndef input(data):\n  got.append(data)\ndef piece(data):\n  "
+            + "chunks.extend(data)\n"
             + "port = Runtime.start('port', 'Serial')\nport.addListener('publishRX', python.name, 'input')\n"
             + "port.addListener('publishBytes', python.name, 'piece')\nport.connect('/dev/py', 9600, 8, 1, 0)"));
         uart.write(new byte[] {0, 127, -128, -1});
@@ -137,7 +142,8 @@ public class PythonTest {
         talker.subscribe("python", "publishStdError", "onReleased");
         assertFalse(python.execFile(script.toString()));
         String traceback = python.getLastError().key;
-        assertEquals("Traceback (most recent call last):\n  File \"" + script + "\", line 5, in <module>\n    f()\n  File \"" + script
+        assertEquals("Traceback (most recent call last):\n  File \"" + script + "\", line 5, in <module>\n    "
+            + "f()\n  File \"" + script
             + "\", line 3, in f\n    return 1 / 0\nZeroDivisionError: integer division or modulo by zero", traceback);
         assertEquals("released " + traceback + "\n", talker.heard.poll(60, TimeUnit.SECONDS));
         assertFalse(python.exec("if True print 1"));
@@ -148,7 +154,8 @@ public class PythonTest {
 
     @Test
     public void aCallbackThatRaisesIsAnErrorAndTheNextIsCalled() {
-        assertTrue(python.exec("got = []\ndef input(data):\n  got.append(data)\n  if data == 1: raise ValueError('one')\n"
+        assertTrue(python.exec("got = []\ndef input(data):\n  got.append(data)\n  if data == 1: raise "
+            + "ValueError('one')\n"
             + "Runtime.getService('talker').addListener('publishNumber', python.name, 'input')"));
         talker.invoke("publishNumber", 1);
         talker.invoke("publishNumber", 2);
@@ -175,10 +182,13 @@ public class PythonTest {
 
     @Test
     public void threadsMayPrintAtTheSameTime() {
-        assertTrue(python.exec("import threading\nwrong = []\ndef many():\n  try:\n    for i in range(2000): print 'line', i, u'\u00fc'\n"
+        assertTrue(python.exec("import threading\nwrong = []\ndef many():\n  try:\n    for i in range(2000): print "
+            + "'line', i, u'\u00fc'\n"
             + "  except Exception, e: wrong.append(e)\n"
-            + "threads = [threading.Thread(target=many) for i in range(4)]\nfor t in threads: t.start()\nfor t in threads: t.join()\n"
-            + "assert wrong == [], wrong\nsys.stdout.writelines(['a', u'b'])\nsys.stdout.flush()\nsys.stderr.write('c\\n')"));
+            + "threads = [threading.Thread(target=many) for i in range(4)]\nfor t in threads: t.start()\nfor t in "
+            + "threads: t.join()\n"
+            + "assert wrong == [], wrong\nsys.stdout.writelines(['a', "
+                + "u'b'])\nsys.stdout.flush()\nsys.stderr.write('c\\n')"));
     }
 
     @Test(timeout = 120_000)
@@ -203,11 +213,14 @@ public class PythonTest {
     @Test
     public void anErrorShowsLettersThatAreNotAscii() throws Exception {
         Path script = folder.newFile("umlaut.py").toPath();
-        for (String error : new String[] {"ValueError(u'T\u00fcr?')", "ValueError('T\u00fcr?')", "IOError(u'T\u00fcr?')"}) {
+        for (String error : new String[] {"ValueError(u'T\u00fcr?')", "ValueError('T\u00fcr?')",
+            "IOError(u'T\u00fcr?')"}) {
             Files.writeString(script, "# coding: utf-8\nname = 'K\u00e4fer \ud83d\ude00'; raise " + error + "\n");
             assertFalse(python.execFile(script.toString()));
-            assertEquals("Traceback (most recent call last):\n  File \"" + script + "\", line 2, in <module>\n    name = 'K\u00e4fer \ud83d\ude00';"
-                + " raise " + error + "\n" + error.substring(0, error.indexOf('(')) + ": T\u00fcr?", python.getLastError().key);
+            assertEquals("Traceback (most recent call last):\n  File \"" + script + "\", line 2, in <module>\n    name "
+                + "= 'K\u00e4fer \ud83d\ude00';"
+                + " raise " + error + "\n" + error.substring(0, error.indexOf('(')) + ": T\u00fcr?",
+                    python.getLastError().key);
         }
     }
 
@@ -215,7 +228,8 @@ public class PythonTest {
     public void aFileImportsFromItsOwnFolder() throws Exception {
         Files.writeString(folder.newFile("helper_of_test.py").toPath(), "value = 42\n");
         Path script = folder.newFile("main.py").toPath();
-        Files.writeString(script, "import helper_of_test\nresult = helper_of_test.value\nassert __name__ == '__main__' and __file__\n");
+        Files.writeString(script, "import helper_of_test\nresult = helper_of_test.value\nassert __name__ == '__main__' "
+            + "and __file__\n");
         assertTrue(python.execFile(script.toString()));
         assertEquals(42, python.get("result"));
         assertFalse(python.execFile(folder.getRoot() + "/nix.py"));
@@ -226,7 +240,8 @@ public class PythonTest {
     public void theEditorOpensAndSavesScripts() throws Exception {
         python.getConfig().scriptRootDir = folder.getRoot().toString();
         IOException missing = assertThrows(IOException.class, () -> python.saveScript("sub/a.py", "x = 1\n"));
-        assertEquals("sub/a.py can't be saved: there is no folder " + folder.getRoot().toPath().resolve("sub") + "; create it first",
+        assertEquals("sub/a.py can't be saved: there is no folder " + folder.getRoot().toPath().resolve("sub")
+            + "; create it first",
             missing.getMessage());
         folder.newFolder("sub");
         python.saveScript("sub/a.py", "x = 1\n");
@@ -240,13 +255,16 @@ public class PythonTest {
 
     @Test
     public void allObjectsAreImportedTogether() {
-        assertTrue(python.exec("from org.SEAR.POJOs import Cone\nfrom org.SEAR.POJOs import *\nimport org.SEAR.POJOs.Floor\n"
-            + "assert str(Box) == \"<type 'org.SEAR.POJOs.Box'>\"\nassert Cone and SEARrobot and org.SEAR.POJOs.Floor\n"));
+        assertTrue(python.exec("from org.SEAR.POJOs import Cone\nfrom org.SEAR.POJOs import *\nimport "
+            + "org.SEAR.POJOs.Floor\n"
+            + "assert str(Box) == \"<type 'org.SEAR.POJOs.Box'>\"\nassert Cone and SEARrobot and "
+                + "org.SEAR.POJOs.Floor\n"));
     }
 
     @Test
     public void theModuleTimeIsComplete() {
-        assertTrue(python.exec("from time import *\nimport time, java\nstart = java.lang.System.nanoTime()\ntime.sleep(0.05)\nsleep(0.05)\n"
+        assertTrue(python.exec("from time import *\nimport time, java\nstart = "
+            + "java.lang.System.nanoTime()\ntime.sleep(0.05)\nsleep(0.05)\n"
             + "assert java.lang.System.nanoTime() - start > 90e6\n"
             + "assert clock and strftime('%Y', gmtime(0)) == '1970' and timezone == time.timezone"));
     }
@@ -256,10 +274,14 @@ public class PythonTest {
         System.setProperty("sear.headless", "true");
         TestWorld.build(folder.getRoot().toPath());
         try {
-            assertTrue(python.exec(String.join("\n", "import time", "sear = Runtime.start('sear', 'SEAR')", "sear.setLockStep(True)",
-                "sear.startSimulation()", "roomba = Runtime.start('roomba', 'Roomba')", "roomba.connect('" + TestWorld.ROOMBA_PORT + "')",
-                "start = sear.getTime()", "for wait in (lambda: sleep(0.05), lambda: time.sleep(0.05), lambda: roomba.sleep(50),",
-                "        lambda: roomba.goForward(10), lambda: roomba.spin(5)):", "    wait()", "assert sear.getTime() == start",
+            assertTrue(python.exec(String.join("\n", "import time", "sear = Runtime.start('sear', 'SEAR')",
+                "sear.setLockStep(True)",
+                "sear.startSimulation()", "roomba = Runtime.start('roomba', 'Roomba')", "roomba.connect('"
+                + TestWorld.ROOMBA_PORT + "')",
+                "start = sear.getTime()", "for wait in (lambda: sleep(0.05), lambda: time.sleep(0.05), lambda: "
+                + "roomba.sleep(50),",
+                "        lambda: roomba.goForward(10), lambda: roomba.spin(5)):", "    wait()",
+                "assert sear.getTime() == start",
                 "sear.simSleep(0.5)", "assert abs(sear.getTime() - start - 0.5) < 0.02", "sear.stopSimulation()", "")));
         } finally {
             System.clearProperty("sear.project");
@@ -268,7 +290,8 @@ public class PythonTest {
 
     @Test
     public void aCharacterUnknownToPythonIsAnErrorInTheTab() {
-        python.exec("errors = []\ndef onStdError(text): errors.append(text)\npython.addListener('publishStdError', 'python', 'onStdError')");
+        python.exec("errors = []\ndef onStdError(text): errors.append(text)\npython.addListener('publishStdError', "
+            + "'python', 'onStdError')");
         assertFalse(python.exec("print \u201chi\u201d"));
         until("len(errors) == 1");
         assertTrue(python.exec("assert 'U+201C' in errors[0] and 'line 1' in errors[0], errors"));

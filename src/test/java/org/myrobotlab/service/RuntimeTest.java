@@ -145,25 +145,34 @@ public class RuntimeTest {
     public void aFailedStartReturnsNullAndReportsTheCause() {
         assertNull(Runtime.start("a", "Nix"));
         String unknown = Runtime.getInstance().getLastError().key;
-        assertTrue(unknown, unknown.matches("can't start a as Nix: there is no service type Nix; the types here are .*GPS, .*LIDAR, .*WebGui"));
-        refused(Runtime.start("a", "Lidar"), "can't start a as Lidar: " + onlyReal("Lidar") + "; did you mean SEAR's own, LIDAR?");
+        assertTrue(unknown, unknown.matches("can't start a as Nix: there is no service type Nix; the types here are "
+            + ".*GPS, .*LIDAR, .*WebGui"));
+        refused(Runtime.start("a", "Lidar"), "can't start a as Lidar: " + onlyReal("Lidar")
+            + "; did you mean SEAR's own, LIDAR?");
         refused(Runtime.create("a", "Clock"), "can't start a as Clock: " + onlyReal("Clock"));
-        refused(Runtime.createAndStart("a", "Seriall"), "can't start a as Seriall: there is no service type Seriall; did you mean Serial?");
-        refused(Runtime.loadAndStart("a", "servo"), "can't start a as servo: there is no service type servo; did you mean Servo?");
-        refused(Runtime.start("a", "java.lang.String"), "can't start a as String: java.lang.String is not a service type");
+        refused(Runtime.createAndStart("a", "Seriall"), "can't start a as Seriall: there is no service type Seriall; "
+            + "did you mean Serial?");
+        refused(Runtime.loadAndStart("a", "servo"), "can't start a as servo: there is no service type servo; did "
+            + "you mean Servo?");
+        refused(Runtime.start("a", "java.lang.String"), "can't start a as String: java.lang.String is not a "
+            + "service type");
         refused(Runtime.start("a", Broken.class.getName()), "can't start a as Broken: the battery is empty");
         refused(Runtime.start("a", Bare.class.getName()),
-            "can't start a as RuntimeTest$Bare: class com.jme3.math.Vector3f is missing: a library is not on the class path");
+            "can't start a as RuntimeTest$Bare: class com.jme3.math.Vector3f is missing: a library is not on "
+                + "the class path");
         refused(Runtime.start("a/b", "Serial"), "can't start a/b as Serial: a service's name is a word without \"/\"");
-        refused(Runtime.start("a"), "can't start a: its type is missing, and there is no configuration file of that name:"
+        refused(Runtime.start("a"), "can't start a: its type is missing, and there is no configuration file "
+            + "of that name:"
             + " write Runtime.start(\"a\", \"SEAR\") with a name and a type");
-        refused(Runtime.create("Clock"), "can't start Clock: its type is missing, and there is no configuration file of that name:"
+        refused(Runtime.create("Clock"), "can't start Clock: its type is missing, and there is no configuration file "
+            + "of that name:"
             + " write Runtime.start(\"name\", \"Clock\") with a name and a type");
         assertEquals(1, Runtime.getServices().size());
     }
 
     private static String onlyReal(String type) {
-        return "only the real MyRobotLab has the service " + type + ": install SEAR there by the command \"sear install FOLDER\", with the"
+        return "only the real MyRobotLab has the service " + type + ": install SEAR there by the command \"sear "
+            + "install FOLDER\", with the"
             + " folder of its myrobotlab.jar, and run the script in its Python tab (docs/install.md)";
     }
 
@@ -279,7 +288,8 @@ public class RuntimeTest {
     @Test
     public void stateIsJsonOfFieldsThatAreNotTransient() {
         String json = CodecUtils.toJson(Runtime.start("s", "Serial"));
-        assertTrue(json, json.contains("\"name\":\"s\"") && json.contains("\"rate\":115200") && json.contains("\"config\":{"));
+        assertTrue(json, json.contains("\"name\":\"s\"") && json.contains("\"rate\":115200")
+            && json.contains("\"config\":{"));
         assertFalse(json, json.contains("blockingRX"));
         assertNotNull(CodecUtils.fromJson("[1, \"a\"]"));
     }

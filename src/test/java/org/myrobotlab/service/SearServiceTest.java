@@ -114,7 +114,8 @@ public class SearServiceTest {
         sear.simSleep(3);
         uart.info("after three fixes");
         assertTrue(heard.awaitStatus("after three fixes"));
-        assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().matches("(?s).*(closed port|did not reach).*"));
+        assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString()
+            .matches("(?s).*(closed port|did not reach).*"));
     }
 
     @Test
@@ -160,7 +161,8 @@ public class SearServiceTest {
         assertEquals(181, scan.length);
         assertEquals(TestWorld.WALL - TestWorld.LIDAR_Z, scan[90], 0.01);
         assertEquals(8.191, scan[0], 1e-3);
-        assertTrue(sear.getSensorNames().containsAll(Arrays.asList("accel", "compass", "gyro", "ping", "receiver", "scanner")));
+        assertTrue(sear.getSensorNames()
+            .containsAll(Arrays.asList("accel", "compass", "gyro", "ping", "receiver", "scanner")));
     }
 
     @Test
@@ -186,7 +188,8 @@ public class SearServiceTest {
         lidar.singleScan();
         sear.simSleep(30);
         assertNotNull(heard.getStatuses().toString(), lidar.getLastScan());
-        assertFalse("probing is not the user's: " + heard.getStatuses(), heard.getStatuses().toString().contains("was set to"));
+        assertFalse("probing is not the user's: " + heard.getStatuses(), heard.getStatuses().toString()
+            .contains("was set to"));
     }
 
     @Test
@@ -194,7 +197,8 @@ public class SearServiceTest {
         sear.startSimulation();
         Serial serial = (Serial) Runtime.start("testSerial", "Serial");
         serial.connect(TestWorld.LIDAR_PORT, 9600, 8, 1, 0);
-        assertTrue(heard.awaitStatus("warn: LIDAR scanner talks at 38400 baud, but port " + TestWorld.LIDAR_PORT + " was set to 9600"));
+        assertTrue(heard.awaitStatus("warn: LIDAR scanner talks at 38400 baud, but port " + TestWorld.LIDAR_PORT
+            + " was set to 9600"));
     }
 
     @Test
@@ -202,7 +206,8 @@ public class SearServiceTest {
         sear.startSimulation();
         LIDAR lidar = (LIDAR) Runtime.start("testLidar", "LIDAR");
         IOException e = assertThrows(IOException.class, () -> lidar.connect("/dev/my_Lidar01"));
-        assertTrue(e.getMessage(), e.getMessage().endsWith("it is the simulated device's own end, connect to " + TestWorld.LIDAR_PORT));
+        assertTrue(e.getMessage(), e.getMessage().endsWith("it is the simulated device's own end, connect to "
+            + TestWorld.LIDAR_PORT));
     }
 
     @Test
@@ -270,7 +275,8 @@ public class SearServiceTest {
     @Test
     public void theDevicesSerialServicesAreInTheRegistry() {
         sear.startSimulation();
-        for (String name : new String[] {"scanner_LIDARsimulator_Serial_Service", "receiver_GPSsimulator_Serial_Service",
+        for (String name : new String[] {"scanner_LIDARsimulator_Serial_Service",
+            "receiver_GPSsimulator_Serial_Service",
             "drive_ROBOTsimulator_Serial_Service"}) {
             assertNotNull(name, Runtime.getService(name));
         }
@@ -350,7 +356,8 @@ public class SearServiceTest {
         assertFails("there is no robot \"nobody\"", () -> sear.drive("nobody", 1, 1));
         assertFails("speed is 0.0, legal: 0.001 or more", () -> sear.setSpeed(0));
         assertFails("speed is 1.0E-9, legal: 0.001 or more", () -> sear.setSpeed(1e-9));
-        assertFails("the path is \"a?b.searlog\", legal: a valid file name on this system (Nul character not allowed)", () -> sear.recordRun("a\0b"));
+        assertFails("the path is \"a?b.searlog\", legal: a valid file name on this system (Nul character not allowed)",
+            () -> sear.recordRun("a\0b"));
         assertFails("simSleep of -1", () -> sear.simSleep(-1));
         assertFails("newProject needs the simulation to be stopped", sear::newProject);
         assertFails("there is no template \"mine.py\"", () -> sear.copyTemplate("mine.py", "."));
@@ -457,7 +464,8 @@ public class SearServiceTest {
             }
             assertTrue(Files.isDirectory(Path.of(sear.newProject())));
         }
-        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("was removed: SEAR keeps the last 10 backups of a project, at most 1024 MB"));
+        assertTrue(heard.getStatuses().toString(),
+            heard.awaitStatus("was removed: SEAR keeps the last 10 backups of a project, at most 1024 MB"));
     }
 
     @Test
@@ -468,7 +476,8 @@ public class SearServiceTest {
         assertTrue(heard.getStatuses().toString(), heard.awaitStatus("imported \"roomba\" as \"roomba_2\""));
         assertTrue(sear.importEnvironment(bundle.toString()).contains("wall_2"));
         sear.startSimulation();
-        assertTrue(sear.getSensorNames().toString(), sear.getSensorNames().containsAll(List.of("roomba/ping", "roomba_2/ping")));
+        assertTrue(sear.getSensorNames().toString(), sear.getSensorNames()
+            .containsAll(List.of("roomba/ping", "roomba_2/ping")));
         assertEquals(sear.getReading("roomba_2/ping"), sear.getDistanceResult("roomba_2/ping"));
         assertEquals("m", sear.getSensorUnit("roomba/ping"));
         assertEquals(6, sear.getPose("roomba_2/drive").length);
@@ -485,7 +494,8 @@ public class SearServiceTest {
         sear.stopSimulation();
         String backup = sear.newProject();
         sear.loadProject(backup);
-        assertTrue(Files.exists(folder.resolve("robot/roomba_2.xml")) && Files.exists(folder.resolve("environment/wall_2.xml")));
+        assertTrue(Files.exists(folder.resolve("robot/roomba_2.xml"))
+            && Files.exists(folder.resolve("environment/wall_2.xml")));
         assertFails("robot is \"nobody\"", () -> sear.importRobot(bundle.toString(), "nobody"));
     }
 
@@ -509,7 +519,8 @@ public class SearServiceTest {
         }
         String uart = ((Serial) Runtime.getService("roomba_scanner_LIDARsimulator_Serial_Service")).lastPortName;
         assertEquals("a name without a slash stays as it is", "/dev/my_third", uart);
-        assertEquals("/dev/my_Lidar01", ((Serial) Runtime.getService("roomba_scanner_2_LIDARsimulator_Serial_Service")).lastPortName);
+        assertEquals("/dev/my_Lidar01",
+            ((Serial) Runtime.getService("roomba_scanner_2_LIDARsimulator_Serial_Service")).lastPortName);
     }
 
     @Test

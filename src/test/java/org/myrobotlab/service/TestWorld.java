@@ -80,7 +80,8 @@ public final class TestWorld {
         List<String> names = new ArrayList<>();
         for (Thread thread : Thread.getAllStackTraces().keySet()) {
             String name = thread.getName();
-            if (thread.isAlive() && (name.startsWith("SEAR ") || name.contains("/dev/") || name.startsWith("serial time-outs")
+            if (thread.isAlive() && (name.startsWith("SEAR ") || name.contains("/dev/")
+                || name.startsWith("serial time-outs")
                     || name.contains("simulator_Serial_Service"))) {
                 names.add(name);
             }

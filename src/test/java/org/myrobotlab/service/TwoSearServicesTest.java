@@ -79,11 +79,14 @@ public class TwoSearServicesTest {
     @Test
     public void onlyTheServiceWithTheSimulationReportsALateObject() throws Exception {
         script("first");
-        assertTrue(first.getStatuses().toString(), first.getStatuses().toString().contains("Box \"late in first\" " + LATE));
+        assertTrue(first.getStatuses().toString(), first.getStatuses().toString()
+            .contains("Box \"late in first\" " + LATE));
         assertFalse(second.getStatuses().toString(), second.getStatuses().toString().contains(LATE));
         script("second");
-        assertTrue(second.getStatuses().toString(), second.getStatuses().toString().contains("Box \"late in second\" " + LATE));
-        assertFalse(first.getStatuses().toString(), first.getStatuses().toString().contains("late in second\" " + LATE));
+        assertTrue(second.getStatuses().toString(), second.getStatuses().toString()
+            .contains("Box \"late in second\" " + LATE));
+        assertFalse(first.getStatuses().toString(), first.getStatuses().toString()
+            .contains("late in second\" " + LATE));
     }
 
     private static void refused(String call, ThrowingRunnable work) {

@@ -63,7 +63,8 @@ public class WebGuiTest {
     }
 
     private HttpResponse<String> get(String path) throws IOException, InterruptedException {
-        return client.send(HttpRequest.newBuilder(URI.create("http://localhost:" + port + path)).build(), HttpResponse.BodyHandlers.ofString());
+        return client.send(HttpRequest.newBuilder(URI.create("http://localhost:" + port + path)).build(),
+            HttpResponse.BodyHandlers.ofString());
     }
 
     private HttpResponse<String> post(String path, String body) throws IOException, InterruptedException {
@@ -74,7 +75,8 @@ public class WebGuiTest {
 
     private WebSocket open() {
         String host = "localhost:" + port;
-        return client.newWebSocketBuilder().header("Origin", "http://" + host).buildAsync(URI.create("ws://" + host + "/api/messages"),
+        return client.newWebSocketBuilder().header("Origin", "http://" + host)
+            .buildAsync(URI.create("ws://" + host + "/api/messages"),
                 new WebSocket.Listener() {
             private final StringBuilder text = new StringBuilder();
 
@@ -121,7 +123,8 @@ public class WebGuiTest {
         Files.createDirectories(panel.getParent());
         Files.writeString(panel, "mine");
         assertEquals("mine", get("/service/js/PythonGui.js").body());
-        assertTrue(get("/service/js/PythonGui.js").headers().firstValue("content-type").orElse("").endsWith("/javascript"));
+        assertTrue(get("/service/js/PythonGui.js").headers().firstValue("content-type").orElse("")
+            .endsWith("/javascript"));
         Files.writeString(folder.getRoot().toPath().resolve("secret"), "secret");
         assertEquals(404, get("/%2e%2e/secret").statusCode());
     }
@@ -141,7 +144,8 @@ public class WebGuiTest {
 
     @Test
     public void anyNameOfASensorIsReadByGet() throws Exception {
-        String[][] names = {{"rover%2Fping", "rover/ping"}, {"1%20eye", "1 eye"}, {"1.50", "1.50"}, {"null", "null"}, {"%22quoted%22", "quoted"}};
+        String[][] names = {{"rover%2Fping", "rover/ping"}, {"1%20eye", "1 eye"}, {"1.50", "1.50"}, {"null", "null"},
+            {"%22quoted%22", "quoted"}};
         for (String[] name : names) {
             assertEquals("\"of " + name[1] + "\"\n", get("/api/service/talker/getReading/" + name[0]).body());
         }
@@ -151,11 +155,13 @@ public class WebGuiTest {
     public void wrongCallsAreReported() throws Exception {
         assertEquals("\"there is no service nix\"\n", get("/api/service/nix").body());
         assertEquals(404, get("/api/service/nix").statusCode());
-        assertEquals("\"Talker has no method half for the arguments [1,2]\"\n", post("/api/service/talker/half", "[1, 2]").body());
+        assertEquals("\"Talker has no method half for the arguments [1,2]\"\n",
+            post("/api/service/talker/half", "[1, 2]").body());
         assertTrue(post("/api/service/talker/half", "[1").body().startsWith("\"not JSON for List"));
         assertTrue(post("/api/service/talker/half", "[1] [2]").body().startsWith("\"not JSON for List"));
         assertEquals("what JavaScript makes of NaN is no 0", "\"Talker has no method half for the arguments [null]: "
-            + "argument 1 is null, legal: a value of type double\"\n", post("/api/service/talker/half", "[null]").body());
+            + "argument 1 is null, legal: a value of type double\"\n",
+                post("/api/service/talker/half", "[null]").body());
         assertEquals(500, post("/api/service/talker/fail", "[]").statusCode());
         assertEquals("\"talker.fail: no good\"\n", post("/api/service/talker/fail", "[]").body());
     }
@@ -186,7 +192,8 @@ public class WebGuiTest {
         page.sendText("{\"subscribe\":\"talker\",\"topic\":\"publishNumber\"}", true).join();
         for (int round = 0; round < MANY; round += BATCH) {
             for (int i = 0; i < BATCH; i++) {
-                page.sendText("{\"name\":\"talker\",\"method\":\"publishNumber\",\"data\":[" + (round + i) + "]}", true).join();
+                page.sendText("{\"name\":\"talker\",\"method\":\"publishNumber\",\"data\":[" + (round + i) + "]}",
+                    true).join();
             }
             for (int i = 0; i < BATCH; i++) {
                 assertEquals(List.of(round + i), next("method").get("data"));
@@ -223,7 +230,8 @@ public class WebGuiTest {
         Runtime.release("talker");
         page.sendText("{\"name\":\"talker\",\"method\":\"broadcastState\"}", true).join();
         page.sendText("{\"name\":\"nix\",\"method\":\"broadcastState\"}", true).join();
-        assertEquals("of the one that never was, not of the other", "there is no service nix", next("error").get("error"));
+        assertEquals("of the one that never was, not of the other", "there is no service nix", next("error")
+            .get("error"));
         page.sendText("{\"id\":1,\"name\":\"talker\",\"method\":\"half\",\"data\":[5]}", true).join();
         assertEquals("who waits for an answer hears of it", "there is no service talker", next("error").get("error"));
         page.abort();
@@ -232,7 +240,8 @@ public class WebGuiTest {
     /** Waits until this number of the talker's topics have page listeners. */
     private void waitForTopics(int wanted) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
-        while (talker.getOutbox().getAttached("publishNumber").size() + talker.getOutbox().getAttached("publishState").size() != wanted) {
+        while (talker.getOutbox().getAttached("publishNumber").size() + talker.getOutbox().getAttached("publishState")
+            .size() != wanted) {
             assertTrue("not " + wanted + " for 60 s: " + talker.getNotifyList(), System.nanoTime() < end);
             Thread.onSpinWait();
         }
@@ -275,7 +284,8 @@ public class WebGuiTest {
     public void releasingLeavesNoThread() {
         webGui.releaseService();
         Set<String> left = new HashSet<>();
-        Thread.getAllStackTraces().keySet().stream().map(Thread::getName).filter(name -> name.startsWith("XNIO")).forEach(left::add);
+        Thread.getAllStackTraces().keySet().stream().map(Thread::getName).filter(name -> name.startsWith("XNIO"))
+            .forEach(left::add);
         assertEquals(Set.of(), left);
     }
 }

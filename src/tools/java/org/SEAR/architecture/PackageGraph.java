@@ -50,7 +50,8 @@ final class PackageGraph {
         for (Path file : files) {
             String from = packageOf(name(folder, file));
             SortedSet<String> to = found.computeIfAbsent(from, any -> new TreeSet<>());
-            namesIn(file).stream().filter(classes::contains).map(PackageGraph::packageOf).filter(other -> !other.equals(from)).forEach(to::add);
+            namesIn(file).stream().filter(classes::contains).map(PackageGraph::packageOf)
+                .filter(other -> !other.equals(from)).forEach(to::add);
         }
         return new PackageGraph(found);
     }
@@ -77,7 +78,8 @@ final class PackageGraph {
 
     /** Returns the packages that are part of a cycle. */
     SortedSet<String> circles() {
-        return uses.keySet().stream().filter(name -> below(name).contains(name)).collect(Collectors.toCollection(TreeSet::new));
+        return uses.keySet().stream().filter(name -> below(name).contains(name))
+            .collect(Collectors.toCollection(TreeSet::new));
     }
 
     /** Returns all packages that a package needs, directly or indirectly. */
@@ -97,7 +99,8 @@ final class PackageGraph {
 
     /** Returns the packages that a package uses and does not also reach through another package. */
     SortedSet<String> direct(String name) {
-        return uses.get(name).stream().filter(target -> uses.get(name).stream().noneMatch(other -> below(other).contains(target)))
+        return uses.get(name).stream()
+            .filter(target -> uses.get(name).stream().noneMatch(other -> below(other).contains(target)))
             .collect(Collectors.toCollection(TreeSet::new));
     }
 

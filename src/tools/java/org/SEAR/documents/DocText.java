@@ -59,7 +59,8 @@ final class DocText {
             case END_ELEMENT:
                 return tree.toString();
             default:
-                throw new IllegalArgumentException("javadoc for scripts has " + tree + ", legal: text, code, link, p, pre");
+                throw new IllegalArgumentException("javadoc for scripts has " + tree
+                    + ", legal: text, code, link, p, pre");
         }
     }
 }

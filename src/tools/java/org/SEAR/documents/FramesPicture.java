@@ -21,11 +21,13 @@ final class FramesPicture {
 
     static String svg() {
         FramesPicture picture = new FramesPicture();
-        picture.out.append(format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" font-family=\"sans-serif\" font-size=\"14\">%n",
+        picture.out.append(format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" "
+            + "font-family=\"sans-serif\" font-size=\"14\">%n",
             WIDTH, HEIGHT));
         picture.out.append("<title>The frames of the world and of a robot, seen from above</title>\n<defs>");
         for (String color : new String[] {WORLD, BODY, GREY}) {
-            picture.out.append(format("<marker id=\"%s\" markerWidth=\"9\" markerHeight=\"9\" refX=\"7\" refY=\"4\" orient=\"auto\">"
+            picture.out.append(format("<marker id=\"%s\" markerWidth=\"9\" markerHeight=\"9\" refX=\"7\" refY=\"4\" "
+                + "orient=\"auto\">"
                 + "<path d=\"M0,0 L8,4 L0,8 z\" fill=\"%s\"/></marker>", marker(color), color));
         }
         picture.out.append("</defs>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
@@ -80,30 +82,37 @@ final class FramesPicture {
     }
 
     private void robot(double x, double y, double heading) {
-        out.append(format("<g transform=\"translate(%.0f,%.0f) rotate(%.0f)\"><circle r=\"%.0f\" fill=\"#eee\" stroke=\"%s\" stroke-width=\"2\"/>"
-            + "<rect x=\"-38\" y=\"-9\" width=\"8\" height=\"18\" fill=\"#444\"/><rect x=\"30\" y=\"-9\" width=\"8\" height=\"18\" fill=\"#444\"/>"
+        out.append(format("<g transform=\"translate(%.0f,%.0f) rotate(%.0f)\"><circle r=\"%.0f\" fill=\"#eee\" "
+            + "stroke=\"%s\" stroke-width=\"2\"/>"
+            + "<rect x=\"-38\" y=\"-9\" width=\"8\" height=\"18\" fill=\"#444\"/><rect x=\"30\" y=\"-9\" width=\"8\" "
+            + "height=\"18\" fill=\"#444\"/>"
             + "<path d=\"M0,-30 L8,-14 L-8,-14 z\" fill=\"%s\"/></g>%n", x, y, heading, ROBOT, BODY, BODY));
         if (heading != 0) {
             double along = Math.toRadians(heading);
-            arrow(x + ROBOT * Math.sin(along), y - ROBOT * Math.cos(along), x + 130 * Math.sin(along), y - 130 * Math.cos(along), BODY);
+            arrow(x + ROBOT * Math.sin(along), y - ROBOT * Math.cos(along), x + 130 * Math.sin(along),
+                y - 130 * Math.cos(along), BODY);
         }
     }
 
     private void arrow(double x1, double y1, double x2, double y2, String color) {
-        out.append(format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"2\" marker-end=\"url(#%s)\"/>%n",
+        out.append(format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"2\" "
+            + "marker-end=\"url(#%s)\"/>%n",
             x1, y1, x2, y2, color, marker(color)));
     }
 
     private void dashed(double x1, double y1, double x2, double y2) {
-        out.append(format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-dasharray=\"4 4\"/>%n", x1, y1, x2, y2, GREY));
+        out.append(format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" "
+            + "stroke-dasharray=\"4 4\"/>%n", x1, y1, x2, y2, GREY));
     }
 
     /** Draws an arc between two angles, degrees counter-clockwise from the right. */
     private void arc(double x, double y, double radius, double from, double to, String color) {
         double a = Math.toRadians(from);
         double b = Math.toRadians(to);
-        out.append(format("<path d=\"M%.1f,%.1f A%.0f,%.0f 0 0 %d %.1f,%.1f\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\""
-            + " marker-end=\"url(#%s)\"/>%n", x + radius * Math.cos(a), y - radius * Math.sin(a), radius, radius, to < from ? 1 : 0,
+        out.append(format("<path d=\"M%.1f,%.1f A%.0f,%.0f 0 0 %d %.1f,%.1f\" fill=\"none\" stroke=\"%s\" "
+            + "stroke-width=\"1.5\""
+            + " marker-end=\"url(#%s)\"/>%n", x + radius * Math.cos(a), y - radius * Math.sin(a), radius, radius,
+            to < from ? 1 : 0,
             x + radius * Math.cos(b), y - radius * Math.sin(b), color, marker(color)));
     }
 

@@ -37,7 +37,8 @@ import javax.tools.ToolProvider;
  */
 final class JavadocReader {
     private static final Pattern SECTION = Pattern.compile("(?m)^ {4}// -{4} (.*?) -+$");
-    private static final Map<String, String> PYTHON = Map.of("void", "", "double", "float", "long", "int", "boolean", "bool", "String", "str",
+    private static final Map<String, String> PYTHON = Map.of("void", "", "double", "float", "long", "int", "boolean",
+        "bool", "String", "str",
         "Object", "object");
 
     private final Path file;
@@ -52,7 +53,8 @@ final class JavadocReader {
         StringWriter messages = new StringWriter();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
             JavacTask task = (JavacTask) compiler.getTask(messages, files, null,
-                List.of("-proc:none", "-Xlint:none", "-cp", System.getProperty("java.class.path")), null, files.getJavaFileObjects(file.toFile()));
+                List.of("-proc:none", "-Xlint:none", "-cp", System.getProperty("java.class.path")), null,
+                    files.getJavaFileObjects(file.toFile()));
             DocTrees trees = DocTrees.instance(task);
             for (Element element : task.analyze()) {
                 read((TypeElement) element, trees);
@@ -95,7 +97,8 @@ final class JavadocReader {
             call.types.put(parameter.getSimpleName().toString(), python(parameter.asType()));
         }
         TreePath path = trees.getPath(method);
-        call.section = section((int) trees.getSourcePositions().getStartPosition(path.getCompilationUnit(), path.getLeaf()));
+        call.section = section((int) trees.getSourcePositions()
+            .getStartPosition(path.getCompilationUnit(), path.getLeaf()));
         DocCommentTree comment = trees.getDocCommentTree(method);
         if (comment != null) {
             call.text = DocText.of(comment.getFullBody());
@@ -111,7 +114,8 @@ final class JavadocReader {
             call.returns = DocText.of(((ReturnTree) tag).getDescription());
         } else if (tag instanceof ThrowsTree) {
             ThrowsTree error = (ThrowsTree) tag;
-            call.errors.merge(error.getExceptionName().getSignature(), DocText.of(error.getDescription()), (a, b) -> a + "; " + b);
+            call.errors.merge(error.getExceptionName().getSignature(), DocText.of(error.getDescription()), (a, b) -> a
+                + "; " + b);
         } else if (tag instanceof UnknownBlockTagTree && ((UnknownBlockTagTree) tag).getTagName().equals("example")) {
             call.example = DocText.raw((UnknownBlockTagTree) tag);
         }
@@ -131,7 +135,8 @@ final class JavadocReader {
         if (name.endsWith("[]")) {
             return "array of " + python(name.substring(0, name.length() - 2));
         }
-        return name.startsWith("List<") ? "list of " + python(name.substring("List<".length(), name.length() - 1)) : python(name);
+        return name.startsWith("List<") ? "list of " + python(name.substring("List<".length(), name.length() - 1))
+            : python(name);
     }
 
     private static String python(String simple) {

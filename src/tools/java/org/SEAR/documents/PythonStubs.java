@@ -28,7 +28,8 @@ public final class PythonStubs {
     private static final String WRITTEN = "Written by `gradle pythonStubs`; do not edit.";
     private static final String POJOS = "org.SEAR.POJOs.";
     /** Python keywords, which cannot name parameters. */
-    private static final List<String> KEYWORDS = List.of("from", "in", "is", "with", "as", "lambda", "global", "del", "pass", "not", "and", "or");
+    private static final List<String> KEYWORDS = List.of("from", "in", "is", "with", "as", "lambda", "global", "del",
+        "pass", "not", "and", "or");
 
     private final Path root;
 
@@ -50,8 +51,10 @@ public final class PythonStubs {
     /** Returns the classes of the object grammar that a script can import, ordered by name. */
     private List<Class<?>> objects() throws IOException {
         try (Stream<Path> files = Files.list(root.resolve("src/main/java/org/SEAR/POJOs"))) {
-            return files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".java") && !name.startsWith("package-"))
-                .map(name -> type(name.replace(".java", ""))).filter(type -> Modifier.isPublic(type.getModifiers()) && !type.isAnnotation())
+            return files.map(file -> file.getFileName().toString())
+                .filter(name -> name.endsWith(".java") && !name.startsWith("package-"))
+                .map(name -> type(name.replace(".java", ""))).filter(type -> Modifier.isPublic(type.getModifiers())
+                    && !type.isAnnotation())
                 .sorted(Comparator.comparing(Class::getSimpleName)).collect(Collectors.toList());
         }
     }
@@ -66,23 +69,29 @@ public final class PythonStubs {
 
     /** Returns the module of names. */
     String names() throws IOException {
-        return "# SPDX-License-Identifier: Apache-2.0\n\"\"\"The classes of the object grammar. " + WRITTEN + "\"\"\"\n\nOBJECTS = (\n"
-            + objects().stream().map(type -> "    \"" + type.getSimpleName() + "\",\n").collect(Collectors.joining()) + ")\n";
+        return "# SPDX-License-Identifier: Apache-2.0\n\"\"\"The classes of the object grammar. " + WRITTEN
+            + "\"\"\"\n\nOBJECTS = (\n"
+            + objects().stream().map(type -> "    \"" + type.getSimpleName() + "\",\n")
+            .collect(Collectors.joining()) + ")\n";
     }
 
     /** Returns the module of type hints. */
     String hints() throws IOException {
-        StringBuilder out = new StringBuilder(Files.readString(root.resolve("src/tools/resources/org/SEAR/documents/python-hints-head.pyi"))
+        StringBuilder out = new StringBuilder(
+            Files.readString(root.resolve("src/tools/resources/org/SEAR/documents/python-hints-head.pyi"))
             .replace("\r\n", "\n").replace("WRITTEN", WRITTEN));
         ScriptDocs docs = new ScriptDocs(root);
         for (String service : ScriptDocs.SERVICES) {
             Map<String, List<ScriptCall>> calls = new LinkedHashMap<>();
             docs.calls(service).forEach(call -> calls.computeIfAbsent(call.name, any -> new ArrayList<>()).add(call));
-            out.append("\n\nclass _").append(service).append("(JavaObject):\n    \"\"\"").append(line(docs.about(service))).append("\"\"\"\n");
+            out.append("\n\nclass _").append(service).append("(JavaObject):\n    \"\"\"")
+                .append(line(docs.about(service))).append("\"\"\"\n");
             calls.values().forEach(same -> same.forEach(call -> {
-                String parameters = call.types.entrySet().stream().map(one -> ", " + safe(one.getKey()) + ": " + hint(one.getValue(), true))
+                String parameters = call.types.entrySet().stream()
+                    .map(one -> ", " + safe(one.getKey()) + ": " + hint(one.getValue(), true))
                     .collect(Collectors.joining());
-                method(out, same.size() > 1, false, call.name, parameters, hint(call.answers, false), line(call.text.split("\n\n")[0]));
+                method(out, same.size() > 1, false, call.name, parameters, hint(call.answers, false),
+                    line(call.text.split("\n\n")[0]));
             }));
         }
         for (Class<?> type : objects()) {
@@ -97,13 +106,17 @@ public final class PythonStubs {
         Class<?> above = type.getSuperclass();
         boolean known = above != null && above.getName().startsWith(POJOS) && Modifier.isPublic(above.getModifiers());
         Described said = type.getAnnotation(Described.class);
-        out.append("\n\nclass ").append(type.getSimpleName()).append('(').append(known ? above.getSimpleName() : "JavaObject")
-            .append("):\n    \"\"\"").append(said == null ? type.getSimpleName() : line(said.value())).append("\"\"\"\n");
+        out.append("\n\nclass ").append(type.getSimpleName()).append('(')
+            .append(known ? above.getSimpleName() : "JavaObject")
+            .append("):\n    \"\"\"").append(said == null ? type.getSimpleName() : line(said.value()))
+            .append("\"\"\"\n");
         if (type.isEnum()) {
-            Arrays.stream(type.getEnumConstants()).forEach(one -> out.append("    ").append(((Enum<?>) one).name()).append(": ")
+            Arrays.stream(type.getEnumConstants()).forEach(one -> out.append("    ").append(((Enum<?>) one).name())
+                .append(": ")
                 .append(type.getSimpleName()).append('\n'));
         }
-        Constructor<?>[] makers = Modifier.isAbstract(type.getModifiers()) ? new Constructor<?>[0] : type.getConstructors();
+        Constructor<?>[] makers = Modifier.isAbstract(type.getModifiers()) ? new Constructor<?>[0]
+            : type.getConstructors();
         Arrays.sort(makers, Comparator.comparing(PythonStubs::parameters));
         for (Constructor<?> maker : makers) {
             method(out, makers.length > 1, false, "__init__", parameters(maker), "None", "");
@@ -111,24 +124,30 @@ public final class PythonStubs {
         Map<String, List<Method>> methods = new TreeMap<>();
         Set<String> own = Arrays.stream(type.getDeclaredMethods()).map(Method::getName).collect(Collectors.toSet());
         // A declared method hides inherited overloads of the same name from a type checker.
-        Arrays.stream(type.getMethods()).filter(one -> known ? own.contains(one.getName()) : one.getDeclaringClass() != Object.class)
+        Arrays.stream(type.getMethods())
+            .filter(one -> known ? own.contains(one.getName()) : one.getDeclaringClass() != Object.class)
             .filter(one -> !one.isSynthetic() && one.getDeclaringClass() != Enum.class)
             .forEach(one -> methods.computeIfAbsent(one.getName(), any -> new ArrayList<>()).add(one));
         methods.values().forEach(same -> {
             same.sort(Comparator.comparing(PythonStubs::parameters));
-            same.forEach(one -> method(out, same.size() > 1, Modifier.isStatic(one.getModifiers()), one.getName(), parameters(one),
+            same.forEach(one -> method(out, same.size() > 1, Modifier.isStatic(one.getModifiers()), one.getName(),
+                parameters(one),
                 hint(one.getReturnType(), false), ""));
         });
     }
 
     private static String parameters(Executable call) {
-        return Arrays.stream(call.getParameters()).map(one -> ", " + safe(one.getName()) + ": " + hint(one.getType(), true))
+        return Arrays.stream(call.getParameters())
+            .map(one -> ", " + safe(one.getName()) + ": " + hint(one.getType(), true))
             .collect(Collectors.joining());
     }
 
-    private static void method(StringBuilder out, boolean overloaded, boolean isStatic, String name, String parameters, String answer, String text) {
-        out.append(overloaded ? "    @overload\n" : "").append(isStatic ? "    @staticmethod\n" : "").append("    def ").append(name).append('(')
-            .append(isStatic ? parameters.replaceFirst("^, ", "") : "self" + parameters).append(") -> ").append(answer).append(':')
+    private static void method(StringBuilder out, boolean overloaded, boolean isStatic, String name, String parameters,
+        String answer, String text) {
+        out.append(overloaded ? "    @overload\n" : "").append(isStatic ? "    @staticmethod\n" : "").append("    def ")
+            .append(name).append('(')
+            .append(isStatic ? parameters.replaceFirst("^, ", "") : "self" + parameters).append(") -> ").append(answer)
+            .append(':')
             .append(text.isEmpty() ? " ...\n" : "\n        \"\"\"" + text + "\"\"\"\n");
     }
 
@@ -145,15 +164,18 @@ public final class PythonStubs {
             return "None";
         }
         if (type.isArray()) {
-            return given ? "Sequence[Any]" : type == byte[].class ? "bytes" : type.getComponentType().isPrimitive() ? "np.ndarray" : "List[Any]";
+            return given ? "Sequence[Any]" : type == byte[].class ? "bytes" : type.getComponentType().isPrimitive()
+                ? "np.ndarray" : "List[Any]";
         }
-        if (type.getName().startsWith(POJOS) && Modifier.isPublic(type.getModifiers()) && type.getDeclaringClass() == null) {
+        if (type.getName().startsWith(POJOS) && Modifier.isPublic(type.getModifiers())
+            && type.getDeclaringClass() == null) {
             return "\"" + type.getSimpleName() + "\"";
         }
         if (List.class.isAssignableFrom(type)) {
             return given ? "Sequence[Any]" : "List[Any]";
         }
-        return hint(type.isPrimitive() ? type == double.class || type == float.class ? "float" : type == boolean.class ? "bool" : "int"
+        return hint(type.isPrimitive() ? type == double.class || type == float.class ? "float" : type == boolean.class
+            ? "bool" : "int"
             : type == String.class ? "str" : type.getSimpleName(), given);
     }
 

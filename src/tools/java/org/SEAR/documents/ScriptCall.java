@@ -32,7 +32,8 @@ final class ScriptCall {
 
     /** Returns the missing parts of the javadoc. */
     List<String> gaps() {
-        List<String> gaps = parameters.entrySet().stream().filter(one -> one.getValue().isEmpty() && !isPlain(one.getKey()))
+        List<String> gaps = parameters.entrySet().stream()
+            .filter(one -> one.getValue().isEmpty() && !isPlain(one.getKey()))
             .map(one -> signature() + " says nothing of " + one.getKey()).collect(Collectors.toList());
         if (text.isEmpty()) {
             gaps.add(signature() + " says nothing");

@@ -33,7 +33,8 @@ public final class ScriptDocs {
     /** @param root of the sources */
     ScriptDocs(Path root) throws IOException {
         for (String service : SERVICES) {
-            services.put(service, new JavadocReader(root.resolve("src/main/java/org/myrobotlab/service/" + service + ".java")));
+            services.put(service, new JavadocReader(
+                root.resolve("src/main/java/org/myrobotlab/service/" + service + ".java")));
         }
     }
 
@@ -49,7 +50,8 @@ public final class ScriptDocs {
     /** Returns the methods for scripts in the order of the page. */
     List<ScriptCall> calls(String service) {
         return services.get(service).calls().stream()
-            .filter(call -> !call.overrides && !call.section.equals(PANELS) && !call.section.equals(MYROBOTLAB)).collect(Collectors.toList());
+            .filter(call -> !call.overrides && !call.section.equals(PANELS) && !call.section.equals(MYROBOTLAB))
+            .collect(Collectors.toList());
     }
 
     /** Returns the purpose of a service. */
@@ -60,7 +62,8 @@ public final class ScriptDocs {
     /** Returns the missing parts of the javadoc. */
     List<String> gaps() {
         List<String> gaps = new ArrayList<>();
-        SERVICES.forEach(service -> calls(service).forEach(call -> call.gaps().forEach(gap -> gaps.add(service + "." + gap))));
+        SERVICES.forEach(service -> calls(service)
+            .forEach(call -> call.gaps().forEach(gap -> gaps.add(service + "." + gap))));
         return gaps;
     }
 
@@ -77,8 +80,10 @@ public final class ScriptDocs {
             calls(service).forEach(call -> sections.computeIfAbsent(call.section, any -> new ArrayList<>()).add(call));
             sections.forEach((section, calls) -> {
                 String title = section.isEmpty() ? service : service + ": " + section;
-                contents.append("- [").append(section.isEmpty() ? service : section).append("](#").append(anchor(title)).append("): ")
-                    .append(calls.stream().map(call -> call.name).distinct().collect(Collectors.joining(", "))).append('\n');
+                contents.append("- [").append(section.isEmpty() ? service : section).append("](#").append(anchor(title))
+                    .append("): ")
+                    .append(calls.stream().map(call -> call.name).distinct().collect(Collectors.joining(", ")))
+                    .append('\n');
                 body.append("\n## ").append(title).append('\n');
                 if (section.isEmpty()) {
                     body.append('\n').append(services.get(service).about()).append('\n');
@@ -90,7 +95,8 @@ public final class ScriptDocs {
     }
 
     private static String head() throws IOException {
-        return new String(ScriptDocs.class.getResourceAsStream("scripting-head.md").readAllBytes(), StandardCharsets.UTF_8)
+        return new String(ScriptDocs.class.getResourceAsStream("scripting-head.md").readAllBytes(),
+            StandardCharsets.UTF_8)
             .replace("PREPARATION\n", PREPARATION);
     }
 
@@ -108,7 +114,8 @@ public final class ScriptDocs {
             }
         });
         if (!call.answers.isEmpty() && !call.name.startsWith("publish")) {
-            list.append("- returns ").append(call.answers).append(call.returns.isEmpty() ? "" : ": " + call.returns).append('\n');
+            list.append("- returns ").append(call.answers).append(call.returns.isEmpty() ? "" : ": " + call.returns)
+                .append('\n');
         }
         call.errors.forEach((type, text) -> list.append("- ").append(type).append(": ").append(text).append('\n'));
         if (list.length() > 0) {

@@ -45,14 +45,19 @@ public final class LessonMaker {
     private static byte[] picture(Path script, Path made) throws IOException, ProjectException {
         Project world = Project.read(made);
         boolean slope = world.getEnvironment().stream().anyMatch(one -> one.getName().equals("ramp"));
-        Floor floor = (Floor) world.getEnvironment().stream().filter(one -> one instanceof Floor).findFirst().orElseThrow();
-        double[] at = slope ? new double[] {-6, 1, 1.7} : new double[] {floor.getX(), 1.1 * floor.getLength(), floor.getZ()};
+        Floor floor = (Floor) world.getEnvironment().stream().filter(one -> one instanceof Floor).findFirst()
+            .orElseThrow();
+        double[] at = slope ? new double[] {-6, 1, 1.7}
+            : new double[] {floor.getX(), 1.1 * floor.getLength(), floor.getZ()};
         Path project = Files.createTempDirectory("sear-lesson").resolve("SEARproject");
         System.setProperty("sear.project", project.toString());
         Path code = project.resolveSibling("world.py");
-        Files.writeString(code, Files.readString(script) + String.format(Locale.ROOT, "from org.SEAR.POJOs import Camera%n"
-            + "onlooker = Robots.chassis('onlooker')%nonlooker.move(%d, %d, %d)%ncamera = Camera('camera', %.3f, %.3f, %.3f, %d, %d, 0)%n"
-            + "camera.setSize(%d, %d)%ncamera.setFieldOfView(%d)%nonlooker.addComponent(camera)%n", AWAY, AWAY, AWAY, at[0] - AWAY, at[1] - AWAY,
+        Files.writeString(code, Files.readString(script)
+            + String.format(Locale.ROOT, "from org.SEAR.POJOs import Camera%n"
+            + "onlooker = Robots.chassis('onlooker')%nonlooker.move(%d, %d, %d)%ncamera = Camera('camera', %.3f, %.3f, "
+            + "%.3f, %d, %d, 0)%n"
+            + "camera.setSize(%d, %d)%ncamera.setFieldOfView(%d)%nonlooker.addComponent(camera)%n", AWAY, AWAY, AWAY,
+            at[0] - AWAY, at[1] - AWAY,
             at[2] - AWAY, slope ? 6 : 90, 90, PIXELS, slope ? PIXELS / 2 : PIXELS, slope ? 40 : 52));
         ExampleMaker.run(code);
         byte[] png = ((CameraImage) Simulation.load(project, 1).read("camera")).png();
@@ -63,7 +68,8 @@ public final class LessonMaker {
     /** Returns the script of each lesson's world. */
     public static List<Path> scripts(Path lessons) throws IOException {
         try (Stream<Path> all = Files.list(lessons)) {
-            return all.map(folder -> folder.resolve("world.py")).filter(Files::exists).sorted().collect(Collectors.toList());
+            return all.map(folder -> folder.resolve("world.py")).filter(Files::exists).sorted()
+                .collect(Collectors.toList());
         }
     }
 }

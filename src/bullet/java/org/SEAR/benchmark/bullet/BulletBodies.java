@@ -101,7 +101,8 @@ public final class BulletBodies {
         double took = world.run(numbers.get(0)[3] - watch);
         double[][] before = world.poses();
         took += world.run(watch);
-        Files.writeString(Paths.get(args[1]), String.format(Locale.ROOT, "{\"cpu\": %s, \"before\": %s, \"after\": %s}%n", took,
+        Files.writeString(Paths.get(args[1]),
+            String.format(Locale.ROOT, "{\"cpu\": %s, \"before\": %s, \"after\": %s}%n", took,
             Arrays.deepToString(before), Arrays.deepToString(world.poses())));
     }
 }

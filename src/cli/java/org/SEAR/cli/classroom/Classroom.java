@@ -85,7 +85,8 @@ final class Classroom {
         }
         isComplete = running == pupils.size();
         if (isComplete) {
-            out.println("All " + running + " are running. Enter shows their state, a name and Enter restarts one, Ctrl+C ends all.");
+            out.println("All " + running + " are running. Enter shows their state, a name and Enter restarts one, "
+                + "Ctrl+C ends all.");
         } else if (running % REPORTED_EACH == 0) {
             out.println(running + " of " + pupils.size() + " are running");
         }

@@ -66,7 +66,8 @@ final class Pupil {
 
     /** Returns whether the program may start now; the delay doubles with each restart. */
     boolean isDue() {
-        return state == State.WAITING && System.nanoTime() - since >= (restarts == 0 ? 0 : TimeUnit.SECONDS.toNanos(1L << restarts - 1));
+        return state == State.WAITING && System.nanoTime()
+            - since >= (restarts == 0 ? 0 : TimeUnit.SECONDS.toNanos(1L << restarts - 1));
     }
 
     /**
@@ -116,7 +117,8 @@ final class Pupil {
 
     private boolean answers() {
         try (Socket socket = new Socket()) {
-            InetSocketAddress own = address.getAddress().isAnyLocalAddress() ? new InetSocketAddress("localhost", port) : address;
+            InetSocketAddress own = address.getAddress().isAnyLocalAddress()
+                ? new InetSocketAddress("localhost", port) : address;
             socket.connect(own, CONNECT_MILLIS);
             return true;
         } catch (IOException e) {
@@ -132,7 +134,8 @@ final class Pupil {
         restarts++;
         since = System.nanoTime();
         state = restarts > MAX_RESTARTS ? State.GIVEN_UP : State.WAITING;
-        return why + (state == State.GIVEN_UP ? "; not restarted after " + MAX_RESTARTS + " times: type the name and Enter to restart it"
+        return why + (state == State.GIVEN_UP ? "; not restarted after " + MAX_RESTARTS + " times: type the name and "
+            + "Enter to restart it"
             : "; restarting (" + restarts + " of " + MAX_RESTARTS + ")");
     }
 

@@ -38,10 +38,12 @@ public final class Contest {
      * @param patience time limit of a script without waiting, by the computer's clock, s
      * @throws IOException if there are more scripts than robots
      */
-    Contest(Project project, Map<String, Path> scripts, long seed, double patience) throws IOException, ProjectException {
+    Contest(Project project, Map<String, Path> scripts, long seed, double patience)
+        throws IOException, ProjectException {
         this.timeout = patience;
         if (scripts.size() > project.getRobots().size()) {
-            throw new IOException("there are " + scripts.size() + " scripts, but the world has " + project.getRobots().size() + " robots");
+            throw new IOException("there are " + scripts.size() + " scripts, but the world has " + project.getRobots()
+                .size() + " robots");
         }
         world = Simulation.of(project, seed);
         List<Robot> robots = world.getRobots();
@@ -65,7 +67,8 @@ public final class Contest {
             checkRobots();
             entries.forEach(Entrant::begin);
             referee.call("started", this);
-            while (over == null && entries.stream().anyMatch(Entrant::isDriving) && world.getTime() < referee.getSeconds()) {
+            while (over == null && entries.stream().anyMatch(Entrant::isDriving)
+                && world.getTime() < referee.getSeconds()) {
                 for (Entrant entry : entries) {
                     entry.go(timeout);
                 }
@@ -89,8 +92,10 @@ public final class Contest {
     /** Reports a script that ends the process during the contest, so that the contest does not look finished. */
     private void reportExits(Runnable atExit) {
         entries.stream().filter(Entrant::exits).findFirst().ifPresent(entry -> {
-            System.err.printf(Locale.ROOT, "sear contest: the script of %s ended the whole program at %.1f s, so there are no scores."
-                + " Run the contest without it, or let it end with sys.exit() instead of os._exit()%n", entry.getName(), world.getTime());
+            System.err.printf(Locale.ROOT, "sear contest: the script of %s ended the whole program at %.1f s, so there "
+                + "are no scores."
+                + " Run the contest without it, or let it end with sys.exit() instead of os._exit()%n", entry.getName(),
+                    world.getTime());
             System.err.flush();
             atExit.run();
             Runtime.getRuntime().halt(ExitCode.SOFTWARE);

@@ -31,22 +31,28 @@ import picocli.CommandLine.Spec;
 @Command(name = "contest", mixinStandardHelpOptions = true,
     description = "Runs a contest: each script drives its own robot in one world, without a window and in lock-step."
         + " Prints the referee's scoreboard.",
-    footer = "Exit status: 0 when the contest is complete, 1 when a script ended the program, 2 for an invalid command, world or referee.")
+    footer = "Exit status: 0 when the contest is complete, 1 when a script ended the program, 2 for an invalid "
+        + "command, world or referee.")
 public final class ContestCommand implements Callable<Integer> {
     private static final String WORLD = "world.sear";
     private static final String REFEREE = "referee.py";
 
-    @Parameters(index = "0", paramLabel = "FOLDER", description = "Folder of the contest, with world.sear and referee.py.")
+    @Parameters(index = "0", paramLabel = "FOLDER", description = "Folder of the contest, with world.sear "
+        + "and referee.py.")
     private Path folder;
-    @Parameters(index = "1..*", arity = "1..*", paramLabel = "[NAME=]SCRIPT.py", description = "The entries, named after their files, or NAME.")
+    @Parameters(index = "1..*", arity = "1..*", paramLabel = "[NAME=]SCRIPT.py",
+        description = "The entries, named after their files, or NAME.")
     private List<String> scripts;
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Seed of the sensors' random numbers. Default: "
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Seed of the sensors' random "
+        + "numbers. Default: "
         + "${DEFAULT-VALUE}.")
     private long seed;
-    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "10", description = "Time limit of a script without a simSleep, and of each "
+    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "10",
+        description = "Time limit of a script without a simSleep, and of each "
         + "function of the referee, by the computer's clock. Default: ${DEFAULT-VALUE}.")
     private double limit;
-    @Option(names = "--out", paramLabel = "FOLDER", defaultValue = "result", description = "Folder for scores.csv, the recording contest.searlog "
+    @Option(names = "--out", paramLabel = "FOLDER", defaultValue = "result", description = "Folder for scores.csv, the "
+        + "recording contest.searlog "
         + "and each script's output. Default: ${DEFAULT-VALUE}.")
     private Path out;
     @Spec
@@ -78,16 +84,19 @@ public final class ContestCommand implements Callable<Integer> {
         Map<String, Path> entered = new LinkedHashMap<>();
         for (String one : scripts) {
             Path script = Path.of(one.substring(one.indexOf('=') + 1));
-            String name = one.contains("=") ? one.substring(0, one.indexOf('=')) : script.getFileName().toString().replaceFirst("\\.py$", "");
+            String name = one.contains("=") ? one.substring(0, one.indexOf('=')) : script.getFileName().toString()
+                .replaceFirst("\\.py$", "");
             if (!Files.isRegularFile(script)) {
                 throw new IOException(script + " can't be read: there is no such file");
             }
             if (!name.matches("[\\w][\\w .-]*")) {
-                throw new IOException("the name of entry \"" + name + "\" is invalid, legal: letters A to Z, digits, _, spaces, - and .; NAME="
+                throw new IOException("the name of entry \"" + name + "\" is invalid, legal: letters A to Z, digits, "
+                    + "_, spaces, - and .; NAME="
                     + script + " gives it another");
             }
             if (entered.put(name, script) != null) {
-                throw new IOException("two entries are called \"" + name + "\"; NAME=" + script + " gives one another name");
+                throw new IOException("two entries are called \"" + name + "\"; NAME=" + script
+                    + " gives one another name");
             }
         }
         return entered;
@@ -102,7 +111,8 @@ public final class ContestCommand implements Callable<Integer> {
                 Contest contest = new Contest(project, entered, seed, limit);
                 contest.run(referee, out.resolve("contest.searlog"), unpacked::close);
                 for (Entrant entry : contest.getEntries()) {
-                    AtomicFile.write(out.resolve(entry.getName() + ".txt"), entry.printed().getBytes(StandardCharsets.UTF_8));
+                    AtomicFile.write(out.resolve(entry.getName() + ".txt"), entry.printed()
+                        .getBytes(StandardCharsets.UTF_8));
                 }
                 report(contest, referee.takePrinted());
             } finally {
@@ -120,13 +130,16 @@ public final class ContestCommand implements Callable<Integer> {
             String points = number("%.6f", entry.getPoints()).replaceFirst("\\.?0+$", "");
             String why = PrintableText.of(String.valueOf(entry.getWhy()));
             String time = Double.isInfinite(entry.getTime()) ? "" : number("%.2f", entry.getTime());
-            screen.printf("%-6d %-16s %8s %8s %6d  %s%n", contest.place(entry), entry.getName(), points, time, entry.getBumps(), why);
-            csv.append(contest.place(entry)).append(',').append(entry.getName()).append(',').append(points).append(',').append(time).append(',')
+            screen.printf("%-6d %-16s %8s %8s %6d  %s%n", contest.place(entry), entry.getName(), points, time,
+                entry.getBumps(), why);
+            csv.append(contest.place(entry)).append(',').append(entry.getName()).append(',').append(points).append(',')
+                .append(time).append(',')
                 .append(entry.getBumps()).append(",\"").append(why.replace("\"", "\"\"")).append("\"\n");
         }
         AtomicFile.write(out.resolve("scores.csv"), csv.toString().getBytes(StandardCharsets.UTF_8));
         screen.println();
-        screen.println("Written: " + out.resolve("scores.csv") + ", contest.searlog to watch it, and each script's output");
+        screen.println("Written: " + out.resolve("scores.csv") + ", contest.searlog to watch it, and each "
+            + "script's output");
         screen.flush();
     }
 

@@ -142,7 +142,8 @@ public final class Entrant {
 
     /** Returns the names of the robot's sensors. */
     List<String> sensors() {
-        return robot.getSensors().stream().map(one -> one.getParameters().getName()).sorted().collect(Collectors.toList());
+        return robot.getSensors().stream().map(one -> one.getParameters().getName()).sorted()
+            .collect(Collectors.toList());
     }
 
     /** Returns a sensor's name in the world. */
@@ -152,7 +153,8 @@ public final class Entrant {
 
     /** Returns the name in the world of the robot's motor, servo or light. */
     String part(Class<?> type, String given) {
-        return own(type.getSimpleName().toLowerCase(Locale.ROOT), robot.getObject().getComponents().stream().filter(type::isInstance)
+        return own(type.getSimpleName().toLowerCase(Locale.ROOT), robot.getObject().getComponents().stream()
+            .filter(type::isInstance)
             .map(SearObject::getName).sorted().collect(Collectors.toList()), given);
     }
 
@@ -191,7 +193,8 @@ public final class Entrant {
         }
         turn.release();
         if (!back.tryAcquire((long) (timeout * TimeUnit.SECONDS.toNanos(1)), TimeUnit.NANOSECONDS)) {
-            leave(String.format(Locale.ROOT, "its script hung at %.1f s: it ran for %.3g s without a simSleep", world.getTime(), timeout));
+            leave(String.format(Locale.ROOT, "its script hung at %.1f s: it ran for %.3g s without a simSleep",
+                world.getTime(), timeout));
             breakOff();
         } else if (ended != null || unreadable != null) {
             leave(ended());
@@ -224,7 +227,8 @@ public final class Entrant {
 
     /** Returns whether the script is ending the whole process. */
     boolean exits() {
-        return Stream.of(thread.getStackTrace()).anyMatch(frame -> frame.getClassName().equals("java.lang.Runtime") && frame.getMethodName()
+        return Stream.of(thread.getStackTrace()).anyMatch(frame -> frame.getClassName().equals("java.lang.Runtime")
+            && frame.getMethodName()
             .equals("exit"));
     }
 
@@ -254,7 +258,8 @@ public final class Entrant {
     }
 
     String printed() {
-        return printed.text() + (ended == null || ended.getTraceback() == null ? "" : inContest(ended.getTraceback()) + "\n");
+        return printed.text() + (ended == null || ended.getTraceback() == null ? ""
+            : inContest(ended.getTraceback()) + "\n");
     }
 
     // ---- for the referee -------------------------------------------------------------------------------------------
@@ -277,7 +282,8 @@ public final class Entrant {
     public void setRobot(String robotName) {
         beforeStart("setRobot");
         robot = world.getRobots().stream().filter(one -> one.getObject().getName().equals(robotName)).findFirst()
-            .orElseThrow(() -> new IllegalArgumentException("there is no robot \"" + robotName + "\"; the robots are " + world.getRobots().stream()
+            .orElseThrow(() -> new IllegalArgumentException("there is no robot \"" + robotName + "\"; the robots are "
+                + world.getRobots().stream()
                 .map(one -> one.getObject().getName()).collect(Collectors.joining(", "))));
     }
 
@@ -291,7 +297,8 @@ public final class Entrant {
     public void place(double x, double z, double heading) {
         beforeStart("place");
         if (!Double.isFinite(x) || !Double.isFinite(z) || !Double.isFinite(heading)) {
-            throw new IllegalArgumentException("place of " + name + " is x " + x + ", z " + z + ", heading " + heading + ", legal: numbers");
+            throw new IllegalArgumentException("place of " + name + " is x " + x + ", z " + z + ", heading " + heading
+                + ", legal: numbers");
         }
         Pose to = Pose.ofDegrees(x, robot.getPose().y, z, 0, 90 - heading, 0);
         world.move(getRobot(), to, to);

@@ -158,7 +158,8 @@ public final class EntrantSear {
     private <T> T read(String name, Class<T> type) {
         Object value = getReading(name);
         if (!type.isInstance(value)) {
-            throw new IllegalArgumentException("sensor " + name + " is of another kind; getReading(\"" + name + "\") reads any sensor");
+            throw new IllegalArgumentException("sensor " + name + " is of another kind; getReading(\"" + name
+                + "\") reads any sensor");
         }
         return type.cast(value);
     }

@@ -65,10 +65,12 @@ final class Referee {
             checked(result.get((long) (timeout * TimeUnit.SECONDS.toNanos(1)), TimeUnit.NANOSECONDS));
         } catch (TimeoutException e) {
             breakOff();
-            throw new IOException(String.format(Locale.ROOT, "%s hung: %s ran for %.3g s, legal: at most --limit, by the computer's clock", file,
+            throw new IOException(String.format(Locale.ROOT, "%s hung: %s ran for %.3g s, legal: at most --limit, by "
+                + "the computer's clock", file,
                 what, timeout), e);
         } catch (ExecutionException e) {
-            throw e.getCause() instanceof IOException ? (IOException) e.getCause() : new IOException(file + " can't be run: " + e.getCause(), e);
+            throw e.getCause() instanceof IOException ? (IOException) e.getCause()
+                : new IOException(file + " can't be run: " + e.getCause(), e);
         }
     }
 
@@ -83,7 +85,8 @@ final class Referee {
 
     private void checked(ScriptResult result) throws IOException {
         if (result.getExitCode() != 0 && result.getTraceback() == null) {
-            throw new IOException(file + " ended itself with status " + result.getExitCode() + ", legal: contest.end(words)");
+            throw new IOException(file + " ended itself with status " + result.getExitCode()
+                + ", legal: contest.end(words)");
         }
         if (result.getTraceback() != null) {
             throw new IOException(file + " has an error, which is not an entrant's:\n" + result.getTraceback());

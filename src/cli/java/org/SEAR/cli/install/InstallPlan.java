@@ -67,7 +67,8 @@ final class InstallPlan {
             }
             for (Path touched : List.of(root, folder, file.getValue() != null && Files.exists(path) ? path : folder)) {
                 if (!Files.isWritable(touched)) {
-                    throw new InstallException("No permission to write into " + touched + ". Run the command as the user who owns it.");
+                    throw new InstallException("No permission to write into " + touched
+                        + ". Run the command as the user who owns it.");
                 }
             }
             if (!Files.isDirectory(folder)) {
@@ -141,7 +142,8 @@ final class InstallPlan {
     private void delete(Path file) throws IOException {
         beforeStep.run();
         Files.deleteIfExists(file);
-        for (Path folder = file.getParent(); !folder.equals(root) && !Files.isSymbolicLink(folder) && MrlFolder.list(folder, "*").isEmpty();
+        for (Path folder = file.getParent(); !folder.equals(root) && !Files.isSymbolicLink(folder)
+            && MrlFolder.list(folder, "*").isEmpty();
                 folder = folder.getParent()) {
             beforeStep.run();
             Files.deleteIfExists(folder);

@@ -39,8 +39,10 @@ final class Installer {
     private static final String SERVICE_DATA = "libraries/serviceData.json";
     private static final String RECEIPT = "libraries/sear-install.json";
     /** Configuration file of one of SEAR's services that has lost its type. */
-    private static final Pattern BARE = Pattern.compile("(?sm)\\A((?:---\\s*)?!!org\\.myrobotlab\\.service\\.config\\.)Service(Config\\b"
-        + ".*?^type:\\s*['\"]?(?:org\\.myrobotlab\\.service\\.)?(" + String.join("|", ServiceData.SERVICES.keySet()) + ")['\"]?\\s*$)");
+    private static final Pattern BARE =
+        Pattern.compile("(?sm)\\A((?:---\\s*)?!!org\\.myrobotlab\\.service\\.config\\.)Service(Config\\b"
+        + ".*?^type:\\s*['\"]?(?:org\\.myrobotlab\\.service\\.)?(" + String.join("|", ServiceData.SERVICES.keySet())
+            + ")['\"]?\\s*$)");
 
     final MrlFolder mrl;
     /** Message about the rollback of a killed call; null if there was none. */
@@ -93,7 +95,8 @@ final class Installer {
         }
         addPlugin(jar);
         if (old.version != null && JarName.compare(old.version, receipt.version) > 0) {
-            throw new InstallException("SEAR " + old.version + " is installed in " + mrl.root + ", which is newer than this " + receipt.version
+            throw new InstallException("SEAR " + old.version + " is installed in " + mrl.root
+                + ", which is newer than this " + receipt.version
                 + ". To go back, remove it first: sear install --remove " + mrl.root);
         }
         receipt.replaced.putAll(old.replaced);
@@ -113,7 +116,8 @@ final class Installer {
         files.put(JARS + PLUGIN, Files.readAllBytes(plugin));
         boolean unpacked = Files.isDirectory(mrl.root.resolve(PANELS));
         if (!unpacked) {
-            plan.notes.add("later   panels: MyRobotLab unpacks its resource folder at its first start; the services add their panels then");
+            plan.notes.add("later   panels: MyRobotLab unpacks its resource folder at its first start; the services "
+                + "add their panels then");
         }
         try (JarFile jar = new JarFile(plugin.toFile())) {
             Manifest manifest = jar.getManifest();
@@ -150,9 +154,11 @@ final class Installer {
                 }
             }
             if (found != null) {
-                plan.notes.add("keep    " + found.name + (found.version.equals(wanted.version) ? ": MyRobotLab has this library"
+                plan.notes.add("keep    " + found.name
+                    + (found.version.equals(wanted.version) ? ": MyRobotLab has this library"
                     : " instead of " + wanted.version + ": " + found.verdict(wanted)));
-                olderEngine = found.isTooOldForTheWindow() && (olderEngine == null || found.artifact.equals("jme3-core")) ? found.name : olderEngine;
+                olderEngine = found.isTooOldForTheWindow()
+                    && (olderEngine == null || found.artifact.equals("jme3-core")) ? found.name : olderEngine;
             } else if (isInside(library, inside)) {
                 plan.notes.add("keep    " + wanted.name + ": myrobotlab.jar contains this library");
             } else {
@@ -160,14 +166,16 @@ final class Installer {
             }
         }
         if (olderEngine != null) {
-            plan.remarks.add("The window needs jMonkeyEngine 3.6, but MyRobotLab has " + olderEngine + ", so SEAR runs without a window."
+            plan.remarks.add("The window needs jMonkeyEngine 3.6, but MyRobotLab has " + olderEngine
+                + ", so SEAR runs without a window."
                 + " To get one, run \"sear install --replace-jme " + mrl.root + "\"; --remove restores the old one.");
         }
     }
 
     private static boolean isInside(Path library, Set<String> entries) throws IOException {
         try (ZipFile jar = new ZipFile(library.toFile())) {
-            return jar.stream().map(ZipEntry::getName).filter(name -> name.endsWith(".class") && !name.contains("-info"))
+            return jar.stream().map(ZipEntry::getName)
+                .filter(name -> name.endsWith(".class") && !name.contains("-info"))
                 .findFirst().map(entries::contains).orElse(false);
         }
     }
@@ -182,8 +190,10 @@ final class Installer {
     private void addPickerEntries() throws IOException, InstallException {
         byte[] now = plan.now(SERVICE_DATA);
         if (now == null) {
-            plan.notes.add("later   service picker: libraries/serviceData.json does not exist yet; start MyRobotLab once, then install again");
-            plan.remarks.add("The service picker does not list SEAR, LIDAR and GPS yet. Start MyRobotLab once and install again, or type the "
+            plan.notes.add("later   service picker: libraries/serviceData.json does not exist yet; start MyRobotLab "
+                + "once, then install again");
+            plan.remarks.add("The service picker does not list SEAR, LIDAR and GPS yet. Start MyRobotLab once and "
+                + "install again, or type the "
                 + "service type by hand.");
             return;
         }
@@ -201,7 +211,8 @@ final class Installer {
                 String path = mrl.root.relativize(yml).toString().replace('\\', '/');
                 byte[] now = plan.now(path);
                 Matcher bare = BARE.matcher(new String(now, StandardCharsets.UTF_8));
-                change(path, now, now, bare.find() ? bare.replaceFirst("$1$3$2").getBytes(StandardCharsets.UTF_8) : now);
+                change(path, now, now, bare.find() ? bare.replaceFirst("$1$3$2")
+                    .getBytes(StandardCharsets.UTF_8) : now);
             }
         }
     }
@@ -236,7 +247,8 @@ final class Installer {
             }
             plan.write(path, then);
             if (then != null) {
-                (receipt.originals.containsKey(path) ? receipt.changed : receipt.added).put(path, PanelFiles.hash(then));
+                (receipt.originals.containsKey(path) ? receipt.changed : receipt.added)
+                    .put(path, PanelFiles.hash(then));
             }
         }
     }
@@ -264,7 +276,8 @@ final class Installer {
     private void putBack(String jar) throws IOException {
         byte[] kept = plan.now(REPLACED + jar);
         if (kept == null) {
-            plan.notes.add("lost    " + JARS + jar + ": it is missing in " + REPLACED + "; MyRobotLab can install it again");
+            plan.notes.add("lost    " + JARS + jar + ": it is missing in " + REPLACED
+                + "; MyRobotLab can install it again");
         } else if (plan.now(JARS + jar) == null) {
             plan.write(JARS + jar, kept);
         }

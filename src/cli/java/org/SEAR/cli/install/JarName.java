@@ -62,7 +62,8 @@ final class JarName {
     }
 
     private static int[] numbers(String version) {
-        IntStream numbers = Stream.of(version.split("[.-]")).mapToInt(part -> part.matches("\\d{1,9}") ? Integer.parseInt(part) : 0);
+        IntStream numbers = Stream.of(version.split("[.-]"))
+            .mapToInt(part -> part.matches("\\d{1,9}") ? Integer.parseInt(part) : 0);
         return IntStream.concat(numbers, IntStream.generate(() -> 0)).limit(NUMBERS).toArray();
     }
 }

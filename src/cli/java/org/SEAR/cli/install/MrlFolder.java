@@ -28,7 +28,8 @@ final class MrlFolder {
         if (!Files.isDirectory(given)) {
             throw new InstallException(given + " is not a folder. Give the folder with MyRobotLab's " + JAR + ".");
         }
-        List<Path> found = isMrl(given) ? List.of(given) : list(given, "*").stream().filter(MrlFolder::isMrl).collect(Collectors.toList());
+        List<Path> found = isMrl(given) ? List.of(given) : list(given, "*").stream().filter(MrlFolder::isMrl)
+            .collect(Collectors.toList());
         if (found.size() != 1) {
             throw new InstallException(given + (found.isEmpty() ? " contains no " + JAR + ". Give the folder that does."
                 : " contains several MyRobotLabs: " + found + ". Give one of them."));
@@ -57,35 +58,41 @@ final class MrlFolder {
         try (ZipFile jar = new ZipFile(root.resolve(JAR).toFile())) {
             return jar.stream().map(ZipEntry::getName).collect(Collectors.toSet());
         } catch (IOException e) {
-            throw new InstallException(root.resolve(JAR) + " is not a readable jar (" + e.getMessage() + "). Reinstall MyRobotLab.");
+            throw new InstallException(root.resolve(JAR) + " is not a readable jar (" + e.getMessage()
+                + "). Reinstall MyRobotLab.");
         }
     }
 
     /** Throws if a MyRobotLab runs from this folder: it has the jars open and writes the same files. */
     void refuseIfRunning() throws InstallException {
-        Set<ProcessHandle> callers = Stream.iterate(ProcessHandle.current(), Objects::nonNull, process -> process.parent().orElse(null))
+        Set<ProcessHandle> callers = Stream.iterate(ProcessHandle.current(), Objects::nonNull,
+            process -> process.parent().orElse(null))
             .collect(Collectors.toSet()); // excludes a calling shell whose command line names myrobotlab.jar
         Optional<ProcessHandle> running = ProcessHandle.allProcesses().filter(process -> !callers.contains(process))
             .filter(this::runsFromHere).findFirst();
         if (running.isPresent()) {
-            throw new InstallException("MyRobotLab is running from " + root + " (process " + running.get().pid() + "). Shut it down and try again.");
+            throw new InstallException("MyRobotLab is running from " + root + " (process " + running.get().pid()
+                + "). Shut it down and try again.");
         }
         try (FileChannel jar = FileChannel.open(root.resolve(JAR), StandardOpenOption.READ, StandardOpenOption.WRITE)) {
             jar.size();
         } catch (IOException e) {
             if (Files.isWritable(root.resolve(JAR))) {
-                throw new InstallException(root.resolve(JAR) + " is in use (" + e.getMessage() + "). Shut MyRobotLab down and try again.");
+                throw new InstallException(root.resolve(JAR) + " is in use (" + e.getMessage()
+                    + "). Shut MyRobotLab down and try again.");
             }
         }
     }
 
     private boolean runsFromHere(ProcessHandle process) {
-        String command = String.join(" ", process.info().arguments().orElse(new String[0])) + process.info().commandLine().orElse("");
+        String command = String.join(" ", process.info().arguments().orElse(new String[0])) + process.info()
+            .commandLine().orElse("");
         if (!command.contains("org.myrobotlab.service.Runtime") && !command.contains(JAR)) {
             return false;
         }
         try {
-            return command.contains(root.toString()) || Files.isSameFile(root, Path.of("/proc", Long.toString(process.pid()), "cwd"));
+            return command.contains(root.toString())
+                || Files.isSameFile(root, Path.of("/proc", Long.toString(process.pid()), "cwd"));
         } catch (IOException | SecurityException e) {
             return false; // no process folders on this system: the command line must do
         }

@@ -22,7 +22,8 @@ import java.util.function.BiConsumer;
 final class ServiceData {
     /** Descriptions in the service picker, by simple name. */
     static final Map<String, String> SERVICES = new TreeMap<>(Map.of(
-        "SEAR", "Robot simulator: worlds and robots from scripts, with the sensors and serial protocols of real hardware",
+        "SEAR", "Robot simulator: worlds and robots from scripts, with the sensors and serial protocols of "
+        + "real hardware",
         "LIDAR", "SICK LMS200 laser scanner, real or simulated",
         "GPS", "GPS receiver that sends NMEA 0183, real or simulated"));
     private static final String PACKAGE = "org.myrobotlab.service.";
@@ -45,7 +46,8 @@ final class ServiceData {
         try {
             JsonNode read = MAPPER.readTree(new String(text, StandardCharsets.UTF_8));
             if (!(read.path("serviceTypes") instanceof ObjectNode)) {
-                throw new InstallException("libraries/serviceData.json has no serviceTypes. Delete it; MyRobotLab recreates it at its next start.");
+                throw new InstallException("libraries/serviceData.json has no serviceTypes. Delete it; MyRobotLab "
+                    + "recreates it at its next start.");
             }
             ObjectNode root = read.deepCopy();
             SERVICES.keySet().forEach(service -> edit.accept(root, service));
@@ -62,11 +64,13 @@ final class ServiceData {
         types.path(PACKAGE + "Clock").fields().forEachRemaining(field -> entry.set(field.getKey(),
             !field.getValue().isTextual() || "class".equals(field.getKey()) ? field.getValue()
                 : new TextNode(field.getValue().asText().replace("Clock", service))));
-        entry.put("available", true).put("description", SERVICES.get(service)).put("simpleName", service).put("type", PACKAGE + service);
+        entry.put("available", true).put("description", SERVICES.get(service)).put("simpleName", service)
+            .put("type", PACKAGE + service);
         entry.putArray("dependencies");
         entry.put("license", "apache").remove("link");
         types.set(PACKAGE + service, entry);
-        JsonNode category = root.path("categoryTypes").path("SEAR".equals(service) ? "simulator" : "sensors").path("serviceTypes");
+        JsonNode category = root.path("categoryTypes").path("SEAR".equals(service) ? "simulator" : "sensors")
+            .path("serviceTypes");
         if (category instanceof ArrayNode && !MAPPER.convertValue(category, List.class).contains(PACKAGE + service)) {
             ((ArrayNode) category).add(PACKAGE + service);
         }

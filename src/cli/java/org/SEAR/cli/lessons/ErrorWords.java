@@ -21,7 +21,8 @@ public final class ErrorWords {
      * @param script name of the script's file
      */
     public ErrorWords(String traceback, String script) {
-        Matcher places = Pattern.compile("File \"[^\"\\n]*" + Pattern.quote(script) + "\", line (\\d+)").matcher(traceback);
+        Matcher places = Pattern.compile("File \"[^\"\\n]*" + Pattern.quote(script) + "\", line (\\d+)")
+            .matcher(traceback);
         String last = "";
         while (places.find()) {
             last = places.group(1);

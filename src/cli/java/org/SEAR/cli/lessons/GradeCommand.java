@@ -19,7 +19,8 @@ import picocli.CommandLine.Spec;
 
 /** {@code sear grade SCRIPT.py} for a pupil, {@code sear grade FOLDER} for a teacher. */
 @Command(name = "grade", mixinStandardHelpOptions = true,
-    description = "Marks a script and says what it lacks to pass its lesson; or marks all scripts in a folder, or in its subfolders named after "
+    description = "Marks a script and says what it lacks to pass its lesson; or marks all scripts in a folder, or in "
+    + "its subfolders named after "
         + "pupils. Each script runs in its own process, without a window and in lock-step.",
     footer = "Exit status: 0 when all have passed, 1 when not, 2 for an invalid command.")
 public final class GradeCommand implements Callable<Integer> {
@@ -27,23 +28,29 @@ public final class GradeCommand implements Callable<Integer> {
 
     @Parameters(paramLabel = "SCRIPT.py|FOLDER", description = "The script or folder to mark.")
     private Path path;
-    @Option(names = "--lesson", paramLabel = "NAME|FOLDER", description = "Lesson of all scripts. Default: each script's name, as square.py.")
+    @Option(names = "--lesson", paramLabel = "NAME|FOLDER", description = "Lesson of all scripts. Default: each "
+        + "script's name, as square.py.")
     private String lesson;
     @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "60",
         description = "Limit of a script's processor time, and of the time "
         + "in which it does nothing; ten times as long by the computer's clock. Default: ${DEFAULT-VALUE}.")
     private double limit;
-    @Option(names = "--memory", paramLabel = "MB", defaultValue = "512", description = "Memory limit of a script with all processes that it starts. "
+    @Option(names = "--memory", paramLabel = "MB", defaultValue = "512", description = "Memory limit of a script with "
+        + "all processes that it starts. "
         + " Default: ${DEFAULT-VALUE}.")
     private int memory;
-    @Option(names = "--jobs", paramLabel = "N", description = "Scripts to run in parallel. Default: the number of processors.")
+    @Option(names = "--jobs", paramLabel = "N", description = "Scripts to run in parallel. Default: the number "
+        + "of processors.")
     private Integer jobs;
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Seed of the sensors' random numbers, the same for all "
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Seed of the sensors' random "
+        + "numbers, the same for all "
         + "scripts. Default: ${DEFAULT-VALUE}.")
     private long seed;
-    @Option(names = "--python3", description = "Run all scripts with Python 3; otherwise only those whose first line is #!/usr/bin/env python3.")
+    @Option(names = "--python3", description = "Run all scripts with Python 3; otherwise only those whose first line "
+        + "is #!/usr/bin/env python3.")
     private boolean python3;
-    @Option(names = "--out", paramLabel = "FOLDER", description = "Folder for marks.csv, marks.txt and marks.xml (JUnit). Default: marks for a "
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Folder for marks.csv, marks.txt and marks.xml "
+        + "(JUnit). Default: marks for a "
         + "folder, none for a script.")
     private Path out;
     @Spec
@@ -62,7 +69,8 @@ public final class GradeCommand implements Callable<Integer> {
             if (to != null) {
                 MarkTables.write(List.of(), to);
             }
-            List<Mark> marks = new Marking(limit, memory, seed, python3).all(all, jobs == null ? Runtime.getRuntime().availableProcessors() : jobs,
+            List<Mark> marks = new Marking(limit, memory, seed, python3)
+                .all(all, jobs == null ? Runtime.getRuntime().availableProcessors() : jobs,
                 (mark, ready) -> {
                     if (!isOne) {
                         err.println(ready.size() + " of " + all.size() + ": " + mark.pupil + ", " + mark.lesson + ": "
@@ -103,7 +111,8 @@ public final class GradeCommand implements Callable<Integer> {
         PrintWriter screen = PrintableText.writer(spec.commandLine().getOut());
         if (isOne) {
             Mark mark = marks.get(0);
-            screen.println(mark.isPassed() ? "Passed: all " + mark.asked + " of " + mark.asked + " requirements of lesson " + mark.lesson + "."
+            screen.println(mark.isPassed() ? "Passed: all " + mark.asked + " of " + mark.asked
+                + " requirements of lesson " + mark.lesson + "."
                 : "Not yet: " + mark.got + " of " + mark.asked + " requirements of lesson " + mark.lesson + ".");
             mark.missing.forEach(what -> screen.println("- " + what));
         } else {

@@ -38,7 +38,8 @@ final class Lesson {
             return List.of();
         }
         try (Stream<Path> folders = Files.list(home)) {
-            return folders.filter(one -> Files.exists(one.resolve(CHECK))).sorted().map(Lesson::new).collect(Collectors.toList());
+            return folders.filter(one -> Files.exists(one.resolve(CHECK))).sorted().map(Lesson::new)
+                .collect(Collectors.toList());
         }
     }
 
@@ -58,7 +59,8 @@ final class Lesson {
         boolean named = nameOrFolder.matches("[\\w-]+") && Files.exists(own.resolve(CHECK));
         Lesson lesson = new Lesson(named ? own : given);
         if (!named && !Files.isDirectory(given)) {
-            throw new IOException("there is no lesson \"" + nameOrFolder + "\", legal: " + names() + ", or the folder of a lesson of your own");
+            throw new IOException("there is no lesson \"" + nameOrFolder + "\", legal: " + names()
+                + ", or the folder of a lesson of your own");
         }
         List<String> missing = new ArrayList<>();
         for (Path part : List.of(lesson.check(), lesson.world(), lesson.script())) {
@@ -105,7 +107,8 @@ final class Lesson {
             return "";
         }
         try (Stream<String> lines = Files.lines(page)) {
-            return lines.filter(line -> line.startsWith("# ")).map(line -> line.substring(2).trim()).findFirst().orElse("");
+            return lines.filter(line -> line.startsWith("# ")).map(line -> line.substring(2).trim()).findFirst()
+                .orElse("");
         }
     }
 
@@ -123,12 +126,14 @@ final class Lesson {
     void handOut(Path to) throws IOException, ProjectException {
         Path script = to.resolve(script().getFileName());
         if (Files.exists(script)) {
-            throw new IOException(script + " exists already and was not changed: choose another folder, or move the file");
+            throw new IOException(script + " exists already and was not changed: choose another folder, or "
+                + "move the file");
         }
         unpack(to);
         try (Stream<Path> files = Files.list(folder)) {
             for (Path file : (Iterable<Path>) files.filter(Lesson::isForPupils)::iterator) {
-                AtomicFile.write(to.resolve(file.getFileName()), place -> Files.copy(file, place, StandardCopyOption.REPLACE_EXISTING));
+                AtomicFile.write(to.resolve(file.getFileName()),
+                    place -> Files.copy(file, place, StandardCopyOption.REPLACE_EXISTING));
             }
         }
         AtomicFile.write(script, place -> Files.copy(script(), place, StandardCopyOption.REPLACE_EXISTING));

@@ -25,7 +25,8 @@ final class LessonCheck {
         }
         Object limit = engine.get("SECONDS");
         if (!engine.has("check") || !(limit instanceof Number)) {
-            throw new IOException(lesson.check() + " lacks " + (engine.has("check") ? "SECONDS, the simulated time that counts"
+            throw new IOException(lesson.check() + " lacks "
+                + (engine.has("check") ? "SECONDS, the simulated time that counts"
                 : "the function check(run)"));
         }
         seconds = ((Number) limit).doubleValue();
@@ -47,7 +48,8 @@ final class LessonCheck {
     synchronized void look(LessonRun run) throws IOException {
         ScriptResult result = engine.call("check", run);
         if (result.getTraceback() != null) {
-            throw new IOException(lesson.check() + " has an error, which is not the pupil's:\n" + result.getTraceback());
+            throw new IOException(lesson.check() + " has an error, which is not the pupil's:\n"
+                + result.getTraceback());
         }
     }
 }

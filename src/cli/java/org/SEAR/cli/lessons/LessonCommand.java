@@ -15,10 +15,12 @@ import picocli.CommandLine.Spec;
 
 /** {@code sear lesson NAME FOLDER}: copies a lesson for a pupil. */
 @Command(name = "lesson", mixinStandardHelpOptions = true,
-    description = "Copies a lesson to a folder: its page README.md, its world SEARproject and its initial script NAME.py.",
+    description = "Copies a lesson to a folder: its page README.md, its world SEARproject and its initial "
+    + "script NAME.py.",
     footer = "Exit status: 0, or 2 if it can't be copied.")
 public final class LessonCommand implements Callable<Integer> {
-    @Parameters(index = "0", paramLabel = "NAME", description = "A lesson that sear lessons lists, or the folder of a teacher's own lesson.")
+    @Parameters(index = "0", paramLabel = "NAME", description = "A lesson that sear lessons lists, or the folder of a "
+        + "teacher's own lesson.")
     private String name;
     @Parameters(index = "1", paramLabel = "FOLDER", arity = "0..1", description = "Created if missing. Default: NAME.")
     private Path folder;
@@ -33,7 +35,8 @@ public final class LessonCommand implements Callable<Integer> {
             Path to = folder == null ? Path.of(lesson.getName()) : folder;
             lesson.handOut(to);
             String script = lesson.script().getFileName().toString();
-            out.println(lesson.title() + " is in " + to + ". Read " + to.resolve("README.md") + ", then, in that folder:");
+            out.println(lesson.title() + " is in " + to + ". Read " + to.resolve("README.md")
+                + ", then, in that folder:");
             out.println("  sear " + script + "          runs the script, with a window and tabs");
             out.println("  sear grade " + script + "    says what it lacks");
             out.flush();

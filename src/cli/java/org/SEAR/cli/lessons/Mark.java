@@ -11,7 +11,8 @@ import org.SEAR.files.PrintableText;
 final class Mark {
     /** Outcome of a script. */
     enum Kind {
-        PASSED("passed"), NOT_YET("not yet"), FAILED("error"), ENDLESS("endless"), TOO_LARGE("too much memory"), NOTHING("nothing to mark"),
+        PASSED("passed"), NOT_YET("not yet"), FAILED("error"), ENDLESS("endless"), TOO_LARGE("too much memory"),
+            NOTHING("nothing to mark"),
         CHECK_FAILED("the check failed"), UNMARKED("not marked");
 
         final String words;

@@ -35,7 +35,8 @@ final class MarkTables {
         head.add("missing");
         StringBuilder all = new StringBuilder(line(head));
         for (Mark mark : marks) {
-            List<String> cells = new ArrayList<>(List.of(mark.pupil, mark.lesson, mark.kind.words, "" + mark.got, "" + mark.asked));
+            List<String> cells = new ArrayList<>(
+                List.of(mark.pupil, mark.lesson, mark.kind.words, "" + mark.got, "" + mark.asked));
             for (String measure : measures) {
                 Double number = mark.measures.get(measure);
                 cells.add(number == null ? "" : String.format(Locale.ROOT, "%.3f", number));
@@ -63,9 +64,11 @@ final class MarkTables {
         String form = "%-" + Math.max(width, 5) + "s  %-" + Math.max(lessons, 6) + "s  %2d of %-2d  %s%n";
         StringBuilder all = new StringBuilder();
         for (Mark mark : marks) {
-            all.append(String.format(Locale.ROOT, form, mark.pupil, mark.lesson, mark.got, mark.asked, mark.kind.words));
+            all.append(String.format(Locale.ROOT, form, mark.pupil, mark.lesson, mark.got, mark.asked,
+                mark.kind.words));
         }
-        all.append(String.format(Locale.ROOT, "%d of %d have passed%n", marks.stream().filter(Mark::isPassed).count(), marks.size()));
+        all.append(String.format(Locale.ROOT, "%d of %d have passed%n", marks.stream().filter(Mark::isPassed).count(),
+            marks.size()));
         for (Mark mark : marks) {
             if (!mark.isPassed()) {
                 all.append(String.format("%n%s, %s: %s%n", mark.pupil, mark.lesson, mark.kind.words));
@@ -78,17 +81,21 @@ final class MarkTables {
     /** Returns JUnit's format: a test suite with a test case for each mark. */
     static String xml(List<Mark> marks) {
         StringBuilder all = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-        long failed = marks.stream().filter(mark -> mark.kind == Mark.Kind.NOT_YET || mark.kind == Mark.Kind.NOTHING).count();
+        long failed = marks.stream().filter(mark -> mark.kind == Mark.Kind.NOT_YET || mark.kind == Mark.Kind.NOTHING)
+            .count();
         long errors = marks.stream().filter(mark -> !mark.isPassed()).count() - failed;
-        all.append(String.format("<testsuite name=\"sear grade\" tests=\"%d\" failures=\"%d\" errors=\"%d\" skipped=\"0\">%n", marks.size(), failed,
+        all.append(String.format("<testsuite name=\"sear grade\" tests=\"%d\" failures=\"%d\" errors=\"%d\" "
+            + "skipped=\"0\">%n", marks.size(), failed,
             errors));
         for (Mark mark : marks) {
-            all.append(String.format("  <testcase classname=\"%s\" name=\"%s\"", escaped(mark.lesson), escaped(mark.pupil)));
+            all.append(String.format("  <testcase classname=\"%s\" name=\"%s\"", escaped(mark.lesson),
+                escaped(mark.pupil)));
             if (mark.isPassed()) {
                 all.append("/>\n");
             } else {
                 String kind = mark.kind == Mark.Kind.NOT_YET || mark.kind == Mark.Kind.NOTHING ? "failure" : "error";
-                all.append(String.format(">%n    <%s message=\"%s\">%s</%s>%n  </testcase>%n", kind, escaped(mark.kind.words),
+                all.append(String.format(">%n    <%s message=\"%s\">%s</%s>%n  </testcase>%n", kind,
+                    escaped(mark.kind.words),
                     escaped(String.join("\n", mark.missing)), kind));
             }
         }
@@ -102,7 +109,8 @@ final class MarkTables {
             if (c == '<' || c == '>' || c == '&' || c == '"') {
                 safe.append("&#").append(c).append(';');
             } else {
-                boolean legal = c == '\n' || c == '\t' || c >= ' ' && c < 0xD800 || c >= 0xE000 && c < 0xFFFE || c > 0xFFFF;
+                boolean legal = c == '\n' || c == '\t' || c >= ' ' && c < 0xD800 || c >= 0xE000 && c < 0xFFFE
+                    || c > 0xFFFF;
                 safe.appendCodePoint(legal ? c : '?');
             }
         });

@@ -91,7 +91,8 @@ final class Marking {
 
     private Mark mark(Submission of) throws InterruptedException {
         if (of.script == null) {
-            return new Mark(of, Mark.Kind.NOTHING, 0, 0, List.of("There is no script " + of.lesson.getName() + ".py."), Map.of());
+            return new Mark(of, Mark.Kind.NOTHING, 0, 0,
+                List.of("There is no script " + of.lesson.getName() + ".py."), Map.of());
         }
         try {
             return inFolders(of);
@@ -104,7 +105,8 @@ final class Marking {
     }
 
     private Mark inFolders(Submission of) throws IOException, InterruptedException, ProjectException {
-        try (ScratchFolder pupils = ScratchFolder.create("sear-mark"); ScratchFolder checks = ScratchFolder.create("sear-check")) {
+        try (ScratchFolder pupils = ScratchFolder.create("sear-mark"); ScratchFolder checks =
+            ScratchFolder.create("sear-check")) {
             return mark(of, pupils.path(), checks.path());
         }
     }
@@ -122,7 +124,8 @@ final class Marking {
         String script = of.lesson.script().getFileName().toString();
         copy(of, run, script);
         Path record = folder.resolve(RECORD);
-        List<String> arguments = new ArrayList<>(List.of(script, "--headless", "--speed", "max", "--seed", Long.toString(seed), "--threads", "1",
+        List<String> arguments = new ArrayList<>(
+            List.of(script, "--headless", "--speed", "max", "--seed", Long.toString(seed), "--threads", "1",
             "--port", "none", "--record", record.toString(), "--until", Double.toString(check.getSeconds() + AFTER)));
         if (python3) {
             arguments.add("--python3");
@@ -142,12 +145,14 @@ final class Marking {
         return new Mark(of, kind, got, done.getAsked(), missing, done.getMeasures());
     }
 
-    private static Mark.Kind check(LessonRun done, LessonCheck check, Path record, Project world, List<String> missing, Mark.Kind ended)
+    private static Mark.Kind check(LessonRun done, LessonCheck check, Path record, Project world, List<String> missing,
+        Mark.Kind ended)
             throws ProjectException {
         try {
             done.follow(record, world, check.getSeconds());
         } catch (IOException e) {
-            missing.add("Your script's run can't be marked: it must use the lesson's world unchanged. (" + FileReasons.of(e) + ")");
+            missing.add("Your script's run can't be marked: it must use the lesson's world unchanged. ("
+                + FileReasons.of(e) + ")");
             return ended == null ? Mark.Kind.NOT_YET : ended;
         }
         try {
@@ -156,12 +161,14 @@ final class Marking {
             missing.add(e.getMessage());
             return Mark.Kind.CHECK_FAILED;
         }
-        done.getByHand().stream().limit(1).forEach(what -> missing.add("Drive, do not move objects by hand: " + what + "."));
+        done.getByHand().stream().limit(1)
+            .forEach(what -> missing.add("Drive, do not move objects by hand: " + what + "."));
         missing.addAll(done.getMissing());
         return ended != null ? ended : missing.isEmpty() ? Mark.Kind.PASSED : Mark.Kind.NOT_YET;
     }
 
-    private Mark.Kind howItEnded(PupilProcess process, String script, List<String> missing) throws InterruptedException {
+    private Mark.Kind howItEnded(PupilProcess process, String script, List<String> missing)
+        throws InterruptedException {
         if (process.isTooLarge()) {
             missing.add("Your script used more than " + memory + " MB of memory and was stopped.");
             return Mark.Kind.TOO_LARGE;
@@ -186,7 +193,8 @@ final class Marking {
     private static void copy(Submission of, Path run, String script) throws IOException {
         if (of.script.toAbsolutePath().getParent().getFileName().toString().equals(of.pupil)) {
             try (Stream<Path> files = Files.list(of.script.toAbsolutePath().getParent())) {
-                for (Path file : (Iterable<Path>) files.filter(one -> Files.isRegularFile(one) && one.toString().endsWith(".py"))::iterator) {
+                for (Path file : (Iterable<Path>) files.filter(one -> Files.isRegularFile(one) && one.toString()
+                    .endsWith(".py"))::iterator) {
                     Files.copy(file, run.resolve(file.getFileName()));
                 }
             }

@@ -93,10 +93,14 @@ final class PupilProcess {
      * @param limit processor time and idle time, s
      * @param memory limit, MB
      */
-    static PupilProcess run(Path folder, List<String> arguments, double limit, int memory) throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
-        ManagementFactory.getRuntimeMXBean().getInputArguments().stream().filter(PupilProcess::isForAll).forEach(command::add);
-        command.addAll(List.of("-Xmx" + (int) (HEAP_SHARE * memory) + "m", "-Xms16m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
+    static PupilProcess run(Path folder, List<String> arguments, double limit, int memory)
+        throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(
+            List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
+        ManagementFactory.getRuntimeMXBean().getInputArguments().stream().filter(PupilProcess::isForAll)
+            .forEach(command::add);
+        command.addAll(List.of("-Xmx" + (int) (HEAP_SHARE * memory) + "m", "-Xms16m", "-XX:+UseSerialGC",
+            "-XX:TieredStopAtLevel=1",
             "-XX:+ExitOnOutOfMemoryError", "-XX:ActiveProcessorCount=1", "-Djava.awt.headless=true",
             "-Dsear.parent=" + ProcessHandle.current().pid(), "-Dsear.home=" + System.getProperty("sear.home", "."),
             "-cp",
@@ -121,9 +125,11 @@ final class PupilProcess {
     }
 
     private static boolean isForAll(String option) {
-        return option.startsWith("-XX:SharedArchiveFile") || option.startsWith("-XX:ArchiveRelocation") || option.startsWith("-Xlog:cds")
+        return option.startsWith("-XX:SharedArchiveFile") || option.startsWith("-XX:ArchiveRelocation")
+            || option.startsWith("-Xlog:cds")
             || option.equals("-XX:+UnlockDiagnosticVMOptions") || option.startsWith("-XX:+IgnoreUnrecognized")
-            || option.startsWith("--sun-misc") || option.startsWith("--enable-native") || option.startsWith("-Dfile.encoding");
+            || option.startsWith("--sun-misc") || option.startsWith("--enable-native")
+            || option.startsWith("-Dfile.encoding");
     }
 
     /** Ends a script together with this program. */
@@ -177,6 +183,7 @@ final class PupilProcess {
 
     /** Returns the error output. */
     String getErrors() throws InterruptedException {
-        return err.text().lines().filter(line -> !line.startsWith("Open this in a browser")).collect(Collectors.joining("\n"));
+        return err.text().lines().filter(line -> !line.startsWith("Open this in a browser"))
+            .collect(Collectors.joining("\n"));
     }
 }

@@ -56,9 +56,11 @@ final class Submission {
 
     private static List<Submission> ofFile(Path script, Lesson lesson, boolean isOfPupil) throws IOException {
         if (lesson == null) {
-            return Lesson.isKnown(stem(script)) ? List.of(new Submission(stem(script), Lesson.find(stem(script)), script)) : List.of();
+            return Lesson.isKnown(stem(script))
+                ? List.of(new Submission(stem(script), Lesson.find(stem(script)), script)) : List.of();
         }
-        return isOfPupil && !stem(script).equals(lesson.getName()) ? List.of() : List.of(new Submission(stem(script), lesson, script));
+        return isOfPupil && !stem(script).equals(lesson.getName()) ? List.of()
+            : List.of(new Submission(stem(script), lesson, script));
     }
 
     /** Finds the scripts in a pupil's folder. */

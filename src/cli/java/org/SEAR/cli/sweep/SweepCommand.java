@@ -23,7 +23,8 @@ import picocli.CommandLine.Spec;
  * options.
  */
 @Command(name = "sweep", mixinStandardHelpOptions = true,
-    description = "Runs a script for each seed and combination of parameters, in many processes or on many computers, and writes a table of the "
+    description = "Runs a script for each seed and combination of parameters, in many processes or on many computers, "
+    + "and writes a table of the "
         + "results. Needs Dask Distributed: python3 -m pip install numpy JPype1 distributed pyarrow.",
     footer = "Exit status: 0 when all runs are ok, 1 when not, or when a repeated row differs, 2 for an invalid "
         + "command, 130 after Ctrl+C.")
@@ -32,17 +33,22 @@ public final class SweepCommand implements Callable<Integer> {
     /** Environment variable: the Python process ends when its standard input is closed, as by this one's end. */
     private static final String ENDS_WITH_INPUT = "SEAR_ENDS_WITH_INPUT";
 
-    @Parameters(paramLabel = "SCRIPT.py", description = "A script as for sear SCRIPT.py. It reads sear.getParameter(\"NAME\", default) and "
+    @Parameters(paramLabel = "SCRIPT.py", description = "A script as for sear SCRIPT.py. It reads "
+        + "sear.getParameter(\"NAME\", default) and "
         + "reports sear.setResult(\"NAME\", value).")
     private Path script;
-    @Option(names = "--seeds", paramLabel = "N|A:B", description = "Number of seeds, from 1 on; or seeds A to B. Default: 1.")
+    @Option(names = "--seeds", paramLabel = "N|A:B", description = "Number of seeds, from 1 on; or seeds A to "
+        + "B. Default: 1.")
     private String seeds;
-    @Option(names = "--set", paramLabel = "NAME=A:B:N|NAME=A,B,C", description = "Values of a parameter: N values from A to B, or a list. "
+    @Option(names = "--set", paramLabel = "NAME=A:B:N|NAME=A,B,C", description = "Values of a parameter: N values from "
+        + "A to B, or a list. "
         + "May be given for several parameters; all combinations run.")
     private List<String> set;
-    @Option(names = "--workers", paramLabel = "N", description = "Processes on this computer. Default: the number of processors.")
+    @Option(names = "--workers", paramLabel = "N", description = "Processes on this computer. Default: the number "
+        + "of processors.")
     private String workers;
-    @Option(names = "--scheduler", paramLabel = "ADDRESS", description = "Address of a running Dask scheduler, such as tcp://host:8786.")
+    @Option(names = "--scheduler", paramLabel = "ADDRESS", description = "Address of a running Dask scheduler, such as "
+        + "tcp://host:8786.")
     private String scheduler;
     @Option(names = "--scheduler-file", paramLabel = "FILE", description = "File with a Dask scheduler's address.")
     private String schedulerFile;
@@ -50,12 +56,14 @@ public final class SweepCommand implements Callable<Integer> {
     private String limit;
     @Option(names = "--memory", paramLabel = "MB", description = "Memory limit of a run's process. Default: none.")
     private String memory;
-    @Option(names = "--out", paramLabel = "FOLDER", description = "Folder for the results; continues an interrupted sweep there. Default:"
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Folder for the results; continues an interrupted "
+        + "sweep there. Default:"
         + " the script's name with -sweep.")
     private String out;
     @Option(names = "--fresh", description = "Discard existing results and start over.")
     private boolean fresh;
-    @Option(names = "--again", paramLabel = "ROW", description = "Repeat only this row of a sweep and say whether its result is the same.")
+    @Option(names = "--again", paramLabel = "ROW", description = "Repeat only this row of a sweep and say whether its "
+        + "result is the same.")
     private String again;
     @Option(names = "--python3", description = "Run the script with Python 3, whatever its first line.")
     private boolean python3;
@@ -86,7 +94,8 @@ public final class SweepCommand implements Callable<Integer> {
             return process.waitFor();
         } catch (IOException e) {
             PrintWriter err = spec.commandLine().getErr();
-            err.println("sear sweep: there is no " + python + ": install Python 3.9 or newer, or set SEAR_PYTHON to it");
+            err.println("sear sweep: there is no " + python + ": install Python 3.9 or newer, or set "
+                + "SEAR_PYTHON to it");
             return ExitCode.SOFTWARE;
         }
     }

@@ -70,7 +70,8 @@ public final class Blobs {
                 }
             }
         }
-        blobs.sort(Comparator.comparingInt((Blob blob) -> -blob.area).thenComparingDouble(blob -> blob.y).thenComparingDouble(blob -> blob.x));
+        blobs.sort(Comparator.comparingInt((Blob blob) -> -blob.area).thenComparingDouble(blob -> blob.y)
+            .thenComparingDouble(blob -> blob.x));
         return blobs;
     }
 

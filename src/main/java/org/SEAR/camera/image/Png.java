@@ -37,7 +37,8 @@ public final class Png {
     /** Encodes a picture, including transparency. */
     public static byte[] of(BufferedImage image) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {    // in memory: the default stream would use a temporary file
+        // in memory: the default stream would use a temporary file
+        try (ImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {
             ImageIO.write(image, "png", out);
         } catch (IOException e) {
             throw new UncheckedIOException(e);

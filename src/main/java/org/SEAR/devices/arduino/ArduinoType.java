@@ -19,7 +19,8 @@ public final class ArduinoType implements DeviceType {
         Arduino arduino = (Arduino) parameters;
         Pins pins = new Pins(arduino.getModel(), arduino.getFullName(), context);
         new Wiring(context).connect(arduino, pins);
-        return new ArduinoBoard(arduino.getModel().getTitle() + ", " + arduino.getFirmware(), arduino.getBaud(), pins, context,
+        return new ArduinoBoard(arduino.getModel().getTitle() + ", " + arduino.getFirmware(), arduino.getBaud(),
+            pins, context,
             arduino.isFirmata() ? FirmataFirmware::new : MrlCommFirmware::new);
     }
 }

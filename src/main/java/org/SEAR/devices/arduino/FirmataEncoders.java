@@ -28,7 +28,8 @@ final class FirmataEncoders {
 
     /** Whether a motor's encoder is wired to a pin. */
     boolean isTrack(int pin) {
-        return IntStream.range(0, pins.board().getPins()).anyMatch(other -> other != pin && pins.encoder(pin, other) != null);
+        return IntStream.range(0, pins.board().getPins())
+            .anyMatch(other -> other != pin && pins.encoder(pin, other) != null);
     }
 
     void execute(FirmataMessage message, Consumer<FirmataMessage> answer) {
@@ -90,7 +91,8 @@ final class FirmataEncoders {
 
     private void report(int[] numbers, Consumer<FirmataMessage> answer) {
         if (numbers.length > 0) {
-            answer.accept(EncoderMessage.positions(numbers, IntStream.of(numbers).mapToLong(i -> encoders[i].counts() - zeros[i]).toArray()));
+            answer.accept(EncoderMessage.positions(
+                numbers, IntStream.of(numbers).mapToLong(i -> encoders[i].counts() - zeros[i]).toArray()));
         }
     }
 }

@@ -94,7 +94,8 @@ final class FirmataFirmware implements Firmware {
      */
     private static boolean isTelling(FirmataMessage message) {
         int command = message.getCommand();
-        return command == FirmataMessage.VERSION || command == FirmataMessage.PIN_MODE || command == FirmataMessage.START_SYSEX;
+        return command == FirmataMessage.VERSION || command == FirmataMessage.PIN_MODE
+            || command == FirmataMessage.START_SYSEX;
     }
 
     private void execute(FirmataMessage message) {

@@ -86,7 +86,8 @@ final class FirmataReports {
     }
 
     private void sendAnalog(int channel, double time) {
-        host.send(FirmataMessage.number(FirmataMessage.ANALOG, channel, pins.readAnalog(board.getFirstAnalog() + channel)).toBytes(), time);
+        host.send(FirmataMessage.number(FirmataMessage.ANALOG, channel,
+            pins.readAnalog(board.getFirstAnalog() + channel)).toBytes(), time);
     }
 
     /**

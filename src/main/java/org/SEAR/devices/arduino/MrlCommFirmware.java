@@ -110,14 +110,16 @@ final class MrlCommFirmware implements Firmware {
     }
 
     private void reportBoard() {
-        send(MrlMessage.of(MrlFunction.PUBLISH_BOARD_INFO).add(MrlMessage.VERSION).add(board.getMrlType()).addShort(LOOP_MICROS).addShort(FREE_RAM)
+        send(MrlMessage.of(MrlFunction.PUBLISH_BOARD_INFO).add(MrlMessage.VERSION).add(board.getMrlType())
+            .addShort(LOOP_MICROS).addShort(FREE_RAM)
             .add(reports.size()).addList(devices.summary()));
     }
 
     private void execute(MrlMessage message) {
         host.understood();
         MrlFunction function = message.getFunction();
-        if (!executeBoard(function, message) && !executePin(function, message) && !devices.execute(function, message, now)) {
+        if (!executeBoard(function, message) && !executePin(function, message)
+            && !devices.execute(function, message, now)) {
             refuse(function);
         }
         if (acknowledges) {
@@ -140,7 +142,8 @@ final class MrlCommFirmware implements Firmware {
                 acknowledges = message.getByte(0) != 0;
                 return true;
             case ECHO:
-                send(MrlMessage.of(MrlFunction.PUBLISH_ECHO).addAll(message.getBytes(0, Float.BYTES + 1 + Float.BYTES)));
+                send(MrlMessage.of(MrlFunction.PUBLISH_ECHO)
+                    .addAll(message.getBytes(0, Float.BYTES + 1 + Float.BYTES)));
                 return true;
             case CUSTOM_MSG:
             case SET_TRIGGER:
@@ -162,7 +165,8 @@ final class MrlCommFirmware implements Firmware {
             reports.clear();
             return true;
         }
-        boolean known = function == MrlFunction.ENABLE_PIN || function == MrlFunction.DISABLE_PIN || function == MrlFunction.PIN_MODE
+        boolean known = function == MrlFunction.ENABLE_PIN || function == MrlFunction.DISABLE_PIN
+            || function == MrlFunction.PIN_MODE
             || function == MrlFunction.ANALOG_WRITE || function == MrlFunction.DIGITAL_WRITE;
         if (!known) {
             return false;
@@ -181,7 +185,8 @@ final class MrlCommFirmware implements Firmware {
                 break;
             case PIN_MODE:
                 int mode = message.getByte(1);
-                pins.setMode(pin, mode == OUT ? Pins.Mode.OUTPUT : mode == PULL_UP ? Pins.Mode.PULLUP : Pins.Mode.INPUT);
+                pins.setMode(pin, mode == OUT ? Pins.Mode.OUTPUT : mode == PULL_UP ? Pins.Mode.PULLUP
+                    : Pins.Mode.INPUT);
                 break;
             case ANALOG_WRITE:
                 pins.writeDuty(pin, message.getByte(1));

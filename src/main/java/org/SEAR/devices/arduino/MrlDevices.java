@@ -113,7 +113,8 @@ final class MrlDevices {
     private void attachServo(MrlMessage message) {
         int pin = message.getByte(1);
         if (isFree(message, PinUse.SERVO, pin)) {
-            devices.put(message.getByte(0), new MrlServo(message.getByte(0), host, pin, message.getShort(2), message.getShort(4)));
+            devices.put(message.getByte(0), new MrlServo(message.getByte(0), host, pin, message.getShort(2),
+                message.getShort(4)));
         }
     }
 

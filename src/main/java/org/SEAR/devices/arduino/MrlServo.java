@@ -104,7 +104,8 @@ final class MrlServo implements MrlDevice {
     }
 
     private void report(int event, double time) {
-        host.send(MrlMessage.of(MrlFunction.PUBLISH_SERVO_EVENT).add(id).add(event).addShort((int) position).addShort(target).end().toBytes(), time);
+        host.send(MrlMessage.of(MrlFunction.PUBLISH_SERVO_EVENT).add(id).add(event).addShort((int) position)
+            .addShort(target).end().toBytes(), time);
     }
 
     @Override
@@ -129,7 +130,8 @@ final class MrlServo implements MrlDevice {
         }
         double speed = velocity;
         if (acceleration != -1) {
-            speed = Math.min(speed, Math.max(0, speed * acceleration * (time - began) * (time - began) / ACCELERATION_SHARE));
+            speed = Math.min(speed, Math.max(
+                0, speed * acceleration * (time - began) * (time - began) / ACCELERATION_SHARE));
         }
         return (target > FIRST_PULSE ? speed * MICROS_A_DEGREE : speed) * (time - last);
     }

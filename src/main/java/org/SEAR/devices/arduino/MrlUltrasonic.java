@@ -51,10 +51,12 @@ final class MrlUltrasonic implements MrlDevice {
         double echo = host.pins().echo(trigger, listened);
         boolean heard = echo < LONGEST;
         next = time + (heard ? echo : LONGEST);
-        int centimetres = heard ? (int) ((Math.round(echo / MICROSECOND) + MICROS_A_CENTIMETRE / 2) / MICROS_A_CENTIMETRE) : 0;
+        int centimetres = heard ? (int) (
+            (Math.round(echo / MICROSECOND) + MICROS_A_CENTIMETRE / 2) / MICROS_A_CENTIMETRE) : 0;
         if (centimetres != last) {
             last = centimetres;
-            host.send(MrlMessage.of(MrlFunction.PUBLISH_ULTRASONIC).add(id).addShort(centimetres).end().toBytes(), next);
+            host.send(MrlMessage.of(MrlFunction.PUBLISH_ULTRASONIC).add(id).addShort(centimetres).end()
+                .toBytes(), next);
         }
     }
 }

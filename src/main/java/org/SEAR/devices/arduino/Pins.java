@@ -192,7 +192,8 @@ public final class Pins {
         List<PinState> states = new ArrayList<>();
         for (int pin = 0; pin < wires.length; pin++) {
             if (wires[pin] != NOTHING) {
-                states.add(new PinState(board.nameOf(pin), wires[pin].describe(), modes[pin].name().toLowerCase(Locale.ROOT), value(pin)));
+                states.add(new PinState(board.nameOf(pin), wires[pin].describe(), modes[pin].name()
+                    .toLowerCase(Locale.ROOT), value(pin)));
             }
         }
         return states;

@@ -38,7 +38,8 @@ final class SensorWire implements PinWire {
 
     @Override
     public double echo(PinWire listened) {
-        boolean starts = role == WireRole.PING && listened == this || role == WireRole.TRIGGER && listened instanceof SensorWire
+        boolean starts = role == WireRole.PING && listened == this || role == WireRole.TRIGGER
+            && listened instanceof SensorWire
             && ((SensorWire) listened).sensor == sensor && ((SensorWire) listened).role == WireRole.ECHO;
         if (!starts) {
             return Double.NaN;

@@ -21,7 +21,8 @@ final class ServoWire implements PinWire {
     @Override
     public void pulse(int micros) {
         if (micros > 0) {
-            servo.setAngle(Math.max(servo.getMinAngle(), Math.min(servo.getMaxAngle(), (micros - MIDDLE) / MICROS_A_DEGREE)));
+            servo.setAngle(Math.max(servo.getMinAngle(),
+                Math.min(servo.getMaxAngle(), (micros - MIDDLE) / MICROS_A_DEGREE)));
         }
     }
 

@@ -48,7 +48,8 @@ final class Wiring {
                 return light == null ? null : new LightWire(light);
             default:
                 MotorHardware motor = context.robot().getMotor(wire.getPart());
-                return motor == null ? null : motors.computeIfAbsent(wire.getPart(), name -> new MotorWires(motor)).wire(wire.getRole());
+                return motor == null ? null : motors.computeIfAbsent(wire.getPart(), name -> new MotorWires(motor))
+                    .wire(wire.getRole());
         }
     }
 

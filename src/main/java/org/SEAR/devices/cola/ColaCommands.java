@@ -21,9 +21,11 @@ final class ColaCommands {
     /** Hashed passwords by access level. */
     private static final Map<Integer, Integer> PASSWORDS = Map.of(2, 0xB21ACE26, CLIENT, 0xF4724744, 4, 0x81BE23AA);
     /** Verb of the answer to each request. */
-    private static final Map<String, String> ANSWERS = Map.of("sRN", "sRA", "sRI", "sRA", "sWN", "sWA", "sMN", "sAN", "sEN", "sEA");
+    private static final Map<String, String> ANSWERS = Map.of("sRN", "sRA", "sRI", "sRA", "sWN", "sWA", "sMN", "sAN",
+        "sEN", "sEA");
     /** Events that accept a subscription but never occur here. */
-    private static final Set<String> QUIET_EVENTS = Set.of("LFErec", "LIDoutputstate", "LIDinputstate", "LMDscandatamon");
+    private static final Set<String> QUIET_EVENTS = Set.of("LFErec", "LIDoutputstate", "LIDinputstate",
+        "LMDscandatamon");
     private static final int DONE = 1;
     private static final int TENTHS_OF_AN_HOUR = 360;
     private static final double MICROSECONDS = 1e6;
@@ -141,8 +143,10 @@ final class ColaCommands {
 
     private void measuring() {
         row("sMN LMCstartmeas", NO_CLIENT, (in, out) -> out.u1(started(device::startMeasuring)));
-        row("sMN LMCstopmeas", NO_CLIENT, (in, out) -> out.u1(started(time -> device.stopMeasuring(ColaScanner.State.ROTATED))));
-        row("sMN LMCstandby", NO_CLIENT, (in, out) -> out.u1(started(time -> device.stopMeasuring(ColaScanner.State.IDLE))));
+        row("sMN LMCstopmeas", NO_CLIENT,
+            (in, out) -> out.u1(started(time -> device.stopMeasuring(ColaScanner.State.ROTATED))));
+        row("sMN LMCstandby", NO_CLIENT,
+            (in, out) -> out.u1(started(time -> device.stopMeasuring(ColaScanner.State.IDLE))));
         row("sEN LMDscandata", NO_CLIENT, (in, out) -> {
             boolean on = in.u1() != 0;
             out.u1(on ? 1 : 0);
@@ -179,11 +183,13 @@ final class ColaCommands {
                 writeScanConfiguration(out);
             });
         }
-        row("sRN LMPoutputRange", NO_CLIENT, (in, out) -> out.u2(1).i4(settings().rate.resolution).i4(settings().start).i4(settings().stop));
+        row("sRN LMPoutputRange", NO_CLIENT, (in, out) -> out.u2(1).i4(settings().rate.resolution).i4(settings().start)
+            .i4(settings().stop));
         row("sWN LMPoutputRange", CLIENT, (in, out) -> {
             boolean one = in.u2() == 1;
             int resolution = in.i4();
-            if (!one || resolution != settings().rate.resolution && model.rates.stream().noneMatch(rate -> rate.resolution == resolution)) {
+            if (!one || resolution != settings().rate.resolution && model.rates.stream()
+                .noneMatch(rate -> rate.resolution == resolution)) {
                 throw new ColaException(ColaError.INVALID_DATA);
             }
             device.set(settings().withAngles(model, in.i4(), in.i4()));
@@ -228,7 +234,8 @@ final class ColaCommands {
     private void fields() {
         for (int i = 1; i <= FIELDS; i++) {
             int number = i;
-            row(String.format(Locale.ROOT, "sRN field%03d", number - 1), NO_CLIENT, (in, out) -> out.real(1).real(0).i4(settings().rate.resolution)
+            row(String.format(Locale.ROOT, "sRN field%03d", number - 1), NO_CLIENT, (in, out) -> out.real(1).real(0)
+                .i4(settings().rate.resolution)
                 .i4(model.firstAngle).u1(MADE_OF_SEGMENTS).u1(number).u2(1).u2(0).u2(0).u2(0).u2(0).u2(1)
                 .text(String.format(Locale.ROOT, "Field%03d", number)).u2(0));
         }
@@ -237,7 +244,8 @@ final class ColaCommands {
     private void identity() {
         row("sRN DeviceIdent", NO_CLIENT, (in, out) -> out.text(model.type).text(model.version));
         row("sRI 0", NO_CLIENT, (in, out) -> out.text(model.type).text(model.version));
-        row("sRN FirmwareVersion", NO_CLIENT, (in, out) -> out.text(model.version.substring(0, model.version.indexOf('-'))));
+        row("sRN FirmwareVersion", NO_CLIENT,
+            (in, out) -> out.text(model.version.substring(0, model.version.indexOf('-'))));
         row("sRN SerialNumber", NO_CLIENT, (in, out) -> out.text(String.valueOf(ScanTelegram.SERIAL_NUMBER)));
         row("sRN LocationName", NO_CLIENT, (in, out) -> out.text(settings().name));
         row("sWN LocationName", CLIENT, (in, out) -> {

@@ -9,7 +9,8 @@ import org.SEAR.protocol.lidar.LidarModel;
  * Sources: SICK's telegram listing, recorded telegrams, {@code sick_scan_xd}.
  */
 enum ColaModel {
-    LMS111(LidarModel.LMS111, "LMS10x_FieldEval", "V1.36-21.10.2010", 7, 15, true, new ScanRate(5000, 5000, 360), new ScanRate(2500, 2500, 360),
+    LMS111(LidarModel.LMS111, "LMS10x_FieldEval", "V1.36-21.10.2010", 7, 15, true, new ScanRate(5000, 5000, 360),
+        new ScanRate(2500, 2500, 360),
         new ScanRate(2500, 5000, 360)),
     TIM561(LidarModel.TIM561, "TiM561", "V2.60-20.02.15", 1, 8, false, new ScanRate(1500, 3333, 162)),
     /** Has exactly the rate of its object. */
@@ -65,7 +66,8 @@ enum ColaModel {
     final int lastAngle;
     final List<ScanRate> rates;
 
-    ColaModel(LidarModel lidar, String type, String version, int outputs, double boot, boolean scanConfigurable, ScanRate... rates) {
+    ColaModel(LidarModel lidar, String type, String version, int outputs, double boot, boolean scanConfigurable,
+        ScanRate... rates) {
         this.lidar = lidar;
         this.type = type;
         this.version = version;

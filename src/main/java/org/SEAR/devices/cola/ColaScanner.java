@@ -155,8 +155,10 @@ public final class ColaScanner extends ScannerFirmware {
 
     @Override
     public String status() {
-        return model.lidar.getName() + ": " + settings.beams() + " beams every " + settings.rate.resolution / ColaModel.TEN_THOUSANDTHS + " degrees, "
-            + settings.rate.hertz() + " Hz, " + state.name().toLowerCase(Locale.ROOT) + (commands.isLoggedIn() ? ", logged in" : "");
+        return model.lidar.getName() + ": " + settings.beams() + " beams every "
+            + settings.rate.resolution / ColaModel.TEN_THOUSANDTHS + " degrees, "
+            + settings.rate.hertz() + " Hz, " + state.name().toLowerCase(Locale.ROOT)
+            + (commands.isLoggedIn() ? ", logged in" : "");
     }
 
     private void onTelegram(ColaTelegram telegram) {
@@ -228,7 +230,8 @@ public final class ColaScanner extends ScannerFirmware {
         double up = upTime(time);
         long number = (long) Math.floor(up * settings.rate.hertz() + SLACK);
         if (newest == null || newest.getNumber() != number) {
-            newest = new ScanTelegram(model, settings, measure(poweredAt + number / settings.rate.hertz()), number, time);
+            newest = new ScanTelegram(model, settings, measure(poweredAt + number / settings.rate.hertz()),
+                number, time);
         }
         return newest.encode(dialect, verb, telegrams++, number / settings.rate.hertz(), up, context.epochMillis());
     }
@@ -244,7 +247,8 @@ public final class ColaScanner extends ScannerFirmware {
         LidarScan scan = source.scan(context.truth(), spread(skipped), settings.rate.degrees());
         double[] ranges = new double[settings.beams()];
         for (int i = 0; i < ranges.length; i++) {
-            double early = (model.lidar.getWidestSpread() / 2 - scan.angle(skipped + i)) / CIRCLE / settings.rate.hertz();
+            double early = (model.lidar.getWidestSpread() / 2 - scan.angle(skipped + i)) / CIRCLE
+                / settings.rate.hertz();
             ranges[i] = source.range(context.truth(), scan, skipped + i, end - early);
         }
         return ranges;

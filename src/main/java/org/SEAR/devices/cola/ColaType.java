@@ -20,6 +20,7 @@ public final class ColaType implements DeviceType {
     public SerialDevice create(SearObject parameters, DeviceContext context) {
         LidarSettings settings = LidarSettings.of((LIDAR) parameters, LidarProtocol.COLA, context);
         return settings == null ? null
-            : new ColaScanner(ColaModel.of(settings.model), settings.spread, settings.resolution, settings.baud, context);
+            : new ColaScanner(ColaModel.of(settings.model), settings.spread, settings.resolution,
+                settings.baud, context);
     }
 }

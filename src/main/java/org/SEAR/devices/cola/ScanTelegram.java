@@ -42,7 +42,8 @@ final class ScanTelegram {
         this.time = time;
         distances = new int[metres.length];
         for (int i = 0; i < metres.length; i++) {
-            long mm = metres[i] >= model.lidar.getNearest() && metres[i] < Double.POSITIVE_INFINITY ? Math.round(metres[i] * MM_PER_METRE) : 0;
+            long mm = metres[i] >= model.lidar.getNearest() && metres[i] < Double.POSITIVE_INFINITY
+                ? Math.round(metres[i] * MM_PER_METRE) : 0;
             distances[i] = mm > model.lidar.getFarthest() * MM_PER_METRE ? 0 : (int) mm;
         }
     }
@@ -133,7 +134,8 @@ final class ScanTelegram {
     private void writeTime(ColaPayload out, long epochMillis) {
         long nanos = Math.round(time * MICROSECONDS) * NANOSECONDS;
         ZonedDateTime date = Instant.ofEpochMilli(epochMillis).plusNanos(nanos).atZone(ZoneOffset.UTC);
-        out.u2(date.getYear()).u1(date.getMonthValue()).u1(date.getDayOfMonth()).u1(date.getHour()).u1(date.getMinute()).u1(date.getSecond());
+        out.u2(date.getYear()).u1(date.getMonthValue()).u1(date.getDayOfMonth()).u1(date.getHour()).u1(date.getMinute())
+            .u1(date.getSecond());
         out.i4(date.getNano() / NANOSECONDS);
     }
 }

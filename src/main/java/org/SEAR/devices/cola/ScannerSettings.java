@@ -43,7 +43,8 @@ final class ScannerSettings {
      */
     static ScannerSettings of(ColaModel.ScanRate rate, double spread) {
         int half = (int) Math.round(spread / 2 * ColaModel.TEN_THOUSANDTHS);
-        return new ScannerSettings(rate, ColaModel.FORWARD - half, ColaModel.FORWARD + half, "not defined", AS_DELIVERED);
+        return new ScannerSettings(rate, ColaModel.FORWARD - half, ColaModel.FORWARD + half, "not defined",
+            AS_DELIVERED);
     }
 
     ScannerSettings withRate(ColaModel.ScanRate newRate) {

@@ -67,7 +67,8 @@ enum Constellation {
     String used(boolean fix) {
         StringBuilder places = new StringBuilder();
         for (int i = 0; i < PLACES_OF_GSA; i++) {
-            places.append(',').append(fix && i < size() ? String.format(Locale.ROOT, "%02d", nmeaOffset + number(i)) : "");
+            places.append(',').append(fix && i < size()
+                ? String.format(Locale.ROOT, "%02d", nmeaOffset + number(i)) : "");
         }
         return places.toString();
     }
@@ -78,9 +79,11 @@ enum Constellation {
         int sentences = Math.max(1, (count + PER_SENTENCE - 1) / PER_SENTENCE);
         List<String> bodies = new ArrayList<>();
         for (int first = 0; first < Math.max(1, count); first += PER_SENTENCE) {
-            StringBuilder body = new StringBuilder(String.format(Locale.ROOT, "%sGSV,%d,%d,%02d", talker, sentences, bodies.size() + 1, count));
+            StringBuilder body = new StringBuilder(
+                String.format(Locale.ROOT, "%sGSV,%d,%d,%02d", talker, sentences, bodies.size() + 1, count));
             for (int i = first; i < Math.min(first + PER_SENTENCE, count); i++) {
-                body.append(String.format(Locale.ROOT, ",%02d,%02d,%03d,%02d", nmeaOffset + number(i), elevation(i), azimuth(i), signal(i)));
+                body.append(String.format(Locale.ROOT, ",%02d,%02d,%03d,%02d", nmeaOffset + number(i), elevation(i),
+                    azimuth(i), signal(i)));
             }
             bodies.add(body.toString());
         }

@@ -35,8 +35,10 @@ public enum GpsModel {
 
     private static final String MEDIATEK = Nmea.sentence("PMTK010,001")
         + "$POLYN,TIME,RESTART_OCCURRED\r\n$POLYN,EPH,0,00000000\r\n$POLYN,ALM,0,00000000\r\n";
-    private static final String[] UBLOX = {"u-blox AG - www.u-blox.com", "HW UBX-M8030 00080000", "EXT CORE 3.01 (107900)", "ROM BASE 3.01 (107888)",
-        "FWVER=SPG 3.01", "PROTVER=18.00", "MOD=NEO-M8N-0", "FIS=0xC22536 (100111)", "GPS;GLO;GAL;BDS", "SBAS;IMES;QZSS", "ANTSTATUS=OK"};
+    private static final String[] UBLOX = {"u-blox AG - www.u-blox.com", "HW UBX-M8030 00080000",
+        "EXT CORE 3.01 (107900)", "ROM BASE 3.01 (107888)",
+        "FWVER=SPG 3.01", "PROTVER=18.00", "MOD=NEO-M8N-0", "FIS=0xC22536 (100111)", "GPS;GLO;GAL;BDS",
+            "SBAS;IMES;QZSS", "ANTSTATUS=OK"};
     private static final Map<String, GpsModel> ALIASES = Map.of("FVM8", MT3301, "FVM11", MT3301, "UBLOX", NEOM8N);
 
     private final SentenceStyle style;
@@ -61,7 +63,8 @@ public enum GpsModel {
                 return model;
             }
         }
-        throw new IllegalArgumentException("GPS model is \"" + name + "\", legal: MT3301 (also FV-M8, FV-M11), MT3329, NEO-M8N (also u-blox)");
+        throw new IllegalArgumentException("GPS model is \"" + name + "\", legal: MT3301 (also FV-M8, FV-M11), MT3329, "
+            + "NEO-M8N (also u-blox)");
     }
 
     SentenceStyle getStyle() {

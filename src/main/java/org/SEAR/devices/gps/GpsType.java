@@ -18,7 +18,8 @@ public final class GpsType implements DeviceType {
     public SerialDevice create(SearObject parameters, DeviceContext context) {
         GPS gps = (GPS) parameters;
         GpsModel model = GpsModel.of(gps.getModel());
-        Receiver receiver = model == GpsModel.NEOM8N ? new NeoM8n(gps.getBaud(), gps.getRate(), gps.getTimeToFix(), context)
+        Receiver receiver = model == GpsModel.NEOM8N
+            ? new NeoM8n(gps.getBaud(), gps.getRate(), gps.getTimeToFix(), context)
             : new Mt3301(model, gps.getBaud(), gps.getRate(), gps.getTimeToFix(), context);
         return receiver.withLatency(gps.getLatency());
     }

@@ -103,7 +103,8 @@ public final class Mt3301 extends Receiver {
         StringBuilder body = new StringBuilder("PMTKCHN");
         Constellation sky = Constellation.GPS;
         for (int i = 0; i < CHANNELS; i++) {
-            body.append(i < sky.size() ? String.format(Locale.ROOT, ",%02d%02d%d", sky.number(i), sky.signal(i), TRACKED) : ",00000");
+            body.append(i < sky.size() ? String.format(Locale.ROOT, ",%02d%02d%d", sky.number(i), sky.signal(i),
+                TRACKED) : ",00000");
         }
         return body.toString();
     }

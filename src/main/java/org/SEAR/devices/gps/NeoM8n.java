@@ -24,7 +24,8 @@ public final class NeoM8n extends Receiver {
     public static final int DEFAULT_BAUD = 9600;
     private static final String NAME = "NEO-M8N";
     private static final String[] EXTENSIONS =
-        {"ROM BASE 3.01 (107888)", "FWVER=SPG 3.01", "PROTVER=18.00", "MOD=NEO-M8N-0", "FIS=0xC22536 (100111)", "GPS;GLO;GAL;BDS", "SBAS;IMES;QZSS"};
+        {"ROM BASE 3.01 (107888)", "FWVER=SPG 3.01", "PROTVER=18.00", "MOD=NEO-M8N-0", "FIS=0xC22536 (100111)",
+            "GPS;GLO;GAL;BDS", "SBAS;IMES;QZSS"};
     private static final int TEXT_SIZE = 30;
     private static final int HARDWARE_SIZE = 10;
     private static final int GPS_ONLY = 2;
@@ -32,9 +33,12 @@ public final class NeoM8n extends Receiver {
     private static final int GO = 9;
     private static final int ALL = -1;
     /** Order of a fix's sentences and messages. */
-    private static final UbxMessage[] ORDER = {UbxMessage.NMEA_RMC, UbxMessage.NMEA_VTG, UbxMessage.NMEA_GGA, UbxMessage.NMEA_GSA,
-        UbxMessage.NMEA_GSV, UbxMessage.NMEA_GLL, UbxMessage.NMEA_ZDA, UbxMessage.NAV_POSECEF, UbxMessage.NAV_POSLLH, UbxMessage.NAV_STATUS,
-        UbxMessage.NAV_DOP, UbxMessage.NAV_SOL, UbxMessage.NAV_PVT, UbxMessage.NAV_VELECEF, UbxMessage.NAV_VELNED, UbxMessage.NAV_TIMEGPS,
+    private static final UbxMessage[] ORDER = {UbxMessage.NMEA_RMC, UbxMessage.NMEA_VTG, UbxMessage.NMEA_GGA,
+        UbxMessage.NMEA_GSA,
+        UbxMessage.NMEA_GSV, UbxMessage.NMEA_GLL, UbxMessage.NMEA_ZDA, UbxMessage.NAV_POSECEF, UbxMessage.NAV_POSLLH,
+        UbxMessage.NAV_STATUS,
+        UbxMessage.NAV_DOP, UbxMessage.NAV_SOL, UbxMessage.NAV_PVT, UbxMessage.NAV_VELECEF, UbxMessage.NAV_VELNED,
+        UbxMessage.NAV_TIMEGPS,
         UbxMessage.NAV_CLOCK, UbxMessage.NAV_SAT, UbxMessage.NAV_EOE};
 
     private final UbxSettings delivered;
@@ -110,7 +114,8 @@ public final class NeoM8n extends Receiver {
         Sentences sentences = new Sentences(SentenceStyle.UBLOX, fix, timeKnown ? (Long) millis : null);
         for (UbxMessage message : ORDER) {
             if (settings.isDue(message, number)) {
-                byte[] part = message.getGroup() == UbxMessage.NAV ? ubx(message) : nmea(sentences, message, fix != null);
+                byte[] part = message.getGroup() == UbxMessage.NAV ? ubx(message)
+                    : nmea(sentences, message, fix != null);
                 bytes.write(part, 0, part.length);
             }
         }

@@ -9,9 +9,11 @@ import java.util.Locale;
 
 /** Differences between makers' NMEA sentences, as data. Source: recordings of real receivers. */
 enum SentenceStyle {
-    MT3301("GP", "HHmmss.SSS", 6, 3, "%d", true, "8960.000000,N,00000.000000,E", "137.000,M,13.000,M", "", ",T,,M,,N,,K", Constellation.GPS),
+    MT3301("GP", "HHmmss.SSS", 6, 3, "%d", true, "8960.000000,N,00000.000000,E", "137.000,M,13.000,M", "",
+        ",T,,M,,N,,K", Constellation.GPS),
     MT3329("GP", "HHmmss.SSS", 4, 1, "%d", true, ",,,", ",M,,M", "", ",T,,M,,N,,K", Constellation.GPS),
-    UBLOX("GN", "HHmmss.SS", 5, 1, "%02d", false, ",,,", ",,,", "99.99", ",,,,,,,", Constellation.GPS, Constellation.GLONASS);
+    UBLOX("GN", "HHmmss.SS", 5, 1, "%02d", false, ",,,", ",,,", "99.99", ",,,,,,,", Constellation.GPS,
+        Constellation.GLONASS);
 
     /** Talker of sentences that concern all constellations. */
     final String talker;
@@ -33,7 +35,8 @@ enum SentenceStyle {
     /** Constellations whose satellites it sees. */
     final List<Constellation> sky;
 
-    SentenceStyle(String talker, String time, int minuteDecimals, int altitudeDecimals, String satelliteFormat, boolean courseWhileStanding,
+    SentenceStyle(String talker, String time, int minuteDecimals, int altitudeDecimals, String satelliteFormat,
+        boolean courseWhileStanding,
             String noPosition, String noAltitude, String noDop, String noCourse, Constellation... sky) {
         this.talker = talker;
         this.time = DateTimeFormatter.ofPattern(time, Locale.ROOT);

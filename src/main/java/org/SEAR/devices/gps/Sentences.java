@@ -41,7 +41,8 @@ final class Sentences {
     }
 
     String gga() {
-        return fix == null ? ggaNoFix() : gga(style.satellites(), dop(Constellation.HDOP), Geoid.separation(fix.getLatitude(), fix.getLongitude()));
+        return fix == null ? ggaNoFix() : gga(style.satellites(), dop(Constellation.HDOP),
+            Geoid.separation(fix.getLatitude(), fix.getLongitude()));
     }
 
     String gga(int satellites, String hdop, double separation) {
@@ -51,7 +52,8 @@ final class Sentences {
     }
 
     private String ggaNoFix() {
-        return style.talker + "GGA," + time + "," + style.noPosition + ",0," + count(0) + "," + style.noDop + "," + style.noAltitude + ",,";
+        return style.talker + "GGA," + time + "," + style.noPosition + ",0," + count(0) + "," + style.noDop + ","
+            + style.noAltitude + ",,";
     }
 
     private String count(int satellites) {
@@ -60,18 +62,21 @@ final class Sentences {
 
     String rmc() {
         String where = fix == null ? ",V,,,,,,," : ",A," + position() + "," + knots() + "," + course() + ",";
-        return style.talker + "RMC," + time + where + (when == null ? "" : DATE.format(when)) + ",,," + (fix == null ? "N" : "A");
+        return style.talker + "RMC," + time + where + (when == null ? "" : DATE.format(when)) + ",,,"
+            + (fix == null ? "N" : "A");
     }
 
     String vtg() {
         if (fix == null) {
             return style.talker + "VTG," + style.noCourse + ",N";
         }
-        return style.talker + "VTG," + course() + ",T,,M," + knots() + ",N," + Nmea.number(fix.getSpeed() * KILOMETRES_PER_HOUR, 3) + ",K,A";
+        return style.talker + "VTG," + course() + ",T,,M," + knots() + ",N,"
+            + Nmea.number(fix.getSpeed() * KILOMETRES_PER_HOUR, 3) + ",K,A";
     }
 
     String gll() {
-        return style.talker + "GLL," + (fix == null ? ",,," : position()) + "," + time + (fix == null ? ",V,N" : ",A,A");
+        return style.talker + "GLL," + (fix == null ? ",,," : position()) + "," + time
+            + (fix == null ? ",V,N" : ",A,A");
     }
 
     String zda() {
@@ -82,7 +87,8 @@ final class Sentences {
     List<String> gsa() {
         List<String> bodies = new ArrayList<>();
         for (Constellation each : style.sky) {
-            bodies.add(style.talker + "GSA,A," + (fix == null ? 1 : 3) + each.used(fix != null) + "," + dop(Constellation.PDOP) + ","
+            bodies.add(style.talker + "GSA,A," + (fix == null ? 1 : 3) + each.used(fix != null) + ","
+                + dop(Constellation.PDOP) + ","
                 + dop(Constellation.HDOP) + "," + dop(Constellation.VDOP));
         }
         return bodies;
@@ -102,7 +108,8 @@ final class Sentences {
     private String position() {
         int decimals = style.minuteDecimals;
         return Nmea.degrees(fix.getLatitude(), Nmea.LATITUDE_DIGITS, decimals) + (fix.getLatitude() < 0 ? ",S," : ",N,")
-            + Nmea.degrees(fix.getLongitude(), Nmea.LONGITUDE_DIGITS, decimals) + (fix.getLongitude() < 0 ? ",W" : ",E");
+            + Nmea.degrees(fix.getLongitude(), Nmea.LONGITUDE_DIGITS, decimals)
+            + (fix.getLongitude() < 0 ? ",W" : ",E");
     }
 
     private String knots() {

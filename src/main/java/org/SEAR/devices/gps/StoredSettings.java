@@ -21,8 +21,10 @@ final class StoredSettings {
     private static final int MODEL = 1;
     private static final int FIX_MODE = 1 << 2;
     /** Parts of CFG-NAV5: bit of its mask, begin and end of its values. */
-    private static final int[][] NAV5_PARTS = {{MODEL, 2, 3}, {1 << 1, 12, 13}, {FIX_MODE, 3, 12}, {1 << 3, 13, 14}, {1 << 4, 14, 16},
-        {1 << 4, 18, 20}, {1 << 5, 16, 18}, {1 << 5, 20, 22}, {1 << 6, 22, 23}, {1 << 6, 28, 30}, {1 << 7, 23, 24}, {1 << 8, 24, 26},
+    private static final int[][] NAV5_PARTS = {{MODEL, 2, 3}, {1 << 1, 12, 13}, {FIX_MODE, 3, 12}, {1 << 3, 13, 14},
+        {1 << 4, 14, 16},
+        {1 << 4, 18, 20}, {1 << 5, 16, 18}, {1 << 5, 20, 22}, {1 << 6, 22, 23}, {1 << 6, 28, 30}, {1 << 7, 23, 24},
+        {1 << 8, 24, 26},
         {1 << 10, 30, 31}};
     private static final List<Integer> MODELS = Arrays.asList(0, 2, 3, 4, 5, 6, 7, 8, 9);
     private static final int LAST_FIX_MODE = 3;
@@ -30,18 +32,24 @@ final class StoredSettings {
     private static final int GNSS_HEAD = 4;
     private static final int GNSS_BLOCK = 8;
     /** Channels of GPS, SBAS, Galileo, BeiDou, IMES, QZSS and GLONASS: identifier, minimum, maximum and flags. */
-    private static final byte[][] SYSTEMS = {{0, 8, 16, 0, 1, 0, 1, 1}, {1, 1, 3, 0, 1, 0, 1, 1}, {2, 4, 8, 0, 0, 0, 1, 1}, {3, 8, 16, 0, 0, 0, 1, 1},
+    private static final byte[][] SYSTEMS = {{0, 8, 16, 0, 1, 0, 1, 1}, {1, 1, 3, 0, 1, 0, 1, 1},
+        {2, 4, 8, 0, 0, 0, 1, 1}, {3, 8, 16, 0, 0, 0, 1, 1},
         {4, 0, 8, 0, 0, 0, 1, 3}, {5, 0, 3, 0, 1, 0, 1, 5}, {6, 8, 14, 0, 1, 0, 1, 1}};
 
     private final Map<UbxMessage, byte[]> payloads = new EnumMap<>(UbxMessage.class);
 
     /** Creates the factory settings. */
     StoredSettings() {
-        payloads.put(UbxMessage.CFG_NMEA, UbxFrame.room(NMEA_SIZE).put(1, (byte) 0x40).put(3, (byte) 2).put(15, (byte) 1).array());
-        payloads.put(UbxMessage.CFG_NAV5, UbxFrame.room(NAV5_SIZE).putShort(0, (short) -1).put(3, (byte) 3).putInt(8, 10000).put(12, (byte) 5)
-            .putShort(14, (short) 250).putShort(16, (short) 250).putShort(18, (short) 100).putShort(20, (short) 350).put(23, (byte) 60).array());
-        payloads.put(UbxMessage.CFG_SBAS, UbxFrame.room(SBAS_SIZE).put((byte) 1).put((byte) 3).put((byte) 3).put((byte) 0).putInt(0x66251).array());
-        ByteBuffer systems = UbxFrame.room(GNSS_HEAD + SYSTEMS.length * GNSS_BLOCK).put(new byte[] {0, 32, 32, (byte) SYSTEMS.length});
+        payloads.put(UbxMessage.CFG_NMEA, UbxFrame.room(NMEA_SIZE).put(1, (byte) 0x40).put(3, (byte) 2)
+            .put(15, (byte) 1).array());
+        payloads.put(UbxMessage.CFG_NAV5, UbxFrame.room(NAV5_SIZE).putShort(0, (short) -1).put(3, (byte) 3)
+            .putInt(8, 10000).put(12, (byte) 5)
+            .putShort(14, (short) 250).putShort(16, (short) 250).putShort(18, (short) 100).putShort(20, (short) 350)
+                .put(23, (byte) 60).array());
+        payloads.put(UbxMessage.CFG_SBAS, UbxFrame.room(SBAS_SIZE).put((byte) 1).put((byte) 3).put((byte) 3)
+            .put((byte) 0).putInt(0x66251).array());
+        ByteBuffer systems = UbxFrame.room(GNSS_HEAD + SYSTEMS.length * GNSS_BLOCK)
+            .put(new byte[] {0, 32, 32, (byte) SYSTEMS.length});
         for (byte[] system : SYSTEMS) {
             systems.put(system);
         }
@@ -73,7 +81,8 @@ final class StoredSettings {
             case CFG_NAV5:
                 return values.length == NAV5_SIZE && setNavigation(values, kept);
             case CFG_GNSS:
-                return values.length >= GNSS_HEAD && values.length == GNSS_HEAD + values[3] * GNSS_BLOCK && setSystems(values, kept);
+                return values.length >= GNSS_HEAD && values.length == GNSS_HEAD + values[3] * GNSS_BLOCK
+                    && setSystems(values, kept);
             default:
                 return false;
         }

@@ -31,7 +31,8 @@ final class UbxCommands {
             reset(frame, time);
         } else if (frame.getGroup() == UbxMessage.CFG) {
             boolean done = frame.getMessage() != null && (poll(frame, time) || set(frame, time));
-            device.answer(new UbxFrame(done ? UbxMessage.ACK_ACK : UbxMessage.ACK_NAK, (byte) frame.getGroup(), (byte) frame.getId()), time);
+            device.answer(new UbxFrame(done ? UbxMessage.ACK_ACK : UbxMessage.ACK_NAK, (byte) frame.getGroup(),
+                (byte) frame.getId()), time);
             if (done && frame.getMessage() == UbxMessage.CFG_PRT || frame.getMessage() == UbxMessage.CFG_CFG) {
                 device.followBaud(time);
             }
@@ -62,7 +63,8 @@ final class UbxCommands {
                 return frame.getLength() <= 1 && isPort(port) ? settings.ports[port] : null;
             case CFG_MSG:
                 byte[] rates = frame.getLength() == 2 ? settings.rates.get(message(payload)) : null;
-                return rates == null ? null : UbxFrame.room(2 + UbxSettings.PORTS).put(frame.getPayload()).put(rates).array();
+                return rates == null ? null : UbxFrame.room(2 + UbxSettings.PORTS).put(frame.getPayload())
+                    .put(rates).array();
             case CFG_RATE:
                 return frame.getLength() == 0 ? settings.rate : null;
             default:
@@ -96,7 +98,8 @@ final class UbxCommands {
     private boolean setPort(UbxFrame frame) {
         ByteBuffer payload = UbxFrame.room(UbxSettings.PORT_SIZE).put(frame.getPayload());
         int port = payload.get(0);
-        boolean legal = isPort(port) && (port != UbxSettings.UART || UbxFrame.BAUDS.contains(payload.getInt(UbxSettings.BAUD_AT))
+        boolean legal = isPort(port) && (port != UbxSettings.UART
+            || UbxFrame.BAUDS.contains(payload.getInt(UbxSettings.BAUD_AT))
             && (payload.getInt(UbxSettings.MODE_AT) & USED_MODE_BITS) == (UbxSettings.MODE & USED_MODE_BITS));
         if (legal) {
             payload.putShort(UbxSettings.IN_AT, (short) (payload.getShort(UbxSettings.IN_AT) & IN_MASK));
@@ -127,7 +130,8 @@ final class UbxCommands {
         int millis = payload.getShort() & 0xFFFF;
         int cycles = payload.getShort() & 0xFFFF;
         int reference = payload.getShort();
-        boolean legal = millis >= device.getModel().getShortestPeriod() && cycles >= 1 && cycles <= MAX_CYCLES && (reference == 0 || reference == 1);
+        boolean legal = millis >= device.getModel().getShortestPeriod() && cycles >= 1 && cycles <= MAX_CYCLES
+            && (reference == 0 || reference == 1);
         if (legal) {
             System.arraycopy(frame.getPayload(), 0, device.getSettings().rate, 0, UbxSettings.RATE_SIZE);
             device.setPeriod(device.getSettings().period(), time);

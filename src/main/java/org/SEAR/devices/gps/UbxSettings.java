@@ -46,7 +46,8 @@ final class UbxSettings {
                 rates.put(message, new byte[PORTS]);
             }
         }
-        for (UbxMessage each : new UbxMessage[] {UbxMessage.NMEA_RMC, UbxMessage.NMEA_VTG, UbxMessage.NMEA_GGA, UbxMessage.NMEA_GSA,
+        for (UbxMessage each : new UbxMessage[] {UbxMessage.NMEA_RMC, UbxMessage.NMEA_VTG, UbxMessage.NMEA_GGA,
+            UbxMessage.NMEA_GSA,
             UbxMessage.NMEA_GSV, UbxMessage.NMEA_GLL}) {
             java.util.Arrays.fill(rates.get(each), 0, PORTS - 1, (byte) 1);
         }

@@ -81,7 +81,8 @@ final class UbxSolution {
             case NAV_POSLLH:
                 return position(start(28)).array();
             case NAV_STATUS:
-                return start(16).put((byte) fixType()).put((byte) flags()).put((byte) 0).put((byte) 8).putInt((int) firstFixAfter)
+                return start(16).put((byte) fixType()).put((byte) flags()).put((byte) 0).put((byte) 8)
+                    .putInt((int) firstFixAfter)
                     .putInt((int) sinceStart).array();
             case NAV_DOP:
                 return dops();
@@ -92,7 +93,8 @@ final class UbxSolution {
             case NAV_VELNED:
                 return velocityNed();
             case NAV_TIMEGPS:
-                return start(16).putInt(0).putShort(week()).put((byte) LEAP_SECONDS).put((byte) (timeKnown ? TIME_VALID : 0)).putInt(timeAccuracy())
+                return start(16).putInt(0).putShort(week()).put((byte) LEAP_SECONDS)
+                    .put((byte) (timeKnown ? TIME_VALID : 0)).putInt(timeAccuracy())
                     .array();
             case NAV_CLOCK:
                 return start(20).putInt(0).putInt(0).putInt(timeAccuracy()).putInt(timeAccuracy()).array();
@@ -161,7 +163,8 @@ final class UbxSolution {
         double square = FLATTENING * (2 - FLATTENING);
         double curve = EQUATOR / Math.sqrt(1 - square * Math.sin(latitude) * Math.sin(latitude));
         double out = (curve + height()) * Math.cos(latitude);
-        return new double[] {out * Math.cos(longitude), out * Math.sin(longitude), (curve * (1 - square) + height()) * Math.sin(latitude)};
+        return new double[] {out * Math.cos(longitude), out * Math.sin(longitude),
+            (curve * (1 - square) + height()) * Math.sin(latitude)};
     }
 
     /** Velocity in ECEF, m/s, axes as in {@link #place}. */
@@ -172,7 +175,8 @@ final class UbxSolution {
         double latitude = Math.toRadians(fix.getLatitude());
         double longitude = Math.toRadians(fix.getLongitude());
         double out = fix.getClimb() * Math.cos(latitude) - north() * Math.sin(latitude);
-        return new double[] {out * Math.cos(longitude) - east() * Math.sin(longitude), out * Math.sin(longitude) + east() * Math.cos(longitude),
+        return new double[] {out * Math.cos(longitude) - east() * Math.sin(longitude), out * Math.sin(longitude)
+            + east() * Math.cos(longitude),
             fix.getClimb() * Math.sin(latitude) + north() * Math.cos(latitude)};
     }
 
@@ -186,14 +190,16 @@ final class UbxSolution {
     /** Appends longitude, latitude, both heights and their accuracies. */
     private ByteBuffer position(ByteBuffer to) {
         boolean known = fix != null;
-        to.putInt(known ? scaled(fix.getLongitude(), DEGREES_1E7) : 0).putInt(known ? scaled(fix.getLatitude(), DEGREES_1E7) : 0);
+        to.putInt(known ? scaled(fix.getLongitude(), DEGREES_1E7) : 0)
+            .putInt(known ? scaled(fix.getLatitude(), DEGREES_1E7) : 0);
         to.putInt(known ? scaled(height(), MILLIMETRES) : 0).putInt(known ? scaled(fix.getAltitude(), MILLIMETRES) : 0);
         return to.putInt(accuracy(HORIZONTAL_MM)).putInt(accuracy(VERTICAL_MM));
     }
 
     private byte[] dops() {
         ByteBuffer to = start(18);
-        for (double each : new double[] {GDOP, Constellation.PDOP, TDOP, Constellation.VDOP, Constellation.HDOP, NDOP, EDOP}) {
+        for (double each : new double[] {GDOP, Constellation.PDOP, TDOP, Constellation.VDOP, Constellation.HDOP,
+            NDOP, EDOP}) {
             to.putShort((short) dop(each));
         }
         return to.array();
@@ -216,7 +222,8 @@ final class UbxSolution {
         to.putInt(known ? scaled(north(), CENTIMETRES) : 0).putInt(known ? scaled(east(), CENTIMETRES) : 0);
         to.putInt(known ? scaled(-fix.getClimb(), CENTIMETRES) : 0);
         to.putInt(known ? scaled(Math.hypot(fix.getSpeed(), fix.getClimb()), CENTIMETRES) : 0);
-        to.putInt(known ? scaled(fix.getSpeed(), CENTIMETRES) : 0).putInt(known ? scaled(fix.getCourse(), DEGREES_1E5) : 0);
+        to.putInt(known ? scaled(fix.getSpeed(), CENTIMETRES) : 0)
+            .putInt(known ? scaled(fix.getCourse(), DEGREES_1E5) : 0);
         return to.putInt(accuracy(SPEED_MM / 10)).putInt(courseAccuracy()).array();
     }
 
@@ -262,7 +269,8 @@ final class UbxSolution {
         if (fix != null) {
             for (Constellation each : SentenceStyle.UBLOX.sky) {
                 for (int i = 0; i < each.size(); i++) {
-                    to.put((byte) each.getUbxId()).put((byte) each.number(i)).put((byte) each.signal(i)).put((byte) each.elevation(i));
+                    to.put((byte) each.getUbxId()).put((byte) each.number(i)).put((byte) each.signal(i))
+                        .put((byte) each.elevation(i));
                     to.putShort((short) each.azimuth(i)).putShort((short) 0).putInt(USED);
                 }
             }

@@ -17,7 +17,8 @@ public final class Razor implements SerialDevice {
     private static final double INTERVAL = 0.02;
     private static final int TOKEN_SIZE = 2;
     private static final String COMMANDS = "fso";
-    private static final String[] CALIBRATED = {"accel x,y,z (min/max) = ", "magn x,y,z (min/max) = ", "gyro x,y,z (current/average) = "};
+    private static final String[] CALIBRATED = {"accel x,y,z (min/max) = ", "magn x,y,z (min/max) = ",
+        "gyro x,y,z (current/average) = "};
     private static final int GYROSCOPE = 2;
 
     /** Contents of a frame. */
@@ -214,7 +215,8 @@ public final class Razor implements SerialDevice {
         for (int i = 0; i < values.length; i++) {
             boolean mean = calibrated == GYROSCOPE;
             least[i] = mean ? values[i] : samples == 1 ? values[i] : Math.min(least[i], values[i]);
-            most[i] = samples == 1 ? values[i] : mean ? most[i] + (values[i] - most[i]) / samples : Math.max(most[i], values[i]);
+            most[i] = samples == 1 ? values[i] : mean ? most[i] + (values[i] - most[i]) / samples
+                : Math.max(most[i], values[i]);
             text.append(i == 0 ? "" : "  ").append(String.format(Locale.ROOT, "%.2f/%.2f", least[i], most[i]));
         }
         return text.append("\r\n").toString();
@@ -227,7 +229,8 @@ public final class Razor implements SerialDevice {
 
     @Override
     public String status() {
-        return "Razor 9DOF: " + mode.name().toLowerCase(Locale.ROOT) + (binary ? ", binary" : ", text") + (streaming ? "" : ", on request")
+        return "Razor 9DOF: " + mode.name().toLowerCase(Locale.ROOT) + (binary ? ", binary" : ", text")
+            + (streaming ? "" : ", on request")
             + ", " + baud + " baud";
     }
 }

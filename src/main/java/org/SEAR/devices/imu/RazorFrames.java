@@ -60,7 +60,8 @@ final class RazorFrames {
         }
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         for (int i = 0; i < AXES; i++) {
-            byte[] part = binary ? floats(values[i]) : line("#" + "AMG".charAt(i) + "-" + (raw ? "R=" : "C="), values[i]);
+            byte[] part = binary ? floats(values[i])
+                : line("#" + "AMG".charAt(i) + "-" + (raw ? "R=" : "C="), values[i]);
             bytes.write(part, 0, part.length);
         }
         return bytes.toByteArray();

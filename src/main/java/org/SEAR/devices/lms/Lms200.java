@@ -32,7 +32,8 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
     private static final double CIRCLE = 360;
 
     private final PowerOnSettings powerOn;
-    private final RequestQueue<Telegram> requests = new RequestQueue<>(events, time -> time + Timing.ACKNOWLEDGE, this::answer);
+    private final RequestQueue<Telegram> requests = new RequestQueue<>(events, time -> time + Timing.ACKNOWLEDGE,
+        this::answer);
     private final TelegramReader reader;
     private final LmsCommands commands;
     private Baud baud;
@@ -49,7 +50,8 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
     public Lms200(PowerOnSettings powerOn, DeviceContext context) {
         super("an LMS200", context);
         if (Baud.ofRate(powerOn.baud) == null) {
-            throw new IllegalArgumentException("baud is " + powerOn.baud + ", legal for an LMS200: 9600, 19200, 38400, 500000");
+            throw new IllegalArgumentException("baud is " + powerOn.baud + ", legal for an LMS200: 9600, 19200, "
+                + "38400, 500000");
         }
         this.powerOn = powerOn;
         this.reader = new TelegramReader(address -> true, this);
@@ -111,7 +113,8 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
 
     @Override
     public String status() {
-        return powerOn.identity.getModel() + ": " + commands.describe() + ", " + baud.getRate() + " baud" + (booting ? ", starting" : "");
+        return powerOn.identity.getModel() + ": " + commands.describe() + ", " + baud.getRate() + " baud"
+            + (booting ? ", starting" : "");
     }
 
     @Override
@@ -250,7 +253,8 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
         int turns = (int) Math.round(format.scanTime(variant) / Variant.TURN);
         double perBeam = Variant.TURN * degrees(variant) / CIRCLE;
         int last = scan.size() - 1;
-        return beam -> source.range(context.truth(), scan, beam, end - (turns - 1 - beam % turns) * Variant.TURN - (last - beam) * perBeam);
+        return beam -> source.range(context.truth(), scan, beam, end - (turns - 1 - beam % turns) * Variant.TURN
+            - (last - beam) * perBeam);
     }
 
     private void expect(Variant variant, double time) {

@@ -27,7 +27,9 @@ public final class Lms200Type implements DeviceType {
         if (settings == null) {
             return null;
         }
-        Variant variant = Variant.of((int) Math.round(settings.spread), (int) Math.round(settings.resolution * HUNDREDTHS));
-        return new Lms200(new PowerOnSettings(variant, settings.baud, lidar.isLenient(), Identity.of(settings.model.getName())), context);
+        Variant variant = Variant.of((int) Math.round(settings.spread),
+            (int) Math.round(settings.resolution * HUNDREDTHS));
+        return new Lms200(new PowerOnSettings(variant, settings.baud, lidar.isLenient(),
+            Identity.of(settings.model.getName())), context);
     }
 }

@@ -70,7 +70,8 @@ final class LmsCommands {
 
     String describe() {
         String unit = configuration.getUnit() == 0 ? "cm" : "mm";
-        return variant.getSpread() + " degrees every " + variant.getResolution() / 100.0 + ", " + unit + ", mode " + Integer.toHexString(mode) + "h";
+        return variant.getSpread() + " degrees every " + variant.getResolution() / 100.0 + ", " + unit + ", mode "
+            + Integer.toHexString(mode) + "h";
     }
 
     /** Runs a request whose ACK has just been sent. */
@@ -116,7 +117,8 @@ final class LmsCommands {
         LmsPayload reply = command.reply();
         switch (command) {
             case STATUS:
-                return LmsStatus.encode(powerOn.identity, mode, variant, configuration, device.baud(), permanent, StatusByte.OK);
+                return LmsStatus.encode(powerOn.identity, mode, variant, configuration, device.baud(), permanent,
+                    StatusByte.OK);
             case TYPE:
                 reply.text(powerOn.identity.getType());
                 break;
@@ -152,7 +154,8 @@ final class LmsCommands {
             device.replyAfter(Timing.ANSWER, notPermitted(), time);
             return;
         }
-        device.later(time + Timing.RESET, t -> device.restart(LmsCommand.RESET.reply().add(StatusByte.OK).toBytes(), t));
+        device.later(time + Timing.RESET,
+            t -> device.restart(LmsCommand.RESET.reply().add(StatusByte.OK).toBytes(), t));
     }
 
     private void changeMode(Telegram request, double time) {
@@ -163,7 +166,8 @@ final class LmsCommands {
             return;
         }
         ScanFormat stream = streamKind(request);
-        boolean plain = request.size() == 2 && (wanted == OperatingMode.ON_REQUEST || wanted == OperatingMode.DIAGNOSTIC);
+        boolean plain = request.size() == 2
+            && (wanted == OperatingMode.ON_REQUEST || wanted == OperatingMode.DIAGNOSTIC);
         if (stream == null && !plain && !isPassword(request)) {
             device.replyAfter(Timing.CHANGE, modeReply(MODE_REFUSED), time);
             return;
@@ -282,7 +286,8 @@ final class LmsCommands {
             if (wanted != null) {
                 variant = wanted;
             }
-            device.reply(LmsCommand.VARIANT.reply().add(wanted == null ? 0 : 1).word(variant.getSpread()).word(variant.getResolution())
+            device.reply(LmsCommand.VARIANT.reply().add(wanted == null ? 0 : 1).word(variant.getSpread())
+                .word(variant.getResolution())
                 .add(StatusByte.OK).toBytes(), t);
         });
     }
@@ -296,7 +301,8 @@ final class LmsCommands {
         boolean taken = wanted != null && wanted.isLegal();
         device.later(time + Timing.WRITE, t -> {
             configuration = taken ? wanted : configuration;
-            device.reply(LmsCommand.SET_CONFIGURATION.reply().add(taken ? 1 : 0).bytes(configuration.toBytes()).add(StatusByte.OK).toBytes(), t);
+            device.reply(LmsCommand.SET_CONFIGURATION.reply().add(taken ? 1 : 0).bytes(configuration.toBytes())
+                .add(StatusByte.OK).toBytes(), t);
         });
     }
 }

@@ -111,7 +111,8 @@ final class ScanReply {
     private void write(LmsPayload payload, CountWord count, int from, int stride) {
         payload.word(count.toWord());
         for (int i = 0; i < count.getCount(); i++) {
-            payload.word(format.form == ScanFormat.Form.CONTOUR ? configuration.getMode().getNothingHit() : value(from + i * stride));
+            payload.word(format.form == ScanFormat.Form.CONTOUR ? configuration.getMode().getNothingHit()
+                : value(from + i * stride));
         }
     }
 

@@ -64,7 +64,8 @@ final class Drive {
         radius = 0;
         requestedRight = 0;
         requestedLeft = 0;
-        set(clamp(wantedLeft, (int) MAX_PWM) / MAX_PWM * MAX_VELOCITY, clamp(wantedRight, (int) MAX_PWM) / MAX_PWM * MAX_VELOCITY);
+        set(clamp(wantedLeft, (int) MAX_PWM) / MAX_PWM * MAX_VELOCITY, clamp(wantedRight, (int) MAX_PWM) / MAX_PWM
+            * MAX_VELOCITY);
     }
 
     void stop() {

@@ -49,6 +49,7 @@ public final class Lights {
     }
 
     String describe() {
-        return "lights " + Integer.toHexString(bits) + "h, power light " + colour + "/" + intensity + (motors == 0 ? "" : ", motors " + motors);
+        return "lights " + Integer.toHexString(bits) + "h, power light " + colour + "/" + intensity
+            + (motors == 0 ? "" : ", motors " + motors);
     }
 }

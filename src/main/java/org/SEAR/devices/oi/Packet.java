@@ -64,7 +64,8 @@ public enum Packet {
 
     private static final int BYTE_BITS = 8;
     /** Group number, first and last packet. */
-    private static final int[][] GROUPS = {{0, 7, 26}, {1, 7, 16}, {2, 17, 20}, {3, 21, 26}, {4, 27, 34}, {5, 35, 42}, {6, 7, 42},
+    private static final int[][] GROUPS = {{0, 7, 26}, {1, 7, 16}, {2, 17, 20}, {3, 21, 26}, {4, 27, 34},
+        {5, 35, 42}, {6, 7, 42},
         {100, 7, 58}, {101, 43, 58}, {106, 46, 51}, {107, 54, 58}};
     private static final Packet[] NONE = {};
     private static final Packet[][] BY_NUMBER = byNumber();
@@ -88,7 +89,8 @@ public enum Packet {
             packets[packet.number] = new Packet[] {packet};
         }
         for (int[] group : GROUPS) {
-            packets[group[0]] = Arrays.copyOfRange(values(), group[1] - values()[0].number, group[2] - values()[0].number + 1);
+            packets[group[0]] = Arrays.copyOfRange(values(), group[1] - values()[0].number,
+                group[2] - values()[0].number + 1);
         }
         return packets;
     }

@@ -51,7 +51,8 @@ final class ProximitySensors {
         }
         double angle = Math.toRadians(CLIFFS[which]);
         double radius = Math.max(hardware.getBodyRadius() * CLIFF_RADIUS, hardware.getFrontAxle() + CLIFF_LEAD);
-        return Double.isFinite(ground) && down(radius * Math.sin(angle), radius * Math.cos(angle)) > ground + CLIFF_DEPTH;
+        return Double.isFinite(ground) && down(radius * Math.sin(angle), radius * Math.cos(angle)) > ground
+            + CLIFF_DEPTH;
     }
 
     boolean isAnyCliff() {

@@ -58,7 +58,8 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         this.headerSummed = headerSummed;
         this.context = context;
         this.hardware = context.robot();
-        this.proximity = new ProximitySensors(hardware, model == OiModel.CREATE2 ? WALL_SIGNAL_MAX : WALL_SIGNAL_MAX_CREATE);
+        this.proximity = new ProximitySensors(hardware, model == OiModel.CREATE2 ? WALL_SIGNAL_MAX
+            : WALL_SIGNAL_MAX_CREATE);
         this.reader = new CommandReader(model, this);
         reset();
     }
@@ -145,13 +146,15 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
     }
 
     private void beat(double time) {
-        double wheels = drive.isMoving() ? (hardware.getLeftLoad() + hardware.getRightLoad()) * Battery.STALLED_WHEEL : 0;
+        double wheels = drive.isMoving() ? (hardware.getLeftLoad() + hardware.getRightLoad())
+            * Battery.STALLED_WHEEL : 0;
         battery.drain(asleep ? Battery.ASLEEP : Battery.IDLE + wheels, BEAT);
         String danger = mode == OiMode.SAFE ? danger() : null;
         if (danger != null) {
             enter(OiMode.PASSIVE);
             drive.brake();
-            context.warn(danger, danger + ": the robot left safe mode and stopped; send safe or full mode again when its wheels are on the ground");
+            context.warn(danger, danger + ": the robot left safe mode and stopped; send safe or full mode again when "
+                + "its wheels are on the ground");
         }
         if (model == OiModel.CREATE2 && mode == OiMode.PASSIVE && time - lastCommand > SLEEP_AFTER) {
             asleep = true;
@@ -164,7 +167,8 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
 
     /** Cause that ends safe mode, as text; null if there is none. */
     private String danger() {
-        if (hardware.isLeftWheelDropped() || hardware.isRightWheelDropped() || model.hasCasterSwitch() && hardware.isCasterDropped()) {
+        if (hardware.isLeftWheelDropped() || hardware.isRightWheelDropped() || model.hasCasterSwitch()
+            && hardware.isCasterDropped()) {
             return "a wheel has dropped";
         }
         return (drive.isForward() || drive.isBackwardAndTight()) && proximity.isAnyCliff() ? "a cliff" : null;
@@ -193,7 +197,8 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         }
         if (!opcode.isAllowed(model, mode)) {
             if (mode != OiMode.OFF || opcode == Opcode.DRIVE || opcode == Opcode.DRIVE_DIRECT) {
-                context.warn("mode " + opcode, "command " + opcode.getCode() + " (" + opcode + ") has no effect in mode " + mode + "; "
+                context.warn("mode " + opcode, "command " + opcode.getCode() + " (" + opcode
+                    + ") has no effect in mode " + mode + "; "
                     + "send 128 (START) and 131 (SAFE) or 132 (FULL) first, in MyRobotLab roomba.startup()");
             }
             return;
@@ -204,7 +209,8 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
             changeMode(opcode, a, time);
         } else if (!act(opcode, a, time) && !report(opcode, a, count, time)) {
             String first = count > 0 ? " with first argument " + a[0] : "";
-            context.warn("command " + opcode, "command " + opcode.getCode() + " (" + opcode + ")" + first + " is not possible on a " + model.getName()
+            context.warn("command " + opcode, "command " + opcode.getCode() + " (" + opcode + ")" + first
+                + " is not possible on a " + model.getName()
                 + ": ignored");
         }
     }
@@ -237,7 +243,8 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
                 break;
             default:
                 enter(OiMode.PASSIVE);
-                context.warn("program", opcode + ": the simulated robot has no cleaning programs or demos; it stands still in passive mode");
+                context.warn("program", opcode + ": the simulated robot has no cleaning programs or demos; it stands "
+                    + "still in passive mode");
                 break;
         }
     }
@@ -359,7 +366,8 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         }
         stream.start(ids);
         if (stream.frameSize() > Uart.bytes(BEAT, baud)) {
-            context.warn("stream", "a stream of more than " + (int) Uart.bytes(BEAT, baud) + " bytes every 15 ms exceeds " + baud
+            context.warn("stream", "a stream of more than " + (int) Uart.bytes(BEAT, baud)
+                + " bytes every 15 ms exceeds " + baud
                 + " baud; the robot skips frames");
         }
         return true;
@@ -464,7 +472,8 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
     @Override
     public String status() {
         String song = songs.isPlaying(beats * BEAT) ? ", song " + songs.getNumber() : "";
-        return "OI mode: " + mode.name().toLowerCase(java.util.Locale.ROOT) + (asleep ? " (asleep)" : "") + ", " + lights.describe()
+        return "OI mode: " + mode.name().toLowerCase(java.util.Locale.ROOT) + (asleep ? " (asleep)" : "") + ", "
+            + lights.describe()
             + song + ", battery " + battery.getCharge() + " mAh";
     }
 }

@@ -17,6 +17,7 @@ public final class RoombaType implements DeviceType {
     @Override
     public SerialDevice create(SearObject parameters, DeviceContext context) {
         Dynamics dynamics = (Dynamics) parameters;
-        return new RoombaFirmware(OiModel.of(dynamics.getModel()), dynamics.getBaud(), dynamics.isStreamHeaderSummed(), context);
+        return new RoombaFirmware(OiModel.of(dynamics.getModel()), dynamics.getBaud(),
+            dynamics.isStreamHeaderSummed(), context);
     }
 }

@@ -66,10 +66,13 @@ final class SensorPackets {
 
     /** Mean of both wheels' encoders, millimetres, for wheels of nominal size. */
     private double distanceTotal() {
-        return (hardware.getLeftWheelAngle() + hardware.getRightWheelAngle()) / 2 * hardware.getWheelRadius() * MILLIMETRES;
+        return (hardware.getLeftWheelAngle() + hardware.getRightWheelAngle()) / 2 * hardware.getWheelRadius()
+            * MILLIMETRES;
     }
 
-    /** Difference of both wheels' encoders, for wheels of nominal size at their nominal distance; 0 for a single wheel. */
+    /**
+     * Difference of both wheels' encoders, for wheels of nominal size at their nominal distance; 0 for a single wheel.
+     */
     private double angleTotal() {
         double lead = (hardware.getRightWheelAngle() - hardware.getLeftWheelAngle()) * hardware.getWheelRadius();
         double turned = hardware.getWheelBase() > 0 ? lead / hardware.getWheelBase() : 0;
@@ -78,7 +81,8 @@ final class SensorPackets {
 
     /** Bit 0 right bumper, 1 left, 2 right wheel dropped, 3 left, 4 front. */
     int bumpsAndDrops() {
-        return bit(hardware.isBumpedRight(), 0) | bit(hardware.isBumpedLeft(), 1) | bit(hardware.isRightWheelDropped(), 2)
+        return bit(hardware.isBumpedRight(), 0) | bit(hardware.isBumpedLeft(), 1)
+            | bit(hardware.isRightWheelDropped(), 2)
             | bit(hardware.isLeftWheelDropped(), 3) | bit(model.hasCasterSwitch() && hardware.isCasterDropped(), 4);
     }
 

@@ -9,7 +9,8 @@ import org.SEAR.sensors.LidarSource;
 
 /**
  * The rotating head. It takes 2000 samples per second, 4000 in express scans, clockwise from straight ahead. The
- * motor's speed sets the samples per turn. Each sample is of its own time; obstacles are those of the time of its block.
+ * motor's speed sets the samples per turn. Each sample is of its own time; obstacles are those of the time of its
+ * block.
  */
 final class Head {
     /** Duration, seconds, of the samples sent together: 16 nodes, or the 32 samples of a capsule. */
@@ -75,7 +76,8 @@ final class Head {
             boolean first = sample == 0;
             double angle = sample * CIRCLE / perTurn;
             double distance = next(end - (NODES - i) * BLOCK_SECONDS / NODES);
-            System.arraycopy(Node.of(first, distance > 0 ? QUALITY : 0, angle, distance).toBytes(), 0, bytes, i * Node.SIZE, Node.SIZE);
+            System.arraycopy(Node.of(first, distance > 0 ? QUALITY : 0, angle, distance).toBytes(), 0, bytes,
+                i * Node.SIZE, Node.SIZE);
         }
         return bytes;
     }

@@ -25,14 +25,16 @@ public final class RplidarA1 extends ScannerFirmware {
     /** Time from power-on until it turns and receives requests, seconds; undocumented. */
     private static final double BOOT = 1;
     private static final int EXPRESS_PAYLOAD = 5;
-    private static final byte[] SERIAL = {(byte) 0xEB, (byte) 0xB3, (byte) 0x99, (byte) 0xF6, (byte) 0xC9, (byte) 0xE5, (byte) 0x9A, (byte) 0xD2,
+    private static final byte[] SERIAL = {(byte) 0xEB, (byte) 0xB3, (byte) 0x99, (byte) 0xF6, (byte) 0xC9, (byte) 0xE5,
+        (byte) 0x9A, (byte) 0xD2,
         (byte) 0xC5, (byte) 0xE5, (byte) 0x9C, (byte) 0xF7, 0x17, 0x61, 0x34, 0x12};
     private static final Info INFO = new Info(Info.A1M8, 1, 20, 0, SERIAL);
     /** Duration of a sample, us: 500 in standard scans, 250 in express scans. */
     private static final byte[] SAMPLE_RATE = {(byte) 0xF4, 0x01, (byte) 0xFA, 0x00};
 
     private final Head head;
-    private final RequestQueue<RplidarRequestPacket> requests = new RequestQueue<>(events, this::answerAt, this::answer);
+    private final RequestQueue<RplidarRequestPacket> requests =
+        new RequestQueue<>(events, this::answerAt, this::answer);
     private final RequestReader reader = new RequestReader(this::onRequest);
     private RplidarCommand scan;
     private int session;
@@ -100,7 +102,8 @@ public final class RplidarA1 extends ScannerFirmware {
     @Override
     public String status() {
         String doing = scan == null ? "idle" : scan == RplidarCommand.EXPRESS_SCAN ? "express scan" : "scan";
-        return "RPLIDAR-A1: " + doing + ", " + Math.round(head.turnsPerSecond() * 10) / 10.0 + " turns/s, " + BAUD + " baud";
+        return "RPLIDAR-A1: " + doing + ", " + Math.round(head.turnsPerSecond() * 10) / 10.0 + " turns/s, "
+            + BAUD + " baud";
     }
 
     private void onRequest(RplidarRequestPacket request) {
@@ -118,7 +121,8 @@ public final class RplidarA1 extends ScannerFirmware {
 
     private void execute(RplidarRequestPacket request, double time) {
         RplidarCommand command = RplidarCommand.of(request.getCode());
-        if (command == null || command == RplidarCommand.EXPRESS_SCAN && (request.size() != EXPRESS_PAYLOAD || request.at(0) != 0)) {
+        if (command == null || command == RplidarCommand.EXPRESS_SCAN
+            && (request.size() != EXPRESS_PAYLOAD || request.at(0) != 0)) {
             return;
         }
         context.understood();

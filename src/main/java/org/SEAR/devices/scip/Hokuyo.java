@@ -46,7 +46,8 @@ public final class Hokuyo extends ScannerFirmware {
         this.powerOnBaud = baud;
         this.scanner = new Scanner(model, source, context);
         this.commands = new ScipCommands(this, model, scanner);
-        this.requests = new RequestQueue<>(events, time -> Math.max(time + ANSWER, context.lineFreeAt()), commands::execute);
+        this.requests = new RequestQueue<>(events, time -> Math.max(time + ANSWER, context.lineFreeAt()),
+            commands::execute);
         reset();
     }
 
@@ -151,7 +152,8 @@ public final class Hokuyo extends ScannerFirmware {
 
     /** Measures one scan and sends it as the reply to the present command. */
     void answerScan(String echo, ScanCommand command, double time) {
-        scanner.measure(command, time, events, (scan, end) -> reply(scan.write(new ReplyWriter(echo, ScipStatus.OK)), end));
+        scanner.measure(command, time, events,
+            (scan, end) -> reply(scan.write(new ReplyWriter(echo, ScipStatus.OK)), end));
     }
 
     /** Sends scans until their requested number is reached or {@link #stopStream}. */
@@ -172,7 +174,8 @@ public final class Hokuyo extends ScannerFirmware {
                 return;
             }
             int remaining = Math.max(0, left - 1);
-            context.send(scan.write(new ReplyWriter(command.withCount(remaining).toString(), ScipStatus.SCAN)).toBytes(), end);
+            context.send(scan.write(new ReplyWriter(command.withCount(remaining).toString(), ScipStatus.SCAN))
+                .toBytes(), end);
             if (command.getCount() > 0 && remaining == 0) {
                 stopStream();
                 commands.laserOff();

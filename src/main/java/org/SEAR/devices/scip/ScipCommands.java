@@ -45,13 +45,15 @@ final class ScipCommands {
     }
 
     String describe() {
-        return "laser " + (laser ? "on" : "off") + (device.isStreaming() ? ", sending scans" : "") + (adjusting ? ", adjusting its clock" : "");
+        return "laser " + (laser ? "on" : "off") + (device.isStreaming() ? ", sending scans" : "")
+            + (adjusting ? ", adjusting its clock" : "");
     }
 
     /** Runs the command of a line. */
     void execute(String line, double time) {
         int parameters = line.length() < LETTERS ? -1 : parameters(line.substring(0, LETTERS));
-        String fault = parameters < 0 || adjusting && !isForAdjusting(line) ? ScipStatus.UNKNOWN : fault(line, LETTERS + parameters);
+        String fault = parameters < 0 || adjusting && !isForAdjusting(line) ? ScipStatus.UNKNOWN
+            : fault(line, LETTERS + parameters);
         if (parameters >= 0) {
             device.understood();
         }
@@ -105,7 +107,8 @@ final class ScipCommands {
      * ends it, too. A URG-04LX answers {@code QT} with 0E, so that drivers send {@code TM2}.
      */
     private boolean isForAdjusting(String line) {
-        return line.startsWith("TM") || line.startsWith("RS") || line.startsWith("RT") || line.startsWith("QT") && model == HokuyoModel.UTM_30LX;
+        return line.startsWith("TM") || line.startsWith("RS") || line.startsWith("RT") || line.startsWith("QT")
+            && model == HokuyoModel.UTM_30LX;
     }
 
     /** Number of parameter characters of a command; negative if the command is unknown. */
@@ -153,26 +156,31 @@ final class ScipCommands {
     }
 
     private ReplyWriter version(String line) {
-        return new ReplyWriter(line, ScipStatus.OK).property("VEND", "Hokuyo Automatic Co.,Ltd.").property("PROD", model.getProduct())
+        return new ReplyWriter(line, ScipStatus.OK).property("VEND", "Hokuyo Automatic Co.,Ltd.")
+            .property("PROD", model.getProduct())
             .property("FIRM", model.getFirmware()).property("PROT", "SCIP 2.0").property("SERI", "H0000001");
     }
 
     private ReplyWriter parameters(String line, ReplyWriter reply) {
-        return reply.property("MODL", model.getModelText()).property("DMIN", model.getLeast()).property("DMAX", model.getGreatest())
+        return reply.property("MODL", model.getModelText()).property("DMIN", model.getLeast())
+            .property("DMAX", model.getGreatest())
             .property("ARES", model.getSteps()).property("AMIN", model.getFirst()).property("AMAX", model.getLast())
             .property("AFRT", model.getFront()).property("SCAN", model.getTurns());
     }
 
     private ReplyWriter state(String line, double time) {
-        ReplyWriter reply = new ReplyWriter(line, ScipStatus.OK).property("MODL", model.getModelText()).property("LASR", laser ? "ON" : "OFF");
+        ReplyWriter reply = new ReplyWriter(line, ScipStatus.OK).property("MODL", model.getModelText())
+            .property("LASR", laser ? "ON" : "OFF");
         setting(reply, String.format(Locale.ROOT, "SCSP:Initial(%d[rpm])", scanner.getTurns()));
-        reply.property("MESM", device.isStreaming() ? "Measuring by " + (sensitive ? "Sensitive" : "Normal") + " Mode" : "IDLE");
+        reply.property("MESM", device.isStreaming() ? "Measuring by " + (sensitive ? "Sensitive" : "Normal")
+            + " Mode" : "IDLE");
         if (device.isUsb()) {
             reply.property("SBPS", "USB only");
         } else {
             setting(reply, "SBPS:" + device.getBaud() + "[bps]");
         }
-        return reply.property("TIME", String.format(Locale.ROOT, "%06X", scanner.clock(time) & 0xFFFFFF)).property("STAT", "Sensor works well.");
+        return reply.property("TIME", String.format(Locale.ROOT, "%06X", scanner.clock(time) & 0xFFFFFF))
+            .property("STAT", "Sensor works well.");
     }
 
     /** Appends a setting; a UTM-30LX omits the remark from the checksum. */
@@ -208,7 +216,8 @@ final class ScipCommands {
                 break;
             case '1':
                 device.reply(adjusting
-                    ? new ReplyWriter(line, ScipStatus.OK).time(scanner.clock(time)) : new ReplyWriter(line, ScipStatus.NOT_HERE), time);
+                    ? new ReplyWriter(line, ScipStatus.OK).time(scanner.clock(time))
+                        : new ReplyWriter(line, ScipStatus.NOT_HERE), time);
                 break;
             case '2':
                 boolean on = adjusting;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.physics.joint;
 
-/** Joint with one free direction: the rows that hold the others come first, those of the axis last. Simulation thread. */
+/**
+ * Joint with one free direction: the rows that hold the others come first, those of the axis last. Simulation thread.
+ */
 public abstract class AxisJoint extends Joint {
     private final JointAxis axis = new JointAxis();
     /** The free direction: a unit vector, world frame. */

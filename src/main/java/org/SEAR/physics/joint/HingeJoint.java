@@ -21,8 +21,10 @@ public final class HingeJoint extends AxisJoint {
     @Override
     void measureAxis() {
         axis(onA, 1, along);
-        double sine = (onB.m02 * onA.m00 + onB.m12 * onA.m10 + onB.m22 * onA.m20 - onB.m00 * onA.m02 - onB.m10 * onA.m12 - onB.m20 * onA.m22) / 2;
-        double cosine = (onB.m00 * onA.m00 + onB.m10 * onA.m10 + onB.m20 * onA.m20 + onB.m02 * onA.m02 + onB.m12 * onA.m12 + onB.m22 * onA.m22) / 2;
+        double sine = (onB.m02 * onA.m00 + onB.m12 * onA.m10 + onB.m22 * onA.m20 - onB.m00 * onA.m02 - onB.m10 * onA.m12
+            - onB.m20 * onA.m22) / 2;
+        double cosine = (onB.m00 * onA.m00 + onB.m10 * onA.m10 + onB.m20 * onA.m20 + onB.m02 * onA.m02
+            + onB.m12 * onA.m12 + onB.m22 * onA.m22) / 2;
         getAxis().setAngle(Math.atan2(sine, cosine));
     }
 

@@ -3,8 +3,8 @@ package org.SEAR.physics.joint;
 
 /**
  * The free direction of a joint: an angle in radians or a distance in metres, with limits, friction, spring, damper and
- * drive. A drive has the characteristic of a DC motor: force = stall force (power - speed / no-load speed). "Force" is a
- * force in N along a distance and a torque in N m about an axis. Simulation thread.
+ * drive. A drive has the characteristic of a DC motor: force = stall force (power - speed / no-load speed). "Force" is
+ * a force in N along a distance and a torque in N m about an axis. Simulation thread.
  */
 public final class JointAxis {
     /** Speed of approach below which a limit does not bounce, m/s or rad/s. */
@@ -205,7 +205,8 @@ public final class JointAxis {
         }
         double gap = Math.min(ofLower, ofUpper);
         double approach = rows.speed(row);
-        rows.bound(row, side == last && before == JointRows.State.FREE ? before : JointRows.State.LOW, 0, Double.POSITIVE_INFINITY);
+        rows.bound(row, side == last && before == JointRows.State.FREE ? before : JointRows.State.LOW, 0,
+            Double.POSITIVE_INFINITY);
         rows.kept[row] = true;
         rows.error[row] = Math.min(0, gap);
         boolean bounces = restitution > 0 && approach < -MIN_BOUNCE && gap + approach * seconds <= 0;
@@ -225,7 +226,8 @@ public final class JointAxis {
      * @param ahead share of the substep by which the offset is taken ahead: 0 keeps the energy, 1 damps and is always
      *     stable
      */
-    private static void soften(JointRows rows, int row, double rate, double damper, double offset, double ahead, double seconds) {
+    private static void soften(JointRows rows, int row, double rate, double damper, double offset, double ahead,
+        double seconds) {
         double lost = seconds * (damper + ahead * seconds * rate);
         if (lost > 0) {
             rows.softness[row] = 1 / lost;
@@ -240,7 +242,8 @@ public final class JointAxis {
         double losses = stall / fastest;
         if (drive == Drive.SPEED) {
             double now = rows.speed(row);
-            rows.bound(row, before, -Math.max(0, stall + losses * now) * seconds, Math.max(0, stall - losses * now) * seconds);
+            rows.bound(row, before, -Math.max(0, stall + losses * now) * seconds,
+                Math.max(0, stall - losses * now) * seconds);
             rows.target[row] = target;
         } else if (drive == Drive.POWER) {
             soften(rows, row, stall, losses, -target, 0, seconds);

@@ -2,8 +2,9 @@
 package org.SEAR.physics.joint;
 
 /**
- * Constraint rows of a mechanism in a substep. A row asks for {@code speed + softness impulse = target}, where the speed
- * is that of the second body against the first along a direction, within the limits of its impulse. Simulation thread.
+ * Constraint rows of a mechanism in a substep. A row asks for {@code speed + softness impulse = target}, where the
+ * speed is that of the second body against the first along a direction, within the limits of its impulse. Simulation
+ * thread.
  */
 final class JointRows {
     /** Largest number of bodies per row. */
@@ -94,7 +95,8 @@ final class JointRows {
         double rx = p[0] - body.place.x;
         double ry = p[1] - body.place.y;
         double rz = p[2] - body.place.z;
-        add(row, body, scale * n[0], scale * n[1], scale * n[2], scale * (ry * n[2] - rz * n[1]), scale * (rz * n[0] - rx * n[2]),
+        add(row, body, scale * n[0], scale * n[1], scale * n[2], scale * (ry * n[2] - rz * n[1]),
+            scale * (rz * n[0] - rx * n[2]),
             scale * (rx * n[1] - ry * n[0]));
     }
 
@@ -132,8 +134,10 @@ final class JointRows {
                 if (bodies[i] == bodies[k] && bodies[i].movable) {
                     int p = i * NUMBERS;
                     int q = k * NUMBERS;
-                    sum += jacobian[p] * response[q] + jacobian[p + 1] * response[q + 1] + jacobian[p + 2] * response[q + 2]
-                        + jacobian[p + 3] * response[q + 3] + jacobian[p + 4] * response[q + 4] + jacobian[p + 5] * response[q + 5];
+                    sum += jacobian[p] * response[q] + jacobian[p + 1] * response[q + 1]
+                        + jacobian[p + 2] * response[q + 2]
+                        + jacobian[p + 3] * response[q + 3] + jacobian[p + 4] * response[q + 4]
+                        + jacobian[p + 5] * response[q + 5];
                 }
             }
         }
@@ -158,7 +162,8 @@ final class JointRows {
         for (int i = row * TERMS; i < row * TERMS + terms[row]; i++) {
             double[] v = bodies[i].v;
             int p = i * NUMBERS;
-            sum += jacobian[p] * v[0] + jacobian[p + 1] * v[1] + jacobian[p + 2] * v[2] + jacobian[p + 3] * v[3] + jacobian[p + 4] * v[4]
+            sum += jacobian[p] * v[0] + jacobian[p + 1] * v[1] + jacobian[p + 2] * v[2] + jacobian[p + 3] * v[3]
+                + jacobian[p + 4] * v[4]
                 + jacobian[p + 5] * v[5];
         }
         return sum;

@@ -25,7 +25,9 @@ public final class Mechanism {
     /** Largest number of corrections of the positions in a substep, and the error that needs none, metres. */
     private static final int MAX_CORRECTIONS = 3;
     private static final double EXACT = 1e-9;
-    /** Largest correction of an error that a substep finds at its start, metres or radians: bodies come back smoothly. */
+    /**
+     * Largest correction of an error that a substep finds at its start, metres or radians: bodies come back smoothly.
+     */
     private static final double MAX_RETURN = 0.01;
     /**
      * Largest change of a velocity by the correction of positions in a substep, as a share of the largest velocity and
@@ -179,7 +181,9 @@ public final class Mechanism {
         matrix.factor(diagonal, entries);
     }
 
-    /** Solves all rows exactly for the present velocities. Returns the largest change of a row's speed, m/s or rad/s. */
+    /**
+     * Solves all rows exactly for the present velocities. Returns the largest change of a row's speed, m/s or rad/s.
+     */
     public double solve() {
         double most = 0;
         for (int pivot = 0; pivot < MAX_PIVOTS; pivot++) {
@@ -231,7 +235,8 @@ public final class Mechanism {
     private boolean release() {
         boolean found = false;
         for (int k = 0; k < rows.size; k++) {
-            double missing = rows.states[k] == JointRows.State.LOW ? rows.missing(k) : rows.states[k] == JointRows.State.HIGH ? -rows.missing(k) : 0;
+            double missing = rows.states[k] == JointRows.State.LOW ? rows.missing(k)
+                : rows.states[k] == JointRows.State.HIGH ? -rows.missing(k) : 0;
             if (missing > FREES) {
                 rows.states[k] = JointRows.State.FREE;
                 found = true;

@@ -13,7 +13,8 @@ import org.SEAR.raycast.BeamScene;
 /** Box, floor, or plate with a picture on its front only. */
 public final class BoxSolid extends Solid {
     /** Per side: the normal, the direction of the picture's right edge, and the direction of its upper edge. */
-    private static final int[][] SIDES = {{0, 0, -1, -1, 0, 0, 0, 1, 0}, {1, 0, 0, 0, 0, -1, 0, 1, 0}, {0, 0, 1, 1, 0, 0, 0, 1, 0},
+    private static final int[][] SIDES = {{0, 0, -1, -1, 0, 0, 0, 1, 0}, {1, 0, 0, 0, 0, -1, 0, 1, 0},
+        {0, 0, 1, 1, 0, 0, 0, 1, 0},
         {-1, 0, 0, 0, 0, 1, 0, 1, 0}, {0, 1, 0, 0, 0, -1, -1, 0, 0}, {0, -1, 0, 0, 0, -1, 1, 0, 0}};
 
     /** Picture coordinate of the corner whose colour covers the other sides of a plate. */
@@ -33,12 +34,14 @@ public final class BoxSolid extends Solid {
 
     static BoxSolid of(Board board) {
         double half = board.getThickness() / 2 * board.getScaleZ();
-        return new BoxSolid(board.getBoardWidth() / 2 * board.getScaleX(), board.getBoardHeight() / 2 * board.getScaleY(), half,
+        return new BoxSolid(board.getBoardWidth() / 2 * board.getScaleX(),
+            board.getBoardHeight() / 2 * board.getScaleY(), half,
             new Pose(0, 0, half, 0, 0, 0, 1), true);
     }
 
     static BoxSolid of(Box box) {
-        return new BoxSolid(box.getLength() / 2 * box.getScaleX(), box.getHeight() / 2 * box.getScaleY(), box.getWidth() / 2 * box.getScaleZ(),
+        return new BoxSolid(box.getLength() / 2 * box.getScaleX(), box.getHeight() / 2 * box.getScaleY(),
+            box.getWidth() / 2 * box.getScaleZ(),
             Pose.IDENTITY);
     }
 
@@ -62,7 +65,8 @@ public final class BoxSolid extends Solid {
     protected double[][] corners() {
         double[][] corners = new double[8][];
         for (int i = 0; i < corners.length; i++) {
-            corners[i] = new double[] {(i & 1) == 0 ? -halfX : halfX, (i & 2) == 0 ? -halfY : halfY, (i & 4) == 0 ? -halfZ : halfZ};
+            corners[i] = new double[] {(i & 1) == 0 ? -halfX : halfX, (i & 2) == 0 ? -halfY : halfY, (i & 4) == 0
+                ? -halfZ : halfZ};
         }
         return corners;
     }
@@ -85,7 +89,9 @@ public final class BoxSolid extends Solid {
         int right = 2 * u - 1;
         int up = 2 * v - 1;
         boolean plain = plate && side != SIDES[0];
-        return mesh.vertex((side[0] + right * side[3] + up * side[6]) * halfX, (side[1] + right * side[4] + up * side[7]) * halfY,
-            (side[2] + right * side[5] + up * side[8]) * halfZ, side[0], side[1], side[2], plain ? CORNER : u, plain ? CORNER : v);
+        return mesh.vertex((side[0] + right * side[3] + up * side[6]) * halfX,
+            (side[1] + right * side[4] + up * side[7]) * halfY,
+            (side[2] + right * side[5] + up * side[8]) * halfZ, side[0], side[1], side[2], plain ? CORNER : u, plain
+                ? CORNER : v);
     }
 }

@@ -83,7 +83,8 @@ final class ClosedMesh {
             double[] a = from(points, corners[i], x, y, z);
             double[] b = from(points, corners[i + 1], x, y, z);
             double[] c = from(points, corners[i + 2], x, y, z);
-            double triple = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+            double triple = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+                + a[2] * (b[0] * c[1] - b[1] * c[0]);
             sum += 2 * Math.atan2(triple, a[3] * b[3] * c[3] + dot(a, b) * c[3] + dot(b, c) * a[3] + dot(c, a) * b[3]);
         }
         return Math.abs(sum) > 2 * Math.PI;

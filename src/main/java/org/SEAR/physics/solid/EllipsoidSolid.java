@@ -24,7 +24,8 @@ final class EllipsoidSolid extends Solid {
 
     static EllipsoidSolid of(Sphere sphere) {
         double radius = sphere.getRadius();
-        return new EllipsoidSolid(radius * sphere.getScaleX(), radius * sphere.getScaleY(), radius * sphere.getScaleZ());
+        return new EllipsoidSolid(radius * sphere.getScaleX(), radius * sphere.getScaleY(),
+            radius * sphere.getScaleZ());
     }
 
     @Override
@@ -49,7 +50,8 @@ final class EllipsoidSolid extends Solid {
             for (int side = 0; side <= SIDES; side++) {
                 double x = ring * Math.sin(2 * Math.PI * side / SIDES);
                 double z = ring * Math.cos(2 * Math.PI * side / SIDES);
-                int upper = mesh.vertex(halfX * x, halfY * y, halfZ * z, x / halfX, y / halfY, z / halfZ, (double) side / SIDES,
+                int upper = mesh.vertex(halfX * x, halfY * y, halfZ * z, x / halfX, y / halfY, z / halfZ,
+                    (double) side / SIDES,
                     (double) strip / STRIPS);
                 if (strip > 0 && side < SIDES) {
                     int lower = upper - SIDES - 1;
@@ -68,7 +70,8 @@ final class EllipsoidSolid extends Solid {
         for (int i = 0; i < POINTS; i++) {
             double y = 1 - 2 * (i + 0.5) / POINTS;
             double ring = Math.sqrt(1 - y * y);
-            points[i] = new double[] {halfX * ring * Math.cos(i * GOLDEN_ANGLE), halfY * y, halfZ * ring * Math.sin(i * GOLDEN_ANGLE)};
+            points[i] = new double[] {halfX * ring * Math.cos(i * GOLDEN_ANGLE), halfY * y,
+                halfZ * ring * Math.sin(i * GOLDEN_ANGLE)};
         }
         return points;
     }

@@ -142,7 +142,8 @@ public final class Hinge {
         double wz = ux * ry - uy * rx;
         double along = chord * Math.cos(half);
         double inwards = chord * Math.sin(half);
-        return InnerMotion.along(body, d, i, along * wx + inwards * (uy * wz - uz * wy), along * wy + inwards * (uz * wx - ux * wz),
+        return InnerMotion.along(body, d, i, along * wx + inwards * (uy * wz - uz * wy), along * wy
+            + inwards * (uz * wx - ux * wz),
             along * wz + inwards * (ux * wy - uy * wx));
     }
 }

@@ -66,7 +66,8 @@ public final class InnerMotion {
         }
         any = true;
         double cosine = Math.abs(from.qx * to.qx + from.qy * to.qy + from.qz * to.qz + from.qw * to.qw);
-        double way = Math.sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y) + (to.z - from.z) * (to.z - from.z))
+        double way = Math.sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y)
+            + (to.z - from.z) * (to.z - from.z))
             + 2 * Math.acos(Math.min(1, cosine)) * solids.get(solid).convex().radius();
         fastest = Math.max(fastest, way / TimeStep.SECONDS);
         speeds[solid] = speeds[solid] == null ? new double[NUMBERS] : speeds[solid];

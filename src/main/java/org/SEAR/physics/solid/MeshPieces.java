@@ -18,7 +18,8 @@ import org.SEAR.geometry.Triangles;
 final class MeshPieces {
     /** Number of meshes in the cache. */
     private static final int CACHED = 16;
-    private static final Map<List<?>, List<ConvexShape>> CACHE = new LinkedHashMap<List<?>, List<ConvexShape>>(CACHED, 1, true) {
+    private static final Map<List<?>, List<ConvexShape>> CACHE = new LinkedHashMap<List<?>, List<ConvexShape>>(
+        CACHED, 1, true) {
         private static final long serialVersionUID = 1;
 
         @Override
@@ -33,8 +34,10 @@ final class MeshPieces {
     /** @throws IOException if the mesh has too many triangles for parts, or none */
     static void check(Triangles mesh, Model model) throws IOException {
         if (mesh.size() < 1 || mesh.size() > ConvexParts.MAX_TRIANGLES) {
-            throw new IOException(String.format(Locale.ROOT, "model %s has %d triangles, legal for setCollision(\"parts\"): 1 to %d;"
-                + " simplify the model or call setCollision(\"hull\")", model.getName(), mesh.size(), ConvexParts.MAX_TRIANGLES));
+            throw new IOException(String.format(
+                Locale.ROOT, "model %s has %d triangles, legal for setCollision(\"parts\"): 1 to %d;"
+                + " simplify the model or call setCollision(\"hull\")", model.getName(), mesh.size(),
+                    ConvexParts.MAX_TRIANGLES));
         }
     }
 

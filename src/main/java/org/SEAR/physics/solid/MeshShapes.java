@@ -21,11 +21,13 @@ final class MeshShapes {
     /** Builds the search tree of a mesh. */
     static BvhTriangleMeshShape fixed(Triangles mesh, double sx, double sy, double sz) {
         double[] scale = {sx, sy, sz};
-        ByteBuffer vertices = ByteBuffer.allocateDirect(mesh.vertices.length * Float.BYTES).order(ByteOrder.nativeOrder());
+        ByteBuffer vertices = ByteBuffer.allocateDirect(mesh.vertices.length * Float.BYTES)
+            .order(ByteOrder.nativeOrder());
         for (int i = 0; i < mesh.vertices.length; i++) {
             vertices.putFloat((float) (mesh.vertices[i] * scale[i % 3]));
         }
-        ByteBuffer indices = ByteBuffer.allocateDirect(mesh.indices.length * Integer.BYTES).order(ByteOrder.nativeOrder());
+        ByteBuffer indices = ByteBuffer.allocateDirect(mesh.indices.length * Integer.BYTES)
+            .order(ByteOrder.nativeOrder());
         for (int index : mesh.indices) {
             indices.putInt(index);
         }
@@ -43,10 +45,12 @@ final class MeshShapes {
         for (int i = 0; i < directions; i++) {
             double dy = 1 - 2 * (i + 0.5) / directions;
             double ring = Math.sqrt(1 - dy * dy);
-            int corner = outermost(mesh, sx * ring * Math.cos(i * GOLDEN_ANGLE), sy * dy, sz * ring * Math.sin(i * GOLDEN_ANGLE));
+            int corner = outermost(mesh, sx * ring * Math.cos(i * GOLDEN_ANGLE), sy * dy,
+                sz * ring * Math.sin(i * GOLDEN_ANGLE));
             if (!taken[corner]) {
                 taken[corner] = true;
-                corners.add(new Vector3f((float) (mesh.vertices[corner * 3] * sx), (float) (mesh.vertices[corner * 3 + 1] * sy),
+                corners.add(new Vector3f((float) (mesh.vertices[corner * 3] * sx),
+                    (float) (mesh.vertices[corner * 3 + 1] * sy),
                     (float) (mesh.vertices[corner * 3 + 2] * sz)));
             }
         }

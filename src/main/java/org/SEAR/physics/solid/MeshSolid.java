@@ -51,7 +51,8 @@ class MeshSolid extends Solid {
         if (model.getCollision().equals(Model.PARTS)) {
             MeshPieces.check(mesh, model);
         }
-        return new MeshSolid(mesh, new double[] {model.getScaleX(), model.getScaleY(), model.getScaleZ()}, Pose.IDENTITY,
+        return new MeshSolid(mesh, new double[] {model.getScaleX(), model.getScaleY(), model.getScaleZ()},
+            Pose.IDENTITY,
             model.hasCollision() ? model.getCollision() : Model.EXACT);
     }
 
@@ -161,6 +162,7 @@ class MeshSolid extends Solid {
     @Override
     public double[] farthest(double dx, double dy, double dz) {
         int corner = 3 * MeshShapes.outermost(mesh, dx * scale[0], dy * scale[1], dz * scale[2]);
-        return new double[] {mesh.vertices[corner] * scale[0], mesh.vertices[corner + 1] * scale[1], mesh.vertices[corner + 2] * scale[2]};
+        return new double[] {mesh.vertices[corner] * scale[0], mesh.vertices[corner + 1] * scale[1],
+            mesh.vertices[corner + 2] * scale[2]};
     }
 }

@@ -23,18 +23,22 @@ public final class RoundSolid extends Solid {
     }
 
     static Solid of(Cylinder shape) {
-        return of(false, shape.getRadius(), shape.getHeight() / 2, shape.getScaleX(), shape.getScaleY(), shape.getScaleZ(), Pose.IDENTITY);
+        return of(false, shape.getRadius(), shape.getHeight() / 2, shape.getScaleX(), shape.getScaleY(),
+            shape.getScaleZ(), Pose.IDENTITY);
     }
 
     static Solid of(Cone shape) {
-        return of(true, shape.getRadius(), shape.getHeight() / 2, shape.getScaleX(), shape.getScaleY(), shape.getScaleZ(), Pose.IDENTITY);
+        return of(true, shape.getRadius(), shape.getHeight() / 2, shape.getScaleX(), shape.getScaleY(),
+            shape.getScaleZ(), Pose.IDENTITY);
     }
 
     static Solid of(Wheel shape) {
-        return of(false, shape.getRadius(), shape.getWidth() / 2, shape.getScaleY(), shape.getScaleX(), shape.getScaleZ(), AXLE_ALONG_X);
+        return of(false, shape.getRadius(), shape.getWidth() / 2, shape.getScaleY(), shape.getScaleX(),
+            shape.getScaleZ(), AXLE_ALONG_X);
     }
 
-    private static Solid of(boolean cone, double radius, double halfHeight, double sx, double sy, double sz, Pose offset) {
+    private static Solid of(boolean cone, double radius, double halfHeight, double sx, double sy, double sz,
+        Pose offset) {
         return sx == sz ? new RoundSolid(cone, radius * sx, halfHeight * sy, offset)
             : new EllipticSolid(cone, radius, halfHeight, new double[] {sx, sy, sz}, offset);
     }

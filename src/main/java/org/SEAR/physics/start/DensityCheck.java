@@ -24,8 +24,10 @@ public final class DensityCheck {
         for (Body body : bodies) {
             if (!body.isFixed() && reported < MAX_REPORTED && isTooHeavy(body)) {
                 reported++;
-                warnings.add(String.format(Locale.ROOT, "%s weighs %s kg at a size of only %.2g m: that is denser than gold. Masses are in"
-                    + " kilograms: if this is grams, use %s", body.isRobot() ? "robot " + body.name : body.name, number(body.mass), size(body),
+                warnings.add(String.format(Locale.ROOT, "%s weighs %s kg at a size of only %.2g m: that is denser than "
+                    + "gold. Masses are in"
+                    + " kilograms: if this is grams, use %s", body.isRobot() ? "robot " + body.name : body.name,
+                    number(body.mass), size(body),
                     number(body.mass / GRAMS)));
             }
         }

@@ -40,12 +40,14 @@ public final class GroundDistanceCheck {
         }
         warnings.addAll(reported.subList(0, Math.min(reported.size(), MAX_REPORTED)));
         if (reported.size() > MAX_REPORTED) {
-            warnings.add((reported.size() - MAX_REPORTED) + " more objects are far beside the ground or many times larger");
+            warnings.add((reported.size() - MAX_REPORTED) + " more objects are far beside the ground or many "
+                + "times larger");
         }
     }
 
     private static void report(Body body, Aabb box, Aabb ground, List<String> reported) {
-        double beside = Math.hypot(gap(box.minX, box.maxX, ground.minX, ground.maxX), gap(box.minZ, box.maxZ, ground.minZ, ground.maxZ));
+        double beside = Math.hypot(gap(box.minX, box.maxX, ground.minX, ground.maxX),
+            gap(box.minZ, box.maxZ, ground.minZ, ground.maxZ));
         double above = box.minY - ground.maxY;
         double size = Math.max(Math.max(box.maxX - box.minX, box.maxZ - box.minZ), box.maxY - box.minY);
         double groundSize = Math.max(ground.maxX - ground.minX, ground.maxZ - ground.minZ);
@@ -54,13 +56,15 @@ public final class GroundDistanceCheck {
         if (beside > FAR) {
             reported.add(String.format(Locale.ROOT,
                 "%s starts %.0f m beside the ground, at x %s, z %s. Lengths are in metres: if these are centimetres,"
-                + " use x %s, z %s", body.name, beside, number(x), number(z), number(x / CENTIMETRES), number(z / CENTIMETRES)));
+                + " use x %s, z %s", body.name, beside, number(x), number(z), number(x / CENTIMETRES),
+                    number(z / CENTIMETRES)));
         } else if (size > LARGE && size > TIMES * groundSize && !SizeCheck.isTooLight(body)) {
             reported.add(String.format(Locale.ROOT,
                 "%s is %.0f m large, but the ground only %.0f m. Lengths are in metres: if these are centimetres,"
                 + " divide them by 100", body.name, size, groundSize));
         } else if (above > FAR && above > TIMES * groundSize && !body.isFixed()) {
-            reported.add(String.format(Locale.ROOT, "%s starts %.0f m above the ground and will fall. Lengths are in metres", body.name, above));
+            reported.add(String.format(Locale.ROOT, "%s starts %.0f m above the ground and will fall. Lengths "
+                + "are in metres", body.name, above));
         }
     }
 

@@ -26,8 +26,10 @@ public final class HullCheck {
             for (Solid solid : body.isFixed() ? List.<Solid>of() : body.solids) {
                 double ratio = solid.isMesh() ? solid.convex().volume() / solid.volume() : 0;
                 if (ratio >= LEAST_RATIO && reported++ < MAX_REPORTED) {
-                    warnings.add(String.format(Locale.ROOT, "contacts of a model of %s use its convex hull, which has %.1f times"
-                        + " the volume inside its triangles: its hollows are filled. setCollision(\"parts\") on the model"
+                    warnings.add(String.format(Locale.ROOT, "contacts of a model of %s use its convex hull, which "
+                        + "has %.1f times"
+                        + " the volume inside its triangles: its hollows are filled. setCollision(\"parts\") "
+                        + "on the model"
                         + " keeps them open", body.isRobot() ? "robot " + body.name : body.name, ratio));
                 }
             }

@@ -15,7 +15,8 @@ import org.SEAR.physics.solid.Solid;
 /** Tests whether bodies overlap at given poses, in double precision from their exact shapes. Too slow for each step. */
 final class Overlap {
     /** Leans to test, metres per metre along x and z. */
-    private static final double[][] LEANS = {{0, 0}, {0.1, 0.1}, {0.1, -0.1}, {-0.1, 0.1}, {-0.1, -0.1}, {0.2, 0}, {-0.2, 0}, {0, 0.2}, {0, -0.2}};
+    private static final double[][] LEANS = {{0, 0}, {0.1, 0.1}, {0.1, -0.1}, {-0.1, 0.1}, {-0.1, -0.1}, {0.2, 0},
+        {-0.2, 0}, {0, 0.2}, {0, -0.2}};
 
     private final Body body;
     private final GjkDistance gjk = new GjkDistance();

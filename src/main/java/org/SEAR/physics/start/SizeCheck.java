@@ -39,13 +39,19 @@ public final class SizeCheck {
             if (reported < MAX_REPORTED && isTooLight(body)) {
                 reported++;
                 int times = body.mass / volume(body) * Math.pow(CENTIMETRES, 3) > 1 ? CENTIMETRES : MILLIMETRES;
-                warnings.add(String.format(Locale.ROOT, "%s is %s m large and weighs %s kg: it is lighter than air. Lengths are in metres: if"
-                    + " it was drawn in %s, it is %s m. Divide its lengths by %d, or call scale(%s) on a model", name, DensityCheck.number(size),
-                    DensityCheck.number(body.mass), unit(times), DensityCheck.number(size / times), times, 1.0 / times));
-            } else if (reported < MAX_REPORTED && body.isFixed() && size > LARGEST && body.solids.get(0).isMesh() && !grounds.contains(body)) {
+                warnings.add(String.format(Locale.ROOT, "%s is %s m large and weighs %s kg: it is lighter than air. "
+                    + "Lengths are in metres: if"
+                    + " it was drawn in %s, it is %s m. Divide its lengths by %d, or call scale(%s) on a model", name,
+                    DensityCheck.number(size),
+                    DensityCheck.number(body.mass), unit(times), DensityCheck.number(size / times), times,
+                        1.0 / times));
+            } else if (reported < MAX_REPORTED && body.isFixed() && size > LARGEST && body.solids.get(0).isMesh()
+                && !grounds.contains(body)) {
                 reported++;
-                warnings.add(String.format(Locale.ROOT, "model %s is %s m large. Lengths are in metres: if it was drawn in %s, call scale(%s); if it"
-                    + " is the ground, call setTerrain(True)", name, DensityCheck.number(size), unit(MILLIMETRES), 1.0 / MILLIMETRES));
+                warnings.add(String.format(Locale.ROOT, "model %s is %s m large. Lengths are in metres: if it was "
+                    + "drawn in %s, call scale(%s); if it"
+                    + " is the ground, call setTerrain(True)", name, DensityCheck.number(size), unit(MILLIMETRES),
+                        1.0 / MILLIMETRES));
             }
         }
     }

@@ -52,9 +52,11 @@ public final class StartPoses {
                         .collect(Collectors.joining(" and "));
                     boolean up = after.x == before.x && after.z == before.z;
                     warnings.add(body.name + " started inside a fixed object (" + inside + "); SEAR " + (up
-                        ? String.format(Locale.ROOT, "lifted it by %.3f m. Raise y in its move(x, y, z) by that, or change x or z",
+                        ? String.format(Locale.ROOT, "lifted it by %.3f m. Raise y in its move(x, y, z) by that, or "
+                            + "change x or z",
                             after.y - before.y)
-                        : String.format(Locale.ROOT, "moved it by (%.3f, %.3f, %.3f) m, the shortest way out. Change its move(x, y, z) by that",
+                        : String.format(Locale.ROOT, "moved it by (%.3f, %.3f, %.3f) m, the shortest way out. Change "
+                            + "its move(x, y, z) by that",
                             after.x - before.x, after.y - before.y, after.z - before.z)));
                 }
             }
@@ -78,8 +80,10 @@ public final class StartPoses {
      */
     public static String crowd(List<Body> bodies) {
         List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
-        List<Aabb> boxes = moving.stream().map(body -> new Overlap(body).bounds(body.getStart())).collect(Collectors.toList());
-        Integer[] order = IntStream.range(0, boxes.size()).boxed().sorted(Comparator.comparingDouble(i -> boxes.get(i).minX))
+        List<Aabb> boxes = moving.stream().map(body -> new Overlap(body).bounds(body.getStart()))
+            .collect(Collectors.toList());
+        Integer[] order = IntStream.range(0, boxes.size()).boxed()
+            .sorted(Comparator.comparingDouble(i -> boxes.get(i).minX))
             .toArray(Integer[]::new);
         int pairs = 0;
         for (int i = 0; i < order.length; i++) {
@@ -87,7 +91,8 @@ public final class StartPoses {
             for (int k = i + 1; k < order.length && boxes.get(order[k]).minX <= box.maxX; k++) {
                 pairs += box.overlaps(boxes.get(order[k])) ? 1 : 0;
                 if (pairs > MAX_PAIRS) {
-                    return "more than " + MAX_PAIRS + " pairs of objects with mass start inside each other, such as " + moving.get(order[i]).name
+                    return "more than " + MAX_PAIRS + " pairs of objects with mass start inside each other, such as "
+                        + moving.get(order[i]).name
                         + " and " + moving.get(order[k]).name;
                 }
             }
@@ -107,13 +112,17 @@ public final class StartPoses {
             boxes.add(mine.bounds(start));
             for (int k = 0; k < i; k++) {
                 if (reported == MAX_REPORTED) {
-                    warnings.add("more objects start inside each other; SEAR names the first " + MAX_REPORTED + " only");
+                    warnings.add("more objects start inside each other; SEAR names the first "
+                        + MAX_REPORTED + " only");
                     return;
                 }
-                if (!moving.get(i).ignores(moving.get(k)) && boxes.get(i).overlaps(boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
+                if (!moving.get(i).ignores(moving.get(k)) && boxes.get(i).overlaps(boxes.get(k))
+                    && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
                     reported++;
-                    warnings.add(String.format(Locale.ROOT, "%s and %s start %.3f m inside each other and will be pushed apart;"
-                        + " move one of them", moving.get(k).name, moving.get(i).name, mine.depth(start, overlaps.get(k))));
+                    warnings.add(String.format(Locale.ROOT, "%s and %s start %.3f m inside each other and will be "
+                        + "pushed apart;"
+                        + " move one of them", moving.get(k).name, moving.get(i).name,
+                            mine.depth(start, overlaps.get(k))));
                 }
             }
         }
@@ -161,7 +170,8 @@ public final class StartPoses {
         Aabb box = mine.bounds(pose);
         for (Body ground : scenes.grounds()) {
             Overlap other = new Overlap(ground);
-            if (ground != body && box.overlaps(other.bounds(ground.getStart())) && mine.overlaps(pose, other, TOUCHING)) {
+            if (ground != body && box.overlaps(other.bounds(ground.getStart()))
+                && mine.overlaps(pose, other, TOUCHING)) {
                 return true;
             }
         }
@@ -172,7 +182,8 @@ public final class StartPoses {
     private static Stream<Body> obstacles(Body body, Pose at, List<Body> others) {
         Overlap mine = new Overlap(body);
         Aabb box = mine.bounds(at);
-        return others.stream().filter(other -> !body.ignores(other) && box.overlaps(new Overlap(other).bounds(other.getPose()))
+        return others.stream().filter(other -> !body.ignores(other)
+            && box.overlaps(new Overlap(other).bounds(other.getPose()))
             && mine.overlaps(at, new Overlap(other), other.getPose(), ALLOWED));
     }
 
@@ -183,15 +194,18 @@ public final class StartPoses {
         for (Body obstacle : others) {
             Overlap other = new Overlap(obstacle);
             Aabb around = other.bounds(obstacle.getPose());
-            if (body.ignores(obstacle) || !box.overlaps(around) || !mine.overlaps(body.getStart(), other, obstacle.getPose(), ALLOWED)) {
+            if (body.ignores(obstacle) || !box.overlaps(around)
+                || !mine.overlaps(body.getStart(), other, obstacle.getPose(), ALLOWED)) {
                 continue;
             }
             Pose out = out(mine, obstacle, 0, 1, 0, Double.POSITIVE_INFINITY);
             for (int side = 0; side < SIDES && !grounds.contains(obstacle); side++) {
-                double[] way = obstacle.getPose().rotate(side == 0 ? 1 : side == 1 ? -1 : 0, 0, side == 2 ? 1 : side == 3 ? -1 : 0);
+                double[] way = obstacle.getPose().rotate(side == 0 ? 1 : side == 1 ? -1 : 0, 0, side == 2 ? 1
+                    : side == 3 ? -1 : 0);
                 double length = Math.hypot(way[0], way[2]);
                 Pose beside = length < UPRIGHT ? null
-                    : out(mine, obstacle, way[0] / length, 0, way[2] / length, distance(out, body.getStart()) - ALLOWED);
+                    : out(mine, obstacle, way[0] / length, 0, way[2] / length,
+                        distance(out, body.getStart()) - ALLOWED);
                 out = beside != null && obstacles(body, beside, others).count() == 0 ? beside : out;
             }
             body.setStart(out);
@@ -218,9 +232,11 @@ public final class StartPoses {
         Aabb around = other.bounds(there);
         double in = 0;
         double out = Double.POSITIVE_INFINITY;
-        out = Math.min(out, x == 0 ? out : (x > 0 ? around.maxX - box.minX + ALLOWED : around.minX - box.maxX - ALLOWED) / x);
+        out = Math.min(out, x == 0 ? out
+            : (x > 0 ? around.maxX - box.minX + ALLOWED : around.minX - box.maxX - ALLOWED) / x);
         out = Math.min(out, y == 0 ? out : around.maxY - box.minY + ALLOWED);
-        out = Math.min(out, z == 0 ? out : (z > 0 ? around.maxZ - box.minZ + ALLOWED : around.minZ - box.maxZ - ALLOWED) / z);
+        out = Math.min(out, z == 0 ? out
+            : (z > 0 ? around.maxZ - box.minZ + ALLOWED : around.minZ - box.maxZ - ALLOWED) / z);
         if (out > most && mine.isIn(along(start, x, y, z, most), other, there)) {
             return null;
         }
@@ -237,7 +253,8 @@ public final class StartPoses {
     }
 
     private static Pose along(Pose pose, double x, double y, double z, double metres) {
-        return new Pose(pose.x + x * metres, pose.y + y * metres, pose.z + z * metres, pose.qx, pose.qy, pose.qz, pose.qw);
+        return new Pose(pose.x + x * metres, pose.y + y * metres, pose.z + z * metres, pose.qx, pose.qy,
+            pose.qz, pose.qw);
     }
 
     private static Pose up(Pose pose, double metres) {

@@ -66,20 +66,24 @@ public final class Bundle {
         }
     }
 
-    private static void save(Project read, Path file, Progress progress, Map<String, Path> instead) throws IOException, ProjectException {
+    private static void save(Project read, Path file, Progress progress, Map<String, Path> instead)
+        throws IOException, ProjectException {
         Path project = read.getFolder();
         Path target = file.toAbsolutePath().normalize();
         if (target.startsWith(project)) {
             throw new IOException(target + " lies inside the project to save; choose a place outside of " + project);
         }
         if (Files.isDirectory(target)) {
-            throw new IOException(target + " is a folder; choose the name of a file, such as " + target.resolve("project.sear"));
+            throw new IOException(target + " is a folder; choose the name of a file, such as "
+                + target.resolve("project.sear"));
         }
-        if (Files.exists(target, LinkOption.NOFOLLOW_LINKS) && !Files.isRegularFile(target, LinkOption.NOFOLLOW_LINKS)) {
+        if (Files.exists(target, LinkOption.NOFOLLOW_LINKS)
+            && !Files.isRegularFile(target, LinkOption.NOFOLLOW_LINKS)) {
             throw new IOException(target + " is a link, a pipe or a device; choose the name of an ordinary file");
         }
         Files.createDirectories(target.getParent());
-        AtomicFile.write(target, new BundleWriter(project, target.getFileName().toString(), progress).with(instead)::write);
+        AtomicFile.write(target, new BundleWriter(project, target.getFileName().toString(), progress)
+            .with(instead)::write);
     }
 
     /** Loads without progress messages, see {@link #load(Path, Path, Progress)}. */
@@ -105,7 +109,8 @@ public final class Bundle {
      *
      * @param example whether the bundle comes with SEAR: an unchanged example needs no backup
      */
-    public static Project load(Path file, Path folder, boolean example, Progress progress) throws IOException, ProjectException {
+    public static Project load(Path file, Path folder, boolean example, Progress progress)
+        throws IOException, ProjectException {
         Path project = folder.toAbsolutePath().normalize();
         try (ProjectSwap swap = ProjectSwap.lock(project)) {
             Path staging = swap.staging();
@@ -129,7 +134,8 @@ public final class Bundle {
         Path packed = Files.createTempFile("sear", ".sear");
         try {
             Path named = source.getFileName() == null ? source : source.getFileName();
-            new BundleWriter(Project.read(Files.isDirectory(inside) ? inside : source).getFolder(), named.toString(), Progress.NONE).write(packed);
+            new BundleWriter(Project.read(Files.isDirectory(inside) ? inside : source).getFolder(), named.toString(),
+                Progress.NONE).write(packed);
             new BundleReader(packed, progress).unpack(folder);
         } finally {
             Files.deleteIfExists(packed);
@@ -145,7 +151,8 @@ public final class Bundle {
      * @return new names by old names; the robot's comes first
      * @throws ProjectException with all problems of either project, or of the result; the project stays unchanged
      */
-    public static Map<String, String> importRobot(Path file, Path folder, String robot, Progress progress) throws IOException, ProjectException {
+    public static Map<String, String> importRobot(Path file, Path folder, String robot, Progress progress)
+        throws IOException, ProjectException {
         return add(file, folder, progress, (source, to) -> to.robot(find(source, robot, file)));
     }
 
@@ -154,7 +161,8 @@ public final class Bundle {
      *
      * @return new names by old names
      */
-    public static Map<String, String> importEnvironment(Path file, Path folder, Progress progress) throws IOException, ProjectException {
+    public static Map<String, String> importEnvironment(Path file, Path folder, Progress progress)
+        throws IOException, ProjectException {
         return add(file, folder, progress, (source, to) -> to.environment());
     }
 
@@ -162,7 +170,8 @@ public final class Bundle {
         List<SEARrobot> robots = source.getRobots();
         boolean any = name == null || name.isEmpty();
         return robots.stream().filter(robot -> any && robots.size() == 1 || robot.getName().equals(name)).findFirst()
-            .orElseThrow(() -> new IllegalArgumentException("robot is \"" + (any ? "" : name) + "\", legal: a robot of " + file + ": "
+            .orElseThrow(() -> new IllegalArgumentException("robot is \"" + (any ? "" : name) + "\", legal: a robot of "
+                + file + ": "
                 + robots.stream().map(SEARrobot::getName).collect(Collectors.toList())));
     }
 
@@ -171,7 +180,8 @@ public final class Bundle {
         Map<String, String> of(Project source, Import to) throws IOException;
     }
 
-    private static Map<String, String> add(Path file, Path folder, Progress progress, Choice choice) throws IOException, ProjectException {
+    private static Map<String, String> add(Path file, Path folder, Progress progress, Choice choice)
+        throws IOException, ProjectException {
         Path project = folder.toAbsolutePath().normalize();
         Path unpacked = Files.createTempDirectory("sear-import");
         try (ProjectSwap swap = ProjectSwap.lock(project)) {

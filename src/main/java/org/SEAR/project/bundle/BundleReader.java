@@ -22,7 +22,8 @@ import org.SEAR.project.problems.ProjectException;
 final class BundleReader {
     private static final int BLOCK = 1 << 16;
     private static final int LONGEST_VERSION = 20;
-    private static final Pattern OBJECT = Pattern.compile("(" + ProjectFolder.ENVIRONMENT + "|" + ProjectFolder.ROBOT + ")/[^/]+"
+    private static final Pattern OBJECT =
+        Pattern.compile("(" + ProjectFolder.ENVIRONMENT + "|" + ProjectFolder.ROBOT + ")/[^/]+"
         + Pattern.quote(ProjectFolder.XML));
     private static final Pattern INNER_OBJECT = Pattern.compile(".+/" + OBJECT.pattern());
 
@@ -96,7 +97,8 @@ final class BundleReader {
         if (inner != null) {
             refuse(inner, "environment, robot and assets at the top of the bundle, not in a folder of it");
         } else if (!hasVersion) {
-            problems.add(name, 0, "", "it has no " + BundleRules.VERSION_ENTRY + " and no object", "a bundle that saveProject made, or a SEARproject"
+            problems.add(name, 0, "", "it has no " + BundleRules.VERSION_ENTRY + " and no object",
+                "a bundle that saveProject made, or a SEARproject"
                 + " folder that was zipped: environment, robot and assets at the top or below one folder SEARproject");
         }
     }
@@ -111,7 +113,8 @@ final class BundleReader {
         if (!text.matches("[1-9][0-9]{0,8}")) {
             problems.add(name, 0, "version", text, "a whole number");
         } else if (Integer.parseInt(text) > BundleRules.VERSION) {
-            problems.add(name, 0, "version", text, "1 to " + BundleRules.VERSION + "; a newer SEAR made this bundle and can open it");
+            problems.add(name, 0, "version", text, "1 to " + BundleRules.VERSION + "; a newer SEAR made this bundle "
+                + "and can open it");
         }
     }
 
@@ -153,7 +156,8 @@ final class BundleReader {
         }
     }
 
-    private static void inflate(Inflater inflater, byte[] plain, Content content) throws DataFormatException, IOException {
+    private static void inflate(Inflater inflater, byte[] plain, Content content)
+        throws DataFormatException, IOException {
         while (!inflater.needsInput() && !inflater.finished() && content.isGood()) {
             int length = inflater.inflate(plain);
             if (length == 0 && inflater.needsDictionary()) {

@@ -30,7 +30,8 @@ final class BundleRules {
     private static final String[][] ARCHIVES = {
         {"PK\u0003\u0004", "zip"}, {"PK\u0005\u0006", "zip"}, {"PK\u0007\u0008", "zip"}, {"\u001f\u008b", "gzip"},
         {"7z\u00bc\u00af\u0027\u001c", "7z"},
-        {"Rar!\u001a\u0007", "rar"}, {"\u00fd7zXZ\u0000", "xz"}, {"BZh", "bzip2"}, {"\u0028\u00b5\u002f\u00fd", "zstd"}};
+        {"Rar!\u001a\u0007", "rar"}, {"\u00fd7zXZ\u0000", "xz"}, {"BZh", "bzip2"},
+            {"\u0028\u00b5\u002f\u00fd", "zstd"}};
 
     private final String bundle;
     private final ProblemList problems;
@@ -88,10 +89,12 @@ final class BundleRules {
         String[] parts = name.split("/", -1);
         boolean legal = name.length() <= MAX_PATH && parts.length <= MAX_DEPTH;
         for (String part : parts) {
-            legal &= TextRule.NAME.isLegal(part) || part.endsWith(ProjectFolder.XML) && TextRule.NAME.isLegal(stem(part));
+            legal &= TextRule.NAME.isLegal(part) || part.endsWith(ProjectFolder.XML)
+                && TextRule.NAME.isLegal(stem(part));
         }
         if (!legal) {
-            refuse(name, "a path inside the project, with forward slashes, at most " + MAX_PATH + " characters and " + MAX_DEPTH
+            refuse(name, "a path inside the project, with forward slashes, at most " + MAX_PATH
+                + " characters and " + MAX_DEPTH
                 + " folders deep, each part " + TextRule.NAME.legal());
         }
         return legal;
@@ -106,7 +109,8 @@ final class BundleRules {
         String key = TextRule.onAnySystem(name);
         String twin = files.putIfAbsent(key, name);
         if (twin != null) {
-            refuse(name, twin.equals(name) ? "each name once" : "a name that differs from " + twin + " by more than capitals or accents' spelling");
+            refuse(name, twin.equals(name) ? "each name once" : "a name that differs from " + twin
+                + " by more than capitals or accents' spelling");
         }
         placeFolders(name, name);
         if (folders.containsKey(key)) {

@@ -62,7 +62,8 @@ final class BundleWriter {
         problems.throwIfAny();
         try (FileChannel channel = FileChannel.open(target, StandardOpenOption.WRITE, StandardOpenOption.CREATE,
                     StandardOpenOption.TRUNCATE_EXISTING);
-                ZipOutputStream zip = new ZipOutputStream(new BufferedOutputStream(Channels.newOutputStream(channel), BLOCK))) {
+                ZipOutputStream zip = new ZipOutputStream(
+                    new BufferedOutputStream(Channels.newOutputStream(channel), BLOCK))) {
             start(zip, BundleRules.VERSION_ENTRY);
             zip.write((BundleRules.VERSION + "\n").getBytes(StandardCharsets.US_ASCII));
             zip.closeEntry();

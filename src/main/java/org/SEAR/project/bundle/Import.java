@@ -88,7 +88,8 @@ final class Import {
     Map<String, String> environment() throws IOException {
         Map<String, String> renamed = new LinkedHashMap<>();
         for (SearObject object : source.getEnvironment()) {
-            renamed.put(object.getName(), unique(object.getName(), name -> names.contains(name) || parts.contains(name)));
+            renamed.put(object.getName(), unique(object.getName(), name -> names.contains(name)
+                || parts.contains(name)));
             names.add(key(renamed.get(object.getName())));
         }
         String prefix = copyAssets();
@@ -96,7 +97,8 @@ final class Import {
             write(object, ProjectFolder.ENVIRONMENT, renamed.get(object.getName()), prefix);
         }
         for (Joint joint : source.getJoints()) {
-            if (renamed.containsKey(joint.getSecond()) && (joint.getFirst() == null || renamed.containsKey(joint.getFirst()))) {
+            if (renamed.containsKey(joint.getSecond())
+                && (joint.getFirst() == null || renamed.containsKey(joint.getFirst()))) {
                 set(joint, "first", renamed::get);
                 set(joint, "second", renamed::get);
                 String name = unique(joint.getName(), other -> names.contains(other) || parts.contains(other));
@@ -119,7 +121,8 @@ final class Import {
         components.forEach(part -> own.add(key(part.getName())));
         robot.getWheels().forEach(wheel -> own.add(key(wheel.getName())));
         Map<String, String> renamed = new LinkedHashMap<>();
-        String robotName = unique(robot.getName(), name -> names.contains(name) || parts.contains(name) || own.contains(name));
+        String robotName = unique(robot.getName(), name -> names.contains(name) || parts.contains(name)
+            || own.contains(name));
         renamed.put(robot.getName(), robotName);
         names.add(key(robotName));
         Map<String, String> files = new LinkedHashMap<>();
@@ -132,7 +135,8 @@ final class Import {
             renamed.put(part.getName(), name);
             files.put(part.getFileName(), isPlaceTaken(name, robotName) ? robotName + "/" + name : name);
         }
-        ParameterTable.of(SEARrobot.class).find("order").set(robot, lastRobot == 0 ? null : Integer.valueOf(lastRobot + 1));
+        ParameterTable.of(SEARrobot.class).find("order")
+            .set(robot, lastRobot == 0 ? null : Integer.valueOf(lastRobot + 1));
         set(robot, "component", files::get);
         String prefix = copyAssets();
         Iterator<String> file = files.values().iterator();
@@ -166,13 +170,15 @@ final class Import {
 
     private void writePart(SearObject part, String name, String file, String prefix) throws IOException {
         int slash = file.indexOf('/');
-        write(part, slash < 0 ? ProjectFolder.ROBOT : ProjectFolder.ROBOT + "/" + file.substring(0, slash), name, prefix);
+        write(part, slash < 0 ? ProjectFolder.ROBOT : ProjectFolder.ROBOT + "/" + file.substring(0, slash),
+            name, prefix);
     }
 
     private void write(SearObject object, String folder, String newName, String prefix) throws IOException {
         set(object, "name", name -> newName);
         copyBeam(object);
-        ASSETS.forEach(element -> set(object, element, path -> isOwnAsset(path) ? prefix + path.replaceFirst("^(\\./)+", "") : path));
+        ASSETS.forEach(element -> set(object, element, path -> isOwnAsset(path) ? prefix
+            + path.replaceFirst("^(\\./)+", "") : path));
         PORTS.forEach(element -> set(object, element, this::freePort));
         if (object instanceof SEARrobot) {
             for (Wheel wheel : ((SEARrobot) object).getWheels()) {
@@ -236,7 +242,8 @@ final class Import {
     }
 
     private static boolean isSame(Path a, Path b) throws IOException {
-        return Files.isRegularFile(b) && Files.size(a) == Files.size(b) && Arrays.equals(Files.readAllBytes(a), Files.readAllBytes(b));
+        return Files.isRegularFile(b) && Files.size(a) == Files.size(b)
+            && Arrays.equals(Files.readAllBytes(a), Files.readAllBytes(b));
     }
 
     /**

@@ -36,7 +36,8 @@ public final class PercentProgress implements Progress {
         long tenths = TENTHS * done / total;
         if (tenths > reported) {
             reported = tenths;
-            listener.accept(String.format(Locale.ROOT, "%s: %d %% of %.0f MB (%s)", what, tenths * TENTHS, total / MEGABYTE, file));
+            listener.accept(String.format(Locale.ROOT, "%s: %d %% of %.0f MB (%s)", what, tenths * TENTHS,
+                total / MEGABYTE, file));
         }
     }
 

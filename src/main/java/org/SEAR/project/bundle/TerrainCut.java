@@ -61,7 +61,8 @@ final class TerrainCut {
             }
         }
         String name = "terrain/" + terrain.getName() + "-area.tif";
-        for (int number = 2; Files.exists(assets.resolve(name)) && !instead.containsKey(ProjectFolder.ASSETS + "/" + name); number++) {
+        for (int number = 2; Files.exists(assets.resolve(name))
+            && !instead.containsKey(ProjectFolder.ASSETS + "/" + name); number++) {
             name = "terrain/" + terrain.getName() + "-area-" + number + ".tif";
         }
         instead.put(ProjectFolder.ASSETS + "/" + name, Files.write(temporary.resolve("map.tif"), map));

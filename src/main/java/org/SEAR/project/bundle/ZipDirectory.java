@@ -93,7 +93,8 @@ final class ZipDirectory {
         int count = unsigned(end.getShort(10));
         long directorySize = unsigned(end.getInt(12));
         long directoryStart = unsigned(end.getInt(16));
-        if (end.getInt(4) != 0 || unsigned(end.getShort(8)) != count || directoryStart + directorySize != length - END_SIZE) {
+        if (end.getInt(4) != 0 || unsigned(end.getShort(8)) != count || directoryStart + directorySize != length
+            - END_SIZE) {
             refuse("its directory is not where it should be", "a zip file in one piece, below 4 GiB");
             return entries;
         }
@@ -209,7 +210,8 @@ final class ZipDirectory {
             refuse(entry, "a folder without content");
         }
         if (entry.size > BundleRules.RATIO_FREE && entry.size / Math.max(1, entry.packed) > BundleRules.MAX_RATIO) {
-            refuse(entry, "compressed at most " + BundleRules.MAX_RATIO + " times; this unpacks " + entry.packed + " to " + entry.size + " bytes");
+            refuse(entry, "compressed at most " + BundleRules.MAX_RATIO + " times; this unpacks " + entry.packed
+                + " to " + entry.size + " bytes");
         }
     }
 

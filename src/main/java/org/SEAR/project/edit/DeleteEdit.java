@@ -15,7 +15,9 @@ final class DeleteEdit extends Edit {
             ((SEARrobot) place.object).getComponentNames().forEach(file -> draft.delete(ObjectFiles.path(true, file)));
         }
         int also = others.deleted().size();
-        String with = also == 0 ? "" : " with " + (also == 1 ? References.called(others.deleted().get(0)) : also + " more");
-        return new EditResult("delete " + place.object.getName() + with, null, besides(others, place, " was deleted with "));
+        String with = also == 0 ? "" : " with " + (also == 1 ? References.called(others.deleted().get(0))
+            : also + " more");
+        return new EditResult("delete " + place.object.getName() + with, null,
+            besides(others, place, " was deleted with "));
     }
 }

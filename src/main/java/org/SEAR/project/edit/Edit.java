@@ -16,8 +16,8 @@ import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.problems.ProjectException;
 
 /**
- * An edit of a draft, made from a request. The draft's changed files become an {@link UndoStep}, which reverts any edit.
- * One use, guarded by the project lock.
+ * An edit of a draft, made from a request. The draft's changed files become an {@link UndoStep}, which reverts any
+ * edit. One use, guarded by the project lock.
  */
 abstract class Edit {
     /** Parameters for a robot's parts, which {@code set} does not change. */
@@ -49,7 +49,8 @@ abstract class Edit {
             throw EditRequest.refused("name", name, TextRule.NAME.legal());
         }
         if (finder.isTaken(name, robot)) {
-            throw EditRequest.refused("name", name, "a name that no other object has, case-insensitively, such as " + finder.free(name));
+            throw EditRequest.refused("name", name, "a name that no other object has, case-insensitively, such as "
+                + finder.free(name));
         }
     }
 
@@ -89,7 +90,8 @@ abstract class Edit {
         for (Map.Entry<?, ?> value : values.entrySet()) {
             String link = String.valueOf(value.getKey());
             if (link.equals("name") || object instanceof SEARrobot && LINKS.contains(link)) {
-                problems.add(file, 0, link, String.valueOf(value.getValue()), "nothing here: use the edits rename, add, mount and unmount");
+                problems.add(file, 0, link, String.valueOf(value.getValue()),
+                    "nothing here: use the edits rename, add, mount and unmount");
             }
         }
         EditValues setting = new EditValues(file, problems);
@@ -109,11 +111,13 @@ abstract class Edit {
         if (values.containsKey("y") && !values.containsKey("onGround")) {
             assign(object, "onGround", null);
         }
-        if ((values.containsKey("x") || values.containsKey("y") || values.containsKey("z")) && !values.containsKey("placeLatitude")) {
+        if ((values.containsKey("x") || values.containsKey("y") || values.containsKey("z"))
+            && !values.containsKey("placeLatitude")) {
             assign(object, "placeLatitude", null);
             assign(object, "placeLongitude", null);
         }
-        boolean turned = values.containsKey("rx") || values.containsKey("ry") || values.containsKey("rz") || values.containsKey("y");
+        boolean turned = values.containsKey("rx") || values.containsKey("ry") || values.containsKey("rz")
+            || values.containsKey("y");
         if (object instanceof SEARrobot && turned && !values.containsKey("placeHeading")) {
             assign(object, "placeHeading", null);
         }
@@ -135,7 +139,8 @@ abstract class Edit {
     /** Returns the effects on other objects of an object's leaving its robot. */
     static List<String> besides(References others, ObjectLocation place, String why) {
         List<String> besides = new ArrayList<>();
-        others.deleted().forEach(object -> besides.add(References.called(object) + why + References.called(place.object)));
+        others.deleted().forEach(object ->
+            besides.add(References.called(object) + why + References.called(place.object)));
         besides.addAll(others.lost());
         return besides;
     }

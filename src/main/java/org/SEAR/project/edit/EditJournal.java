@@ -64,11 +64,13 @@ final class EditJournal {
                 }
             }
         } catch (IOException e) {
-            throw new IOException("the undo steps in " + folder + " can't be read (" + e.getMessage() + "): delete that folder to"
+            throw new IOException("the undo steps in " + folder + " can't be read (" + e.getMessage()
+                + "): delete that folder to"
                 + " continue without them", e);
         }
         Path state = folder.resolve(STATE);
-        Matcher text = STATE_TEXT.matcher(Files.exists(state) ? new String(Files.readAllBytes(state), StandardCharsets.UTF_8) : "");
+        Matcher text = STATE_TEXT.matcher(
+            Files.exists(state) ? new String(Files.readAllBytes(state), StandardCharsets.UTF_8) : "");
         if (text.matches()) {
             done = Integer.parseInt(text.group(1));
             if (text.group(2) != null) {

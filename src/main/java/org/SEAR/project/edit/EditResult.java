@@ -28,6 +28,7 @@ final class EditResult {
         }
         String reported = besides.stream().limit(MAX_REPORTED).collect(Collectors.joining("; "));
         int more = besides.size() - MAX_REPORTED;
-        return reported + (more > 0 ? "; and " + more + " more" : "") + "; Undo brings back " + (besides.size() == 1 ? "both" : "all of it");
+        return reported + (more > 0 ? "; and " + more + " more" : "") + "; Undo brings back "
+            + (besides.size() == 1 ? "both" : "all of it");
     }
 }

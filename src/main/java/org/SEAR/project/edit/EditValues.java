@@ -39,7 +39,8 @@ final class EditValues {
 
     private static Object valueOf(Object object, Parameter parameter) {
         List<Object> all = new ArrayList<>();
-        parameter.values(object).forEach(value -> all.add(parameter.getKind() == Parameter.Kind.GROUP ? of(value) : Parameter.format(value)));
+        parameter.values(object).forEach(
+            value -> all.add(parameter.getKind() == Parameter.Kind.GROUP ? of(value) : Parameter.format(value)));
         return parameter.isList() ? all : all.isEmpty() ? null : all.get(0);
     }
 
@@ -54,7 +55,8 @@ final class EditValues {
             String name = String.valueOf(one.getKey());
             Parameter parameter = table.find(name);
             if (parameter == null) {
-                problems.add(file, 0, path + name, text(one.getValue()), "no such parameter, but " + String.join(", ", table.names()));
+                problems.add(file, 0, path + name, text(one.getValue()), "no such parameter, but "
+                    + String.join(", ", table.names()));
             } else {
                 set(object, table, parameter, one.getValue(), path + name);
             }
@@ -146,8 +148,10 @@ final class EditValues {
         for (Map.Entry<?, ?> seen : was.entrySet()) {
             String name = String.valueOf(seen.getKey());
             Object present = now.get(name);
-            if (wanted.containsKey(seen.getKey()) && !same(present, seen.getValue()) && !same(present, wanted.get(seen.getKey()))) {
-                problems.add(file, 0, name, text(wanted.get(seen.getKey())), "a value based on the present one, " + text(present)
+            if (wanted.containsKey(seen.getKey()) && !same(present, seen.getValue())
+                && !same(present, wanted.get(seen.getKey()))) {
+                problems.add(file, 0, name, text(wanted.get(seen.getKey())), "a value based on the present one, "
+                    + text(present)
                     + ", since another page or a script has changed it meanwhile");
             }
         }

@@ -36,7 +36,8 @@ final class Finder {
     ObjectLocation find(String name) throws IOException, ProjectException {
         List<ObjectLocation> found = new ArrayList<>();
         int slash = name.indexOf('/');
-        if (!TextRule.NAME.isLegal(name.substring(slash + 1)) || slash >= 0 && !TextRule.NAME.isLegal(name.substring(0, slash))) {
+        if (!TextRule.NAME.isLegal(name.substring(slash + 1)) || slash >= 0
+            && !TextRule.NAME.isLegal(name.substring(0, slash))) {
             throw refused(name, found);
         }
         if (slash >= 0) {
@@ -91,7 +92,8 @@ final class Finder {
     SEARrobot robot(String name) throws IOException, ProjectException {
         SearObject object = TextRule.NAME.isLegal(name) ? draft.read(ObjectFiles.path(true, name)) : null;
         if (!(object instanceof SEARrobot)) {
-            throw new ProjectException(List.of(new Problem("robot", 0, "to", name, robots().isEmpty() ? "the name of a robot, and there is none yet:"
+            throw new ProjectException(List.of(
+                new Problem("robot", 0, "to", name, robots().isEmpty() ? "the name of a robot, and there is none yet:"
                 + " make one first" : "the name of a robot: " + String.join(", ", robots()))));
         }
         return (SEARrobot) object;
@@ -127,7 +129,8 @@ final class Finder {
         }
     }
 
-    private void addPart(List<ObjectLocation> found, String robotName, String name) throws IOException, ProjectException {
+    private void addPart(List<ObjectLocation> found, String robotName, String name)
+        throws IOException, ProjectException {
         if (!(draft.readIfWhole(ObjectFiles.path(true, robotName)) instanceof SEARrobot)) {
             return;
         }
@@ -149,7 +152,8 @@ final class Finder {
     }
 
     private static ProjectException refused(String name, List<ObjectLocation> found) {
-        String legal = found.isEmpty() ? "the name of an object of the project; it may have been deleted or renamed meanwhile"
+        String legal = found.isEmpty() ? "the name of an object of the project; it may have been deleted or "
+            + "renamed meanwhile"
             : found.stream().map(ObjectLocation::address).collect(Collectors.joining(" or "));
         return new ProjectException(List.of(new Problem("project", 0, "object", name, legal)));
     }
@@ -164,7 +168,8 @@ final class Finder {
                 if (object instanceof SEARrobot) {
                     ((SEARrobot) object).getComponentNames().forEach(file ->
                         names.add(file.substring(file.indexOf('/') + 1).toLowerCase(Locale.ROOT)));
-                    ((SEARrobot) object).getWheels().forEach(wheel -> names.add(wheel.getName().toLowerCase(Locale.ROOT)));
+                    ((SEARrobot) object).getWheels()
+                        .forEach(wheel -> names.add(wheel.getName().toLowerCase(Locale.ROOT)));
                 }
             }
         }

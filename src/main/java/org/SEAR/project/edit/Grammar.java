@@ -24,11 +24,15 @@ import org.SEAR.project.xml.ObjectClasses;
  * thread.
  *
  * <pre>
- * [{"type": "Box", "doc": "a box: ..", "kind": "shape" ("sensor", "robot" or "part"), "environment": true, "robot": true (where it is legal),
- *   "parameters": [{"name": "length", "doc": "size along x", "unit": "m", "kind": "number" ("whole", "switch", "text", "group"),
- *                   "legal": "a number from ..", "min": 0.0001, "max": 100000, "orZero": false, "values": [], "words": [] (meanings of the values),
+ * [{"type": "Box", "doc": "a box: ..", "kind": "shape" ("sensor", "robot" or "part"), "environment": true, "robot":
+ * true (where it is legal),
+ *   "parameters": [{"name": "length", "doc": "size along x", "unit": "m", "kind": "number" ("whole", "switch", "text",
+ * "group"),
+ *                   "legal": "a number from ..", "min": 0.0001, "max": 100000, "orZero": false, "values": [], "words":
+ * [] (meanings of the values),
  *                   "names": "" ("Wheel": class of the part of the same robot that it names), "required": true,
- *                   "list": false, "most": 1, "default": "", "initial": "0.5" (for an object that is created with the mouse),
+ *                   "list": false, "most": 1, "default": "", "initial": "0.5" (for an object that is created with the
+ * mouse),
  *                   "parameters": [..] (of a group)}, ..]}, ..]
  * </pre>
  */
@@ -59,7 +63,8 @@ public final class Grammar {
         if (Joint.class.isAssignableFrom(type)) {
             return "joint";
         }
-        return SensorObject.class.isAssignableFrom(type) ? "sensor" : Shape.class.isAssignableFrom(type) && type != Wheel.class ? "shape" : "part";
+        return SensorObject.class.isAssignableFrom(type) ? "sensor" : Shape.class.isAssignableFrom(type)
+            && type != Wheel.class ? "shape" : "part";
     }
 
     /** Returns whether an object of a class may be part of the environment. */
@@ -69,7 +74,8 @@ public final class Grammar {
 
     /** Returns whether an object of a class may be a part of a robot. */
     static boolean standsOnRobot(Class<? extends SearObject> type) {
-        return type != Floor.class && type != Terrain.class && type != SEARrobot.class && !Joint.class.isAssignableFrom(type);
+        return type != Floor.class && type != Terrain.class && type != SEARrobot.class
+            && !Joint.class.isAssignableFrom(type);
     }
 
     private static List<Map<String, Object>> parameters(Class<?> type) {

@@ -14,8 +14,10 @@ final class GroupEdit extends Edit {
     @Override
     EditResult apply() throws IOException, ProjectException {
         List<Map<?, ?>> edits = request.list("edits");
-        if (edits.isEmpty() || edits.size() > MAX_EDITS || edits.stream().anyMatch(one -> "all".equals(one.get("do")))) {
-            throw EditRequest.refused("edits", edits.size() + " edits", "1 to " + MAX_EDITS + " edits, none of them of this kind");
+        if (edits.isEmpty() || edits.size() > MAX_EDITS || edits.stream()
+            .anyMatch(one -> "all".equals(one.get("do")))) {
+            throw EditRequest.refused("edits", edits.size() + " edits", "1 to " + MAX_EDITS
+                + " edits, none of them of this kind");
         }
         EditResult last = null;
         List<String> besides = new ArrayList<>();
@@ -24,7 +26,8 @@ final class GroupEdit extends Edit {
             besides.addAll(last.besides);
         }
         String words = request.textOrNull("words");
-        return new EditResult(words == null ? last.words + (edits.size() > 1 ? " and " + (edits.size() - 1) + " more" : "") : words, last.object,
+        return new EditResult(words == null ? last.words + (edits.size() > 1 ? " and " + (edits.size() - 1) + " more"
+            : "") : words, last.object,
             besides);
     }
 }

@@ -18,7 +18,8 @@ final class JointReferences {
         for (String path : draft.list(false)) {
             Joint joint = joint(draft, path, old);
             if (joint != null) {
-                ParameterTable.of(joint.getClass()).get(old.equals(joint.getFirst()) ? "first" : "second").set(joint, now);
+                ParameterTable.of(joint.getClass()).get(old.equals(joint.getFirst()) ? "first" : "second")
+                    .set(joint, now);
                 draft.write(path, joint);
             }
         }
@@ -40,7 +41,8 @@ final class JointReferences {
     /** Returns the joint in a file if it names the object; otherwise null. */
     private static Joint joint(EditDraft draft, String path, String name) throws IOException {
         SearObject object = draft.readIfWhole(path);
-        boolean named = object instanceof Joint && (name.equals(((Joint) object).getFirst()) || name.equals(((Joint) object).getSecond()));
+        boolean named = object instanceof Joint
+            && (name.equals(((Joint) object).getFirst()) || name.equals(((Joint) object).getSecond()));
         return named ? (Joint) object : null;
     }
 }

@@ -13,7 +13,8 @@ final class MountEdit extends Edit {
         ObjectLocation place = finder.find(request.text("object"));
         String to = request.text("to");
         if (!Grammar.standsOnRobot(place.object.getClass())) {
-            throw EditRequest.refused("to", to, "nothing: a " + place.object.getClass().getSimpleName() + " can't be a part of a robot");
+            throw EditRequest.refused("to", to, "nothing: a " + place.object.getClass().getSimpleName()
+                + " can't be a part of a robot");
         }
         if (place.object instanceof PlacedObject) {
             standWherePut(place.object, Map.of("y", ""));

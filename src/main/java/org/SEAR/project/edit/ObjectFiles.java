@@ -34,7 +34,8 @@ final class ObjectFiles {
             return null;
         }
         if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) || Files.size(file) > Xml.MAX_BYTES) {
-            throw new IOException(file + " is not the file of an object, legal: a file of at most " + Xml.MAX_BYTES + " bytes");
+            throw new IOException(file + " is not the file of an object, legal: a file of at most " + Xml.MAX_BYTES
+                + " bytes");
         }
         return Files.readAllBytes(file);
     }

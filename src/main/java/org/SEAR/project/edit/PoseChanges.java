@@ -18,7 +18,8 @@ import org.SEAR.project.xml.Xml;
 
 /** Objects and robots whose pose an edit changes, and whether it changes anything else. Immutable, any thread. */
 final class PoseChanges {
-    private static final List<String> PLACING = List.of("x", "y", "z", "rx", "ry", "rz", "onGround", "placeLatitude", "placeLongitude",
+    private static final List<String> PLACING = List.of("x", "y", "z", "rx", "ry", "rz", "onGround", "placeLatitude",
+        "placeLongitude",
         "placeHeading");
 
     /**
@@ -42,7 +43,8 @@ final class PoseChanges {
             SearObject before = read(change.path, change.before(), classes);
             SearObject after = read(change.path, change.after(), classes);
             boolean whole = before != null && after != null && before.getClass() == after.getClass()
-                && (change.path.startsWith(ProjectFolder.ENVIRONMENT + "/") || after instanceof SEARrobot || after instanceof Dynamics);
+                && (change.path.startsWith(ProjectFolder.ENVIRONMENT + "/") || after instanceof SEARrobot
+                    || after instanceof Dynamics);
             if (!whole) {
                 more = true;
                 continue;

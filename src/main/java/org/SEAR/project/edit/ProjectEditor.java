@@ -16,9 +16,9 @@ import org.SEAR.project.problems.ProjectException;
 
 /**
  * Editor of one project, for pages and scripts. An edit is a map: {@code do} names the edit, whose class
- * describes the other entries, such as {@link AddEdit}. The editor checks the resulting files and writes all of them or none. Each edit is a
- * step that {@link #undo} reverts. Changes of the same files by scripts or other programs become steps of their own, so
- * nothing is lost.
+ * describes the other entries, such as {@link AddEdit}. The editor checks the resulting files and writes all of them or
+ * none. Each edit is a step that {@link #undo} reverts. Changes of the same files by scripts or other programs become
+ * steps of their own, so nothing is lost.
  *
  * <pre>
  * {"do": "add", "type": "Box", "set": {"x": 1, "mass": 2}}     {"do": "robot", "template": "create2"}
@@ -111,8 +111,10 @@ public final class ProjectEditor {
     private void check(EditDraft draft) throws ProjectException {
         List<Problem> after = problems(draft.overlay());
         if (!after.isEmpty()) {
-            List<String> known = problems(Map.of()).stream().map(ProjectEditor::withoutLine).collect(Collectors.toList());
-            List<Problem> fresh = after.stream().filter(problem -> !known.contains(withoutLine(problem))).collect(Collectors.toList());
+            List<String> known = problems(Map.of()).stream().map(ProjectEditor::withoutLine)
+                .collect(Collectors.toList());
+            List<Problem> fresh = after.stream().filter(problem -> !known.contains(withoutLine(problem)))
+                .collect(Collectors.toList());
             if (!fresh.isEmpty()) {
                 throw new ProjectException(fresh);
             }
@@ -139,7 +141,8 @@ public final class ProjectEditor {
             return null;
         }
         String names = outside.stream().limit(3).map(change -> change.path).collect(Collectors.joining(", "));
-        UndoStep step = new UndoStep("changes by a script or another program in " + names + (outside.size() > 3 ? " ..." : ""), outside);
+        UndoStep step = new UndoStep("changes by a script or another program in " + names
+            + (outside.size() > 3 ? " ..." : ""), outside);
         journal.note(step);
         return step;
     }
@@ -160,7 +163,8 @@ public final class ProjectEditor {
             }
             journal.undo();
             return new Outcome(step.words, null, outside == null ? null : "only " + outside.words
-                + " was undone, since it came last; undo again reverts the edit before, redo restores the changes", step.changes,
+                + " was undone, since it came last; undo again reverts the edit before, redo restores the changes",
+                step.changes,
                 journal);
         });
     }
@@ -176,7 +180,8 @@ public final class ProjectEditor {
             UndoStep outside = noteOutside(journal);
             UndoStep step = journal.redoable();
             if (step == null) {
-                throw new IllegalStateException(outside == null ? "there is nothing to redo" : "there is nothing to redo: " + outside.words
+                throw new IllegalStateException(outside == null ? "there is nothing to redo"
+                    : "there is nothing to redo: " + outside.words
                     + " came after the undo");
             }
             journal.redo();
@@ -193,7 +198,8 @@ public final class ProjectEditor {
      * Returns an object as pages show it.
      *
      * <pre>
-     * {"object": "rover/ping" (its address), "name": "ping", "type": "Distance", "robot": "rover" or null, "file": "robot/ping.xml",
+     * {"object": "rover/ping" (its address), "name": "ping", "type": "Distance", "robot": "rover" or null, "file":
+     * "robot/ping.xml",
      *  "values": {"name": "ping", "x": "0.1", .., "cone": [{"halfAngle": "15", ..}]}} texts as in the file
      * </pre>
      *

@@ -24,7 +24,8 @@ final class RenameEdit extends Edit {
         } else if (place.robot != null) {
             String stem = ObjectFiles.stem(place.path);
             draft.delete(place.path);
-            String file = stem.contains("/") ? place.robot.getName() + "/" + name : finder.partFile(place.robot.getName(), name);
+            String file = stem.contains("/") ? place.robot.getName() + "/" + name
+                : finder.partFile(place.robot.getName(), name);
             components(place.robot).set(place.robot.getComponentNames().indexOf(stem), file);
             draft.write(ObjectFiles.path(true, file), place.object);
             draft.write(place.robotPath(), place.robot);

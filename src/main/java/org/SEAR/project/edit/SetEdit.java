@@ -16,6 +16,7 @@ final class SetEdit extends Edit {
 
     private static String words(Map<?, ?> values) {
         String names = values.keySet().stream().map(String::valueOf).sorted().collect(Collectors.joining(", "));
-        return names.matches("[xyz, ]+") ? "move " : names.matches("(r[xyz]|, )+") ? "turn " : "change " + names + " of ";
+        return names.matches("[xyz, ]+") ? "move " : names.matches("(r[xyz]|, )+") ? "turn " : "change "
+            + names + " of ";
     }
 }

@@ -19,7 +19,8 @@ final class UndoStep {
     private static final int NONE = -1;
     /** Enough for a robot and all of its parts. */
     private static final int MAX_FILES = 20000;
-    private static final Pattern FOLDERS = Pattern.compile(ProjectFolder.ENVIRONMENT + "/[^/]+|" + ProjectFolder.ROBOT + "/([^/]+/)?[^/]+");
+    private static final Pattern FOLDERS = Pattern.compile(ProjectFolder.ENVIRONMENT + "/[^/]+|" + ProjectFolder.ROBOT
+        + "/([^/]+/)?[^/]+");
 
     /** Description, as in "undo: move crate". */
     final String words;
@@ -101,7 +102,8 @@ final class UndoStep {
     private static boolean isObjectFile(String path) {
         boolean legal = FOLDERS.matcher(path).matches() && path.endsWith(ProjectFolder.XML);
         for (String part : path.split("/")) {
-            legal &= TextRule.NAME.isLegal(part.endsWith(ProjectFolder.XML) ? part.substring(0, part.length() - ProjectFolder.XML.length()) : part);
+            legal &= TextRule.NAME.isLegal(part.endsWith(ProjectFolder.XML)
+                ? part.substring(0, part.length() - ProjectFolder.XML.length()) : part);
         }
         return legal;
     }

@@ -183,7 +183,8 @@ final class GuardedLoaders {
             }
             int size = unpackedSize(bytes, info.getKey().getName());
             if (size > ModelLimits.MAX_BLEND) {
-                throw FileLimits.wrong(info.getKey().getName(), "the unpacked size", "more than " + ModelLimits.MAX_BLEND,
+                throw FileLimits.wrong(info.getKey().getName(), "the unpacked size", "more than "
+                    + ModelLimits.MAX_BLEND,
                     "at most " + ModelLimits.MAX_BLEND + " bytes; save it unpacked in Blender, or export .glb");
             }
             try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(bytes))) {

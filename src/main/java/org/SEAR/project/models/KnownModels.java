@@ -42,7 +42,8 @@ final class KnownModels {
         try {
             files = files(assets.getFolder());
         } catch (IOException | UncheckedIOException e) {
-            return new KnownModels("");         // without a list of all files a change can't be detected, so the cache is not shared
+            // without a list of all files a change can't be detected, so the cache is not shared
+            return new KnownModels("");
         }
         KnownModels known = last.get();
         if (known == null || !known.files.equals(files)) {
@@ -64,7 +65,8 @@ final class KnownModels {
             StringBuilder text = new StringBuilder();
             for (Path file : all.collect(Collectors.toCollection(TreeSet::new))) {
                 BasicFileAttributes is = Files.readAttributes(file, BasicFileAttributes.class);
-                text.append(folder.relativize(file) + " " + is.size() + " " + is.lastModifiedTime().toInstant() + " " + is.fileKey() + "\n");
+                text.append(folder.relativize(file) + " " + is.size() + " " + is.lastModifiedTime().toInstant() + " "
+                    + is.fileKey() + "\n");
             }
             return text.toString();
         }

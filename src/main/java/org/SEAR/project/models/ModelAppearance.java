@@ -93,7 +93,8 @@ public final class ModelAppearance {
         }
         Vector3f scale = solid.getWorldScale();
         Quaternion turn = solid.getWorldRotation();
-        Vector3f normal = new Vector3f(number(buffer, vertex, 0) / scale.x, number(buffer, vertex, 1) / scale.y, number(buffer, vertex, 2) / scale.z);
+        Vector3f normal = new Vector3f(number(buffer, vertex, 0) / scale.x, number(buffer, vertex, 1) / scale.y,
+            number(buffer, vertex, 2) / scale.z);
         turn.multLocal(normal).normalizeLocal();
         normals[at] = normal.x;
         normals[at + 1] = normal.y;
@@ -116,7 +117,8 @@ public final class ModelAppearance {
         ColorRGBA color = ColorRGBA.White;
         Image picture = null;
         boolean colored = material != null && (!material.getMaterialDef().getAssetName().endsWith("Lighting.j3md")
-            || material.getMaterialDef().getAssetName().endsWith("PBRLighting.j3md") || isOn(material, "UseMaterialColors"));
+            || material.getMaterialDef().getAssetName().endsWith("PBRLighting.j3md")
+                || isOn(material, "UseMaterialColors"));
         for (int i = 0; material != null && i < COLORS.length; i++) {
             MatParam own = material.getParam(COLORS[i]);
             if (colored && own != null && own.getValue() instanceof ColorRGBA) {

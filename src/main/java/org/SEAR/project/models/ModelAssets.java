@@ -87,9 +87,11 @@ final class ModelAssets extends DesktopAssetManager {
             if (reason instanceof IOException && !(reason instanceof UnreadablePicture)) {
                 throw e;
             }
-            leftOut.add("its picture " + key.getName() + " can't be shown: " + (e instanceof AssetNotFoundException ? MISSING
+            leftOut.add("its picture " + key.getName() + " can't be shown: "
+                + (e instanceof AssetNotFoundException ? MISSING
                 : reason.getMessage().split("\n")[0]));
-            Texture2D plain = new Texture2D(new Image(Image.Format.RGBA8, 1, 1, BufferUtils.createByteBuffer((byte) -1, (byte) -1, (byte) -1,
+            Texture2D plain = new Texture2D(
+                new Image(Image.Format.RGBA8, 1, 1, BufferUtils.createByteBuffer((byte) -1, (byte) -1, (byte) -1,
                 (byte) -1), ColorSpace.sRGB));
             plain.setKey(key);
             return (T) plain;

@@ -138,7 +138,8 @@ public final class ModelLoader {
      */
     public ModelAppearance look(Model model) throws IOException {
         Spatial scene = spatial(model);
-        return onEngineThread(model, () -> ModelAppearance.of(SceneTriangles.solids(scene, model + ": " + model.getPath())));
+        return onEngineThread(model, () ->
+            ModelAppearance.of(SceneTriangles.solids(scene, model + ": " + model.getPath())));
     }
 
     private Spatial load(Model model) throws IOException {
@@ -149,12 +150,14 @@ public final class ModelLoader {
     private String requireFile(Model model) throws IOException {
         String path = Assets.normal(model.getPath());
         if (!isModel(path) || !assets.has(path)) {
-            throw new IOException(model + ": path is \"" + model.getPath() + "\", legal: a file below assets that ends with one of "
+            throw new IOException(model + ": path is \"" + model.getPath() + "\", legal: a file below assets that ends "
+                + "with one of "
                 + String.join(", ", ENDINGS));
         }
         long size = assets.size(path);
         if (size > ModelLimits.MAX_FILE) {
-            throw new IOException(model + ": " + model.getPath() + " has " + size + " bytes, legal: at most " + ModelLimits.MAX_FILE);
+            throw new IOException(model + ": " + model.getPath() + " has " + size + " bytes, legal: at most "
+                + ModelLimits.MAX_FILE);
         }
         return path;
     }

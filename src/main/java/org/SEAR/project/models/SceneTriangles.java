@@ -128,7 +128,8 @@ final class SceneTriangles {
         for (int i = 0; i < count; i++) {
             int index = source.get(i);
             if (index < 0 || index >= mesh.getVertexCount()) {
-                throw FileLimits.wrong(file, "an index of " + name(solid), index, "0 to " + (mesh.getVertexCount() - 1));
+                throw FileLimits.wrong(file, "an index of " + name(solid), index,
+                    "0 to " + (mesh.getVertexCount() - 1));
             }
             indices[indexCount++] = vertexCount + index;
         }
@@ -138,7 +139,8 @@ final class SceneTriangles {
         VertexBuffer buffer = solid.getMesh().getBuffer(VertexBuffer.Type.Position);
         int count = solid.getMesh().getVertexCount();
         if (buffer.getNumComponents() != 3 || buffer.getNumElements() < count) {
-            throw FileLimits.wrong(file, "the positions of " + name(solid), buffer.getNumElements() + " x " + buffer.getNumComponents(),
+            throw FileLimits.wrong(file, "the positions of " + name(solid), buffer.getNumElements() + " x "
+                + buffer.getNumComponents(),
                 count + " of 3 numbers each");
         }
         Matrix4f place = place(solid);

@@ -18,7 +18,8 @@ public final class FileReasons {
             return ((FileSystemException) e).getFile() + ": " + kind((FileSystemException) e);
         }
         String message = e.getMessage() == null ? e.toString() : e.getMessage();
-        return message.contains("No space left") ? message + " (the disk is full: free some space and try again)" : message;
+        return message.contains("No space left") ? message + " (the disk is full: free some space "
+            + "and try again)" : message;
     }
 
     private static String kind(FileSystemException e) {

@@ -26,6 +26,7 @@ public final class Problem {
     /** Returns the message: {@code environment/Box1.xml:4: mass is "-1", legal: 0 to 1e6 kg}. */
     @Override
     public String toString() {
-        return file + (line > 0 ? ":" + line : "") + ": " + (field.isEmpty() ? value : field + " is \"" + value + "\"") + ", legal: " + legal;
+        return file + (line > 0 ? ":" + line : "") + ": " + (field.isEmpty() ? value : field + " is \"" + value + "\"")
+            + ", legal: " + legal;
     }
 }

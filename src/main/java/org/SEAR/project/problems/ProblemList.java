@@ -28,7 +28,8 @@ public final class ProblemList {
 
     private static String shortened(String value) {
         boolean isLong = value.codePointCount(0, value.length()) > LONGEST_VALUE;
-        return PrintableText.line(isLong ? value.substring(0, value.offsetByCodePoints(0, LONGEST_VALUE)) + "..." : value);
+        return PrintableText.line(isLong ? value.substring(0, value.offsetByCodePoints(0, LONGEST_VALUE))
+            + "..." : value);
     }
 
     public int size() {

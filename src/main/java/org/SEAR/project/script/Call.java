@@ -29,8 +29,10 @@ final class Call {
     private static final ClassValue<List<Call>> METHODS = new ClassValue<List<Call>>() {
         @Override
         protected List<Call> computeValue(Class<?> type) {
-            return calls(type, Arrays.stream(type.getMethods()).filter(m -> !Modifier.isStatic(m.getModifiers()) && !m.isBridge()
-                && m.getDeclaringClass() != Object.class && m.getParameterCount() > 0 && !m.getName().matches("(get|has|is)[A-Z].*"))
+            return calls(type, Arrays.stream(type.getMethods()).filter(m -> !Modifier.isStatic(m.getModifiers())
+                && !m.isBridge()
+                && m.getDeclaringClass() != Object.class && m.getParameterCount() > 0 && !m.getName()
+                    .matches("(get|has|is)[A-Z].*"))
                 .collect(Collectors.toList()));
         }
     };
@@ -65,7 +67,8 @@ final class Call {
                 calls.add(new Call(each, List.copyOf(arguments)));
             }
         }
-        calls.sort(Comparator.<Call>comparingInt(call -> call.arguments.size()).thenComparing(call -> call.target.toString()));
+        calls.sort(Comparator.<Call>comparingInt(call -> call.arguments.size())
+            .thenComparing(call -> call.target.toString()));
         return List.copyOf(calls);
     }
 

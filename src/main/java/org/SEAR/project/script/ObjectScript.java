@@ -49,7 +49,8 @@ final class ObjectScript {
         try {
             Object draft = SearObject.make(((SearObject) wanted).getClass(), named);
             if (ScriptValues.differences(wanted, draft).isEmpty()) {
-                expression = "SearObject.make(" + wanted.getClass().getSimpleName() + ", " + PythonText.literal(named) + ")";
+                expression = "SearObject.make(" + wanted.getClass().getSimpleName() + ", "
+                    + PythonText.literal(named) + ")";
                 classes.add(SearObject.class);
             }
         } catch (IllegalArgumentException e) {
@@ -134,7 +135,8 @@ final class ObjectScript {
         if (!call.isAdding()) {
             return call.run(draft, values(call)) != null;
         }
-        return call.arguments.get(0).values(wanted).stream().allMatch(entry -> call.run(draft, new Object[] {entry}) != null);
+        return call.arguments.get(0).values(wanted).stream()
+            .allMatch(entry -> call.run(draft, new Object[] {entry}) != null);
     }
 
     private boolean words(Call call, List<String> found) {
@@ -167,13 +169,15 @@ final class ObjectScript {
     private Object[] values(Call call) {
         return call.arguments.stream().map(parameter -> {
             Object value = parameter.get(wanted);
-            return parameter.getName().equals("name") ? asWritten((String) value) : value instanceof List ? new ArrayList<>((List<?>) value) : value;
+            return parameter.getName().equals("name") ? asWritten((String) value) : value instanceof List
+                ? new ArrayList<>((List<?>) value) : value;
         }).toArray();
     }
 
     /** Returns the text by which a script writes a name: a name that looks like UTF-8 bytes is written as bytes. */
     private static String asWritten(String name) {
-        return name.equals(ScriptText.of(name)) ? name : new String(name.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
+        return name.equals(ScriptText.of(name)) ? name
+            : new String(name.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
     }
 
     /** Returns the call {@code name(1, 2)}; null if a value can't be written as an argument. */
@@ -190,7 +194,8 @@ final class ObjectScript {
             return PythonText.literal(value);
         }
         if (value instanceof List) {
-            List<String> entries = ((List<?>) value).stream().map(entry -> word(parameter, entry)).collect(Collectors.toList());
+            List<String> entries = ((List<?>) value).stream().map(entry -> word(parameter, entry))
+                .collect(Collectors.toList());
             return entries.contains(null) ? null : "[" + String.join(", ", entries) + "]";
         }
         ObjectScript group = new ObjectScript(value);

@@ -97,7 +97,8 @@ public final class ProjectScript {
     private ObjectScript script(SearObject object) {
         ObjectScript script = new ObjectScript(object);
         if (!script.isPossible()) {
-            throw new IllegalStateException(object + " can't be written as a script: neither its constructors nor make take its values");
+            throw new IllegalStateException(object + " can't be written as a script: neither its constructors nor make "
+                + "take its values");
         }
         classes.addAll(script.classes());
         return script;
@@ -145,7 +146,8 @@ public final class ProjectScript {
             for (SearObject part : robot.getComponents()) {
                 boolean isAside = !part.getFileName().equals(part.getName());
                 if (isAside == wanted && aside.get(part) != wanted) {
-                    unit.lines.add(variable + ".setOwnFolder(" + PythonText.literal(part.getName()) + ", " + PythonText.literal(wanted) + ")");
+                    unit.lines.add(variable + ".setOwnFolder(" + PythonText.literal(part.getName()) + ", "
+                        + PythonText.literal(wanted) + ")");
                 }
             }
         });
@@ -154,7 +156,8 @@ public final class ProjectScript {
 
     private String text() {
         Map<String, TreeSet<String>> imports = new TreeMap<>();
-        classes.forEach(type -> imports.computeIfAbsent(type.getPackageName(), key -> new TreeSet<>()).add(type.getSimpleName()));
+        classes.forEach(type -> imports.computeIfAbsent(type.getPackageName(), key -> new TreeSet<>())
+            .add(type.getSimpleName()));
         StringBuilder text = new StringBuilder();
         PythonText.imports(imports).forEach(line -> text.append(line).append('\n'));
         text.append('\n');
@@ -180,10 +183,12 @@ public final class ProjectScript {
             }
             StringBuilder block = new StringBuilder();
             shared.forEach(variable -> block.append("    global ").append(variable).append('\n'));
-            units.subList(from, to).forEach(unit -> unit.lines.forEach(line -> block.append(line.isEmpty() ? "" : "    " + line).append('\n')));
+            units.subList(from, to).forEach(
+                unit -> unit.lines.forEach(line -> block.append(line.isEmpty() ? "" : "    " + line).append('\n')));
             if (block.toString().trim().length() > 0) {
                 number++;
-                text.append("def part").append(number).append("():\n").append(block).append("\npart").append(number).append("()\n\n");
+                text.append("def part").append(number).append("():\n").append(block).append("\npart").append(number)
+                    .append("()\n\n");
             }
             from = to;
         }

@@ -12,10 +12,12 @@ import org.SEAR.grammar.Parameter;
 
 /** Python 2.7 literals in ASCII, escaped so that no text of a project can become code. Any thread. */
 final class PythonText {
-    private static final Set<String> TAKEN = Set.of("and", "as", "assert", "break", "class", "continue", "def", "del", "elif", "else", "except",
+    private static final Set<String> TAKEN = Set.of("and", "as", "assert", "break", "class", "continue", "def", "del",
+        "elif", "else", "except",
         "exec", "finally", "for", "from", "global", "if", "import", "in",
         "is", "lambda", "not", "or", "pass", "print", "raise", "return", "try", "while",
-        "with", "yield", "none", "true", "false", "sear", "python", "runtime", "java", "javax", "org", "com", "sys", "sleep");
+        "with", "yield", "none", "true", "false", "sear", "python", "runtime", "java", "javax", "org", "com",
+            "sys", "sleep");
     private static final int ASCII = 0x7f;
     private static final double EXACT = 1e9;
     private static final int LONGEST_VARIABLE = 40;
@@ -35,7 +37,8 @@ final class PythonText {
             return number((Double) value);
         }
         if (value instanceof Collection) {
-            return ((Collection<?>) value).stream().map(PythonText::literal).collect(Collectors.joining(", ", "[", "]"));
+            return ((Collection<?>) value).stream().map(PythonText::literal)
+                .collect(Collectors.joining(", ", "[", "]"));
         }
         if (value instanceof Map) {
             return ((Map<?, ?>) value).entrySet().stream().map(e -> literal(e.getKey()) + ": " + literal(e.getValue()))
@@ -59,10 +62,12 @@ final class PythonText {
                 out.append('\\').append(c);
             } else if (c >= ' ' && c < ASCII) {
                 out.append(c);
-            } else if (Character.isHighSurrogate(c) && i + 1 < value.length() && Character.isLowSurrogate(value.charAt(i + 1))) {
+            } else if (Character.isHighSurrogate(c) && i + 1 < value.length()
+                && Character.isLowSurrogate(value.charAt(i + 1))) {
                 out.append(String.format(Locale.ROOT, "\\U%08x", value.codePointAt(i++)));
             } else {
-                out.append(c < ' ' ? String.format(Locale.ROOT, "\\x%02x", (int) c) : String.format(Locale.ROOT, "\\u%04x", (int) c));
+                out.append(c < ' ' ? String.format(Locale.ROOT, "\\x%02x", (int) c)
+                    : String.format(Locale.ROOT, "\\u%04x", (int) c));
             }
         }
         return (plain ? "\"" : "u\"") + out + '"';
@@ -97,7 +102,8 @@ final class PythonText {
 
     /** Returns the import statements. */
     static List<String> imports(Map<String, ? extends Collection<String>> classesByPackage) {
-        return classesByPackage.entrySet().stream().map(e -> "from " + e.getKey() + " import " + e.getValue().stream().sorted()
+        return classesByPackage.entrySet().stream()
+            .map(e -> "from " + e.getKey() + " import " + e.getValue().stream().sorted()
             .collect(Collectors.joining(", "))).collect(Collectors.toList());
     }
 }

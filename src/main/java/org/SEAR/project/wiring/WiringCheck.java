@@ -41,11 +41,14 @@ public final class WiringCheck {
         int index = 0;
         for (BoardWire wire : board.getWires()) {
             int line = parsed.line("wire#" + index++);
-            SearObject part = robot.getComponents().stream().filter(each -> each.getName().equals(wire.getPart())).findFirst().orElse(null);
+            SearObject part = robot.getComponents().stream().filter(each -> each.getName().equals(wire.getPart()))
+                .findFirst().orElse(null);
             String problem = part == null ? null : WireRules.problem(part, wire.getRole());
-            String other = wired.putIfAbsent(robot.getName() + "/" + wire.getPart() + "/" + wire.getRole(), parsed.file);
+            String other = wired.putIfAbsent(robot.getName() + "/" + wire.getPart() + "/" + wire.getRole(),
+                parsed.file);
             if (part == null) {
-                problems.add(parsed.file, line, "wire", wire.getPart(), "the name of a component of " + robot.getName() + " that has wires: "
+                problems.add(parsed.file, line, "wire", wire.getPart(), "the name of a component of " + robot.getName()
+                    + " that has wires: "
                     + wirable(robot));
             } else if (problem != null) {
                 problems.add(parsed.file, line, "wire", wire.getPart(), problem);
@@ -57,7 +60,8 @@ public final class WiringCheck {
     }
 
     private static String wirable(SEARrobot robot) {
-        List<String> names = robot.getComponents().stream().filter(part -> WireRules.problem(part, null) == null).map(SearObject::getName)
+        List<String> names = robot.getComponents().stream().filter(part -> WireRules.problem(part, null) == null)
+            .map(SearObject::getName)
             .collect(Collectors.toList());
         return names.isEmpty() ? "it has none" : String.join(", ", names);
     }

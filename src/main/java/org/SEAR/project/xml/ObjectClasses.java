@@ -22,7 +22,8 @@ import org.SEAR.POJOs.Shape;
  */
 public final class ObjectClasses {
     /** The robot and its drives; all other classes are registered with shapes, sensors and devices. */
-    private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class, Servo.class, Led.class);
+    private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class,
+        Servo.class, Led.class);
 
     private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();
     private final List<Class<? extends SearObject>> inOrder = new ArrayList<>();
@@ -50,7 +51,8 @@ public final class ObjectClasses {
         if (known == null) {
             inOrder.add(type);
         } else if (known != type) {
-            throw new IllegalStateException("two classes want the element <" + type.getSimpleName() + ">: " + known.getName() + " and "
+            throw new IllegalStateException("two classes want the element <" + type.getSimpleName() + ">: "
+                + known.getName() + " and "
                 + type.getName() + "; rename one of them");
         }
     }

@@ -41,7 +41,8 @@ final class ObjectReader {
         Map<String, List<Object>> found = new HashMap<>();
         String stray = reader.getValue();
         if (stray != null && !stray.trim().isEmpty()) {
-            problems.add(file, startLine, path.isEmpty() ? "text" : path.substring(0, path.length() - 1), stray.trim(), "elements only: "
+            problems.add(file, startLine, path.isEmpty() ? "text" : path.substring(0, path.length() - 1), stray.trim(),
+                "elements only: "
                 + String.join(", ", table.names()));
         }
         while (!problems.isFull() && reader.hasMoreChildren()) {
@@ -55,7 +56,8 @@ final class ObjectReader {
         return object;
     }
 
-    private void readElement(HierarchicalStreamReader reader, ParameterTable table, String path, Map<String, List<Object>> found) {
+    private void readElement(HierarchicalStreamReader reader, ParameterTable table, String path,
+        Map<String, List<Object>> found) {
         int line = LineNumber.line(reader);
         String element = reader.getNodeName();
         Parameter parameter = table.find(element);
@@ -68,7 +70,8 @@ final class ObjectReader {
         lines.putIfAbsent(path + element, line);
         lines.put(path + element + "#" + values.size(), line);
         if (values.size() == parameter.getMaxEntries()) {
-            problems.add(file, line, "", "<" + path + element + "> occurs once too often", "at most " + parameter.getMaxEntries());
+            problems.add(file, line, "", "<" + path + element + "> occurs once too often", "at most "
+                + parameter.getMaxEntries());
         }
         if (values.size() < parameter.getMaxEntries()) {
             values.add(parameter.getKind() == Parameter.Kind.GROUP
@@ -108,7 +111,8 @@ final class ObjectReader {
         Set<String> seen = new HashSet<>();
         for (int i = 0; i < reader.getAttributeCount(); i++) {
             if (seen.add(reader.getAttributeName(i))) {
-                problems.add(file, line, reader.getNodeName() + " " + reader.getAttributeName(i), reader.getAttribute(i), "no attributes at all");
+                problems.add(file, line, reader.getNodeName() + " " + reader.getAttributeName(i),
+                    reader.getAttribute(i), "no attributes at all");
             }
         }
     }

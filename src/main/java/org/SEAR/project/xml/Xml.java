@@ -124,7 +124,8 @@ public final class Xml {
      * @param classes the legal root elements
      * @return null if the file can't be read; {@code problems} has the reason
      */
-    public static ParsedObject read(Path file, String name, Map<String, ? extends Class<?>> classes, ProblemList problems) {
+    public static ParsedObject read(Path file, String name, Map<String, ? extends Class<?>> classes,
+        ProblemList problems) {
         try {
             if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
                 problems.add(name, 0, "", "it is no ordinary file", "an XML file, neither a link nor a folder");
@@ -147,7 +148,8 @@ public final class Xml {
      *
      * @return null if the bytes can't be read; {@code problems} has the reason
      */
-    public static ParsedObject parse(byte[] bytes, String name, Map<String, ? extends Class<?>> classes, ProblemList problems) {
+    public static ParsedObject parse(byte[] bytes, String name, Map<String, ? extends Class<?>> classes,
+        ProblemList problems) {
         String text;
         try {
             text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
@@ -181,7 +183,8 @@ public final class Xml {
         return (XMLStreamException) cause;
     }
 
-    private static ParsedObject unmarshal(String text, String name, Map<String, ? extends Class<?>> classes, ProblemList problems)
+    private static ParsedObject unmarshal(String text, String name, Map<String, ? extends Class<?>> classes,
+        ProblemList problems)
             throws XMLStreamException {
         StrictXmlStream stream = new StrictXmlStream(FACTORIES.get().createXMLStreamReader(new StringReader(text)));
         HierarchicalStreamReader reader = new StaxReader(new QNameMap(), stream);
@@ -195,11 +198,13 @@ public final class Xml {
         ObjectReader elements = new ObjectReader(name, problems);
         DataHolder context = new MapBackedDataHolder();
         context.put(ObjectReader.class, elements);
-        Object object = xstream(classes).unmarshal(new RootWithoutAttributes(reader, name, line, problems), null, context);
+        Object object = xstream(classes).unmarshal(new RootWithoutAttributes(reader, name, line, problems),
+            null, context);
         if (!problems.isFull()) {
             stream.finish();
         }
-        return problems.size() > before ? ParsedObject.broken(name, line) : new ParsedObject(object, name, line, elements.lines());
+        return problems.size() > before ? ParsedObject.broken(name, line)
+            : new ParsedObject(object, name, line, elements.lines());
     }
 
     private static XMLInputFactory inputFactory() {
@@ -214,16 +219,19 @@ public final class Xml {
         int line = e.getLocation() == null ? 0 : e.getLocation().getLineNumber();
         String said = firstLine(e);
         if (said.contains("Premature end of file")) {
-            problems.add(name, Math.max(1, line), "", "the file holds no object", "an object such as <Box>, with all its elements");
+            problems.add(name, Math.max(1, line), "", "the file holds no object",
+                "an object such as <Box>, with all its elements");
             return;
         }
         if (isCutOff(text, e, said)) {
-            problems.add(name, Math.max(1, line), "", "the file ends in the middle", "the whole file, with the closing tag of its first element"
+            problems.add(name, Math.max(1, line), "", "the file ends in the middle",
+                "the whole file, with the closing tag of its first element"
                 + " (was it copied or saved only in part?)");
             return;
         }
         int message = said.indexOf("Message: ");
-        problems.add(name, line, "", message < 0 ? said : said.substring(message + "Message: ".length()), "well-formed XML without document type");
+        problems.add(name, line, "", message < 0 ? said : said.substring(message + "Message: ".length()),
+            "well-formed XML without document type");
     }
 
     /**

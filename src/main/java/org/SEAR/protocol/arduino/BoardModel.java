@@ -12,7 +12,8 @@ public enum BoardModel {
     /** ATmega328P. */
     UNO("Uno", 2, 14, 6, new int[] {3, 5, 6, 9, 10, 11}, new int[] {2, 3}, new int[] {18, 19}, 20),
     /** ATmega2560. */
-    MEGA("Mega", 1, 54, 16, new int[] {2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 44, 45, 46}, new int[] {2, 3, 18, 19, 20, 21}, new int[] {20, 21}, 50);
+    MEGA("Mega", 1, 54, 16, new int[] {2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 44, 45, 46},
+        new int[] {2, 3, 18, 19, 20, 21}, new int[] {20, 21}, 50);
 
     /** Supply voltage and high level, V. */
     public static final double VOLTS = 5;
@@ -28,7 +29,8 @@ public enum BoardModel {
     private final int[] twoWire;
     private final int servoEnd;
 
-    BoardModel(String title, int mrlType, int firstAnalog, int analogs, int[] pwm, int[] interrupts, int[] twoWire, int servoEnd) {
+    BoardModel(String title, int mrlType, int firstAnalog, int analogs, int[] pwm, int[] interrupts, int[] twoWire,
+        int servoEnd) {
         this.title = title;
         this.mrlType = mrlType;
         this.firstAnalog = firstAnalog;
@@ -144,7 +146,8 @@ public enum BoardModel {
         StringBuilder text = new StringBuilder();
         for (int i = 0; i < pins.length;) {
             int end = i;
-            while (end + 1 < pins.length && pins[end + 1] == pins[end] + 1 && channelOf(pins[end + 1]) >= 0 == channelOf(pins[i]) >= 0) {
+            while (end + 1 < pins.length && pins[end + 1] == pins[end] + 1
+                && channelOf(pins[end + 1]) >= 0 == channelOf(pins[i]) >= 0) {
                 end++;
             }
             text.append(text.length() == 0 ? "" : ", ");

@@ -13,27 +13,34 @@ import java.util.stream.Collectors;
  */
 public enum LidarModel {
     /** SICK, indoor, millimetres: up to 8 m with factory settings, configurable up to 81.91 m. */
-    LMS200("LMS200", "SICK", LidarProtocol.LMS, 8.191, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25), Fans.of(180, 1, 0.5)),
+    LMS200("LMS200", "SICK", LidarProtocol.LMS, 8.191, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25),
+        Fans.of(180, 1, 0.5)),
     /** SICK, outdoor, centimetres. */
-    LMS221("LMS221", "SICK", LidarProtocol.LMS, 80, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25), Fans.of(180, 1, 0.5)),
+    LMS221("LMS221", "SICK", LidarProtocol.LMS, 80, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25),
+        Fans.of(180, 1, 0.5)),
     /** SICK, outdoor, centimetres. */
-    LMS291("LMS291", "SICK", LidarProtocol.LMS, 80, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25), Fans.of(180, 1, 0.5)),
+    LMS291("LMS291", "SICK", LidarProtocol.LMS, 80, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25),
+        Fans.of(180, 1, 0.5)),
     /** SICK, outdoor, network; 50 scans per second at half a degree, 25 at a quarter. */
     LMS111("LMS111", "SICK", LidarProtocol.COLA, 20, 20, 0.5, 270, 0.5, 50, Rates.ETHERNET, Fans.upTo(270, 0.5, 0.25)),
     /** SICK, network. */
-    TIM561("TiM561", "SICK", LidarProtocol.COLA, 10, 10, 0.05, 270, 1 / 3.0, 15, Rates.ETHERNET, Fans.upTo(270, 1 / 3.0)),
+    TIM561("TiM561", "SICK", LidarProtocol.COLA, 10, 10, 0.05, 270, 1 / 3.0, 15, Rates.ETHERNET,
+        Fans.upTo(270, 1 / 3.0)),
     /** Hokuyo, indoor; steps of 1/1024 turn, 341 to either side of the front. */
     URG_04LX("URG-04LX", "Hokuyo", LidarProtocol.SCIP, 5.6, 5.6, 0.02, 682 * 360 / 1024.0, 360 / 1024.0, 10, Rates.URG,
         Fans.ofSteps(682 * 360 / 1024.0, 360 / 1024.0, 99)),
     /** Hokuyo, outdoor; steps of 1/1440 turn. */
-    UTM_30LX("UTM-30LX", "Hokuyo", LidarProtocol.SCIP, 30, 60, 0.023, 270, 0.25, 40, Rates.USB, Fans.ofSteps(270, 0.25, 99)),
+    UTM_30LX("UTM-30LX", "Hokuyo", LidarProtocol.SCIP, 30, 60, 0.023, 270, 0.25, 40, Rates.USB,
+        Fans.ofSteps(270, 0.25, 99)),
     /** Slamtec, indoor; motor speed and sample rate set its resolution. */
-    RPLIDAR_A1("RPLIDAR-A1", "Slamtec", LidarProtocol.RPLIDAR, 12, 12, 0.15, 360, 1, 5.5, Rates.RPLIDAR, Fans.between(360, 0.18, 1.8)),
+    RPLIDAR_A1("RPLIDAR-A1", "Slamtec", LidarProtocol.RPLIDAR, 12, 12, 0.15, 360, 1, 5.5, Rates.RPLIDAR,
+        Fans.between(360, 0.18, 1.8)),
     /**
      * Generic scanner with any angles, for CoLa drivers. A step of 1/10000 degree and a distance in millimetres fit a
      * word each.
      */
-    COLA("CoLa", "any", LidarProtocol.COLA, 30, 65.535, 0, 270, 0.25, 10, Rates.ETHERNET, Fans.between(360, 0.01, 6.5535));
+    COLA("CoLa", "any", LidarProtocol.COLA, 30, 65.535, 0, 270, 0.25, 10, Rates.ETHERNET,
+        Fans.between(360, 0.01, 6.5535));
 
     /** Baud rates, bits per second; the first one is that at power-on. */
     private static final class Rates {
@@ -47,7 +54,8 @@ public enum LidarModel {
         static final int[] ETHERNET = {100000000};
     }
 
-    private static final String ALL = Arrays.stream(values()).map(LidarModel::getName).collect(Collectors.joining(", "));
+    private static final String ALL = Arrays.stream(values()).map(LidarModel::getName)
+        .collect(Collectors.joining(", "));
 
     private final String name;
     private final String maker;
@@ -61,7 +69,8 @@ public enum LidarModel {
     private final int[] rates;
     private final List<Fans> fans;
 
-    LidarModel(String name, String maker, LidarProtocol protocol, double range, double farthest, double nearest, double spread, double resolution,
+    LidarModel(String name, String maker, LidarProtocol protocol, double range, double farthest, double nearest,
+        double spread, double resolution,
             double scanRate, int[] rates, Fans... fans) {
         this.name = name;
         this.maker = maker;
@@ -110,7 +119,8 @@ public enum LidarModel {
 
     /** Names of the models that support an angle and a resolution, separated by commas; empty if none does. */
     public static String namesWith(double spread, double resolution) {
-        return Arrays.stream(values()).filter(model -> model.hasFan(spread, resolution)).map(LidarModel::getName).collect(Collectors.joining(", "));
+        return Arrays.stream(values()).filter(model -> model.hasFan(spread, resolution)).map(LidarModel::getName)
+            .collect(Collectors.joining(", "));
     }
 
     /** Name as its maker writes it: {@code URG-04LX}. */

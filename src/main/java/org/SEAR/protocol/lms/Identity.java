@@ -37,7 +37,8 @@ public final class Identity {
      * @throws IllegalArgumentException if the model is unknown
      */
     public static Identity of(String model) {
-        return ALL.stream().filter(one -> one.getModel().equals(model)).findFirst().orElseThrow(() -> new IllegalArgumentException(
+        return ALL.stream().filter(one -> one.getModel().equals(model)).findFirst()
+            .orElseThrow(() -> new IllegalArgumentException(
             "SEAR knows no LMS2xx model " + model));
     }
 

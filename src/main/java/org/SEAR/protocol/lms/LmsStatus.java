@@ -20,7 +20,8 @@ public final class LmsStatus {
     private static final int[] REFERENCE_CALIBRATION = {357, 357, 434, 434};
     private static final int MOTOR = 148;
     /** Offsets 69 to 101: dark references, amplitude, angle, peak thresholds, targets. */
-    private static final int[] SIGNALS = {1, 1, 2, 0, 1, 0, 0, 0xA1, 0x125, 0xB0C, 0x126, 0xA80, 0x399, 0x399, 0x399, 0x399};
+    private static final int[] SIGNALS = {1, 1, 2, 0, 1, 0, 0, 0xA1, 0x125, 0xB0C, 0x126, 0xA80, 0x399, 0x399,
+        0x399, 0x399};
     private static final int SIGNAL_END = 0x08;
     private static final int[] REFERENCE_TARGETS = {0x300, 0x200};
     private static final int RESTART_MODE = 2;
@@ -54,8 +55,10 @@ public final class LmsStatus {
      * @param permanent whether the baud rate survives a reset
      * @param status last byte, see {@link StatusByte}
      */
-    public static byte[] encode(Identity identity, int mode, Variant variant, Configuration configuration, Baud baud, boolean permanent, int status) {
-        LmsPayload p = LmsCommand.STATUS.reply().text(identity.getVersion()).add(mode).add(0).text(identity.getSerial()).add(0);
+    public static byte[] encode(Identity identity, int mode, Variant variant, Configuration configuration, Baud baud,
+        boolean permanent, int status) {
+        LmsPayload p = LmsCommand.STATUS.reply().text(identity.getVersion()).add(mode).add(0)
+            .text(identity.getSerial()).add(0);
         p.words(POLLUTION).words(REFERENCE_POLLUTION).words(POLLUTION_CALIBRATION).words(REFERENCE_CALIBRATION);
         p.word(MOTOR).words(SIGNALS).add(SIGNAL_END).add(configuration.getMode().getCode()).words(REFERENCE_TARGETS);
         p.word(variant.getSpread()).word(variant.getResolution()).add(RESTART_MODE).word(0).add(0).add(1);

@@ -37,7 +37,8 @@ public enum Pmtk {
     RELEASE(705);
 
     /** Baud rates, bits per second. */
-    public static final List<Integer> BAUDS = Collections.unmodifiableList(Arrays.asList(4800, 9600, 14400, 19200, 38400, 57600, 115200));
+    public static final List<Integer> BAUDS = Collections.unmodifiableList(
+        Arrays.asList(4800, 9600, 14400, 19200, 38400, 57600, 115200));
     private static final String TALKER = "PMTK";
     private static final int DIGITS = 3;
 

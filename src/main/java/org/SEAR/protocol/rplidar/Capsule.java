@@ -44,7 +44,8 @@ public final class Capsule {
      */
     public static Capsule of(boolean first, double degrees, int[] distances) {
         int units = (int) (360 * ANGLE_UNITS);
-        return new Capsule(first, Math.floorMod((int) Math.round(degrees * ANGLE_UNITS), units), Arrays.copyOf(distances, SAMPLES), new int[SAMPLES]);
+        return new Capsule(first, Math.floorMod((int) Math.round(degrees * ANGLE_UNITS), units),
+            Arrays.copyOf(distances, SAMPLES), new int[SAMPLES]);
     }
 
     /** Reads a capsule from 84 bytes; null if marks or checksum are wrong. */

@@ -45,6 +45,7 @@ public final class Info {
     /** Returns the text for users: {@code model 24, firmware 1.20, hardware 0}. */
     @Override
     public String toString() {
-        return String.format(Locale.ROOT, "model %d, firmware %d.%d, hardware %d", getModel(), bytes[2] & 0xFF, bytes[1] & 0xFF, bytes[3] & 0xFF);
+        return String.format(Locale.ROOT, "model %d, firmware %d.%d, hardware %d", getModel(), bytes[2] & 0xFF,
+            bytes[1] & 0xFF, bytes[3] & 0xFF);
     }
 }

@@ -45,13 +45,15 @@ public final class Node {
         if ((head & 1) == (head >> 1 & 1) || (bytes[1] & 1) == 0) {
             return null;
         }
-        return new Node((head & 1) == 1, head >> 2, (bytes[1] & 0xFF | (bytes[2] & 0xFF) << 8) >> 1, bytes[3] & 0xFF | (bytes[4] & 0xFF) << 8);
+        return new Node((head & 1) == 1, head >> 2, (bytes[1] & 0xFF | (bytes[2] & 0xFF) << 8) >> 1, bytes[3] & 0xFF
+            | (bytes[4] & 0xFF) << 8);
     }
 
     /** Returns the bytes on the line. */
     public byte[] toBytes() {
         int coded = angle << 1 | 1;
-        return new byte[] {(byte) (quality << 2 | (first ? 1 : 2)), (byte) coded, (byte) (coded >> 8), (byte) distance, (byte) (distance >> 8)};
+        return new byte[] {(byte) (quality << 2 | (first ? 1 : 2)), (byte) coded, (byte) (coded >> 8), (byte) distance,
+            (byte) (distance >> 8)};
     }
 
     /** Whether it is the first of a turn. */

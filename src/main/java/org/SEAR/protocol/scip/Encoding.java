@@ -48,7 +48,8 @@ public final class Encoding {
         for (int i = from; i < from + characters; i++) {
             int bits = text.charAt(i) - OFFSET;
             if (bits < 0 || bits > MASK) {
-                throw new IllegalArgumentException("character " + (int) text.charAt(i) + " is no encoded number, legal: 48 to 111");
+                throw new IllegalArgumentException("character " + (int) text.charAt(i)
+                    + " is no encoded number, legal: 48 to 111");
             }
             value = value << BITS | bits;
         }

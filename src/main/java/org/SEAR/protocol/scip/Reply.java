@@ -40,7 +40,8 @@ public final class Reply {
     /** Value of a line such as {@code DMIN:20}; null if there is no such line. */
     public String property(String name) {
         String start = name + ":";
-        return lines.stream().filter(line -> line.startsWith(start)).map(line -> line.substring(start.length())).findFirst().orElse(null);
+        return lines.stream().filter(line -> line.startsWith(start)).map(line -> line.substring(start.length()))
+            .findFirst().orElse(null);
     }
 
     /**

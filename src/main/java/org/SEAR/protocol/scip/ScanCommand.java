@@ -87,7 +87,8 @@ public final class ScanCommand {
     /** Parses a line without a {@link #fault}. */
     public static ScanCommand of(String line) {
         boolean stream = isStream(line);
-        return new ScanCommand(line.substring(0, START_AT), number(line, START_AT, END_AT), number(line, END_AT, CLUSTER_AT),
+        return new ScanCommand(line.substring(0, START_AT), number(line, START_AT, END_AT),
+            number(line, END_AT, CLUSTER_AT),
             number(line, CLUSTER_AT, INTERVAL_AT), stream ? number(line, INTERVAL_AT, COUNT_AT) : 0,
             stream ? number(line, COUNT_AT, STREAM_LENGTH) : 1, line.substring(stream ? STREAM_LENGTH : SINGLE_LENGTH));
     }

@@ -86,7 +86,8 @@ public final class UbxFrame {
     /** Returns the bytes on the line. */
     public byte[] toBytes() {
         ByteBuffer bytes = room(OVERHEAD + payload.length);
-        bytes.put((byte) SYNC_1).put((byte) SYNC_2).put((byte) group).put((byte) id).putShort((short) payload.length).put(payload);
+        bytes.put((byte) SYNC_1).put((byte) SYNC_2).put((byte) group).put((byte) id).putShort((short) payload.length)
+            .put(payload);
         return bytes.putShort((short) checksum(bytes.array(), 2, HEADER - 2 + payload.length)).array();
     }
 

@@ -83,7 +83,8 @@ public final class UbxReader {
             damaged++;
             return 1;
         }
-        UbxFrame frame = new UbxFrame(buffer[2] & BYTE, buffer[3] & BYTE, Arrays.copyOfRange(buffer, UbxFrame.HEADER, size - 2));
+        UbxFrame frame = new UbxFrame(buffer[2] & BYTE, buffer[3] & BYTE,
+            Arrays.copyOfRange(buffer, UbxFrame.HEADER, size - 2));
         drop(size);
         frames.accept(frame);
         return 0;

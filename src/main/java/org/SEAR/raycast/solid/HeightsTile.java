@@ -224,13 +224,15 @@ public final class HeightsTile {
         double z = field.lowZ + (column + 0.5) * size * field.spacingZ;
         double[] p = planes;
         for (int k = 0; k < AHEAD; k += PLANE) {
-            double most = p[k] * x + p[k + 1] * y + p[k + 2] * z + p[k + 3] + Math.abs(p[k]) * hx + Math.abs(p[k + 1]) * hy + Math.abs(p[k + 2]) * hz;
+            double most = p[k] * x + p[k + 1] * y + p[k + 2] * z + p[k + 3] + Math.abs(p[k]) * hx
+                + Math.abs(p[k + 1]) * hy + Math.abs(p[k + 2]) * hz;
             if (most < -slacks[k / PLANE]) {
                 return Double.POSITIVE_INFINITY;
             }
         }
         double middle = p[AHEAD] * x + p[AHEAD + 1] * y + p[AHEAD + 2] * z + p[AHEAD + 3];
-        double half = Math.abs(p[AHEAD]) * hx + Math.abs(p[AHEAD + 1]) * hy + Math.abs(p[AHEAD + 2]) * hz + slacks[PLANES - 1];
+        double half = Math.abs(p[AHEAD]) * hx + Math.abs(p[AHEAD + 1]) * hy + Math.abs(p[AHEAD + 2]) * hz
+            + slacks[PLANES - 1];
         return middle + half < start ? Double.POSITIVE_INFINITY : middle - half;
     }
 
@@ -279,7 +281,8 @@ public final class HeightsTile {
     private void triangle(float[] corners, int i) {
         ray.triangles++;
         int at = BEAM * i;
-        take(i, RayTriangle.intersect(corners, 0, beams[at], beams[at + 1], beams[at + 2], beams[at + 3], beams[at + 4], beams[at + 5]));
+        take(i, RayTriangle.intersect(corners, 0, beams[at], beams[at + 1], beams[at + 2], beams[at + 3], beams[at + 4],
+            beams[at + 5]));
     }
 
     private void take(int i, double t) {

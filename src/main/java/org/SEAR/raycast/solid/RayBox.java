@@ -9,7 +9,8 @@ public final class RayBox {
     }
 
     /** Returns the distance to a box of half sizes (hx, hy, hz). */
-    public static double intersect(double ox, double oy, double oz, double dx, double dy, double dz, double hx, double hy, double hz) {
+    public static double intersect(double ox, double oy, double oz, double dx, double dy, double dz, double hx,
+        double hy, double hz) {
         double in = Double.NEGATIVE_INFINITY;
         double out = MISS;
         if (dx != 0) {

@@ -71,7 +71,8 @@ public final class RayHeights {
      * Returns the distance to the nearest triangle within maxRange, both in lengths of the direction. Of equally near
      * triangles the first wins.
      */
-    public double intersect(HeightField heights, double px, double py, double pz, double vx, double vy, double vz, double maxRange) {
+    public double intersect(HeightField heights, double px, double py, double pz, double vx, double vy, double vz,
+        double maxRange) {
         look(heights);
         aim(px, py, pz, vx, vy, vz);
         best = Double.POSITIVE_INFINITY;
@@ -234,7 +235,8 @@ public final class RayHeights {
     }
 
     /** Pushes the children of a block's southern or northern half. */
-    private void half(int level, int row, int column, int northern, double in, double out, double enterZ, double leaveZ) {
+    private void half(int level, int row, int column, int northern, double in, double out, double enterZ,
+        double leaveZ) {
         if (enterZ <= out) {
             part(level, row, column, northern, east, Math.max(in, enterZ), out);
         }

@@ -15,7 +15,8 @@ public final class RayTriangle {
      * @param v x, y and z of the corners, nine numbers from {@code at} on
      * @return the distance as defined by {@link RaySolid}
      */
-    public static double intersect(float[] v, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
+    public static double intersect(float[] v, int at, double ox, double oy, double oz, double dx, double dy,
+        double dz) {
         double ax = v[at] - ox;
         double ay = v[at + 1] - oy;
         double az = v[at + 2] - oz;

@@ -4,8 +4,8 @@ package org.SEAR.raycast.tree;
 import java.util.Arrays;
 
 /**
- * Builds a {@link Bvh} top-down with the surface-area heuristic over bins (Wald, "On fast construction of SAH-based bounding volume
- * hierarchies", 2007). The same boxes give the same tree.
+ * Builds a {@link Bvh} top-down with the surface-area heuristic over bins (Wald, "On fast construction of SAH-based
+ * bounding volume hierarchies", 2007). The same boxes give the same tree.
  */
 public final class BvhBuilder {
     private static final int BINS = 16;

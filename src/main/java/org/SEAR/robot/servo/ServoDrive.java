@@ -91,7 +91,8 @@ public final class ServoDrive implements ServoHardware {
     @Override
     public void setAngle(double degrees) {
         if (!(degrees >= object.getMinAngle() && degrees <= object.getMaxAngle())) {
-            throw new IllegalArgumentException("servo " + object.getName() + " of robot " + robot + ": angle is " + degrees + ", legal: "
+            throw new IllegalArgumentException("servo " + object.getName() + " of robot " + robot + ": angle is "
+                + degrees + ", legal: "
                 + Parameter.format(object.getMinAngle()) + " to " + Parameter.format(object.getMaxAngle()) + " deg");
         }
         commanded = degrees;
@@ -153,11 +154,14 @@ public final class ServoDrive implements ServoHardware {
         }
         double to = angle + Math.toDegrees(hinge.ahead());
         horn += Math.toDegrees(hinge.ahead());
-        held = Math.abs(to - wanted) > DEAD_BAND && Math.abs(to - before) < HELD * Math.abs(angle - before) ? held + 1 : 0;
+        held = Math.abs(to - wanted) > DEAD_BAND && Math.abs(to - before) < HELD * Math.abs(angle - before)
+            ? held + 1 : 0;
         if (held == HELD_FOR && !complained) {
             complained = true;
-            reported.accept(String.format(Locale.ROOT, "servo %s of robot %s is blocked at %.1f deg, on its way to %.1f deg, by a contact, as a"
-                + " gripper is by its object. If it should move on, give it more than its stallTorque of %s N m (%s.setStallTorque(...))",
+            reported.accept(String.format(Locale.ROOT, "servo %s of robot %s is blocked at %.1f deg, on its way to "
+                + "%.1f deg, by a contact, as a"
+                + " gripper is by its object. If it should move on, give it more than its stallTorque of %s N m "
+                + "(%s.setStallTorque(...))",
                 object.getName(), robot, to, wanted, Parameter.format(object.getStallTorque()), object.getName()));
         }
         angle = Math.max(object.getMinAngle(), Math.min(object.getMaxAngle(), to));
@@ -236,7 +240,8 @@ public final class ServoDrive implements ServoHardware {
             complained = true;
             reported.accept(String.format(Locale.ROOT,
                 "servo %s of robot %s is too weak to turn its load to %.1f deg: at %.1f deg the weight pulls with"
-                + " %.3g N m, and its stallTorque is %s N m. Give it more than %.3g N m, the most it needs (%s.setStallTorque(...)), or"
+                + " %.3g N m, and its stallTorque is %s N m. Give it more than %.3g N m, the most it needs "
+                + "(%s.setStallTorque(...)), or"
                 + " mount less, nearer to its axis", object.getName(), robot, wanted, angle, Math.abs(moment),
                 Parameter.format(object.getStallTorque()), greatest, object.getName()));
         }
@@ -248,7 +253,8 @@ public final class ServoDrive implements ServoHardware {
         double[] along = axis.rotate(0, Math.sin(half), 0);
         Pose turned = new Pose(0, 0, 0, along[0], along[1], along[2], Math.cos(half));
         double[] moved = turned.rotate(axis.x, axis.y, axis.z);
-        return new Pose(axis.x - moved[0], axis.y - moved[1], axis.z - moved[2], turned.qx, turned.qy, turned.qz, turned.qw);
+        return new Pose(axis.x - moved[0], axis.y - moved[1], axis.z - moved[2], turned.qx, turned.qy,
+            turned.qz, turned.qw);
     }
 
     @Override

@@ -97,7 +97,8 @@ final class AppearanceBuilder {
         if (shape instanceof Terrain) {
             return ground((Terrain) shape, grounds.get(solid), temperature);
         }
-        return solid instanceof BoxSolid ? new BoxAppearance(Solids.look(solid, shape), half, paint(shape), temperature, !shape.isGround())
+        return solid instanceof BoxSolid ? new BoxAppearance(Solids.look(solid, shape), half, paint(shape), temperature,
+            !shape.isGround())
             : new PlainAppearance(SurfaceColors.plain(shape), temperature);
     }
 
@@ -119,7 +120,8 @@ final class AppearanceBuilder {
             ModelLoader loader = new ModelLoader(assets);
             ModelAppearance look = loader.look(model);
             Paint[] paints = look.materials.stream().map(AppearanceBuilder::paint).toArray(Paint[]::new);
-            return new MeshAppearance(loader.triangles(model), scale, look.normals, look.places, own ? look.materialOf : null,
+            return new MeshAppearance(loader.triangles(model), scale, look.normals, look.places,
+                own ? look.materialOf : null,
                 own ? paints : new Paint[] {paint(model)}, temperature, !model.isTerrain());
         } catch (IOException e) {
             reported.accept("cameras see a model only in its colour: " + e.getMessage());
@@ -128,7 +130,8 @@ final class AppearanceBuilder {
     }
 
     private static Paint paint(ModelAppearance.Surface surface) {
-        return surface.width == 0 ? Paint.of(surface.pixels[0]) : Paint.of(new Texture(surface.width, surface.height, surface.pixels, true));
+        return surface.width == 0 ? Paint.of(surface.pixels[0])
+            : Paint.of(new Texture(surface.width, surface.height, surface.pixels, true));
     }
 
     private Appearance ground(Terrain terrain, Ground ground, double temperature) {
@@ -139,6 +142,7 @@ final class AppearanceBuilder {
             reported.accept("cameras can't read the terrain's picture: " + e.getMessage());
         }
         Relief relief = new Relief(ground.field, LONGEST, PER_POST, ground.spacing);
-        return new GroundAppearance(ground.heights, GroundPicture.landscape(relief, Daylight.onLandscape(), colors), temperature);
+        return new GroundAppearance(ground.heights, GroundPicture.landscape(relief, Daylight.onLandscape(), colors),
+            temperature);
     }
 }

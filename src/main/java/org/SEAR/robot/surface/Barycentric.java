@@ -39,7 +39,8 @@ final class Barycentric {
         weights[0] = 1 - weights[1] - weights[2];
         double sum = 0;
         for (int i = 0; i < 3; i++) {
-            double off = point[i] - weights[0] * positions[a + i] - weights[1] * positions[b + i] - weights[2] * positions[c + i];
+            double off = point[i] - weights[0] * positions[a + i] - weights[1] * positions[b + i]
+                - weights[2] * positions[c + i];
             sum += off * off;
         }
         return sum;

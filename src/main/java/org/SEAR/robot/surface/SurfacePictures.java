@@ -34,7 +34,8 @@ final class SurfacePictures {
         try {
             BufferedImage image = ImageIO.read(new ByteArrayInputStream(assets.readPicture(path)));
             if (image == null) {
-                reported.accept("colour and line sensors can't read the picture " + path + ", legal: .png, .jpg, .gif or .bmp");
+                reported.accept("colour and line sensors can't read the picture " + path
+                    + ", legal: .png, .jpg, .gif or .bmp");
             }
             return image == null ? null : new SurfacePicture(image);
         } catch (IOException e) {

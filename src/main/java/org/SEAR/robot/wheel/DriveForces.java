@@ -42,14 +42,18 @@ final class DriveForces {
         List<RaycastWheel> driven = wheels.stream().filter(RaycastWheel::isDriven).collect(Collectors.toList());
         track = mean(driven, 1) + mean(driven, -1);
         double widest = driven.stream().mapToDouble(wheel -> wheel.radius).max().orElse(0);
-        double front = driven.stream().filter(wheel -> wheel.getSwivel() == null).mapToDouble(wheel -> wheel.z).max().orElse(0);
-        double back = driven.stream().filter(wheel -> wheel.getSwivel() == null).mapToDouble(wheel -> wheel.z).min().orElse(0);
+        double front = driven.stream().filter(wheel -> wheel.getSwivel() == null).mapToDouble(wheel -> wheel.z)
+            .max().orElse(0);
+        double back = driven.stream().filter(wheel -> wheel.getSwivel() == null).mapToDouble(wheel -> wheel.z)
+            .min().orElse(0);
         boolean skid = front - back > widest;
         scrubbing = skid ? SKID_DAMPING * body.mass / driven.size() : 0;
         for (RaycastWheel wheel : driven) {
-            wheel.getGrip().setSideShare(skid ? Math.min(1, SKID_GRIP * Math.max(track, NO_TRACK) / (front - back)) : 1);
+            wheel.getGrip().setSideShare(skid
+                ? Math.min(1, SKID_GRIP * Math.max(track, NO_TRACK) / (front - back)) : 1);
             if (wheel.getMotor() instanceof GearedMotor) {
-                ((GearedMotor) wheel.getMotor()).setForce((skid ? SKID_FORCE : MOTOR_FORCE) * body.mass / driven.size());
+                ((GearedMotor) wheel.getMotor())
+                    .setForce((skid ? SKID_FORCE : MOTOR_FORCE) * body.mass / driven.size());
             }
         }
         double safe = safeRamp(body, wheels);
@@ -59,7 +63,8 @@ final class DriveForces {
 
     /** Returns the mean distance of the driven wheels on a side from the middle, metres; 0 without any. */
     private static double mean(List<RaycastWheel> driven, int side) {
-        return driven.stream().filter(wheel -> wheel.x * side > 0).mapToDouble(wheel -> wheel.x * side).average().orElse(0);
+        return driven.stream().filter(wheel -> wheel.x * side > 0).mapToDouble(wheel -> wheel.x * side)
+            .average().orElse(0);
     }
 
     /** Returns the largest acceleration at which a tall robot does not fall over, m/s^2. */

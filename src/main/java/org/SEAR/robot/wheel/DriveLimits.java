@@ -65,8 +65,10 @@ final class DriveLimits {
         double fastest = Math.max(Math.abs(newLeft), Math.abs(newRight));
         if (share < 1 - TOLERANCE && !reportedFast) {
             reportedFast = true;
-            reported.accept(String.format(Locale.ROOT, "robot %s can't obey the command to turn its wheels at %.2f m/s: without load its motors"
-                + " reach %.2f m/s, so it drives that fast instead, or slower under load. A motor's noLoadSpeed sets its limit", robot, fastest,
+            reported.accept(String.format(Locale.ROOT, "robot %s can't obey the command to turn its wheels at %.2f "
+                + "m/s: without load its motors"
+                + " reach %.2f m/s, so it drives that fast instead, or slower under load. A motor's noLoadSpeed "
+                + "sets its limit", robot, fastest,
                 share * fastest));
         }
         return share;
@@ -84,7 +86,8 @@ final class DriveLimits {
             reported.accept(String.format(Locale.ROOT,
                 "robot %s can't obey the command to turn %s: its wheels steer by %s degrees at most. At %.2f m/s"
                 + " it drives on a circle of %.2f m radius instead, and turns at %.1f degrees per second", robot,
-                radius == 0 ? "in place" : String.format(Locale.ROOT, "on a circle of %.2f m radius", radius), number(steering.getMost()),
+                radius == 0 ? "in place" : String.format(Locale.ROOT, "on a circle of %.2f m radius", radius),
+                number(steering.getMost()),
                 Math.abs(speed), steering.tightest(), Math.toDegrees(Math.abs(speed) / steering.tightest())));
         }
     }
@@ -96,13 +99,15 @@ final class DriveLimits {
      */
     void reportSliding(double speed, double turn) {
         double needed = Math.abs(speed * turn);
-        double held = PhysicsWorld.GRAVITY * wheels.stream().filter(RaycastWheel::isGrounded).mapToDouble(wheel -> wheel.getGrip().getFriction())
+        double held = PhysicsWorld.GRAVITY * wheels.stream().filter(RaycastWheel::isGrounded)
+            .mapToDouble(wheel -> wheel.getGrip().getFriction())
             .max().orElse(Double.POSITIVE_INFINITY);
         if (needed > held && !reportedSliding) {
             reportedSliding = true;
             reported.accept(String.format(Locale.ROOT,
                 "robot %s can't obey the command to drive at %.2f m/s on a circle of %.2f m radius: that takes"
-                + " %.1f m/s\u00b2 of grip, and here its wheels have %.1f. It slides outwards instead; drive slower or on a wider circle", robot,
+                + " %.1f m/s\u00b2 of grip, and here its wheels have %.1f. It slides outwards instead; drive slower or "
+                + "on a wider circle", robot,
                 Math.abs(speed), Math.abs(speed / turn), needed, held));
         }
     }
@@ -115,7 +120,8 @@ final class DriveLimits {
     void reportServo(String servo) {
         if (!reportedTight) {
             reportedTight = true;
-            reported.accept("robot " + robot + " can't obey the command to drive on a circle, because its servo " + servo
+            reported.accept("robot " + robot + " can't obey the command to drive on a circle, "
+                + "because its servo " + servo
                 + " steers it: it drives where the servo points."
                 + " Turn it with sear.setServo(\"" + servo + "\", degrees)");
         }

@@ -70,7 +70,8 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         mounts = WheelPoses.mounts(wheels);
         steering = Steering.of(wheels, servos, body.name, errors.get());
         swivels = wheels.stream().anyMatch(wheel -> wheel.getSwivel() != null);
-        centre = steering != null ? steering.getCentre() : wheels.stream().filter(RaycastWheel::isDriven).mapToDouble(wheel -> wheel.z).average()
+        centre = steering != null ? steering.getCentre() : wheels.stream().filter(RaycastWheel::isDriven)
+            .mapToDouble(wheel -> wheel.z).average()
             .orElse(0);
         frontAxle = wheels.stream().mapToDouble(wheel -> wheel.z).max().orElse(0);
         forces = new DriveForces(body, wheels);
@@ -217,7 +218,8 @@ public final class DriveTrain implements PhysicsWorld.Drive {
      */
     public void steer(double degrees) {
         if (steering == null) {
-            throw new IllegalArgumentException("robot " + body.name + " has no steered wheels: wheel.setSteering(30) makes one");
+            throw new IllegalArgumentException(
+                "robot " + body.name + " has no steered wheels: wheel.setSteering(30) makes one");
         }
         steering.steer(degrees);
     }

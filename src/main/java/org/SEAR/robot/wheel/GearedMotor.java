@@ -76,7 +76,8 @@ final class GearedMotor implements WheelMotor {
         if (grounded) {
             load = force > 0 ? Math.min(1, Math.abs(impulse) / (force * seconds * strength())) : 0;
             boolean stands = rolled * Math.signum(target) < Math.min(STALLED * Math.abs(target), STANDING);
-            stalled = target != 0 && stands ? Math.min(stalled + seconds, 2 * STALL_TIME) : Math.max(0, stalled - RECOVERY * seconds);
+            stalled = target != 0 && stands ? Math.min(stalled + seconds, 2 * STALL_TIME)
+                : Math.max(0, stalled - RECOVERY * seconds);
         }
     }
 

@@ -122,7 +122,8 @@ final class Grip {
             drive(motor, v, seconds);
         }
         if (across && scrub > 0) {
-            side.add(v, -(sliding(v) + scrub * side.impulse) / (side.mobility + scrub), -sideShare * most, sideShare * most);
+            side.add(v, -(sliding(v) + scrub * side.impulse) / (side.mobility + scrub), -sideShare * most,
+                sideShare * most);
         } else if (across) {
             sideways.solve(v, sliding(v), sideShare * most);
         }
@@ -150,7 +151,8 @@ final class Grip {
         double used = most > 0 ? Math.hypot(forward.impulse, beside) / most : 1;
         slips = used >= SLIPS;
         if (used > 1) {
-            forward.add(v, forward.impulse / used - forward.impulse, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+            forward.add(v, forward.impulse / used - forward.impulse, Double.NEGATIVE_INFINITY,
+                Double.POSITIVE_INFINITY);
             side.add(v, side.impulse / used - side.impulse, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
         }
     }

@@ -63,13 +63,15 @@ public final class MotorDrive implements MotorHardware {
 
     @Override
     public void setSpeed(double newSpeed) {
-        speed = legal("speed", newSpeed, object.getNoLoadSpeed() / object.getGearRatio(), " rad/s, which its wheels reach without load");
+        speed = legal("speed", newSpeed, object.getNoLoadSpeed() / object.getGearRatio(),
+            " rad/s, which its wheels reach without load");
         order = Order.SPEED;
     }
 
     private double legal(String what, double value, double most, String unit) {
         if (!(Math.abs(value) <= most)) {
-            throw new IllegalArgumentException("motor " + object.getName() + " of robot " + robot + ": " + what + " is " + value + ", legal: "
+            throw new IllegalArgumentException("motor " + object.getName() + " of robot " + robot + ": " + what + " is "
+                + value + ", legal: "
                 + Parameter.format(-most) + " to " + Parameter.format(most) + unit);
         }
         return value;
@@ -82,7 +84,8 @@ public final class MotorDrive implements MotorHardware {
 
     /** Commanded or no-load speed of its wheels, rad/s; NaN if they follow the robot. */
     double getWanted() {
-        return order == Order.FOLLOW ? Double.NaN : order == Order.SPEED ? speed : power * object.getNoLoadSpeed() / object.getGearRatio();
+        return order == Order.FOLLOW ? Double.NaN : order == Order.SPEED ? speed
+            : power * object.getNoLoadSpeed() / object.getGearRatio();
     }
 
     Order getOrder() {
@@ -141,7 +144,8 @@ public final class MotorDrive implements MotorHardware {
         for (RaycastWheel wheel : wheels) {
             sum += wheel.getEncoder();
         }
-        return (long) Math.floor(sum / wheels.size() * object.getGearRatio() * object.getEncoderCounts() / (2 * Math.PI));
+        return (long) Math.floor(sum / wheels.size() * object.getGearRatio() * object.getEncoderCounts() / (
+            2 * Math.PI));
     }
 
     @Override

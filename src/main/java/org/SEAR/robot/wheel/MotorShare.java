@@ -51,13 +51,15 @@ final class MotorShare implements WheelMotor {
         if (motor.getOrder() == MotorDrive.Order.POWER) {
             change = (stall * motor.getPower() + free) / soft;
         } else {
-            change = Math.max((free - stall) / soft, Math.min((free + stall) / soft, (target() - rolling) / row.mobility));
+            change = Math.max((free - stall) / soft,
+                Math.min((free + stall) / soft, (target() - rolling) / row.mobility));
         }
         row.add(v, change, -grip, grip);
     }
 
     private double target() {
-        return motor.getOrder() == MotorDrive.Order.SPEED ? motor.getCommanded() * reach * motor.share(part) : following;
+        return motor.getOrder() == MotorDrive.Order.SPEED ? motor.getCommanded() * reach * motor.share(part)
+            : following;
     }
 
     @Override
@@ -71,7 +73,8 @@ final class MotorShare implements WheelMotor {
         if (motor.getOrder() == MotorDrive.Order.POWER) {
             return (stall * motor.getPower() - force) / motor.slope(reach);
         }
-        return Math.max((-stall - force) / motor.slope(reach), Math.min((stall - force) / motor.slope(reach), target()));
+        return Math.max((-stall - force) / motor.slope(reach),
+            Math.min((stall - force) / motor.slope(reach), target()));
     }
 
     @Override

@@ -64,7 +64,8 @@ public final class Obstacle {
         }
         double sign = Math.signum(speed);
         double range = 2 * radius;
-        double distance = scenes.ground.cast(from.x, from.y, from.z, sign * way.x, sign * way.y, sign * way.z, range, owner, hit);
+        double distance = scenes.ground.cast(from.x, from.y, from.z, sign * way.x, sign * way.y, sign * way.z, range,
+            owner, hit);
         normal.set(hit.nx, hit.ny, hit.nz);
         double facing = -sign * normal.dot(way);
         if (distance >= range || facing <= 0 || Math.abs(normal.y) > STEEPEST) {

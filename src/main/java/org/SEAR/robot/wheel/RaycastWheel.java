@@ -62,7 +62,8 @@ public final class RaycastWheel {
         aside = wheel.isDriven() ? x * errors.track() : x;
         reach = size * (swivel == null ? radius : radius * swivel.share());
         suspension = new Suspension(spring);
-        grip = new Grip(wheel, wheel.getType() != Wheel.IDLER && (swivel == null || !swivel.isSliding()), spring.carried);
+        grip = new Grip(wheel, wheel.getType() != Wheel.IDLER && (swivel == null || !swivel.isSliding()),
+            spring.carried);
         length = spring.rest;
     }
 
@@ -120,7 +121,8 @@ public final class RaycastWheel {
             grip.release();
         }
         from.transform(body, centreX(), y - length, centreZ());
-        obstacle.look(scenes, from, swivel == null ? ahead : swivel.rolling(), reported != 0 ? reported : coasting, radius, owner);
+        obstacle.look(scenes, from, swivel == null ? ahead : swivel.rolling(), reported != 0 ? reported : coasting,
+            radius, owner);
     }
 
     /**

@@ -21,7 +21,8 @@ public final class Spring {
      * Spring with damping as a share of the critical one.
      * @param critical damping of its load, N s/m
      */
-    Spring(double carried, double stiffness, double critical, double compression, double damping, double mostForce, double rest, double hangs) {
+    Spring(double carried, double stiffness, double critical, double compression, double damping, double mostForce,
+        double rest, double hangs) {
         this.carried = carried;
         this.stiffness = stiffness;
         this.compressing = compression * critical;

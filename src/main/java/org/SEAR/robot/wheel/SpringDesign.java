@@ -53,13 +53,15 @@ public final class SpringDesign {
         Spring[] springs = new Spring[wheels.size()];
         for (int i = 0; i < springs.length; i++) {
             springs[i] = spring(dynamics.getMass() / springs.length, stiffness * dynamics.getMass(),
-                2 * Math.sqrt(stiffness) * dynamics.getMass(), dynamics.getMaxSuspensionForce(), rest, Math.max(0, rest - sag));
+                2 * Math.sqrt(stiffness) * dynamics.getMass(), dynamics.getMaxSuspensionForce(), rest,
+                    Math.max(0, rest - sag));
         }
         return springs;
     }
 
     private Spring spring(double carried, double stiffness, double critical, double force, double rest, double hangs) {
-        return new Spring(carried, stiffness, critical, dynamics.getCompression(), dynamics.getDamping(), force, rest, hangs);
+        return new Spring(carried, stiffness, critical, dynamics.getCompression(), dynamics.getDamping(), force,
+            rest, hangs);
     }
 
     private Spring[] chosen(double lowest) {
@@ -101,7 +103,8 @@ public final class SpringDesign {
         double upright = 0;
         double ground = Double.POSITIVE_INFINITY;
         for (int i = 0; i < springs.length; i++) {
-            double lever = alongX ? CentreOfMass.footX(wheels.get(i)) - centre[0] : CentreOfMass.footZ(wheels.get(i)) - centre[2];
+            double lever = alongX ? CentreOfMass.footX(wheels.get(i)) - centre[0] : CentreOfMass.footZ(wheels.get(i))
+                - centre[2];
             upright += springs[i].stiffness * lever * lever;
             ground = Math.min(ground, wheels.get(i).getY() - springs[i].hangs - radius(wheels.get(i)));
         }
@@ -158,7 +161,8 @@ public final class SpringDesign {
             double a = m[0][replaced == i ? 3 : i];
             int k = (i + 1) % 3;
             int l = (i + 2) % 3;
-            sum += a * (m[1][replaced == k ? 3 : k] * m[2][replaced == l ? 3 : l] - m[1][replaced == l ? 3 : l] * m[2][replaced == k ? 3 : k]);
+            sum += a * (m[1][replaced == k ? 3 : k] * m[2][replaced == l ? 3 : l] - m[1][replaced == l ? 3 : l]
+                * m[2][replaced == k ? 3 : k]);
         }
         return sum;
     }

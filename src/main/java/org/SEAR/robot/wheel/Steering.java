@@ -37,11 +37,13 @@ final class Steering {
     private double followed;
     private double curvature;
 
-    private Steering(List<RaycastWheel> wheels, List<RaycastWheel> steered, ServoDrive servo, String robot, DriveErrors errors) {
+    private Steering(List<RaycastWheel> wheels, List<RaycastWheel> steered, ServoDrive servo, String robot,
+        DriveErrors errors) {
         this.steered = steered;
         this.servo = servo;
         this.robot = robot;
-        most = steered.stream().mapToDouble(wheel -> wheel.object.getSteering() == null ? Double.POSITIVE_INFINITY : wheel.object.getSteering())
+        most = steered.stream().mapToDouble(wheel -> wheel.object.getSteering() == null ? Double.POSITIVE_INFINITY
+            : wheel.object.getSteering())
             .min().orElse(0);
         List<Wheel> objects = wheels.stream().map(wheel -> wheel.object).collect(Collectors.toList());
         centre = Wheel.turningLine(objects);
@@ -53,9 +55,12 @@ final class Steering {
     }
 
     /** Returns the steering of a robot; null if it has no steered wheels. */
-    static Steering of(List<RaycastWheel> wheels, Function<String, ServoDrive> servos, String robot, DriveErrors errors) {
-        List<RaycastWheel> steered = wheels.stream().filter(wheel -> wheel.object.isSteered()).collect(Collectors.toList());
-        return steered.isEmpty() ? null : new Steering(wheels, steered, servos.apply(steered.get(0).object.getSteeringServo()), robot,
+    static Steering of(List<RaycastWheel> wheels, Function<String, ServoDrive> servos, String robot,
+        DriveErrors errors) {
+        List<RaycastWheel> steered = wheels.stream().filter(wheel -> wheel.object.isSteered())
+            .collect(Collectors.toList());
+        return steered.isEmpty() ? null
+            : new Steering(wheels, steered, servos.apply(steered.get(0).object.getSteeringServo()), robot,
             errors);
     }
 
@@ -66,10 +71,12 @@ final class Steering {
      */
     void steer(double degrees) {
         if (servo != null) {
-            throw new IllegalArgumentException("robot " + robot + " is steered by its servo " + servo.getName() + ": turn that servo instead");
+            throw new IllegalArgumentException("robot " + robot + " is steered by its servo " + servo.getName()
+                + ": turn that servo instead");
         }
         if (!(Math.abs(degrees) <= most)) {
-            throw new IllegalArgumentException("robot " + robot + ": steering is " + degrees + ", legal: " + Parameter.format(-most) + " to "
+            throw new IllegalArgumentException("robot " + robot + ": steering is " + degrees + ", legal: "
+                + Parameter.format(-most) + " to "
                 + Parameter.format(most) + " deg");
         }
         wanted = Math.toRadians(degrees);
@@ -108,7 +115,8 @@ final class Steering {
 
     /** Whether it has not reached its angle. */
     boolean isMoving() {
-        return angle != (servo == null ? due : Math.toRadians(servo.getHornAngle())) || due != wanted && servo == null || delay.isPending();
+        return angle != (servo == null ? due : Math.toRadians(servo.getHornAngle())) || due != wanted && servo == null
+            || delay.isPending();
     }
 
     /**

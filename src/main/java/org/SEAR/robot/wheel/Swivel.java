@@ -67,7 +67,8 @@ final class Swivel {
             double way = Math.atan2(left, forward);
             double half = -way / 2;
             double share = Math.exp(-speed * TimeStep.SECONDS / trail);
-            point(Math.IEEEremainder(heading + way + 2 * Math.atan2(Math.sin(half) * share, Math.cos(half)), 2 * Math.PI));
+            point(Math.IEEEremainder(heading + way + 2 * Math.atan2(Math.sin(half) * share, Math.cos(half)),
+                2 * Math.PI));
         }
     }
 

@@ -36,13 +36,15 @@ public final class WheelErrors {
 
     /** Whether encoders differ from the wheels' rotation, or wheels from their size and place. */
     public boolean hasOdometry() {
-        return errors.getRadius() > 0 || errors.getDifference() > 0 || errors.getTrack() > 0 || errors.getEncoderNoise() > 0
+        return errors.getRadius() > 0 || errors.getDifference() > 0 || errors.getTrack() > 0
+            || errors.getEncoderNoise() > 0
             || errors.getMissed() > 0;
     }
 
     /** Ratio of a driven wheel's radius to its nominal one. */
     double size(int wheel) {
-        return (1 + deviation(errors.getRadius(), RADIUS, 0)) * (1 + deviation(errors.getDifference(), DIFFERENCE, wheel));
+        return (1 + deviation(errors.getRadius(), RADIUS, 0)) * (
+            1 + deviation(errors.getDifference(), DIFFERENCE, wheel));
     }
 
     /** Ratio of the distance between left and right wheels to the nominal one. */
@@ -63,6 +65,7 @@ public final class WheelErrors {
 
     /** Error of a reading of a wheel's encoder, radians. */
     double noise(int wheel, long step) {
-        return errors.getEncoderNoise() == 0 ? 0 : Math.toRadians(errors.getEncoderNoise()) * random.normal(step, NOISE, wheel);
+        return errors.getEncoderNoise() == 0 ? 0 : Math.toRadians(errors.getEncoderNoise()) * random.normal(
+            step, NOISE, wheel);
     }
 }

@@ -66,10 +66,12 @@ final class WheelPoses extends AbstractList<Pose> implements RandomAccess {
     @Override
     public Pose get(int index) {
         if (swivels != null) {
-            return place(swivels[3 * index], mounts[3 * index + 1], swivels[3 * index + 1], state[2 * index], state[2 * index + 1],
+            return place(swivels[3 * index], mounts[3 * index + 1], swivels[3 * index + 1], state[2 * index],
+                state[2 * index + 1],
                 swivels[3 * index + 2]);
         }
-        return place(mounts[3 * index], mounts[3 * index + 1], mounts[3 * index + 2], state[2 * index], state[2 * index + 1]);
+        return place(mounts[3 * index], mounts[3 * index + 1], mounts[3 * index + 2], state[2 * index],
+            state[2 * index + 1]);
     }
 
     @Override
@@ -88,6 +90,7 @@ final class WheelPoses extends AbstractList<Pose> implements RandomAccess {
         double half = Math.IEEEremainder(turned, 2 * Math.PI) / 2;
         double sin = Math.sin(heading / 2);
         double cos = Math.cos(heading / 2);
-        return new Pose(x, y - hanging, z, cos * Math.sin(half), sin * Math.cos(half), -sin * Math.sin(half), cos * Math.cos(half));
+        return new Pose(x, y - hanging, z, cos * Math.sin(half), sin * Math.cos(half), -sin * Math.sin(half),
+            cos * Math.cos(half));
     }
 }

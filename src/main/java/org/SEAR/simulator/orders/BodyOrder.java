@@ -56,12 +56,14 @@ public final class BodyOrder {
         this.seconds = seconds;
         for (double value : new double[] {x, y, z}) {
             if (!(Math.abs(value) <= kind.most)) {
-                throw new IllegalArgumentException(name + ": " + kind.name().toLowerCase() + " is " + value + " along an axis, legal: " + -kind.most
+                throw new IllegalArgumentException(name + ": " + kind.name().toLowerCase() + " is " + value
+                    + " along an axis, legal: " + -kind.most
                     + " to " + kind.most + " " + kind.unit);
             }
         }
         if (kind == Kind.PUSH && !(seconds > 0 && seconds <= LONGEST)) {
-            throw new IllegalArgumentException(name + ": push for " + seconds + " s, legal: above 0, at most " + LONGEST + " s");
+            throw new IllegalArgumentException(name + ": push for " + seconds + " s, legal: above 0, at most "
+                + LONGEST + " s");
         }
     }
 }

@@ -35,7 +35,8 @@ public final class BodyOrders {
         for (int i = 0; i < launched.size(); i++) {
             double[] speed = shapes.get(i).getVelocity();
             double[] spin = shapes.get(i).getSpin();
-            launched.get(i).setVelocities(speed[0], speed[1], speed[2], Math.toRadians(spin[0]), Math.toRadians(spin[1]), Math.toRadians(spin[2]));
+            launched.get(i).setVelocities(speed[0], speed[1], speed[2], Math.toRadians(spin[0]),
+                Math.toRadians(spin[1]), Math.toRadians(spin[2]));
         }
     }
 
@@ -56,16 +57,19 @@ public final class BodyOrders {
         if (order.kind == BodyOrder.Kind.VELOCITY) {
             body.setVelocities(order.x, order.y, order.z, v[3], v[4], v[5]);
         } else {
-            body.setVelocities(v[0], v[1], v[2], Math.toRadians(order.x), Math.toRadians(order.y), Math.toRadians(order.z));
+            body.setVelocities(v[0], v[1], v[2], Math.toRadians(order.x), Math.toRadians(order.y),
+                Math.toRadians(order.z));
         }
     }
 
     private static void check(String name, Body body) {
         if (body == null) {
-            throw new IllegalArgumentException("nothing that can be moved is named \"" + name + "\", legal: an object with a mass, or a robot");
+            throw new IllegalArgumentException("nothing that can be moved is named \"" + name
+                + "\", legal: an object with a mass, or a robot");
         }
         if (body.isFixed()) {
-            throw new IllegalArgumentException(name + " is fixed (mass 0) and can't be moved, legal: an object with a mass, or a robot");
+            throw new IllegalArgumentException(name + " is fixed (mass 0) and can't be moved, legal: an object with a "
+                + "mass, or a robot");
         }
     }
 
@@ -93,7 +97,8 @@ public final class BodyOrders {
         double force = Math.sqrt(order.x * order.x + order.y * order.y + order.z * order.z);
         double most = BodyOrder.FASTEST * body.mass / TimeStep.SECONDS;
         if (force > most) {
-            throw new IllegalArgumentException(order.name + " is pushed with " + force + " N, legal for its " + body.mass + " kg: at most " + most
+            throw new IllegalArgumentException(order.name + " is pushed with " + force + " N, legal for its "
+                + body.mass + " kg: at most " + most
                 + " N");
         }
     }

@@ -69,7 +69,8 @@ public final class DragSpring {
 
     /** Whether it holds the object or will from the next step on. */
     public boolean isHolding() {
-        return way != null && (lockStep.getAsBoolean() ? steps.get() < TIMEOUT_STEPS : clock.getAsLong() - moved < TIMEOUT_NANOS);
+        return way != null && (lockStep.getAsBoolean() ? steps.get() < TIMEOUT_STEPS : clock.getAsLong()
+            - moved < TIMEOUT_NANOS);
     }
 
     String getName() {
@@ -96,7 +97,8 @@ public final class DragSpring {
         }
         double most = Math.min(STRONGEST * body.mass, BodyOrder.STRONGEST);
         double scale = Math.min(body.mass, most / Math.max(Math.sqrt(size), Double.MIN_NORMAL));
-        return new BodyOrder(BodyOrder.Kind.PUSH, name, force[0] * scale, force[1] * scale, force[2] * scale, TimeStep.SECONDS);
+        return new BodyOrder(BodyOrder.Kind.PUSH, name, force[0] * scale, force[1] * scale, force[2] * scale,
+            TimeStep.SECONDS);
     }
 
     /** Returns the centre of mass in the world frame. */

@@ -20,7 +20,8 @@ final class AsciiGrid extends ElevationMap {
     private static final int MAX_HEAD = 1 << 16;
     /** Maximum size of an elevation and the white space after it, bytes; a double has at most 24 characters. */
     private static final int MAX_BYTES = 32;
-    private static final Set<String> NAMES = Set.of("ncols", "nrows", "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx", "dy",
+    private static final Set<String> NAMES = Set.of("ncols", "nrows", "xllcorner", "yllcorner", "xllcenter",
+        "yllcenter", "cellsize", "dx", "dy",
         "nodata_value");
 
     private final float[] heights;
@@ -50,7 +51,8 @@ final class AsciiGrid extends ElevationMap {
             heights[i] = height == noData || !(Math.abs(height) <= MapLimits.HIGHEST) ? Float.NaN : (float) height;
         }
         file.close();
-        return new AsciiGrid(file.getName(), rows, columns, system != null ? place.in(system) : guessed(place, rows, columns), heights);
+        return new AsciiGrid(file.getName(), rows, columns, system != null ? place.in(system)
+            : guessed(place, rows, columns), heights);
     }
 
     /**
@@ -78,7 +80,8 @@ final class AsciiGrid extends ElevationMap {
     private static void requireSize(MapBytes file, long posts) throws IOException {
         long most = MAX_HEAD + MAX_BYTES * posts;
         if (file.size() < 2 * posts || file.size() > most) {
-            throw FileLimits.wrong(file.getName(), "the file's size", file.size(), 2 * posts + " to " + most + " for " + posts + " heights"
+            throw FileLimits.wrong(file.getName(), "the file's size", file.size(), 2 * posts + " to " + most + " for "
+                + posts + " heights"
                 + (file.size() < most ? " (is it cut off?)" : ""));
         }
     }
@@ -89,13 +92,16 @@ final class AsciiGrid extends ElevationMap {
         if (!(dx > 0) || !(dy > 0)) {
             throw FileLimits.wrong(file, "cellsize", Math.min(dx, dy), "above 0");
         }
-        double x = head.containsKey("xllcenter") ? value(file, head, "xllcenter") : value(file, head, "xllcorner") + dx / 2;
-        double y = head.containsKey("yllcenter") ? value(file, head, "yllcenter") : value(file, head, "yllcorner") + dy / 2;
+        double x = head.containsKey("xllcenter") ? value(file, head, "xllcenter")
+            : value(file, head, "xllcorner") + dx / 2;
+        double y = head.containsKey("yllcenter") ? value(file, head, "yllcenter")
+            : value(file, head, "yllcorner") + dy / 2;
         return new Georeference(null, x, y + dy * (rows - 1), dx, 0, 0, -dy);
     }
 
     private static Georeference guessed(Georeference place, int rows, int columns) {
-        boolean degrees = place.xColumn <= 1 && -place.yRow <= 1 && place.x0 >= -181 && place.x(columns - 1, 0) <= 361 && place.y0 <= 91
+        boolean degrees = place.xColumn <= 1 && -place.yRow <= 1 && place.x0 >= -181 && place.x(columns - 1, 0) <= 361
+            && place.y0 <= 91
             && place.y(0, rows - 1) >= -91;
         return degrees ? place.in(Georeference.WGS84) : place;
     }
@@ -111,7 +117,8 @@ final class AsciiGrid extends ElevationMap {
     private static double value(String file, Map<String, Double> head, String key) throws IOException {
         Double value = head.get(key);
         if (value == null) {
-            throw FileLimits.wrong(file, key, "missing", "an ESRI ASCII grid begins with ncols, nrows, xllcorner, yllcorner and cellsize");
+            throw FileLimits.wrong(file, key, "missing", "an ESRI ASCII grid begins with ncols, nrows, xllcorner, "
+                + "yllcorner and cellsize");
         }
         return value;
     }

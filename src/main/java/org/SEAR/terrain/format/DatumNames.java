@@ -31,7 +31,8 @@ final class DatumNames {
     }
 
     private static String plain(String name) {
-        return name.toLowerCase(Locale.ROOT).replaceFirst("^d_", "").replaceAll("[^a-z0-9+]+", "_").replaceAll("^_|_$", "");
+        return name.toLowerCase(Locale.ROOT).replaceFirst("^d_", "").replaceAll("[^a-z0-9+]+", "_")
+            .replaceAll("^_|_$", "");
     }
 
     private static Map<String, String> all() throws IOException {

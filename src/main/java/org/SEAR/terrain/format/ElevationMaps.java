@@ -13,8 +13,10 @@ import org.SEAR.terrain.tiff.MapBytes;
 /** Opens elevation maps by content, not only by file ending. Any thread. */
 public final class ElevationMaps {
     /** Supported file endings. */
-    public static final List<String> ENDINGS = List.of(".hgt", ".hgt.zip", ".tif", ".tiff", ".asc", ".png", ".jpg", ".jpeg", ".gif", ".bmp");
-    private static final String LEGAL = "SRTM (.hgt, .hgt.zip), GeoTIFF (.tif), ESRI ASCII grid (.asc) or a grey picture (.png, .jpg, .bmp)";
+    public static final List<String> ENDINGS = List.of(".hgt", ".hgt.zip", ".tif", ".tiff", ".asc", ".png", ".jpg",
+        ".jpeg", ".gif", ".bmp");
+    private static final String LEGAL = "SRTM (.hgt, .hgt.zip), GeoTIFF (.tif), ESRI ASCII grid (.asc) or a grey "
+        + "picture (.png, .jpg, .bmp)";
     private static final int HEAD = 16;
 
     private ElevationMaps() {
@@ -58,11 +60,13 @@ public final class ElevationMaps {
 
     private static boolean isGrid(MapBytes bytes) throws IOException {
         String kind = kind(bytes);
-        return kind.equals(FileKind.GRID) || kind.equals(FileKind.UNKNOWN) && bytes.getName().toLowerCase(Locale.ROOT).endsWith(".asc");
+        return kind.equals(FileKind.GRID) || kind.equals(FileKind.UNKNOWN) && bytes.getName().toLowerCase(Locale.ROOT)
+            .endsWith(".asc");
     }
 
     private static String kind(MapBytes bytes) throws IOException {
-        return FileKind.of(new String(bytes.read("the head", 0, (int) Math.min(HEAD, bytes.size())), StandardCharsets.ISO_8859_1));
+        return FileKind.of(new String(bytes.read("the head", 0, (int) Math.min(HEAD, bytes.size())),
+            StandardCharsets.ISO_8859_1));
     }
 
     private static ElevationMap open(Assets assets, MapBytes bytes) throws IOException {
@@ -82,14 +86,16 @@ public final class ElevationMaps {
         if (isGrid(bytes)) {
             return AsciiGrid.open(bytes, systemBeside(assets, bytes.getName()));
         }
-        throw FileLimits.wrong(bytes.getName(), "the file", kind.equals(FileKind.UNKNOWN) && lower.endsWith(".dem") ? "a USGS DEM" : kind,
+        throw FileLimits.wrong(bytes.getName(), "the file", kind.equals(FileKind.UNKNOWN) && lower.endsWith(".dem")
+            ? "a USGS DEM" : kind,
             LEGAL + ": convert other elevation maps by " + translation(bytes.getName()));
     }
 
     /** Returns the command of GDAL that converts a map. */
     private static String translation(String path) {
         String name = PrintableText.line(path.substring(path.lastIndexOf('/') + 1));
-        return "gdal_translate " + name + ' ' + (name.contains(".") ? name.substring(0, name.lastIndexOf('.')) : name) + "_converted.tif";
+        return "gdal_translate " + name + ' ' + (name.contains(".") ? name.substring(0, name.lastIndexOf('.')) : name)
+            + "_converted.tif";
     }
 
     private static String systemBeside(Assets assets, String path) throws IOException {

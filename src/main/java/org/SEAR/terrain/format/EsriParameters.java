@@ -15,20 +15,30 @@ import java.util.regex.Pattern;
 final class EsriParameters {
     private static final String NUMBER = "\\s*,\\s*([-+.\\dEe]+)\\s*";
     private static final Pattern METHOD = Pattern.compile("PROJECTION\\[\"(\\w+)\"", Pattern.CASE_INSENSITIVE);
-    private static final Pattern PARAMETER = Pattern.compile("PARAMETER\\[\"(\\w+)\"" + NUMBER + "\\]", Pattern.CASE_INSENSITIVE);
+    private static final Pattern PARAMETER = Pattern.compile("PARAMETER\\[\"(\\w+)\"" + NUMBER + "\\]",
+        Pattern.CASE_INSENSITIVE);
     private static final Pattern DATUM = Pattern.compile("DATUM\\[\"(\\w+)\"", Pattern.CASE_INSENSITIVE);
-    private static final Pattern MERIDIAN = Pattern.compile("PRIMEM\\[\"[^\"]*\"" + NUMBER + "[\\],]", Pattern.CASE_INSENSITIVE);
-    private static final Pattern UNIT = Pattern.compile("UNIT\\[\"[^\"]*\"" + NUMBER + "[\\],]", Pattern.CASE_INSENSITIVE);
-    private static final Map<String, String> METHODS = Map.of("lambert_conformal_conic", "lcc", "lambert_conformal_conic_2sp", "lcc",
-        "lambert_conformal_conic_1sp", "lcc", "albers", "aea", "albers_conic_equal_area", "aea", "lambert_azimuthal_equal_area", "laea",
+    private static final Pattern MERIDIAN = Pattern.compile("PRIMEM\\[\"[^\"]*\"" + NUMBER + "[\\],]",
+        Pattern.CASE_INSENSITIVE);
+    private static final Pattern UNIT = Pattern.compile("UNIT\\[\"[^\"]*\"" + NUMBER + "[\\],]",
+        Pattern.CASE_INSENSITIVE);
+    private static final Map<String, String> METHODS =
+        Map.of("lambert_conformal_conic", "lcc", "lambert_conformal_conic_2sp", "lcc",
+        "lambert_conformal_conic_1sp", "lcc", "albers", "aea", "albers_conic_equal_area", "aea",
+        "lambert_azimuthal_equal_area", "laea",
         "transverse_mercator", "tmerc", "gauss_kruger", "tmerc", "double_stereographic", "sterea");
-    private static final Map<String, String> PARAMETERS = Map.ofEntries(Map.entry("false_easting", "x_0"), Map.entry("false_northing", "y_0"),
-        Map.entry("central_meridian", "lon_0"), Map.entry("longitude_of_center", "lon_0"), Map.entry("longitude_of_origin", "lon_0"),
-        Map.entry("latitude_of_origin", "lat_0"), Map.entry("latitude_of_center", "lat_0"), Map.entry("standard_parallel_1", "lat_1"),
+    private static final Map<String, String> PARAMETERS = Map.ofEntries(Map.entry("false_easting", "x_0"),
+        Map.entry("false_northing", "y_0"),
+        Map.entry("central_meridian", "lon_0"), Map.entry("longitude_of_center", "lon_0"),
+        Map.entry("longitude_of_origin", "lon_0"),
+        Map.entry("latitude_of_origin", "lat_0"), Map.entry("latitude_of_center", "lat_0"),
+        Map.entry("standard_parallel_1", "lat_1"),
         Map.entry("standard_parallel_2", "lat_2"), Map.entry("scale_factor", "k_0"));
     /** Names of datums that equal WGS 84 within one or two metres. */
-    private static final Pattern NEAR_WGS84 = Pattern.compile("(D_)?(WGS_1984|ETRS_1989|European_Terrestrial_Reference_System_1989|RGF_?(19)?93\\w*|"
-        + "Reseau_Geodesique_Francais_1993\\w*|North_American_(Datum_)?1983|NAD_?1983\\w*|GDA_?(1994|2020)|SIRGAS_2000|NZGD_2000|JGD_20(00|11))",
+    private static final Pattern NEAR_WGS84 =
+        Pattern.compile("(D_)?(WGS_1984|ETRS_1989|European_Terrestrial_Reference_System_1989|RGF_?(19)?93\\w*|"
+        + "Reseau_Geodesique_Francais_1993\\w*|North_American_(Datum_)?1983|NAD_?1983\\w*|GDA_?(1994|2020)|SIRGAS_2000|"
+        + "NZGD_2000|JGD_20(00|11))",
         Pattern.CASE_INSENSITIVE);
     private static final double DEGREE = Math.PI / 180;
 
@@ -65,7 +75,8 @@ final class EsriParameters {
         if (!near) {
             return geographic + OwnProjection.projection(" " + proj, " ", parameters, unit);
         }
-        return OwnProjection.text(proj, parameters, datum.group(1).toUpperCase(Locale.ROOT).contains("WGS") ? "WGS84" : "GRS80", unit);
+        return OwnProjection.text(proj, parameters, datum.group(1).toUpperCase(Locale.ROOT).contains("WGS") ? "WGS84"
+            : "GRS80", unit);
     }
 
     /** Returns whether longitudes are in degrees from Greenwich. */

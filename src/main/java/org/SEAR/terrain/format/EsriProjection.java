@@ -15,9 +15,11 @@ import org.SEAR.terrain.tiff.MapBytes;
  */
 final class EsriProjection {
     private static final int MOST = 1 << 16;
-    private static final Pattern AUTHORITY = Pattern.compile("(?:AUTHORITY\\[\"EPSG\",\"?|ID\\[\"EPSG\",)(\\d{4,6})\"?\\]\\s*\\]\\s*$",
+    private static final Pattern AUTHORITY =
+        Pattern.compile("(?:AUTHORITY\\[\"EPSG\",\"?|ID\\[\"EPSG\",)(\\d{4,6})\"?\\]\\s*\\]\\s*$",
         Pattern.CASE_INSENSITIVE);
-    private static final Pattern UTM = Pattern.compile("^\\s*PROJCS\\[\"(\\w+?)_UTM_Zone_(\\d{1,2})([NS])\"", Pattern.CASE_INSENSITIVE);
+    private static final Pattern UTM = Pattern.compile("^\\s*PROJCS\\[\"(\\w+?)_UTM_Zone_(\\d{1,2})([NS])\"",
+        Pattern.CASE_INSENSITIVE);
     private static final Pattern OLD_UTM = Pattern.compile("^\\s*Projection\\s+UTM\\s.*\\bZone\\s+(-?\\d{1,2})\\s.*",
         Pattern.CASE_INSENSITIVE | Pattern.DOTALL);
 
@@ -55,13 +57,15 @@ final class EsriProjection {
         if (own != null) {
             return own;
         }
-        String datum = text.matches("(?is)GEOGCS\\[.*") && EsriParameters.isInDegrees(text) ? DatumNames.system(text) : null;
+        String datum = text.matches("(?is)GEOGCS\\[.*") && EsriParameters.isInDegrees(text)
+            ? DatumNames.system(text) : null;
         if (datum != null) {
             return datum;
         }
         throw FileLimits.wrong(file.getName(), "the coordinate system", text.replaceAll("\\s+", " "),
             "one with AUTHORITY[\"EPSG\",...], a UTM zone of WGS 84, NAD 83 or ETRS 89, longitude and latitude, or "
-                + "Lambert's, Albers', a double stereographic or a transverse Mercator projection on a datum of the EPSG register, in degrees from"
+                + "Lambert's, Albers', a double stereographic or a transverse Mercator projection on a datum of the "
+                + "EPSG register, in degrees from"
                 + " Greenwich");
     }
 

@@ -33,7 +33,8 @@ final class GeoKeys {
     private static final int GEOCENTRIC = 3;
     private static final Map<Integer, Double> METRES = Map.of(9001, 1.0, 9002, 0.3048, 9003, 1200 / 3937.0);
     /** EPSG numbers of vertical systems in feet (NAVD 88, NGVD 29), with the foot's length in metres. */
-    private static final Map<Integer, Double> VERTICAL_FEET = Map.of(6360, 1200 / 3937.0, 5702, 1200 / 3937.0, 8228, 0.3048);
+    private static final Map<Integer, Double> VERTICAL_FEET = Map.of(6360, 1200 / 3937.0, 5702, 1200 / 3937.0,
+        8228, 0.3048);
 
     private final TiffFile file;
     private final Map<Integer, Integer> keys = new HashMap<>();
@@ -58,7 +59,8 @@ final class GeoKeys {
         if (unit != 0 && unit != USER_DEFINED) {
             Double metres = METRES.get(unit);
             if (metres == null) {
-                throw FileLimits.wrong(file.name, "the unit of heights", "EPSG " + unit, "9001 (metre), 9002 (foot) or 9003 (US survey foot)");
+                throw FileLimits.wrong(file.name, "the unit of heights", "EPSG " + unit,
+                    "9001 (metre), 9002 (foot) or 9003 (US survey foot)");
             }
             return metres;
         }
@@ -72,17 +74,20 @@ final class GeoKeys {
         double[] ties = file.doubles(TIE_POINTS, "ModelTiepoint", 6 * 4096);
         Georeference corner;
         if (scale != null && ties != null && scale.length >= 2 && ties.length >= 6) {
-            corner = new Georeference(system(), ties[3] - ties[0] * scale[0], ties[4] + ties[1] * scale[1], scale[0], 0, 0, -scale[1]);
+            corner = new Georeference(system(), ties[3] - ties[0] * scale[0], ties[4] + ties[1] * scale[1], scale[0], 0,
+                0, -scale[1]);
         } else if (matrix != null && matrix.length == 16) {
             corner = new Georeference(system(), matrix[3], matrix[7], matrix[0], matrix[4], matrix[1], matrix[5]);
         } else if (ties != null && ties.length > 6) {
-            throw FileLimits.wrong(file.name, "the place", ties.length / 6 + " control points", "ModelPixelScale and ModelTiepoint, or "
+            throw FileLimits.wrong(file.name, "the place", ties.length / 6 + " control points",
+                "ModelPixelScale and ModelTiepoint, or "
                 + "ModelTransformation: convert the map by " + warp());
         } else {
             return null;
         }
         if (!corner.isRegular()) {
-            throw FileLimits.wrong(file.name, "the place of the pixels", corner.x0 + ", " + corner.y0 + " in steps of " + corner.xColumn + ", "
+            throw FileLimits.wrong(file.name, "the place of the pixels", corner.x0 + ", " + corner.y0 + " in steps of "
+                + corner.xColumn + ", "
                 + corner.yRow, "finite numbers, steps other than 0");
         }
         return keys.getOrDefault(RASTER_TYPE, 1) == PIXEL_IS_POINT ? corner : corner.from(0.5, 0.5);

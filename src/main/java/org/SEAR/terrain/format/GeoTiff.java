@@ -21,7 +21,8 @@ final class GeoTiff extends ElevationMap {
     private static final int NO_DATA = 42113;
     private static final int MAX_METADATA = 16 << 20;
     /** Length in metres of the units that GDAL and its users name. */
-    private static final Map<String, Double> UNITS = Map.of("m", 1.0, "metre", 1.0, "meter", 1.0, "metres", 1.0, "meters", 1.0, "ft", 0.3048,
+    private static final Map<String, Double> UNITS = Map.of("m", 1.0, "metre", 1.0, "meter", 1.0, "metres", 1.0,
+        "meters", 1.0, "ft", 0.3048,
         "foot", 0.3048, "feet", 0.3048, "us-ft", 1200 / 3937.0, "us survey foot", 1200 / 3937.0);
 
     private final TiffImage image;
@@ -44,14 +45,16 @@ final class GeoTiff extends ElevationMap {
         TiffFile file = new TiffFile(bytes);
         TiffImage image = new TiffImage(file);
         if (image.samples != 1) {
-            throw FileLimits.wrong(file.name, "SamplesPerPixel", image.samples, "1, the elevation (use setImage for colours)");
+            throw FileLimits.wrong(file.name, "SamplesPerPixel", image.samples,
+                "1, the elevation (use setImage for colours)");
         }
         if (image.rows < 2 || image.columns < 2) {
             throw FileLimits.wrong(file.name, "the size", image.rows + " x " + image.columns, "at least 2 x 2 posts");
         }
         GeoKeys keys = new GeoKeys(file);
         double unit = unit(file, keys);
-        return new GeoTiff(image, keys.place(), unit * metadata(file, "scale", 1), unit * metadata(file, "offset", 0), noData(file));
+        return new GeoTiff(image, keys.place(), unit * metadata(file, "scale", 1), unit * metadata(file, "offset", 0),
+            noData(file));
     }
 
     /**
@@ -73,7 +76,8 @@ final class GeoTiff extends ElevationMap {
     /** Returns the text of an item of GDAL's metadata, or null. */
     private static String item(TiffFile file, String role) throws IOException {
         String text = file.text(METADATA, "GDAL_METADATA", MAX_METADATA);
-        Matcher item = Pattern.compile("<Item [^>]*role=\"" + role + "\"[^>]*>([^<]*)</Item>").matcher(text == null ? "" : text);
+        Matcher item = Pattern.compile("<Item [^>]*role=\"" + role + "\"[^>]*>([^<]*)</Item>")
+            .matcher(text == null ? "" : text);
         return item.find() ? item.group(1).trim() : null;
     }
 
@@ -96,7 +100,8 @@ final class GeoTiff extends ElevationMap {
             return Double.NaN;
         }
         try {
-            return Double.parseDouble(text.trim().replaceFirst("(?i)^([-+]?)(nan)$", "NaN").replaceFirst("(?i)^([-+]?)inf.*$", "$1Infinity"));
+            return Double.parseDouble(text.trim().replaceFirst("(?i)^([-+]?)(nan)$", "NaN")
+                .replaceFirst("(?i)^([-+]?)inf.*$", "$1Infinity"));
         } catch (NumberFormatException e) {
             throw FileLimits.wrong(file.name, "GDAL_NODATA", '"' + text + '"', "a number");
         }
@@ -111,7 +116,8 @@ final class GeoTiff extends ElevationMap {
             int down = from / image.blockRows;
             long end = Math.min((long) row + height, (down + 1L) * image.blockRows);
             int to = (int) Math.min(end, (long) from + image.rowsAtOnce());
-            for (int across = column / image.blockColumns; across <= (column + width - 1) / image.blockColumns; across++) {
+            for (int across = column / image.blockColumns;
+                across <= (column + width - 1) / image.blockColumns; across++) {
                 int left = Math.max(column, across * image.blockColumns);
                 int right = (int) Math.min((long) column + width, (across + 1L) * image.blockColumns);
                 byte[] block = image.unpack(across, down, 0, from - down * image.blockRows, to - from);
@@ -120,7 +126,8 @@ final class GeoTiff extends ElevationMap {
                     if (block == null) {
                         Arrays.fill(heights, at, at + right - left, Float.NaN);
                     } else {
-                        values(block, (r - from) * image.blockColumns + left - across * image.blockColumns, right - left, heights, at);
+                        values(block, (r - from) * image.blockColumns + left - across * image.blockColumns,
+                            right - left, heights, at);
                     }
                 }
             }
@@ -141,7 +148,8 @@ final class GeoTiff extends ElevationMap {
         for (int i = 0; i < count; i++) {
             double value = value(in, (first + i) * image.sampleBytes);
             double height = zero + value * metres;
-            boolean none = value == noData || image.sampleFormat == 3 && image.sampleBytes == 4 && (float) value == (float) noData;
+            boolean none = value == noData || image.sampleFormat == 3 && image.sampleBytes == 4
+                && (float) value == (float) noData;
             into[at + i] = none || limited && !(Math.abs(height) <= MapLimits.HIGHEST) ? Float.NaN : (float) height;
         }
     }
@@ -154,7 +162,8 @@ final class GeoTiff extends ElevationMap {
             case 2:
                 return signed ? in.getShort(at) : Short.toUnsignedInt(in.getShort(at));
             case 4:
-                return image.sampleFormat == 3 ? in.getFloat(at) : signed ? in.getInt(at) : Integer.toUnsignedLong(in.getInt(at));
+                return image.sampleFormat == 3 ? in.getFloat(at) : signed ? in.getInt(at)
+                    : Integer.toUnsignedLong(in.getInt(at));
             default:
                 return image.sampleFormat == 3 ? in.getDouble(at) : in.getLong(at);
         }

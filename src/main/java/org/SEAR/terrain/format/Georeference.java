@@ -45,7 +45,8 @@ public final class Georeference {
 
     /** Returns whether all numbers are finite and rows and columns are not parallel. */
     public boolean isRegular() {
-        return Double.isFinite(x0) && Double.isFinite(y0) && Double.isFinite(determinant) && Math.abs(determinant) > 1e-24;
+        return Double.isFinite(x0) && Double.isFinite(y0) && Double.isFinite(determinant)
+            && Math.abs(determinant) > 1e-24;
     }
 
     public double x(double column, double row) {
@@ -95,7 +96,8 @@ public final class Georeference {
      * Returns whether another grid's rows and columns coincide with this grid's, within 0.01 cells over the given size.
      */
     public boolean isAligned(Georeference other, int columns, int rows) {
-        return Objects.equals(system, other.system) && isWhole(column(other.x0, other.y0)) && isWhole(row(other.x0, other.y0))
+        return Objects.equals(system, other.system) && isWhole(column(other.x0, other.y0))
+            && isWhole(row(other.x0, other.y0))
             && near(column(other.x(columns, rows), other.y(columns, rows)) - column(other.x0, other.y0), columns)
             && near(row(other.x(columns, rows), other.y(columns, rows)) - row(other.x0, other.y0), rows)
             && near(column(other.x(columns, 0), other.y(columns, 0)) - column(other.x0, other.y0), columns);

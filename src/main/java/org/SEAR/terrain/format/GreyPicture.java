@@ -46,7 +46,8 @@ final class GreyPicture extends ElevationMap {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
             Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
             if (!readers.hasNext()) {
-                throw new UnreadablePicture(name + ": the picture is in no known format, legal: PNG, JPEG, GIF or BMP", null);
+                throw new UnreadablePicture(name + ": the picture is in no known format, legal: PNG, "
+                    + "JPEG, GIF or BMP", null);
             }
             ImageReader reader = readers.next();
             try {
@@ -57,7 +58,8 @@ final class GreyPicture extends ElevationMap {
                 reader.dispose();
             }
         } catch (RuntimeException | IIOException | EOFException e) {
-            throw new UnreadablePicture(name + ": the picture is broken (" + e.getMessage() + "), legal: a whole picture", e);
+            throw new UnreadablePicture(name + ": the picture is broken (" + e.getMessage()
+                + "), legal: a whole picture", e);
         }
     }
 
@@ -79,7 +81,8 @@ final class GreyPicture extends ElevationMap {
             for (int band = 1; band < colours && colours == 3; band++) {
                 raster.getSamples(column, row + r, width, 1, band, other);
                 if (!Arrays.equals(line, other)) {
-                    throw FileLimits.wrong(name, "the picture", "coloured (row " + (row + r) + ")", "greys of 8 or 16 bits");
+                    throw FileLimits.wrong(name, "the picture", "coloured (row " + (row + r) + ")",
+                        "greys of 8 or 16 bits");
                 }
             }
             for (int c = 0; c < width; c++) {

@@ -12,7 +12,8 @@ final class MapTokens {
     private static final int WIDEST = 1 << 16;
     /** Number of digits that a long and a double's mantissa hold exactly. */
     private static final int PLAIN = 15;
-    private static final double[] POWERS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    private static final double[] POWERS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13,
+        1e14, 1e15};
 
     private final MapBytes file;
     private final byte[] piece = new byte[1 << 16];
@@ -45,17 +46,20 @@ final class MapTokens {
         int c = read();
         for (int white = 0; isWhite(c); white++) {
             if (white == WIDEST) {
-                throw FileLimits.wrong(file.getName(), "the white space before byte " + place(), "more than " + WIDEST + " characters", "less");
+                throw FileLimits.wrong(file.getName(), "the white space before byte " + place(), "more than " + WIDEST
+                    + " characters", "less");
             }
             c = read();
         }
         if (c >= 0 && c < ' ') {
-            throw FileLimits.wrong(file.getName(), "the character at byte " + place(), c, "text: numbers of an ESRI ASCII grid (is it another"
+            throw FileLimits.wrong(file.getName(), "the character at byte " + place(), c,
+                "text: numbers of an ESRI ASCII grid (is it another"
                 + " or an incomplete file?)");
         }
         while (c > ' ') {
             if (length == LONGEST) {
-                throw FileLimits.wrong(file.getName(), "the text", '"' + text() + "...\"", "numbers of an ESRI ASCII grid");
+                throw FileLimits.wrong(file.getName(), "the text", '"' + text() + "...\"",
+                    "numbers of an ESRI ASCII grid");
             }
             word[length++] = (char) c;
             c = read();
@@ -92,7 +96,8 @@ final class MapTokens {
             }
         }
         if (!plain) {
-            return number(file.getName(), "the height in row " + post / columns + ", column " + post % columns + ",", text());
+            return number(file.getName(), "the height in row " + post / columns + ", column " + post % columns
+                + ",", text());
         }
         double scaled = value / POWERS[Math.max(0, length - 1 - point)];
         return start == 1 ? -scaled : scaled;

@@ -17,12 +17,14 @@ final class OwnProjection {
      * Ellipsoids by EPSG number of the geographic system, datum or ellipsoid: those that equal WGS 84 within one or two
      * metres.
      */
-    private static final Map<Integer, String> ELLIPSOIDS = Map.of(4326, "WGS84", 4269, "GRS80", 4258, "GRS80", 6318, "GRS80", 6326, "WGS84",
+    private static final Map<Integer, String> ELLIPSOIDS = Map.of(4326, "WGS84", 4269, "GRS80", 4258, "GRS80", 6318,
+        "GRS80", 6326, "WGS84",
         6269, "GRS80", 6258, "GRS80", 1116, "GRS80", 7030, "WGS84", 7019, "GRS80");
     private static final Map<Integer, String> METRES = Map.of(9001, "m", 9002, "ft", 9003, "us-ft");
     /** PROJ name of each parameter and the keys that may contain it. */
     private static final Object[][] PARAMETERS = {
-        {"lat_1", 3078}, {"lat_2", 3079}, {"lon_0", 3080, 3084, 3088}, {"lat_0", 3081, 3085, 3089}, {"x_0", 3082, 3086}, {"y_0", 3083, 3087},
+        {"lat_1", 3078}, {"lat_2", 3079}, {"lon_0", 3080, 3084, 3088}, {"lat_0", 3081, 3085, 3089}, {"x_0", 3082, 3086},
+            {"y_0", 3083, 3087},
         {"k_0", 3092},
     };
 
@@ -61,7 +63,8 @@ final class OwnProjection {
      * @param unit m, ft or us-ft
      */
     static String text(String method, Map<String, Double> parameters, String ellipsoid, String unit) {
-        return projection("+proj=" + method, " +", parameters, unit).replace(" +units=", " +ellps=" + ellipsoid + " +towgs84=0,0,0 +units=")
+        return projection("+proj=" + method, " +", parameters, unit)
+            .replace(" +units=", " +ellps=" + ellipsoid + " +towgs84=0,0,0 +units=")
             + " +no_defs";
     }
 

@@ -21,7 +21,8 @@ import org.SEAR.terrain.tiff.MapBytes;
 final class SrtmTile extends ElevationMap {
     private static final short NO_DATA = -32768;
     private static final int[] SIDES = {1201, 3601};
-    private static final Pattern NAME = Pattern.compile("([NS])(\\d\\d)([EW])(\\d{3})([^/]*)\\.hgt(\\.zip)?", Pattern.CASE_INSENSITIVE);
+    private static final Pattern NAME = Pattern.compile("([NS])(\\d\\d)([EW])(\\d{3})([^/]*)\\.hgt(\\.zip)?",
+        Pattern.CASE_INSENSITIVE);
     private static final int MAX_ENTRIES = 16;
 
     private final MapBytes bytes;
@@ -82,7 +83,8 @@ final class SrtmTile extends ElevationMap {
                 }
             }
         } catch (ZipException | EOFException | IllegalArgumentException e) {
-            throw new IOException(file.getName() + ": the zip is broken (" + e.getMessage() + "), legal: a whole zip with a .hgt inside", e);
+            throw new IOException(file.getName() + ": the zip is broken (" + e.getMessage()
+                + "), legal: a whole zip with a .hgt inside", e);
         }
         throw FileLimits.wrong(file.getName(), "the zip's content", "no .hgt among the first " + MAX_ENTRIES + " files",
             "a zip with a .hgt inside");
@@ -95,7 +97,8 @@ final class SrtmTile extends ElevationMap {
         for (int count = zip.read(some); count >= 0; count = zip.read(some)) {
             left -= count;
             if (left < 0) {
-                throw FileLimits.wrong(name, "a file in the zip", "more than " + MapBytes.MAX_UNPACKED + " bytes", "a zip with a .hgt inside");
+                throw FileLimits.wrong(name, "a file in the zip", "more than " + MapBytes.MAX_UNPACKED + " bytes",
+                    "a zip with a .hgt inside");
             }
         }
         return zip.getNextEntry();

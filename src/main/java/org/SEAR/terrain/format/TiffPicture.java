@@ -38,7 +38,8 @@ public final class TiffPicture implements Closeable {
         TiffFile file = new TiffFile(bytes);
         TiffImage image = new TiffImage(file);
         if (image.sampleBytes != 1 || image.sampleFormat != 1 || image.samples > 4) {
-            throw FileLimits.wrong(file.name, "the pixels", image.samples + " values of " + 8 * image.sampleBytes + " bits",
+            throw FileLimits.wrong(file.name, "the pixels", image.samples + " values of "
+                + 8 * image.sampleBytes + " bits",
                 "1 to 4 values of 8 bits without sign: grey, or red, green and blue, and transparency");
         }
         int photometric = file.number(262, "PhotometricInterpretation", 1, 0, 65535);
@@ -87,7 +88,8 @@ public final class TiffPicture implements Closeable {
     private byte[][] blocks(int down, int from, int count, int column, int width) throws IOException {
         int first = column / image.blockColumns;
         int many = (column + width - 1) / image.blockColumns - first + 1;
-        FileLimits.range(image.file.name, "the size of a row of tiles", many * image.rowBytes() * count * (image.together ? 1 : image.samples), 0,
+        FileLimits.range(image.file.name, "the size of a row of tiles",
+            many * image.rowBytes() * count * (image.together ? 1 : image.samples), 0,
             TiffImage.MAX_BLOCK);
         int planes = image.together ? 1 : image.samples;
         byte[][] blocks = new byte[many * planes][];
@@ -110,7 +112,8 @@ public final class TiffPicture implements Closeable {
                 sums[to + colour] += value(blocks, block, at, image.samples < 3 ? 0 : colour);
             }
             boolean transparency = image.samples == 2 || image.samples == 4;
-            sums[to + 3] += blocks[block] == null ? 0 : transparency ? value(blocks, block, at, image.samples - 1) : 255;
+            sums[to + 3] += blocks[block] == null ? 0 : transparency
+                ? value(blocks, block, at, image.samples - 1) : 255;
         }
     }
 

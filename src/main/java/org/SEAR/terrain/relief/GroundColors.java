@@ -7,9 +7,12 @@ package org.SEAR.terrain.relief;
  */
 final class GroundColors {
     /** Colours by elevation: 0 is the lowest point, 1 the top of a mountain high enough for snow. */
-    private static final ColorRamp HEIGHTS = new ColorRamp(new float[] {0, 0.53f, 0.56f, 0.34f}, new float[] {0.16f, 0.45f, 0.51f, 0.29f},
-        new float[] {0.38f, 0.36f, 0.43f, 0.24f}, new float[] {0.55f, 0.37f, 0.41f, 0.24f}, new float[] {0.70f, 0.50f, 0.48f, 0.33f},
-        new float[] {0.82f, 0.54f, 0.50f, 0.44f}, new float[] {0.92f, 0.66f, 0.65f, 0.63f}, new float[] {0.97f, 0.93f, 0.94f, 0.96f});
+    private static final ColorRamp HEIGHTS = new ColorRamp(new float[] {0, 0.53f, 0.56f, 0.34f},
+        new float[] {0.16f, 0.45f, 0.51f, 0.29f},
+        new float[] {0.38f, 0.36f, 0.43f, 0.24f}, new float[] {0.55f, 0.37f, 0.41f, 0.24f},
+        new float[] {0.70f, 0.50f, 0.48f, 0.33f},
+        new float[] {0.82f, 0.54f, 0.50f, 0.44f}, new float[] {0.92f, 0.66f, 0.65f, 0.63f},
+            new float[] {0.97f, 0.93f, 0.94f, 0.96f});
     private static final float[] WOOD = {0.22f, 0.31f, 0.17f};
     private static final float[] ROCK = {0.52f, 0.48f, 0.42f};
     /** End of the ramp for a low relief: meadows and woods only. */
@@ -49,9 +52,11 @@ final class GroundColors {
         double patches = ValueNoise.fractal(x, z);
         double place = top * (relief.y(row, column) - relief.lowest) / range;
         HEIGHTS.at(place + 0.05 * patches + 0.03 * ridge, into);
-        double wooded = between(0.02, 0.3, patches - 0.35 * ridge) * between(0.03, 0.15, place) * (1 - between(0.5, 0.66, place));
+        double wooded = between(0.02, 0.3, patches - 0.35 * ridge) * between(0.03, 0.15, place) * (
+            1 - between(0.5, 0.66, place));
         mix(into, WOOD, 0.75 * wooded);
-        mix(into, ROCK, between(GRASSY, ROCKY, steep + 0.2 * patches) * (1 - between(0.9, 0.97, place) * between(ROCKY, GRASSY, steep)));
+        mix(into, ROCK, between(GRASSY, ROCKY, steep + 0.2 * patches) * (
+            1 - between(0.9, 0.97, place) * between(ROCKY, GRASSY, steep)));
     }
 
     private static double between(double low, double high, double value) {

@@ -9,8 +9,10 @@ public final class GroundPicture {
     /** Light of maps: from the north-west, 45 degrees above the horizon. */
     public static final HillShade MAP_LIGHT = new HillShade(315, 45);
     /** Tints of elevation on a map. */
-    private static final ColorRamp TINTS = new ColorRamp(new float[] {0, 0.62f, 0.75f, 0.55f}, new float[] {0.22f, 0.78f, 0.84f, 0.62f},
-        new float[] {0.45f, 0.93f, 0.90f, 0.70f}, new float[] {0.68f, 0.88f, 0.77f, 0.57f}, new float[] {0.86f, 0.76f, 0.62f, 0.49f},
+    private static final ColorRamp TINTS = new ColorRamp(new float[] {0, 0.62f, 0.75f, 0.55f},
+        new float[] {0.22f, 0.78f, 0.84f, 0.62f},
+        new float[] {0.45f, 0.93f, 0.90f, 0.70f}, new float[] {0.68f, 0.88f, 0.77f, 0.57f},
+        new float[] {0.86f, 0.76f, 0.62f, 0.49f},
         new float[] {1, 0.95f, 0.93f, 0.91f});
     /** Mean slope, metres per metre, below which shading exaggerates the relief to make it visible. */
     private static final double VISIBLE_SLOPE = 0.3;
@@ -95,7 +97,8 @@ public final class GroundPicture {
     /** Draws a map with hill shading: the given colours, and tints of elevation elsewhere. */
     public static GroundPicture map(Relief relief, Colors given) {
         GroundPicture picture = new GroundPicture(relief);
-        double exaggeration = Math.max(1, Math.min(MAX_EXAGGERATION, VISIBLE_SLOPE / Math.max(relief.meanSlope(), 1e-9)));
+        double exaggeration = Math.max(
+            1, Math.min(MAX_EXAGGERATION, VISIBLE_SLOPE / Math.max(relief.meanSlope(), 1e-9)));
         double range = Math.max(1e-6, relief.highest - relief.lowest);
         double level = MAP_LIGHT.at(0, 0);
         float[] color = new float[3];
@@ -107,7 +110,8 @@ public final class GroundPicture {
                 } else {
                     split(own, color);
                 }
-                double shade = MAP_LIGHT.at(exaggeration * relief.slopeNorth(row, column), exaggeration * relief.slopeEast(row, column)) / level;
+                double shade = MAP_LIGHT.at(exaggeration * relief.slopeNorth(row, column),
+                    exaggeration * relief.slopeEast(row, column)) / level;
                 double light = 0.35 + 0.65 * shade;
                 for (int i = 0; i < 3; i++) {
                     color[i] *= (float) Math.min(1.25, light);

@@ -26,7 +26,8 @@ public final class HillShade {
      * @param slopeNorth rise per metre to the north, metres, likewise slopeEast
      */
     public double at(double slopeNorth, double slopeEast) {
-        double cosine = (up - slopeNorth * north - slopeEast * east) / Math.sqrt(1 + slopeNorth * slopeNorth + slopeEast * slopeEast);
+        double cosine = (up - slopeNorth * north - slopeEast * east) / Math.sqrt(
+            1 + slopeNorth * slopeNorth + slopeEast * slopeEast);
         return Math.max(0, cosine);
     }
 }

@@ -36,7 +36,8 @@ public final class Relief {
         this.field = field;
         double extentX = (field.rows - 1) * field.spacingX;
         double extentZ = (field.columns - 1) * field.spacingZ;
-        double pixel = Math.max(Math.max(extentX, extentZ) / longest, Math.min(field.spacingX, field.spacingZ) / perPost);
+        double pixel = Math.max(Math.max(extentX, extentZ) / longest,
+            Math.min(field.spacingX, field.spacingZ) / perPost);
         height = pixels(extentX / pixel, longest);
         width = pixels(extentZ / pixel, longest);
         stepX = extentX / height;
@@ -138,7 +139,8 @@ public final class Relief {
         }
         for (int i = 0; i < length; i++) {
             to[start + i * stride] = (float) (sum / (2 * radius + 1));
-            sum += beyond(from, start, stride, length, i + radius + 1) - beyond(from, start, stride, length, i - radius);
+            sum += beyond(from, start, stride, length, i + radius + 1)
+                - beyond(from, start, stride, length, i - radius);
         }
     }
 
@@ -147,6 +149,7 @@ public final class Relief {
         if (at < 0) {
             return 2 * line[start] - line[start + Math.min(last, -at) * stride];
         }
-        return at <= last ? line[start + at * stride] : 2 * line[start + last * stride] - line[start + Math.max(0, 2 * last - at) * stride];
+        return at <= last ? line[start + at * stride] : 2 * line[start + last * stride]
+            - line[start + Math.max(0, 2 * last - at) * stride];
     }
 }

@@ -115,7 +115,8 @@ public final class MapBytes implements Closeable {
      */
     public void requirePart(String what, long position, long length) throws IOException {
         if (position < 0 || length < 0 || position > size || length > size - position) {
-            throw FileLimits.wrong(name, what, length + " bytes at " + position, "inside the file, which has " + size + " bytes (is it cut off?)");
+            throw FileLimits.wrong(name, what, length + " bytes at " + position, "inside the file, which has " + size
+                + " bytes (is it cut off?)");
         }
     }
 

@@ -15,7 +15,8 @@ final class TiffDecoder {
     private static final int DEFLATE = 8;
     private static final int OLD_DEFLATE = 32946;
     private static final int PACK_BITS = 32773;
-    private static final Map<Integer, String> OTHERS = Map.of(2, "CCITT", 3, "CCITT fax 3", 4, "CCITT fax 4", 6, "old JPEG", 7, "JPEG",
+    private static final Map<Integer, String> OTHERS = Map.of(2, "CCITT", 3, "CCITT fax 3", 4, "CCITT fax 4", 6,
+        "old JPEG", 7, "JPEG",
         34712, "JPEG 2000", 34887, "LERC", 34925, "LZMA", 50000, "ZSTD", 50001, "WebP");
 
     private TiffDecoder() {
@@ -23,9 +24,12 @@ final class TiffDecoder {
 
     /** Throws for an unsupported compression. */
     static void require(String file, int compression) throws IOException {
-        if (compression != NONE && compression != LZW && compression != DEFLATE && compression != OLD_DEFLATE && compression != PACK_BITS) {
-            throw FileLimits.wrong(file, "Compression", compression + OTHERS.entrySet().stream().filter(other -> other.getKey() == compression)
-                .map(other -> " (" + other.getValue() + ")").findAny().orElse(""), "1 (none), 5 (LZW), 8 (deflate) or 32773 (PackBits), "
+        if (compression != NONE && compression != LZW && compression != DEFLATE && compression != OLD_DEFLATE
+            && compression != PACK_BITS) {
+            throw FileLimits.wrong(file, "Compression", compression + OTHERS.entrySet().stream()
+                .filter(other -> other.getKey() == compression)
+                .map(other -> " (" + other.getValue() + ")").findAny().orElse(""),
+                "1 (none), 5 (LZW), 8 (deflate) or 32773 (PackBits), "
                 + "for example by gdal_translate -co COMPRESS=DEFLATE");
         }
     }

@@ -43,7 +43,8 @@ public final class TiffFile {
         if (version != 42 && version != 43) {
             throw FileLimits.wrong(name, "the version of the TIFF", version, "42, or 43 for a BigTIFF");
         }
-        readTags(big ? part("the head", 8, 8).getLong() : Integer.toUnsignedLong(ByteBuffer.wrap(head).order(order).getInt(4)));
+        readTags(big ? part("the head", 8, 8).getLong()
+            : Integer.toUnsignedLong(ByteBuffer.wrap(head).order(order).getInt(4)));
     }
 
     private ByteBuffer part(String what, long position, int length) throws IOException {
@@ -64,7 +65,8 @@ public final class TiffFile {
             int valueAt = at + (big ? 12 : 8);
             if (type < SIZES.length && SIZES[type] > 0) {
                 boolean inside = values >= 0 && values <= (big ? 8 : 4) / SIZES[type];
-                long position = inside ? start + counter + valueAt : big ? all.getLong(valueAt) : Integer.toUnsignedLong(all.getInt(valueAt));
+                long position = inside ? start + counter + valueAt : big ? all.getLong(valueAt)
+                    : Integer.toUnsignedLong(all.getInt(valueAt));
                 tags.putIfAbsent(Short.toUnsignedInt(all.getShort(at)), new Tag(type, values, position));
             }
         }

@@ -114,7 +114,8 @@ public final class TiffImage {
     private long[] table(int tag, String what, int blocks) throws IOException {
         long[] values = file.longs(tag, what, MAX_BLOCKS);
         if (values == null || values.length < blocks) {
-            throw FileLimits.wrong(file.name, "the number of values of " + what, values == null ? 0 : values.length, String.valueOf(blocks));
+            throw FileLimits.wrong(file.name, "the number of values of " + what, values == null ? 0 : values.length,
+                String.valueOf(blocks));
         }
         return values;
     }
@@ -130,7 +131,8 @@ public final class TiffImage {
         long across = (column + width - 1) / blockColumns - column / blockColumns + 1L;
         long many = down * across * (together ? 1 : samples);
         if (many > MAX_READ) {
-            throw FileLimits.wrong(file.name, "the number of strips or tiles in the area", many, "1 to " + MAX_READ + ": cut the map, or give it"
+            throw FileLimits.wrong(file.name, "the number of strips or tiles in the area", many, "1 to " + MAX_READ
+                + ": cut the map, or give it"
                 + " tiles of 256 x 256, for example by gdal_translate -co TILED=YES");
         }
     }
@@ -181,7 +183,8 @@ public final class TiffImage {
             return null;
         }
         int rowBytes = (int) rowBytes();
-        FileLimits.range(file.name, "the size of " + what, (long) rowBytes * (compression == TiffDecoder.NONE ? count : from + count), 1, MAX_BLOCK);
+        FileLimits.range(file.name, "the size of " + what,
+            (long) rowBytes * (compression == TiffDecoder.NONE ? count : from + count), 1, MAX_BLOCK);
         if (compression == TiffDecoder.NONE) {
             file.bytes.requirePart(what, offsets[block], (long) rowBytes * (from + count));
             return file.bytes.read(what, offsets[block] + (long) from * rowBytes, count * rowBytes);
@@ -196,7 +199,8 @@ public final class TiffImage {
         }
         TiffDecoder.unpack(file.name, what, compression, packed, all);
         for (int row = from; row < from + count; row++) {
-            TiffPredictor.undo(predictor, all, row * rowBytes, blockColumns, samplesTogether(), sampleBytes, file.order);
+            TiffPredictor.undo(predictor, all, row * rowBytes, blockColumns, samplesTogether(), sampleBytes,
+                file.order);
         }
         return from == 0 ? all : Arrays.copyOfRange(all, from * rowBytes, all.length);
     }

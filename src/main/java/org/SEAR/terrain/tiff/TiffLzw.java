@@ -27,7 +27,8 @@ final class TiffLzw {
     /** Unpacks at most into.length bytes and returns their number. */
     static int unpack(String file, String what, byte[] packed, byte[] into) throws IOException {
         if (packed.length > 1 && packed[0] == 0 && (packed[1] & 1) == 1) {
-            throw FileLimits.wrong(file, what, "packed with LZW from before TIFF 6.0", "LZW of TIFF 6.0, as GDAL writes it");
+            throw FileLimits.wrong(file, what, "packed with LZW from before TIFF 6.0",
+                "LZW of TIFF 6.0, as GDAL writes it");
         }
         int count = new TiffLzw(packed, into).unpack();
         if (count < 0) {

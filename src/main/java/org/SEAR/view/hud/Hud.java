@@ -119,7 +119,8 @@ public final class Hud {
         status.node().setLocalScale(scale);
         sensors.node().setLocalScale(scale);
         status.place(EDGE, height - EDGE);
-        sensors.place(beside ? width - sensors.width() * scale - EDGE : EDGE, height - EDGE - (beside ? 0 : status.height() + EDGE));
+        sensors.place(beside ? width - sensors.width() * scale - EDGE : EDGE,
+            height - EDGE - (beside ? 0 : status.height() + EDGE));
         warnings.place(EDGE, EDGE + warnings.height());
         float middle = (width - messages.width()) / 2;
         boolean clear = warningWords.isEmpty() || EDGE + warnings.width() < middle;

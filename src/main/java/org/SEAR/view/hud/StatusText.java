@@ -19,7 +19,8 @@ public final class StatusText {
     /** Returns time, robots and serial devices. */
     static String status(Snapshot snapshot, Hud.State state) {
         List<String> lines = new ArrayList<>();
-        lines.add(String.format(Locale.ROOT, "time %.2f s   speed %.2f of %s%s", snapshot.time, state.measuredSpeed, factor(state.wantedSpeed),
+        lines.add(String.format(Locale.ROOT, "time %.2f s   speed %.2f of %s%s", snapshot.time, state.measuredSpeed,
+            factor(state.wantedSpeed),
             state.paused ? "   PAUSED" : ""));
         for (int i = 0; i < snapshot.robots.size(); i++) {
             lines.addAll(robot(snapshot.robots.get(i), snapshot.robots.size() > 1 && i == state.robot));
@@ -39,7 +40,8 @@ public final class StatusText {
         for (Map.Entry<String, String> value : state.readings.entrySet()) {
             int number = state.beamSensors.indexOf(value.getKey());
             String key = number < 0 || number > 8 ? "" : (number + 1) + "  ";
-            lines.add(key + value.getKey() + ": " + value.getValue() + (state.hidden.contains(value.getKey()) ? "  (hidden)" : ""));
+            lines.add(key + value.getKey() + ": " + value.getValue()
+                + (state.hidden.contains(value.getKey()) ? "  (hidden)" : ""));
         }
         return String.join("\n", lines);
     }
@@ -47,7 +49,8 @@ public final class StatusText {
     private static List<String> robot(Snapshot.RobotState robot, boolean followed) {
         Pose pose = robot.pose;
         List<String> lines = new ArrayList<>();
-        lines.add(String.format(Locale.ROOT, "%s%s   x %.2f  y %.2f  z %.2f m   heading %.0f deg", followed ? "> " : "", robot.name,
+        lines.add(String.format(Locale.ROOT, "%s%s   x %.2f  y %.2f  z %.2f m   heading %.0f deg", followed ? "> "
+            : "", robot.name,
             hundredths(pose.x), hundredths(pose.y), hundredths(pose.z), Math.rint(pose.heading()) + 0.0));
         lines.add(String.format(Locale.ROOT, "    %.2f m/s   %.0f deg/s", hundredths(robot.speed),
             Math.rint(Math.toDegrees(robot.turnRate)) + 0.0));

@@ -28,7 +28,8 @@ public final class CameraFrame {
      */
     public CameraFrame(String camera, String words, int width, int height, int... pixels) {
         if (width < 1 || height < 1 || width > LONGEST || height > LONGEST || pixels.length != width * height) {
-            throw new IllegalArgumentException("a picture of " + width + " x " + height + " with " + pixels.length + " pixels, legal: 1 x 1 to "
+            throw new IllegalArgumentException("a picture of " + width + " x " + height + " with " + pixels.length
+                + " pixels, legal: 1 x 1 to "
                 + LONGEST + " x " + LONGEST);
         }
         this.camera = camera;
@@ -53,7 +54,8 @@ public final class CameraFrame {
             int rows = Math.max(1, (row + 1) * down / height - top);
             for (int column = 0; column < width; column++) {
                 int left = column * across / width;
-                small[row * width + column] = mean(all, across, left, Math.max(1, (column + 1) * across / width - left), top, rows);
+                small[row * width + column] = mean(
+                    all, across, left, Math.max(1, (column + 1) * across / width - left), top, rows);
             }
         }
         return new CameraFrame(camera, image.words(""), width, height, small);

@@ -59,7 +59,8 @@ final class CameraWatch {
         String camera = wanted;
         try {
             if (camera != null) {
-                CameraImage image = simulation.ask(world -> (CameraImage) world.read(camera)).get(TIMEOUT_SECONDS, TimeUnit.SECONDS);
+                CameraImage image = simulation.ask(world -> (CameraImage) world.read(camera))
+                    .get(TIMEOUT_SECONDS, TimeUnit.SECONDS);
                 CameraFrame present = shot;
                 if (image != last || present == null || !present.camera.equals(camera)) {
                     last = image;

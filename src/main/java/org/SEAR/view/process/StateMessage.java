@@ -16,7 +16,10 @@ import org.SEAR.simulator.Snapshot;
 import org.SEAR.view.link.CameraFrame;
 import org.SEAR.view.link.WorldLink;
 
-/** A {@link WorldLink}'s snapshot and settings at one time, as bytes for a window in another process. Immutable, any thread. */
+/**
+ * A {@link WorldLink}'s snapshot and settings at one time, as bytes for a window in another process. Immutable, any
+ * thread.
+ */
 public final class StateMessage {
     /** Picture of a message: that of the previous message, none, or a new one that follows. */
     private static final int SAME = 0;
@@ -32,7 +35,8 @@ public final class StateMessage {
     /** The newest picture of a camera, or null. */
     final CameraFrame picture;
 
-    StateMessage(Snapshot snapshot, boolean paused, double measuredSpeed, double wantedSpeed, boolean scriptDrives, CameraFrame picture) {
+    StateMessage(Snapshot snapshot, boolean paused, double measuredSpeed, double wantedSpeed, boolean scriptDrives,
+        CameraFrame picture) {
         this.snapshot = snapshot;
         this.paused = paused;
         this.measuredSpeed = measuredSpeed;
@@ -43,7 +47,8 @@ public final class StateMessage {
 
     /** Returns the current state of a world after its first step. */
     public static StateMessage of(WorldLink world) {
-        return new StateMessage(world.snapshot(), world.isPaused(), world.measuredSpeed(), world.wantedSpeed(), world.scriptDrives(),
+        return new StateMessage(world.snapshot(), world.isPaused(), world.measuredSpeed(), world.wantedSpeed(),
+            world.scriptDrives(),
             world.picture());
     }
 
@@ -55,7 +60,8 @@ public final class StateMessage {
         T read() throws IOException;
     }
 
-    private static <T> void writeAll(DataOutputStream out, Iterable<T> values, int count, Writer<T> writer) throws IOException {
+    private static <T> void writeAll(DataOutputStream out, Iterable<T> values, int count, Writer<T> writer)
+        throws IOException {
         out.writeInt(count);
         for (T value : values) {
             writer.write(value);
@@ -139,7 +145,8 @@ public final class StateMessage {
     /** @param before the previous message, or null */
     static StateMessage read(DataInputStream in, StateMessage before) throws IOException {
         int pictures = in.readUnsignedByte();
-        CameraFrame picture = pictures == ANOTHER ? picture(in) : pictures == SAME && before != null ? before.picture : null;
+        CameraFrame picture = pictures == ANOTHER ? picture(in) : pictures == SAME && before != null
+            ? before.picture : null;
         boolean paused = in.readBoolean();
         double measuredSpeed = in.readDouble();
         double wantedSpeed = in.readDouble();
@@ -156,7 +163,8 @@ public final class StateMessage {
             return readings.put(sensor, new DrawnReading(in.readUTF(), beams.get(sensor)));
         });
         List<double[]> contacts = readAll(in, () -> numbers(in));
-        Snapshot snapshot = new Snapshot(step, time, environment, robots, Collections.unmodifiableMap(readings), contacts,
+        Snapshot snapshot = new Snapshot(step, time, environment, robots,
+            Collections.unmodifiableMap(readings), contacts,
             readAll(in, in::readUTF));
         return new StateMessage(snapshot, paused, measuredSpeed, wantedSpeed, scriptDrives, picture);
     }
@@ -182,7 +190,8 @@ public final class StateMessage {
         int width = in.readUnsignedShort();
         int height = in.readUnsignedShort();
         if (width > CameraFrame.LONGEST || height > CameraFrame.LONGEST) {
-            throw new IOException("a picture of " + width + " x " + height + " was received, legal: at most " + CameraFrame.LONGEST + " each way");
+            throw new IOException("a picture of " + width + " x " + height + " was received, legal: at most "
+                + CameraFrame.LONGEST + " each way");
         }
         byte[] bytes = new byte[3 * width * height];
         in.readFully(bytes);
@@ -205,7 +214,8 @@ public final class StateMessage {
     }
 
     private static Snapshot.RobotState robot(DataInputStream in) throws IOException {
-        return new Snapshot.RobotState(in.readUTF(), pose(in), in.readDouble(), in.readDouble(), readAll(in, () -> pose(in)),
+        return new Snapshot.RobotState(in.readUTF(), pose(in), in.readDouble(), in.readDouble(),
+            readAll(in, () -> pose(in)),
             readAll(in, () -> pose(in)), readAll(in, in::readDouble), readAll(in, () -> device(in.readUTF())), false);
     }
 
@@ -221,7 +231,8 @@ public final class StateMessage {
     }
 
     private static Pose pose(DataInputStream in) throws IOException {
-        return new Pose(in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble());
+        return new Pose(in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble(),
+            in.readDouble(), in.readDouble());
     }
 
     private static void write(DataOutputStream out, double[] numbers) throws IOException {

@@ -139,7 +139,8 @@ public final class BeamView {
         boolean hit = isHit(beam);
         float length = fan.cut && hit ? (float) shown[beam] : fan.ranges[beam];
         ends.put(0).put(0).put(0);
-        ends.put(fan.directions[3 * beam] * length).put(fan.directions[3 * beam + 1] * length).put(fan.directions[3 * beam + 2] * length);
+        ends.put(fan.directions[3 * beam] * length).put(fan.directions[3 * beam + 1] * length)
+            .put(fan.directions[3 * beam + 2] * length);
         float alpha = hit || !fan.cut ? OPAQUE : FAINT;
         for (int end = 0; end < 2; end++) {
             colors.put(fan.colors[3 * beam]).put(fan.colors[3 * beam + 1]).put(fan.colors[3 * beam + 2]).put(alpha);

@@ -148,7 +148,8 @@ public final class CameraRig {
             Vector3f ahead = direction();
             Vector3f right = ahead.cross(Vector3f.UNIT_Y).normalizeLocal();
             float way = frameTime * Math.max(FLY_SPEED, height() / HEIGHT_TIME) * (fast ? FAST : 1);
-            place.addLocal(right.multLocal(flight.x * way)).addLocal(0, flight.y * way, 0).addLocal(ahead.mult(flight.z * way));
+            place.addLocal(right.multLocal(flight.x * way)).addLocal(0, flight.y * way, 0)
+                .addLocal(ahead.mult(flight.z * way));
         } else {
             turnAfter(heading, frameTime);
             yaw = robotYaw + orbitYaw;

@@ -56,7 +56,8 @@ public final class DebugShapes {
         robots = project.getRobots();
         for (int i = 0; i < project.getEnvironment().size(); i++) {
             SearObject object = project.getEnvironment().get(i);
-            outline(world.environment().get(i), object instanceof Shape && ((Shape) object).getMass() > 0 ? MOVABLE : FIXED);
+            outline(world.environment().get(i), object instanceof Shape && ((Shape) object).getMass() > 0
+                ? MOVABLE : FIXED);
         }
         for (int i = 0; i < robots.size(); i++) {
             for (SearObject part : robots.get(i).getComponents()) {

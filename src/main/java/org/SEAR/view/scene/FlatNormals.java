@@ -24,7 +24,8 @@ final class FlatNormals {
         model.depthFirstTraversal(spatial -> {
             if (spatial instanceof Geometry && ((Geometry) spatial).getMesh() != null) {
                 Mesh mesh = ((Geometry) spatial).getMesh();
-                if (mesh.getMode() == Mesh.Mode.Triangles && mesh.getBuffer(Type.Normal) == null && mesh.getBuffer(Type.Position) != null) {
+                if (mesh.getMode() == Mesh.Mode.Triangles && mesh.getBuffer(Type.Normal) == null
+                    && mesh.getBuffer(Type.Position) != null) {
                     ((Geometry) spatial).setMesh(flat(mesh));
                 }
             }

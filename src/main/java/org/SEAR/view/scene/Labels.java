@@ -82,7 +82,8 @@ public final class Labels {
     /** Returns the text of a label; null if it is missing or hidden. */
     public String text(String name) {
         Label label = labels.get(name);
-        return label == null || !shown || label.place.getLocalCullHint() == CullHint.Always ? null : label.ink.getText();
+        return label == null || !shown || label.place.getLocalCullHint() == CullHint.Always ? null
+            : label.ink.getText();
     }
 
     /** Begins a frame without labels. */

@@ -53,7 +53,8 @@ public final class Materials {
                 material.setTexture("DiffuseMap", texture);
                 return material;
             } catch (AssetNotFoundException | AssetLoadException e) {
-                warnings.accept("SEAR can't show the picture " + image + " (" + e.getMessage() + "); put a readable one into assets");
+                warnings.accept("SEAR can't show the picture " + image + " (" + e.getMessage()
+                    + "); put a readable one into assets");
             }
         }
         return lit(color(shape.getColor()));
@@ -112,7 +113,8 @@ public final class Materials {
                     geometry.setMaterial(simplified(own, color(own, "BaseColor"), "BaseColorMap"));
                 } else if (own.getMaterialDef().getAssetName().endsWith("/Lighting.j3md")) {
                     boolean colored = Boolean.TRUE.equals(own.getParamValue("UseMaterialColors"));
-                    geometry.setMaterial(simplified(own, colored ? color(own, "Diffuse") : ColorRGBA.White, "DiffuseMap"));
+                    geometry.setMaterial(simplified(own, colored ? color(own, "Diffuse") : ColorRGBA.White,
+                        "DiffuseMap"));
                 }
                 if (own.isTransparent() || own.getAdditionalRenderState().getBlendMode() == BlendMode.Alpha) {
                     geometry.setQueueBucket(Bucket.Transparent);

@@ -124,10 +124,12 @@ public final class SceneBuilder {
         Node node = new Node(wheel.getName());
         Solid solid = Solids.of(wheel, () -> models);
         Geometry tyre = new Geometry("tyre", mesh(solid.look()));
-        tyre.setMaterial(wheel.getImage() == null && !wheel.hasColor() ? materials.lit(TYRE) : materials.surface(wheel));
+        tyre.setMaterial(wheel.getImage() == null && !wheel.hasColor() ? materials.lit(TYRE)
+            : materials.surface(wheel));
         place(tyre, solid.offset);
         float radius = (float) wheel.getRadius();
-        Geometry spoke = new Geometry("spoke", new Box((float) wheel.getWidth() / 2 + radius * 0.02f, radius * SPOKE, radius * 0.85f));
+        Geometry spoke = new Geometry(
+            "spoke", new Box((float) wheel.getWidth() / 2 + radius * 0.02f, radius * SPOKE, radius * 0.85f));
         spoke.setMaterial(materials.lit(HUB));
         spoke.setLocalScale(scale(wheel));
         node.attachChild(tyre);

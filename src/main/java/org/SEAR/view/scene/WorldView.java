@@ -197,7 +197,8 @@ public final class WorldView {
         for (BeamView beam : beams) {
             String value = readings.get(beam.fan().sensor);
             Vector3f point = beam.node().localToWorld(new Vector3f(0, LABEL_HEIGHT, 0), null);
-            labels.put(beam.fan().sensor, beam.isVisible() && value != null ? beam.fan().sensor + "  " + value : null, point, camera);
+            labels.put(beam.fan().sensor, beam.isVisible() && value != null ? beam.fan().sensor + "  " + value : null,
+                point, camera);
         }
     }
 
@@ -239,6 +240,7 @@ public final class WorldView {
     }
 
     public List<String> hiddenSensors() {
-        return beams.stream().filter(beam -> !beam.isVisible()).map(beam -> beam.fan().sensor).collect(Collectors.toList());
+        return beams.stream().filter(beam -> !beam.isVisible()).map(beam -> beam.fan().sensor)
+            .collect(Collectors.toList());
     }
 }

@@ -49,7 +49,8 @@ public final class FarView {
             far.resize(near.getWidth(), near.getHeight(), false);
         }
         float scale = OVERLAP * near.getFrustumFar() / near.getFrustumNear();
-        far.setFrustum(OVERLAP * near.getFrustumFar(), FAR, scale * near.getFrustumLeft(), scale * near.getFrustumRight(),
+        far.setFrustum(OVERLAP * near.getFrustumFar(), FAR, scale * near.getFrustumLeft(),
+            scale * near.getFrustumRight(),
             scale * near.getFrustumTop(), scale * near.getFrustumBottom());
         far.setFrame(near.getLocation(), near.getRotation());
         sky.updateLogicalState(frameTime);

@@ -35,7 +35,8 @@ public final class GroundMaterial {
         double extentZ = (field.columns - 1) * field.spacingZ;
         far = new Material(assets, "org/SEAR/view/terrain/Ground.j3md");
         far.setTexture("Picture", texture(image(picture), fine, Texture.WrapMode.EdgeClamp));
-        far.setVector4("Area", new Vector4f((float) field.lowX, (float) field.lowZ, (float) (1 / extentX), (float) (1 / extentZ)));
+        far.setVector4("Area", new Vector4f((float) field.lowX, (float) field.lowZ, (float) (1 / extentX),
+            (float) (1 / extentZ)));
         far.setFloat("Clear", Math.max(NEAREST_HAZE, Math.min(CLEAR, 2.2f * (float) Math.hypot(extentX, extentZ))));
         near = far.clone();
         near.setTexture("Grain", texture(grain(), fine, Texture.WrapMode.Repeat));

@@ -57,9 +57,11 @@ public final class TerrainView {
         for (int i = 0; i < choice.count(); i++) {
             if (choice.isSeen(i)) {
                 Tile tile = tile(choice.level(i), choice.row(i), choice.column(i));
-                tile.stitch(indices, TileIndices.kind(choice.coarser(i, 0), choice.coarser(i, 1), choice.coarser(i, 2), choice.coarser(i, 3)));
+                tile.stitch(indices, TileIndices.kind(choice.coarser(i, 0), choice.coarser(i, 1), choice.coarser(i, 2),
+                    choice.coarser(i, 3)));
                 float distance = choice.distance(i);
-                tile.geometry.setMaterial(distance < SHADOWS ? material.shadowed : distance < GroundMaterial.GRAINY ? material.near : material.far);
+                tile.geometry.setMaterial(distance < SHADOWS ? material.shadowed : distance < GroundMaterial.GRAINY
+                    ? material.near : material.far);
             }
         }
         for (int i = 0; i < kept.size(); i++) {

@@ -49,7 +49,8 @@ final class Tile {
         }
         places.flip();
         Vector3f low = new Vector3f(places.get(0), pyramid.low(level, row, column), places.get(2));
-        Vector3f high = new Vector3f(places.get(places.limit() - 3), pyramid.high(level, row, column), places.get(places.limit() - 1));
+        Vector3f high = new Vector3f(places.get(places.limit() - 3), pyramid.high(level, row, column),
+            places.get(places.limit() - 1));
         mesh.getBuffer(VertexBuffer.Type.Position).updateData(places);
         mesh.setBound(new BoundingBox(low, high));
         geometry.updateModelBound();

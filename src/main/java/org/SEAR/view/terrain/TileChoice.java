@@ -86,7 +86,8 @@ final class TileChoice {
 
     private void visit(int level, int row, int column) {
         boolean visible = isVisible(level, row, column);
-        if (level > 0 && (forced[level][row * pyramid.columns(level) + column] || visible && isCoarse(level, row, column))) {
+        if (level > 0 && (forced[level][row * pyramid.columns(level) + column] || visible
+            && isCoarse(level, row, column))) {
             int rows = Math.min(pyramid.rows(level - 1), 2 * row + 2);
             int columns = Math.min(pyramid.columns(level - 1), 2 * column + 2);
             for (int r = 2 * row; r < rows; r++) {
@@ -166,7 +167,8 @@ final class TileChoice {
             for (int side = 0; side < 4; side++) {
                 if (coarser(i, side) > MAX_STEPS) {
                     int level = neighbour(i, side);
-                    int at = (neighbourRow(i, side) >> level) * pyramid.columns(level) + (neighbourColumn(i, side) >> level);
+                    int at = (neighbourRow(i, side) >> level) * pyramid.columns(level)
+                        + (neighbourColumn(i, side) >> level);
                     forced[level][at] = true;
                     found = true;
                 }

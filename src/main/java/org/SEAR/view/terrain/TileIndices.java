@@ -22,7 +22,8 @@ final class TileIndices {
     VertexBuffer get(int kind) {
         if (made[kind] == null) {
             VertexBuffer buffer = new VertexBuffer(VertexBuffer.Type.Index);
-            buffer.setupData(VertexBuffer.Usage.Static, 3, VertexBuffer.Format.UnsignedShort, BufferUtils.createShortBuffer(triangles(kind)));
+            buffer.setupData(VertexBuffer.Usage.Static, 3, VertexBuffer.Format.UnsignedShort,
+                BufferUtils.createShortBuffer(triangles(kind)));
             made[kind] = buffer;
         }
         return made[kind];

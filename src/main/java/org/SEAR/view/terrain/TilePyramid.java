@@ -69,11 +69,13 @@ final class TilePyramid {
             look(tiles, number);
             for (int level = 0; level < Math.min(levels, KEPT + 1); level++) {
                 int size = CELLS << level;
-                fill(level, south / size, (tiles.lastRow(number) - 1) / size + 1, west / size, (tiles.lastColumn(number) - 1) / size + 1);
+                fill(level, south / size, (tiles.lastRow(number) - 1) / size + 1, west / size,
+                    (tiles.lastColumn(number) - 1) / size + 1);
             }
             for (int r = kept(south); r <= kept(tiles.lastRow(number)); r++) {
                 for (int c = kept(west); c <= kept(tiles.lastColumn(number)); c++) {
-                    kept[r * keptColumns + c] = part.y(Math.min((r << KEPT) - south, part.rows - 1), Math.min((c << KEPT) - west, part.columns - 1));
+                    kept[r * keptColumns + c] = part.y(Math.min((r << KEPT) - south, part.rows - 1),
+                        Math.min((c << KEPT) - west, part.columns - 1));
                 }
             }
         }
@@ -212,7 +214,8 @@ final class TilePyramid {
         float most = 0;
         for (int i = 0; i < CELLS; i++) {
             for (int j = 0; j < CELLS; j++) {
-                most = Math.max(most, step(level - 1, postRow(level, row, i), postRow(level, row, i + 1), postColumn(level, column, j),
+                most = Math.max(most, step(level - 1, postRow(level, row, i), postRow(level, row, i + 1),
+                    postColumn(level, column, j),
                     postColumn(level, column, j + 1)));
             }
         }
@@ -226,8 +229,10 @@ final class TilePyramid {
     private float step(int below, int south, int north, int west, int east) {
         int half = 1 << below;
         float most = 0;
-        for (int r = south; r <= north; r = r < south + half && south + half < north ? south + half : r < north ? north : north + 1) {
-            for (int c = west; c <= east; c = c < west + half && west + half < east ? west + half : c < east ? east : east + 1) {
+        for (int r = south; r <= north; r = r < south + half && south + half < north ? south + half : r < north
+            ? north : north + 1) {
+            for (int c = west; c <= east; c = c < west + half && west + half < east ? west + half : c < east
+                ? east : east + 1) {
                 most = Math.max(most, Math.abs(y(below, r, c) - surface(below, south, north, west, east, r, c)));
             }
         }

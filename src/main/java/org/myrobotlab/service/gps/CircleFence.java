@@ -13,10 +13,12 @@ public final class CircleFence implements GeoFence {
      */
     public CircleFence(GeoPoint centre, double radius) {
         if (centre == null) {
-            throw new IllegalArgumentException("the centre of a geofence is None, legal: a point of setPoint(latitude, longitude)");
+            throw new IllegalArgumentException(
+                "the centre of a geofence is None, legal: a point of setPoint(latitude, longitude)");
         }
         if (!(radius > 0 && radius < Double.POSITIVE_INFINITY)) {
-            throw new IllegalArgumentException("radius of a geofence is " + radius + ", legal: a number above 0, in metres");
+            throw new IllegalArgumentException("radius of a geofence is " + radius
+                + ", legal: a number above 0, in metres");
         }
         this.centre = centre;
         this.radius = radius;

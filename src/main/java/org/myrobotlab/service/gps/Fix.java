@@ -92,7 +92,8 @@ public final class Fix {
     private static double degrees(String[] tokens, int token, String negative, double most) {
         double degrees = Nmea.degrees(tokens[token]);
         if (degrees > most) {
-            throw new IllegalArgumentException("coordinate \"" + tokens[token] + "\" is " + degrees + " degrees, legal: 0 to " + most);
+            throw new IllegalArgumentException("coordinate \"" + tokens[token] + "\" is " + degrees
+                + " degrees, legal: 0 to " + most);
         }
         return negative.equals(tokens[token + 1]) ? -degrees : degrees;
     }

@@ -48,7 +48,8 @@ final class FixMerger {
         time(fix.utc);
         seen = Math.max(seen, fix.rank());
         if (fix.rank() < expected) {
-            waiting = waiting == null || fix.rank() > waiting.rank() || fix.hasFix() && !waiting.hasFix() ? fix : waiting;
+            waiting = waiting == null || fix.rank() > waiting.rank() || fix.hasFix() && !waiting.hasFix()
+                ? fix : waiting;
         } else {
             waiting = null;
             publish(fix);
@@ -70,7 +71,8 @@ final class FixMerger {
     }
 
     private static boolean isOneMoment(String one, String other) {
-        return Objects.equals(one, other) || one != null && other != null && Math.abs(number(one) - number(other)) < ONE_MOMENT;
+        return Objects.equals(one, other) || one != null && other != null && Math.abs(number(one) - number(other))
+            < ONE_MOMENT;
     }
 
     private static double number(String utc) {

@@ -82,7 +82,8 @@ final class FixSentences {
         }
         String[] found = fields(sentence);
         if (found.length < kind.fewest) {
-            throw new IllegalArgumentException(kind + " has " + found.length + " fields, legal: " + kind.fewest + " or more");
+            throw new IllegalArgumentException(kind + " has " + found.length + " fields, legal: " + kind.fewest
+                + " or more");
         }
         String[] fields = Arrays.copyOf(found, Math.max(MOST, found.length));
         Arrays.fill(fields, found.length, fields.length, "");
@@ -92,9 +93,11 @@ final class FixSentences {
             case GNS:
                 return gns(fields);
             case RMC:
-                return minimum(fields, 1, RMC_LATITUDE, "A".equals(fields[RMC_STATUS]), found.length > RMC_MODE ? fields[RMC_MODE] : "A");
+                return minimum(fields, 1, RMC_LATITUDE, "A".equals(fields[RMC_STATUS]), found.length > RMC_MODE
+                    ? fields[RMC_MODE] : "A");
             default:
-                return minimum(fields, GLL_UTC, 1, "A".equals(fields[GLL_STATUS]), found.length > GLL_MODE ? fields[GLL_MODE] : "A");
+                return minimum(fields, GLL_UTC, 1, "A".equals(fields[GLL_STATUS]), found.length > GLL_MODE
+                    ? fields[GLL_MODE] : "A");
         }
     }
 

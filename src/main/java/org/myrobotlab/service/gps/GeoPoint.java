@@ -23,7 +23,8 @@ public final class GeoPoint {
 
     private static double checked(String what, double degrees, double most) {
         if (!(Math.abs(degrees) <= most)) {
-            throw new IllegalArgumentException(what + " is " + degrees + ", legal: " + -most + " to " + most + " degrees");
+            throw new IllegalArgumentException(what + " is " + degrees + ", legal: " + -most + " to " + most
+                + " degrees");
         }
         return degrees;
     }

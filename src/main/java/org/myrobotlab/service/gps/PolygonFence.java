@@ -29,7 +29,8 @@ public final class PolygonFence implements GeoFence {
             copy.add((GeoPoint) corner);
         }
         if (copy.size() < FEWEST) {
-            throw new IllegalArgumentException("a geofence has " + copy.size() + " corners, legal: " + FEWEST + " or more");
+            throw new IllegalArgumentException("a geofence has " + copy.size() + " corners, legal: " + FEWEST
+                + " or more");
         }
         points = Collections.unmodifiableList(copy);
     }

@@ -11,7 +11,8 @@ import org.SEAR.protocol.ubx.NavPvt;
 /** Converts a u-blox NAV-PVT message to the GGA sentence of the same fix, so that scripts read both alike. */
 public final class PvtFix {
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("HHmmss.SS", Locale.ROOT);
-    private static final DateTimeFormatter MOMENT = DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SS'Z'", Locale.ROOT);
+    private static final DateTimeFormatter MOMENT = DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SS'Z'",
+        Locale.ROOT);
     private static final int DATE_KNOWN = 1;
     private static final double DEGREES = 1e7;
     private static final double METRES = 1000;
@@ -38,7 +39,8 @@ public final class PvtFix {
      */
     public static Fix of(byte[] payload) {
         if (payload.length < NavPvt.LEAST) {
-            throw new IllegalArgumentException("NAV-PVT has " + payload.length + " bytes, legal: " + NavPvt.LEAST + " or more");
+            throw new IllegalArgumentException("NAV-PVT has " + payload.length + " bytes, legal: " + NavPvt.LEAST
+                + " or more");
         }
         String where = position(NavPvt.LATITUDE.get(payload) / DEGREES, Nmea.LATITUDE_DIGITS, "N", "S") + ","
             + position(NavPvt.LONGITUDE.get(payload) / DEGREES, Nmea.LONGITUDE_DIGITS, "E", "W");
@@ -46,7 +48,8 @@ public final class PvtFix {
         double separation = NavPvt.HEIGHT.get(payload) / METRES - altitude;
         int quality = quality(payload);
         boolean high = quality > 0 && NavPvt.FIX_TYPE.get(payload) != FLAT;
-        return FixSentences.converted("NAV-PVT", Nmea.sentence("GNGGA," + time(payload) + "," + (quality == 0 ? ",,," : where) + "," + quality + ","
+        return FixSentences.converted("NAV-PVT",
+            Nmea.sentence("GNGGA," + time(payload) + "," + (quality == 0 ? ",,," : where) + "," + quality + ","
             + String.format(Locale.ROOT, "%02d", NavPvt.SATELLITES.get(payload)) + ",,"
             + (high ? Nmea.number(altitude, 3) + ",M," + Nmea.number(separation, 3) : ",,") + ",M,,").trim());
     }
@@ -70,8 +73,10 @@ public final class PvtFix {
 
     /** Returns the UTC, rounded to hundredths by the formats. The field of nanoseconds may be negative. */
     private static LocalDateTime moment(byte[] payload) {
-        return LocalDate.of((int) NavPvt.YEAR.get(payload), 1, 1).plusMonths(NavPvt.MONTH.get(payload) - 1).plusDays(NavPvt.DAY.get(payload) - 1)
-            .atStartOfDay().plusHours(NavPvt.HOUR.get(payload)).plusMinutes(NavPvt.MINUTE.get(payload)).plusSeconds(NavPvt.SECOND.get(payload))
+        return LocalDate.of((int) NavPvt.YEAR.get(payload), 1, 1).plusMonths(NavPvt.MONTH.get(payload) - 1)
+            .plusDays(NavPvt.DAY.get(payload) - 1)
+            .atStartOfDay().plusHours(NavPvt.HOUR.get(payload)).plusMinutes(NavPvt.MINUTE.get(payload))
+            .plusSeconds(NavPvt.SECOND.get(payload))
             .plusNanos(NavPvt.NANO.get(payload) + HALF);
     }
 

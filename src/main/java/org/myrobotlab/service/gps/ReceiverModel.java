@@ -100,7 +100,8 @@ public enum ReceiverModel {
             case PMTK:
                 return sentence(Pmtk.SET_BAUD.body(baud));
             case UBX:
-                return new UbxFrame(UbxMessage.CFG_PRT, UbxFrame.room(PORT_SIZE).putShort((short) 1).putShort((short) 0).putInt(EIGHT_BITS_NO_PARITY)
+                return new UbxFrame(UbxMessage.CFG_PRT, UbxFrame.room(PORT_SIZE).putShort((short) 1).putShort((short) 0)
+                    .putInt(EIGHT_BITS_NO_PARITY)
                     .putInt(baud).putShort((short) IN_PROTOCOLS).putShort((short) OUT_PROTOCOLS).array()).toBytes();
             default:
                 return new byte[0];
@@ -114,10 +115,12 @@ public enum ReceiverModel {
      */
     public byte[] rateCommand(double hertz) {
         if (language == Language.NONE) {
-            throw new IllegalArgumentException("GPS rate is " + hertz + " Hz, but model NMEA takes no commands: setModel first, legal: " + names());
+            throw new IllegalArgumentException("GPS rate is " + hertz + " Hz, but model NMEA takes no commands: "
+                + "setModel first, legal: " + names());
         }
         if (!(hertz >= SLOWEST && hertz <= fastest)) {
-            throw new IllegalArgumentException("GPS rate is " + hertz + " Hz, legal for " + label + ": " + SLOWEST + " to " + fastest);
+            throw new IllegalArgumentException("GPS rate is " + hertz + " Hz, legal for " + label + ": " + SLOWEST
+                + " to " + fastest);
         }
         int millis = (int) Math.round(MILLIS / hertz);
         return language == Language.PMTK ? sentence(Pmtk.SET_PERIOD.body(millis)) : new UbxFrame(UbxMessage.CFG_RATE,

@@ -111,10 +111,12 @@ public final class Reception {
 
     /** Takes the date of an RMC with a fix, because MT3301 invents one without, and that of ZDA. */
     private void onDate(String type, String... fields) {
-        if ("RMC".equals(type) && fields.length > RMC_DATE && "A".equals(fields[RMC_STATUS]) && fields[RMC_DATE].matches(DATE)) {
+        if ("RMC".equals(type) && fields.length > RMC_DATE && "A".equals(fields[RMC_STATUS]) && fields[RMC_DATE]
+            .matches(DATE)) {
             String date = fields[RMC_DATE];
             String year = date.substring(4);
-            setTime((Integer.parseInt(year) < FIRST_YEAR ? "20" : "19") + year, date.substring(2, 4), date.substring(0, 2), fields[RMC_UTC]);
+            setTime((Integer.parseInt(year) < FIRST_YEAR ? "20" : "19") + year, date.substring(2, 4),
+                date.substring(0, 2), fields[RMC_UTC]);
         } else if ("ZDA".equals(type) && fields.length > ZDA_YEAR) {
             if (!fields[ZDA_UTC].isEmpty()) {
                 merger.time(fields[ZDA_UTC]);
@@ -125,7 +127,8 @@ public final class Reception {
 
     private void setTime(String year, String month, String day, String utc) {
         if (utc.matches(TIME) && (year + month + day).matches("[0-9]{8}")) {
-            time = String.format(Locale.ROOT, "%s-%s-%sT%s:%s:%sZ", year, month, day, utc.substring(0, 2), utc.substring(2, 4), utc.substring(4));
+            time = String.format(Locale.ROOT, "%s-%s-%sT%s:%s:%sZ", year, month, day, utc.substring(0, 2),
+                utc.substring(2, 4), utc.substring(4));
         }
     }
 }

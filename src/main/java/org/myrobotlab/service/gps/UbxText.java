@@ -25,7 +25,8 @@ public final class UbxText {
         String plain = hex == null ? "" : hex.replaceAll("\\s", "");
         int count = plain.length() / 2;
         if (!plain.matches("([0-9A-Fa-f]{2}){2,}") || count > UbxFrame.MOST) {
-            throw new IllegalArgumentException("UBX message is \"" + hex + "\", legal: class, number and payload as 2 to " + UbxFrame.MOST
+            throw new IllegalArgumentException(
+                "UBX message is \"" + hex + "\", legal: class, number and payload as 2 to " + UbxFrame.MOST
                 + " bytes in hexadecimal, for example \"06 01 01 07 01\"");
         }
         byte[] bytes = new byte[count];
@@ -38,7 +39,8 @@ public final class UbxText {
     /** Returns the firmware version in MON-VER. */
     public static String version(UbxFrame frame) {
         byte[] payload = frame.getPayload();
-        return new String(payload, 0, Math.min(VERSION_SIZE, payload.length), StandardCharsets.US_ASCII).split("\0", 2)[0];
+        return new String(payload, 0, Math.min(VERSION_SIZE, payload.length), StandardCharsets.US_ASCII)
+            .split("\0", 2)[0];
     }
 
     /** Returns the name of the message that an ACK-NAK rejects. */
@@ -49,6 +51,7 @@ public final class UbxText {
         int group = frame.getPayload()[0] & 0xFF;
         int id = frame.getPayload()[1] & 0xFF;
         UbxMessage message = UbxMessage.of(group, id);
-        return message == null ? String.format(Locale.ROOT, "message %02X %02X", group, id) : message.name().replace('_', '-');
+        return message == null ? String.format(Locale.ROOT, "message %02X %02X", group, id) : message.name()
+            .replace('_', '-');
     }
 }

@@ -22,7 +22,8 @@ final class HokuyoFan {
 
     private HokuyoFan(int least, int greatest, int steps, int first, int last, int front) {
         if (steps <= 0 || first < 0 || first >= last || front < first || front > last) {
-            throw new IllegalArgumentException("ARES " + steps + ", AMIN " + first + ", AFRT " + front + ", AMAX " + last);
+            throw new IllegalArgumentException("ARES " + steps + ", AMIN " + first + ", AFRT " + front
+                + ", AMAX " + last);
         }
         this.least = least;
         this.greatest = greatest;
@@ -34,7 +35,8 @@ final class HokuyoFan {
 
     /** Returns the factory values of a model. */
     static HokuyoFan of(HokuyoModel model) {
-        return new HokuyoFan(model.getLeast(), model.getGreatest(), model.getSteps(), model.getFirst(), model.getLast(), model.getFront());
+        return new HokuyoFan(model.getLeast(), model.getGreatest(), model.getSteps(), model.getFirst(), model.getLast(),
+            model.getFront());
     }
 
     /**
@@ -44,7 +46,8 @@ final class HokuyoFan {
      * @throws IllegalArgumentException if the values contradict each other
      */
     static HokuyoFan of(Reply reply) {
-        return new HokuyoFan(reply.number("DMIN"), reply.number("DMAX"), reply.number("ARES"), reply.number("AMIN"), reply.number("AMAX"),
+        return new HokuyoFan(reply.number("DMIN"), reply.number("DMAX"), reply.number("ARES"), reply.number("AMIN"),
+            reply.number("AMAX"),
             reply.number("AFRT"));
     }
 
@@ -62,7 +65,8 @@ final class HokuyoFan {
         double widest = Math.ceil((last - first) * stepAngle);
         double coarsest = ScanCommand.MAX_CLUSTER * stepAngle;
         if (!(spread > 0 && spread <= widest && resolution > 0 && resolution <= Math.min(spread, coarsest))) {
-            throw new IllegalArgumentException(String.format(Locale.ROOT, "scan mode is spread %d, resolution %s, legal: spread 1 to %.0f, "
+            throw new IllegalArgumentException(
+                String.format(Locale.ROOT, "scan mode is spread %d, resolution %s, legal: spread 1 to %.0f, "
                 + "resolution %s to %.2f, at most the spread", spread, resolution, widest, stepAngle, coarsest));
         }
         int cluster = (int) Math.max(1, Math.round(resolution / stepAngle));
@@ -104,7 +108,8 @@ final class HokuyoFan {
             throw new IllegalArgumentException(values.length + " values");
         }
         double middle = command.getStart() + (command.getCluster() - 1) / 2.0;
-        double[] angles = RangeScan.angles(values.length, STRAIGHT_AHEAD + (middle - front) * stepAngle, resolution(command));
+        double[] angles = RangeScan.angles(values.length, STRAIGHT_AHEAD + (middle - front) * stepAngle,
+            resolution(command));
         return new RangeScan(values, "mm", least, greatest + 1, angles, resolution(command), time);
     }
 }

@@ -13,7 +13,8 @@ import org.SEAR.protocol.scip.HokuyoModel;
 /** The scanner models of the LIDAR service, with their legal values and drivers. Any thread. */
 public final class LidarModels {
     /** Models that use the protocol of another model. */
-    private static final Map<String, LidarModel> SISTERS = Map.of("LMS211", LidarModel.LMS221, "LMS220", LidarModel.LMS221);
+    private static final Map<String, LidarModel> SISTERS = Map.of("LMS211", LidarModel.LMS221, "LMS220",
+        LidarModel.LMS221);
     private static final Map<String, LidarModel> MODELS = models();
     /** Rate that opens a USB port, where the rate has no effect. */
     private static final int ANY_BAUD = 115200;
@@ -27,7 +28,8 @@ public final class LidarModels {
 
     private static Map<String, LidarModel> models() {
         Map<String, LidarModel> models = new LinkedHashMap<>();
-        for (String name : Arrays.asList("LMS200", "LMS211", "LMS220", "LMS221", "LMS291", "URG-04LX", "UTM-30LX", "RPLIDAR-A1")) {
+        for (String name : Arrays.asList("LMS200", "LMS211", "LMS220", "LMS221", "LMS291", "URG-04LX", "UTM-30LX",
+            "RPLIDAR-A1")) {
             models.put(name, SISTERS.containsKey(name) ? SISTERS.get(name) : LidarModel.of(name));
         }
         return models;
@@ -49,7 +51,8 @@ public final class LidarModels {
 
     /** Returns whether both models use the same driver. */
     public static boolean talkAlike(String model, String other) {
-        return model.equals(other) || find(model).getProtocol() == LidarProtocol.LMS && find(other).getProtocol() == LidarProtocol.LMS;
+        return model.equals(other) || find(model).getProtocol() == LidarProtocol.LMS
+            && find(other).getProtocol() == LidarProtocol.LMS;
     }
 
     /** Returns whether the rate is legal for the model. */
@@ -92,7 +95,8 @@ public final class LidarModels {
 
     /** Returns all models. */
     public static List<LidarChoice> choices() {
-        return MODELS.entrySet().stream().map(each -> new LidarChoice(each.getKey(), bauds(each.getValue()), modes(each.getValue()),
+        return MODELS.entrySet().stream()
+            .map(each -> new LidarChoice(each.getKey(), bauds(each.getValue()), modes(each.getValue()),
             each.getValue().getProtocol() == LidarProtocol.LMS)).collect(Collectors.toList());
     }
 

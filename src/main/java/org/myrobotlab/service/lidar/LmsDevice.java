@@ -51,7 +51,8 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     @Override
     public void learn() {
         learnConfiguration();
-        ask("the request for the status", LmsCommand.STATUS, LmsCommand.STATUS.request(), LmsStatus.SIZE + OVERHEAD, SHORT_TIMEOUT,
+        ask("the request for the status", LmsCommand.STATUS, LmsCommand.STATUS.request(), LmsStatus.SIZE + OVERHEAD,
+            SHORT_TIMEOUT,
             reply -> onStatus(LmsStatus.of(reply)));
     }
 
@@ -69,7 +70,8 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     }
 
     private void learnConfiguration() {
-        ask("the request for the configuration", LmsCommand.GET_CONFIGURATION, LmsCommand.GET_CONFIGURATION.request(), Configuration.SIZE + OVERHEAD,
+        ask("the request for the configuration", LmsCommand.GET_CONFIGURATION, LmsCommand.GET_CONFIGURATION.request(),
+            Configuration.SIZE + OVERHEAD,
             SHORT_TIMEOUT, reply -> configured(Configuration.of(reply, CONFIGURATION_AT)));
     }
 
@@ -98,13 +100,15 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
                 + ", legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5");
         }
         LmsPayload request = LmsCommand.VARIANT.request().word(variant.getSpread()).word(variant.getResolution());
-        pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, LmsCommand.VARIANT, request, OVERHEAD + 3, MODE_TIMEOUT,
+        pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, LmsCommand.VARIANT, request,
+            OVERHEAD + 3, MODE_TIMEOUT,
             reply -> {
                 int nowSpread = reply.wordAt(2);
                 int nowResolution = reply.wordAt(4);
                 fan(nowSpread, nowResolution);
                 if (reply.at(1) != 1) {
-                    listener.error("the LIDAR rejected scan mode " + spread + ", " + newResolution + " and stays at " + nowSpread + ", "
+                    listener.error("the LIDAR rejected scan mode " + spread + ", " + newResolution + " and stays at "
+                        + nowSpread + ", "
                         + nowResolution / HUNDREDTHS);
                 }
             }));
@@ -117,7 +121,8 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     @Override
     public void setUnit(boolean millimetres) {
         pauseStreaming(() -> {
-            mode("installation mode", LmsCommand.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
+            mode("installation mode", LmsCommand.MODE.request().add(OperatingMode.INSTALLATION)
+                .text(OperatingMode.PASSWORD));
             learnConfiguration();
             driver().ask(new LmsRequest("the change of unit", LmsCommand.SET_CONFIGURATION, () -> withUnit(millimetres),
                 Configuration.SIZE + OVERHEAD, WRITE_TIMEOUT, reply -> {
@@ -141,7 +146,8 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     @Override
     public void singleScan() {
         if (!isStreaming()) {
-            ask("a single scan", LmsCommand.SCAN, LmsCommand.SCAN.request().add(ALL_VALUES), LONGEST_SCAN, SHORT_TIMEOUT, this::scanned);
+            ask("a single scan", LmsCommand.SCAN, LmsCommand.SCAN.request().add(ALL_VALUES), LONGEST_SCAN,
+                SHORT_TIMEOUT, this::scanned);
         }
     }
 
@@ -182,7 +188,8 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
         ask(name, LmsCommand.MODE, request, OVERHEAD, MODE_TIMEOUT, reply -> succeeded(reply, name));
     }
 
-    private void ask(String name, LmsCommand command, LmsPayload request, int replyLength, double timeout, Consumer<Telegram> then) {
+    private void ask(String name, LmsCommand command, LmsPayload request, int replyLength, double timeout,
+        Consumer<Telegram> then) {
         driver().ask(new LmsRequest(name, command, () -> request, replyLength, timeout, then));
     }
 

@@ -86,7 +86,8 @@ final class LmsDriver extends LidarDriver<LmsRequest> implements TelegramReader.
         try {
             taker.accept(telegram);
         } catch (IndexOutOfBoundsException | IllegalArgumentException e) {
-            events.error("the LIDAR sent an invalid telegram " + Integer.toHexString(telegram.getCommand()) + "h, " + telegram.size()
+            events.error("the LIDAR sent an invalid telegram " + Integer.toHexString(telegram.getCommand()) + "h, "
+                + telegram.size()
                 + " bytes: " + e.getMessage());
         }
     }

@@ -38,7 +38,8 @@ final class LmsReplies {
         double degrees = spread > 0 ? spread / (values.length - 1) : resolution;
         double first = spread > 0 ? STRAIGHT_AHEAD - spread / 2 : STRAIGHT_AHEAD - degrees * (values.length - 1) / 2;
         double[] angles = RangeScan.angles(values.length, first + offset, degrees);
-        return new RangeScan(values, count.getUnit() == MILLIMETRES ? "mm" : "cm", 0, measuringMode.getBeyondRange(), angles, degrees, time);
+        return new RangeScan(values, count.getUnit() == MILLIMETRES ? "mm" : "cm", 0, measuringMode.getBeyondRange(),
+            angles, degrees, time);
     }
 
     private static double spreadOf(int values) {
@@ -64,6 +65,7 @@ final class LmsReplies {
         if (StatusByte.isPolluted(status)) {
             return "the LIDAR's window is dirty";
         }
-        return StatusByte.isError(status) ? "the LIDAR reports an error (status " + Integer.toHexString(status) + "h)" : "";
+        return StatusByte.isError(status) ? "the LIDAR reports an error (status " + Integer.toHexString(status)
+            + "h)" : "";
     }
 }

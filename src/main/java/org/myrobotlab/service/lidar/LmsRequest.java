@@ -20,7 +20,8 @@ final class LmsRequest extends DeviceRequest {
      * @param replyLength bytes
      * @param timeout seconds
      */
-    LmsRequest(String name, LmsCommand command, Supplier<LmsPayload> payload, int replyLength, double timeout, Consumer<Telegram> then) {
+    LmsRequest(String name, LmsCommand command, Supplier<LmsPayload> payload, int replyLength, double timeout,
+        Consumer<Telegram> then) {
         super(name, () -> Telegram.request(payload.get()).toBytes(), replyLength, timeout);
         this.command = command;
         this.then = then;

@@ -82,8 +82,10 @@ public final class RangeScan {
             returns += metres[i] == null ? 0 : 1;
             nearest = metres[i] != null && (nearest < 0 || metres[i] < metres[nearest]) ? i : nearest;
         }
-        String counted = String.format(Locale.ROOT, "scan of %d readings over %s degrees, %d of them distances", raw.length, plain(spread), returns);
-        return nearest < 0 ? counted : counted + String.format(Locale.ROOT, ", the nearest %s m at %s degrees", plain(metres[nearest]),
+        String counted = String.format(Locale.ROOT, "scan of %d readings over %s degrees, %d of them distances",
+            raw.length, plain(spread), returns);
+        return nearest < 0 ? counted : counted + String.format(Locale.ROOT, ", the nearest %s m at %s degrees",
+            plain(metres[nearest]),
             plain(angles[nearest]));
     }
 

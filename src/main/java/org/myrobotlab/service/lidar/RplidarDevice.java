@@ -54,7 +54,8 @@ final class RplidarDevice extends AbstractLidarDevice<RplidarDriver> {
     public void learn() {
         link().setDtr(false);
         stop();
-        ask("the request for its type", RplidarCommand.GET_INFO, bytes -> listener.info("the LIDAR is an RPLIDAR of " + new Info(bytes)));
+        ask("the request for its type", RplidarCommand.GET_INFO,
+            bytes -> listener.info("the LIDAR is an RPLIDAR of " + new Info(bytes)));
         ask("the request for its health", RplidarCommand.GET_HEALTH, bytes -> onHealth(new Health(bytes)));
         listener.unit(true);
         listener.scanMode(spread, resolution);
@@ -62,7 +63,8 @@ final class RplidarDevice extends AbstractLidarDevice<RplidarDriver> {
 
     private void onHealth(Health health) {
         if (health.getState() != Health.GOOD) {
-            listener.error("the LIDAR reports " + (health.getState() == Health.ERROR ? "an error" : "a warning") + ", code " + health.getCode());
+            listener.error("the LIDAR reports " + (health.getState() == Health.ERROR ? "an error" : "a warning")
+                + ", code " + health.getCode());
         }
     }
 

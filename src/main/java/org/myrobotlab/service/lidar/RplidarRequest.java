@@ -20,13 +20,15 @@ final class RplidarRequest extends DeviceRequest {
 
     /** @param timeout seconds until the reply or, without a reply, until the next request */
     RplidarRequest(String name, RplidarCommand command, boolean wholeTurn, double timeout, Consumer<byte[]> then) {
-        super(name, () -> bytes(command), command.getDescriptor() == null ? NO_REPLY : command.getDescriptor().getLength(), timeout);
+        super(name, () -> bytes(command), command.getDescriptor() == null ? NO_REPLY : command.getDescriptor()
+            .getLength(), timeout);
         this.command = command;
         this.wholeTurn = wholeTurn;
         this.then = then;
     }
 
     private static byte[] bytes(RplidarCommand command) {
-        return new RplidarRequestPacket(command.getCode(), new byte[command.hasPayload() ? EXPRESS_PAYLOAD : 0]).toBytes();
+        return new RplidarRequestPacket(command.getCode(), new byte[command.hasPayload() ? EXPRESS_PAYLOAD : 0])
+            .toBytes();
     }
 }

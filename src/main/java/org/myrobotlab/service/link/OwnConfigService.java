@@ -25,7 +25,8 @@ public abstract class OwnConfigService<T extends ServiceConfig> extends Service<
     public T apply(T newConfig) {
         if (!configType().isInstance(newConfig)) {
             throw new IllegalArgumentException("the configuration of " + getName() + " is a "
-                + (newConfig == null ? null : newConfig.getClass().getSimpleName()) + ", legal: " + configType().getSimpleName());
+                + (newConfig == null ? null : newConfig.getClass().getSimpleName()) + ", legal: " + configType()
+                    .getSimpleName());
         }
         return super.apply(newConfig);
     }

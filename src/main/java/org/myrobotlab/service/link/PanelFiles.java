@@ -113,8 +113,10 @@ public final class PanelFiles {
     }
 
     private static void write(Path file, Properties record) throws IOException {
-        StringBuilder text = new StringBuilder("# Files that SEAR installed and their SHA-256, to recognise files that the user has changed.\n");
-        record.stringPropertyNames().stream().sorted().forEach(name -> text.append(name).append('=').append(record.getProperty(name)).append('\n'));
+        StringBuilder text = new StringBuilder("# Files that SEAR installed and their SHA-256, to recognise files that "
+            + "the user has changed.\n");
+        record.stringPropertyNames().stream().sorted()
+            .forEach(name -> text.append(name).append('=').append(record.getProperty(name)).append('\n'));
         AtomicFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
     }
 

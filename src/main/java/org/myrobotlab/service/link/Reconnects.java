@@ -59,7 +59,8 @@ public interface Reconnects extends SerialDataListener {
             driver.reconnect();
         } else {
             driver.reconnectWhenBack(port, false);
-            ((Service<?>) driver).info("there is no port %s: %s connects to it as soon as a simulation has it; reconnectSerial() tries again", port,
+            ((Service<?>) driver).info("there is no port %s: %s connects to it as soon as a simulation has it; "
+                + "reconnectSerial() tries again", port,
                 driver.getName());
         }
     }

@@ -65,10 +65,12 @@ public final class SerialLink {
         } catch (IllegalStateException | IllegalArgumentException e) {
             throw new IOException(driver.getName() + " can't connect: " + e.getMessage(), e);
         } catch (IOException e) {
-            throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": " + e.getMessage() + "; " + known(), e);
+            throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": " + e.getMessage() + "; "
+                + known(), e);
         }
         if (!port.equals(serial.getPortName())) {
-            throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": there is no such port, or it is in use; "
+            throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": there is no such port, "
+                + "or it is in use; "
                 + known());
         }
         opened = serial.getPort();
@@ -117,8 +119,10 @@ public final class SerialLink {
 
     /** Returns a hint to start the simulation if a SEAR service exists and no port is simulated; else an empty text. */
     private static String notStarted() {
-        return SerialDeviceFactory.getVirtualPorts().isEmpty() ? Runtime.getServices().stream().filter(one -> one.getClass().getSimpleName()
-            .equals("SEAR")).map(one -> "; no port is simulated now: " + one.getName() + ".startSimulation() creates the project's ports")
+        return SerialDeviceFactory.getVirtualPorts().isEmpty() ? Runtime.getServices().stream()
+            .filter(one -> one.getClass().getSimpleName()
+            .equals("SEAR")).map(one -> "; no port is simulated now: " + one.getName() + ".startSimulation() creates "
+                + "the project's ports")
             .findFirst().orElse("") : "";
     }
 
@@ -182,7 +186,8 @@ public final class SerialLink {
             serial.setParams(newBaud, DATA_BITS, STOP_BITS, NO_PARITY);
             baud = newBaud;
         } catch (IOException e) {
-            throw new IllegalStateException("port " + portName + " can't be set to " + newBaud + " baud: " + e.getMessage(), e);
+            throw new IllegalStateException("port " + portName + " can't be set to " + newBaud + " baud: "
+                + e.getMessage(), e);
         }
     }
 

@@ -8,7 +8,8 @@ public class LIDARMeta extends MetaData {
     private static final long serialVersionUID = 1L;
 
     public LIDARMeta() {
-        addDescription("drives a laser scanner, real or simulated: SICK LMS200, Hokuyo URG-04LX and UTM-30LX, Slamtec RPLIDAR A1");
+        addDescription("drives a laser scanner, real or simulated: SICK LMS200, Hokuyo URG-04LX and UTM-30LX, "
+            + "Slamtec RPLIDAR A1");
         addCategory("sensors");
         setLicenseApache();
     }

@@ -66,7 +66,8 @@ public final class JythonStart {
         Options.importSite = false;
         PySystemState.initialize(System.getProperties(), settings, new String[] {""});
         try {
-            PySystemState.add_package(OBJECTS, String.join(",", PackageClasses.of(OBJECTS, JythonStart.class.getClassLoader())));
+            PySystemState.add_package(OBJECTS,
+                String.join(",", PackageClasses.of(OBJECTS, JythonStart.class.getClassLoader())));
         } catch (IOException e) {
             LOG.warn("\"from {} import *\" finds nothing: {}", OBJECTS, e.toString());
         }

@@ -37,7 +37,8 @@ final class PackageClasses {
         for (URL place : Collections.list(loader.getResources(folder))) {
             URLConnection connection = place.openConnection();
             if (connection instanceof JarURLConnection) {
-                ((JarURLConnection) connection).getJarFile().stream().map(JarEntry::getName).filter(one -> one.startsWith(folder + "/"))
+                ((JarURLConnection) connection).getJarFile().stream().map(JarEntry::getName)
+                    .filter(one -> one.startsWith(folder + "/"))
                     .forEach(one -> add(found, one.substring(folder.length() + 1)));
             } else {
                 addFolder(found, place);

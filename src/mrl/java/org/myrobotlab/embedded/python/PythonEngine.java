@@ -168,7 +168,8 @@ public final class PythonEngine {
     }
 
     private void report(PyException e, Run run, String threadName, boolean daemon) {
-        boolean ends = run.isStopped || finishing && e.value.__tojava__(IllegalStateException.class) instanceof IllegalStateException;
+        boolean ends = run.isStopped || finishing
+            && e.value.__tojava__(IllegalStateException.class) instanceof IllegalStateException;
         String error = ends ? null : ScriptThreads.failed(e, threadName);
         if (error != null) {
             failure = error;
@@ -281,7 +282,8 @@ public final class PythonEngine {
             return ScriptResult.GOOD;
         } catch (PyException e) {
             OutOfMemory.report(e);
-            return run.isStopped ? ScriptResult.STOPPED : run.ended(e, function == null ? null : interpreter.get(function));
+            return run.isStopped ? ScriptResult.STOPPED
+                : run.ended(e, function == null ? null : interpreter.get(function));
         } catch (StackOverflowError e) {
             return ScriptResult.failed("RuntimeError: maximum recursion depth exceeded");
         } finally {
@@ -354,7 +356,8 @@ public final class PythonEngine {
 
     private boolean othersRun(boolean threads) {
         return threads && starting > 0
-            || running.entrySet().stream().anyMatch(one -> one.getKey() != Thread.currentThread() && one.getValue().isThread == threads);
+            || running.entrySet().stream().anyMatch(one -> one.getKey() != Thread.currentThread()
+                && one.getValue().isThread == threads);
     }
 
     /**
@@ -446,7 +449,8 @@ public final class PythonEngine {
             isStopped = true;
             PyFrame frame = state.frame;
             if (frame != null) {
-                frame.tracefunc = new Breaker(isThread ? Py.SystemExit : Py.KeyboardInterrupt); // Python takes SystemExit for a thread's normal end
+                // Python takes SystemExit for a thread's normal end
+                frame.tracefunc = new Breaker(isThread ? Py.SystemExit : Py.KeyboardInterrupt);
             }
         }
     }

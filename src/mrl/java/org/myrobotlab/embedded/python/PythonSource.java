@@ -9,7 +9,8 @@ import java.util.regex.Pattern;
 final class PythonSource {
     private static final byte[] UTF_8_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
     /** Encoding declaration as in PEP 263. */
-    private static final Pattern ENCODING = Pattern.compile("\\A(?:[^\\n]*\\n)?[ \\t\\f]*#[^\\n]*?coding[:=][ \\t]*[-_.a-zA-Z0-9]+");
+    private static final Pattern ENCODING =
+        Pattern.compile("\\A(?:[^\\n]*\\n)?[ \\t\\f]*#[^\\n]*?coding[:=][ \\t]*[-_.a-zA-Z0-9]+");
 
     private PythonSource() {
     }

@@ -33,7 +33,8 @@ public final class RepeatedErrors {
             place = lines[i].startsWith(PLACE) ? i : place;
         }
         int from = place;
-        return IntStream.range(0, lines.length).filter(i -> i == from || i > from && !lines[i].startsWith("    ")).mapToObj(i -> lines[i])
+        return IntStream.range(0, lines.length).filter(i -> i == from || i > from && !lines[i].startsWith("    "))
+            .mapToObj(i -> lines[i])
             .collect(Collectors.joining("\n"));
     }
 

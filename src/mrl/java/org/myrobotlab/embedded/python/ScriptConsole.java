@@ -28,7 +28,8 @@ public final class ScriptConsole {
     public void write(PyObject text) {
         String characters = text.toString();
         try {
-            stream.write(characters.getBytes(text instanceof PyUnicode ? StandardCharsets.UTF_8 : StandardCharsets.ISO_8859_1));
+            stream.write(characters.getBytes(text instanceof PyUnicode ? StandardCharsets.UTF_8
+                : StandardCharsets.ISO_8859_1));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

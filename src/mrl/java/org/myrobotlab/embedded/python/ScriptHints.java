@@ -23,11 +23,14 @@ import org.slf4j.LoggerFactory;
 final class ScriptHints {
     private static final Logger LOG = LoggerFactory.getLogger(ScriptHints.class);
     /** Text of scripts that may have a mistake which Python accepts silently; the package looks closer. */
-    private static final Pattern SUSPICIOUS = Pattern.compile("\\d\\s*/\\s*\\d|=\\s*-?\\d+,\\d|radians|\\bpi\\b|simSleep\\(\\s*\\d{4}"
-        + "|LIDAR\\([^,\\n]*,\\s*\\d{2}|getDistanceResult\\([^)\\n]*\\)\\s*[<>=]=?\\s*\\d{2}|(?m)^\\s*\\w+(\\.\\w+)+\\s*(#.*)?$");
+    private static final Pattern SUSPICIOUS =
+        Pattern.compile("\\d\\s*/\\s*\\d|=\\s*-?\\d+,\\d|radians|\\bpi\\b|simSleep\\(\\s*\\d{4}"
+        + "|LIDAR\\([^,\\n]*,\\s*\\d{2}|getDistanceResult\\([^)\\n]*\\)\\s*[<>=]=?\\s*\\d{2}|"
+            + "(?m)^\\s*\\w+(\\.\\w+)+\\s*(#.*)?$");
 
     /** Errors that the package explains. */
-    private static final List<PyObject> KINDS = List.of(Py.TypeError, Py.NameError, Py.AttributeError, Py.ImportError, Py.ValueError,
+    private static final List<PyObject> KINDS = List.of(Py.TypeError, Py.NameError, Py.AttributeError, Py.ImportError,
+        Py.ValueError,
         Py.IndexError);
 
     private ScriptHints() {
@@ -61,7 +64,8 @@ final class ScriptHints {
             return "";
         }
         PyObject traceback = e.traceback == null ? Py.None : e.traceback;
-        String hint = text("failed", e.type, new PyUnicode(message), traceback, calledBack == null ? Py.None : calledBack,
+        String hint = text("failed", e.type, new PyUnicode(message), traceback, calledBack == null ? Py.None
+            : calledBack,
             Py.java2py(new SourceText()));
         return hint.isEmpty() ? "" : "\n" + hint;
     }
@@ -69,12 +73,15 @@ final class ScriptHints {
     /** Returns the message for a script's syntax error; null for another error, or if the source is unknown. */
     static String syntax(PyException e) {
         PyObject file = e.match(Py.SyntaxError) && e.traceback == null ? e.value.__findattr__("filename") : null;
-        boolean isKnown = file != null && e.value.__findattr__("lineno") instanceof PyInteger && !SourceText.of(file.toString()).isEmpty();
+        boolean isKnown = file != null && e.value.__findattr__("lineno") instanceof PyInteger
+            && !SourceText.of(file.toString()).isEmpty();
         String text = isKnown ? text("invalid", e.value, source(file.toString())) : "";
         return text.isEmpty() ? null : text;
     }
 
-    /** Returns the message for the first foreign character of a script that Jython can't represent; null without one. */
+    /**
+     * Returns the message for the first foreign character of a script that Jython can't represent; null without one.
+     */
     static String foreign(String file) {
         String text = text("foreign", new PyUnicode(file), source(file));
         return text.isEmpty() ? null : text;
@@ -98,6 +105,7 @@ final class ScriptHints {
             return List.of();
         }
         PyObject found = ask("mistakes", Py.EmptyTuple, new PyString(code), new PyString(file));
-        return StreamSupport.stream(found.asIterable().spliterator(), false).map(PyObject::toString).collect(Collectors.toList());
+        return StreamSupport.stream(found.asIterable().spliterator(), false).map(PyObject::toString)
+            .collect(Collectors.toList());
     }
 }

@@ -97,9 +97,11 @@ public final class ScriptThreads {
     /** Returns the script's innermost line of the error; empty if there is none. */
     private static String place(PyException e) {
         String place = "";
-        for (PyTraceback at = e.traceback; at != null; at = at.tb_next instanceof PyTraceback ? (PyTraceback) at.tb_next : null) {
+        for (PyTraceback at = e.traceback; at != null; at = at.tb_next instanceof PyTraceback
+            ? (PyTraceback) at.tb_next : null) {
             String file = at.tb_frame.f_code == null ? "" : at.tb_frame.f_code.co_filename;
-            place = OWN.matcher("  File \"" + file).matches() || file.isEmpty() ? place : " at line " + at.tb_lineno + " of " + file;
+            place = OWN.matcher("  File \"" + file).matches() || file.isEmpty() ? place : " at line " + at.tb_lineno
+                + " of " + file;
         }
         return place;
     }

@@ -25,7 +25,8 @@ public final class ServiceTypes {
     /** Returns the types that can be started here, sorted. */
     private static Set<String> here() {
         try {
-            return PackageClasses.of(PACKAGE, ServiceTypes.class.getClassLoader()).stream().filter(ServiceTypes::isService)
+            return PackageClasses.of(PACKAGE, ServiceTypes.class.getClassLoader()).stream()
+                .filter(ServiceTypes::isService)
                 .collect(Collectors.toCollection(TreeSet::new));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -35,7 +36,8 @@ public final class ServiceTypes {
     private static boolean isService(String name) {
         try {
             Class<?> type = Class.forName(PACKAGE + "." + name, false, ServiceTypes.class.getClassLoader());
-            return Service.class.isAssignableFrom(type) && Modifier.isPublic(type.getModifiers()) && !Modifier.isAbstract(type.getModifiers());
+            return Service.class.isAssignableFrom(type) && Modifier.isPublic(type.getModifiers())
+                && !Modifier.isAbstract(type.getModifiers());
         } catch (ClassNotFoundException | LinkageError e) {
             return false;
         }
@@ -58,12 +60,14 @@ public final class ServiceTypes {
     public static String missing(String type) {
         Set<String> known = here();
         if (onlyReal().contains(type)) {
-            String own = known.stream().filter(type::equalsIgnoreCase).map(one -> "; did you mean SEAR's own, " + one + "?").findFirst().orElse("");
+            String own = known.stream().filter(type::equalsIgnoreCase)
+                .map(one -> "; did you mean SEAR's own, " + one + "?").findFirst().orElse("");
             return advice(type) + own;
         }
         known.addAll(onlyReal());
         String near = NearestName.of(type, known);
-        return "there is no service type " + type + (near.isEmpty() ? "; the types here are " + String.join(", ", here()) : "; " + near);
+        return "there is no service type " + type
+            + (near.isEmpty() ? "; the types here are " + String.join(", ", here()) : "; " + near);
     }
 
     /** Returns a hint for a type that only the real MyRobotLab has; empty for any other name. Python calls it. */
@@ -72,7 +76,8 @@ public final class ServiceTypes {
     }
 
     private static String advice(String type) {
-        return "only the real MyRobotLab has the service " + type + ": install SEAR there by the command \"sear install FOLDER\", with the"
+        return "only the real MyRobotLab has the service " + type + ": install SEAR there by the command \"sear "
+            + "install FOLDER\", with the"
             + " folder of its myrobotlab.jar, and run the script in its Python tab (docs/install.md)";
     }
 }

@@ -40,7 +40,8 @@ public final class Python3Script {
 
     /** Returns whether the code is a Python 3 script. */
     public static boolean is(byte[] code) {
-        return Boolean.getBoolean(ALWAYS) || FIRST_LINE.matcher(new String(code, StandardCharsets.ISO_8859_1)).lookingAt();
+        return Boolean.getBoolean(ALWAYS) || FIRST_LINE.matcher(new String(code, StandardCharsets.ISO_8859_1))
+            .lookingAt();
     }
 
     /**
@@ -66,7 +67,8 @@ public final class Python3Script {
         try {
             process = builder.start();
         } catch (IOException e) {
-            err.write(("sear: " + script + " is Python 3, but there is no " + python + " to run it: install Python 3.9 or newer, or set SEAR_PYTHON"
+            err.write(("sear: " + script + " is Python 3, but there is no " + python + " to run it: install Python 3.9 "
+                + "or newer, or set SEAR_PYTHON"
                 + " to it\n").getBytes(StandardCharsets.UTF_8));
             return NOT_FOUND;
         }

@@ -76,7 +76,8 @@ public final class Address {
 
     /** Returns the socket address to bind. */
     public InetSocketAddress socket(int port) {
-        return new InetSocketAddress(isLoopback() && host.equals(LOOPBACK) ? InetAddress.getLoopbackAddress() : listening, port);
+        return new InetSocketAddress(isLoopback() && host.equals(LOOPBACK) ? InetAddress.getLoopbackAddress()
+            : listening, port);
     }
 
     /** Returns the address for browsers, without a slash at the end: {@code http://localhost:8888}. */
@@ -114,11 +115,13 @@ public final class Address {
 
     /** Returns host and port as browsers write them into the header Host. */
     private static String authority(String url) {
-        String legal = "\"" + url + "\" is not an address of this server, legal: http://HOST, http://HOST:PORT, https://HOST, https://HOST:PORT";
+        String legal = "\"" + url + "\" is not an address of this server, legal: http://HOST, http://HOST:PORT, "
+            + "https://HOST, https://HOST:PORT";
         try {
             URI uri = new URI(url);
             String scheme = String.valueOf(uri.getScheme()).toLowerCase(Locale.ROOT);
-            boolean isBare = uri.getUserInfo() == null && uri.getQuery() == null && uri.getFragment() == null && uri.getPath().matches("/?");
+            boolean isBare = uri.getUserInfo() == null && uri.getQuery() == null && uri.getFragment() == null
+                && uri.getPath().matches("/?");
             if (uri.getHost() == null || !SCHEMES.contains(scheme) || !isBare) {
                 throw new IllegalArgumentException(legal);
             }
@@ -187,12 +190,14 @@ public final class Address {
 
         /** Returns the origin of this server's own pages for a Host header. */
         String origin(String header) {
-            return header.toLowerCase(Locale.ROOT).equals(outerHost) && isSecure(header) ? "https://" + header : "http://" + header;
+            return header.toLowerCase(Locale.ROOT).equals(outerHost) && isSecure(header) ? "https://" + header
+                : "http://" + header;
         }
 
         /** Returns whether requests with this Host header come over an encrypted connection. */
         boolean isSecure(String header) {
-            return header.toLowerCase(Locale.ROOT).equals(outerHost) && outer.toLowerCase(Locale.ROOT).startsWith("https:");
+            return header.toLowerCase(Locale.ROOT).equals(outerHost) && outer.toLowerCase(Locale.ROOT)
+                .startsWith("https:");
         }
 
         /** Returns one of the names, for messages. */

@@ -30,7 +30,8 @@ final class CallGuard implements HttpHandler {
     /** Guards calls over HTTP. */
     static HttpHandler calls(HttpHandler next) {
         return new CallGuard(exchange -> {
-            if (Guard.is(exchange, Methods.POST) && !isJson(exchange.getRequestHeaders().getFirst(Headers.CONTENT_TYPE))) {
+            if (Guard.is(exchange, Methods.POST)
+                && !isJson(exchange.getRequestHeaders().getFirst(Headers.CONTENT_TYPE))) {
                 Guard.refuse(exchange, StatusCodes.UNSUPPORTED_MEDIA_TYPE,
                     "a call needs a JSON list of arguments and the header Content-Type: " + JSON);
             } else {
@@ -45,7 +46,8 @@ final class CallGuard implements HttpHandler {
             if (exchange.getRequestHeaders().contains(Headers.ORIGIN)) {
                 next.handleRequest(exchange);
             } else {
-                Guard.refuse(exchange, StatusCodes.FORBIDDEN, "a web socket needs the header Origin, with this server's own address");
+                Guard.refuse(exchange, StatusCodes.FORBIDDEN, "a web socket needs the header Origin, with this "
+                    + "server's own address");
             }
         }));
     }
@@ -62,7 +64,8 @@ final class CallGuard implements HttpHandler {
             Guard.refuse(exchange, StatusCodes.FORBIDDEN,
                 "only pages of this server and programs of this computer may call; this call came from " + site);
         } else if (NAVIGATION.equals(mode)) {
-            Guard.refuse(exchange, StatusCodes.FORBIDDEN, "call services from scripts and programs, not by opening an address");
+            Guard.refuse(exchange, StatusCodes.FORBIDDEN, "call services from scripts and programs, not by "
+                + "opening an address");
         } else {
             next.handleRequest(exchange);
         }

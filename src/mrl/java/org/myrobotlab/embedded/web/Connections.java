@@ -98,7 +98,8 @@ final class Connections implements ChannelListener<StreamConnection> {
             SocketAddress address = exchange.getConnection().getPeerAddress();
             begin(address, exchange);
             XnioExecutor.Key deadline = exchange.isRequestComplete() ? null
-                : exchange.getIoThread().executeAfter(() -> closeUnfinished(exchange), TIMEOUT_SECONDS, TimeUnit.SECONDS);
+                : exchange.getIoThread().executeAfter(() -> closeUnfinished(exchange), TIMEOUT_SECONDS,
+                    TimeUnit.SECONDS);
             exchange.addExchangeCompleteListener((done, after) -> {
                 if (deadline != null) {
                     deadline.remove();

@@ -43,7 +43,8 @@ final class DiskHandler implements HttpHandler {
     private Path find(String path) throws IOException {
         try {
             Path file = root.resolve(path.replaceFirst("^/+", "")).normalize();
-            return file.startsWith(root) && Files.isRegularFile(file) && file.toRealPath().startsWith(root.toRealPath()) ? file : null;
+            return file.startsWith(root) && Files.isRegularFile(file) && file.toRealPath().startsWith(root.toRealPath())
+                ? file : null;
         } catch (InvalidPathException e) {
             return null;
         }

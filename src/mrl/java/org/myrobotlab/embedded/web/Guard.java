@@ -30,7 +30,8 @@ final class Guard implements HttpHandler {
         HeaderValues host = exchange.getRequestHeaders().get(Headers.HOST);
         HeaderValues origin = exchange.getRequestHeaders().get(Headers.ORIGIN);
         exchange.getResponseHeaders().put(CONTENT_TYPE_OPTIONS, "nosniff").put(FRAME_OPTIONS, "DENY");
-        if (host == null || host.size() != 1 || !names.has(host.getFirst(), exchange.getDestinationAddress().getAddress())) {
+        if (host == null || host.size() != 1
+            || !names.has(host.getFirst(), exchange.getDestinationAddress().getAddress())) {
             refuse(exchange, StatusCodes.FORBIDDEN, "host " + host + " is not this server: use " + names.one());
         } else if (origin != null && !(origin.size() == 1 && origin.getFirst().equals(names.origin(host.getFirst())))) {
             refuse(exchange, StatusCodes.FORBIDDEN, "pages of " + origin + " may not call this server");
@@ -59,7 +60,8 @@ final class Guard implements HttpHandler {
 
     private static void refuseMethod(HttpServerExchange exchange, String legal) {
         exchange.getResponseHeaders().put(Headers.ALLOW, legal);
-        refuse(exchange, StatusCodes.METHOD_NOT_ALLOWED, "method " + exchange.getRequestMethod() + " is not allowed here, legal: " + legal);
+        refuse(exchange, StatusCodes.METHOD_NOT_ALLOWED, "method " + exchange.getRequestMethod()
+            + " is not allowed here, legal: " + legal);
     }
 
     /** Answers with a status and a reason, and ends the request. */

@@ -149,7 +149,8 @@ public final class Hub {
 
     /** Closes the channel as soon as the reason is sent: without a reader the page's end would go unnoticed. */
     private static void refuse(WebSocketChannel channel) {
-        WebSockets.sendClose(TRY_AGAIN_LATER, MAX_PAGES + " pages are open, which is the limit", channel, new WebSocketCallback<Void>() {
+        WebSockets.sendClose(TRY_AGAIN_LATER, MAX_PAGES + " pages are open, which is the limit", channel,
+            new WebSocketCallback<Void>() {
             @Override
             public void complete(WebSocketChannel sent, Void nothing) {
                 IoUtils.safeClose(sent);
@@ -224,7 +225,8 @@ public final class Hub {
         if (clients.remove(client)) {
             OpenPages.go();
         }
-        Runtime.getServices().forEach(service -> client.topicsOf(service.getName()).forEach(topic -> leave(service, topic)));
+        Runtime.getServices().forEach(service -> client.topicsOf(service.getName())
+            .forEach(topic -> leave(service, topic)));
     }
 
     /**
@@ -232,7 +234,8 @@ public final class Hub {
      * needs.
      */
     private void leave(ServiceInterface service, String topic) {
-        if (!(service instanceof Runtime) && clients.stream().noneMatch(client -> client.wants(service.getName(), topic))) {
+        if (!(service instanceof Runtime) && clients.stream()
+            .noneMatch(client -> client.wants(service.getName(), topic))) {
             service.removeListener(topic, listener, CodecUtils.getCallbackTopicName(topic));
         }
     }

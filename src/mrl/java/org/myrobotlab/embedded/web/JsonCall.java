@@ -49,7 +49,8 @@ final class JsonCall {
         for (int i = 0; i < types.length; i++) {
             // JavaScript sends NaN as null; must not become 0
             if (plain[i] == null && types[i] instanceof Class && ((Class<?>) types[i]).isPrimitive()) {
-                throw new IllegalArgumentException("argument " + (i + 1) + " is null, legal: a value of type " + types[i].getTypeName());
+                throw new IllegalArgumentException("argument " + (i + 1) + " is null, legal: a value of type "
+                    + types[i].getTypeName());
             }
             converted[i] = Json.convert(plain[i], types[i]);
         }

@@ -27,7 +27,8 @@ final class Login implements HttpHandler {
     private static final Logger LOG = LoggerFactory.getLogger(Login.class);
     private static final HttpString REFERRER_POLICY = new HttpString("Referrer-Policy");
     private static final HttpString CONTENT_POLICY = new HttpString("Content-Security-Policy");
-    private static final String PAGE_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; form-action 'self'; "
+    private static final String PAGE_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src "
+        + "'unsafe-inline'; form-action 'self'; "
         + "frame-ancestors 'none'; base-uri 'none'";
     private static final String BEARER = "Bearer ";
     private static final String TOKEN = "token";
@@ -98,7 +99,8 @@ final class Login implements HttpHandler {
 
     private static String field(String body) {
         try {
-            return body.startsWith(TOKEN + "=") ? URLDecoder.decode(body.substring(TOKEN.length() + 1), StandardCharsets.UTF_8).trim() : "";
+            return body.startsWith(TOKEN + "=") ? URLDecoder.decode(body.substring(TOKEN.length() + 1),
+                StandardCharsets.UTF_8).trim() : "";
         } catch (IllegalArgumentException e) {
             return "";
         }
@@ -155,7 +157,8 @@ final class Login implements HttpHandler {
      */
     private void enter(HttpServerExchange exchange, int status) {
         if (status == StatusCodes.OK) {
-            exchange.getResponseHeaders().put(Headers.SET_COOKIE, cookie(exchange) + "; Path=/; HttpOnly; SameSite=Strict"
+            exchange.getResponseHeaders().put(Headers.SET_COOKIE, cookie(exchange)
+                + "; Path=/; HttpOnly; SameSite=Strict"
                 + (names.isSecure(host(exchange)) ? "; Secure" : "")).put(REFERRER_POLICY, "no-referrer");
             send(exchange, status, "entered.html", "");
         } else {
@@ -167,7 +170,8 @@ final class Login implements HttpHandler {
     private static void ask(HttpServerExchange exchange, int status) {
         exchange.getResponseHeaders().put(Headers.WWW_AUTHENTICATE, BEARER.trim());
         String accepted = exchange.getRequestHeaders().getFirst(Headers.ACCEPT);
-        if (status == StatusCodes.UNAUTHORIZED && Guard.is(exchange, Methods.GET) && accepted != null && accepted.contains(HTML)
+        if (status == StatusCodes.UNAUTHORIZED && Guard.is(exchange, Methods.GET) && accepted != null
+            && accepted.contains(HTML)
             && !exchange.getRequestPath().startsWith(CALLS)) {
             send(exchange, status, "login.html", "");
         } else if (status == StatusCodes.TOO_MANY_REQUESTS) {
@@ -185,7 +189,8 @@ final class Login implements HttpHandler {
         try (InputStream in = Login.class.getResourceAsStream(page)) {
             String text = new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("MESSAGE", message);
             exchange.setStatusCode(status);
-            exchange.getResponseHeaders().put(Headers.CONTENT_TYPE, HTML + "; charset=utf-8").put(Headers.CACHE_CONTROL, "no-store")
+            exchange.getResponseHeaders().put(Headers.CONTENT_TYPE, HTML + "; charset=utf-8")
+                .put(Headers.CACHE_CONTROL, "no-store")
                 .put(CONTENT_POLICY, PAGE_POLICY);
             exchange.getResponseSender().send(text);
         } catch (IOException e) {

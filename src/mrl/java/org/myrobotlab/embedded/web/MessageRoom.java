@@ -24,7 +24,8 @@ final class MessageRoom {
      * @return whether there was room; if not, the page is closed
      */
     synchronized boolean add(TextReader page, byte[] piece, int length) {
-        ByteArrayOutputStream bytes = page.isClosed() ? null : incomplete.computeIfAbsent(page, one -> new ByteArrayOutputStream());
+        ByteArrayOutputStream bytes = page.isClosed() ? null
+            : incomplete.computeIfAbsent(page, one -> new ByteArrayOutputStream());
         if (bytes == null || bytes.size() + length > RequestBody.LONGEST) {
             page.close();
             return false;

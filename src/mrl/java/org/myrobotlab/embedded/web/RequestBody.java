@@ -66,7 +66,8 @@ final class RequestBody {
     }
 
     private void refuseLong(HttpServerExchange exchange) {
-        refuse(exchange, StatusCodes.REQUEST_ENTITY_TOO_LARGE, "the arguments are longer than " + (LONGEST >> 20) + " MB");
+        refuse(exchange, StatusCodes.REQUEST_ENTITY_TOO_LARGE, "the arguments are longer than "
+            + (LONGEST >> 20) + " MB");
     }
 
     private synchronized void refuse(HttpServerExchange exchange, int status, String why) {

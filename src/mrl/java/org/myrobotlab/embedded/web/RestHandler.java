@@ -25,9 +25,12 @@ import org.myrobotlab.service.Runtime;
  */
 final class RestHandler implements HttpHandler {
     /** Methods that change nothing, in any service. */
-    private static final Set<String> READING = Set.of("getName", "getType", "getSimpleName", "getMethodNames", "isRunning", "isConnected",
-        "isSimulating", "isPaused", "isLockStep", "getTime", "getSensorNames", "getSensorUnit", "getReading", "getPose", "getDistanceResult",
-        "getLidarResult", "getGpsResult", "getCompassResult", "getAccelResult", "getGyroResult", "getPortNames", "getUnit", "getServiceNames");
+    private static final Set<String> READING = Set.of("getName", "getType", "getSimpleName", "getMethodNames",
+        "isRunning", "isConnected",
+        "isSimulating", "isPaused", "isLockStep", "getTime", "getSensorNames", "getSensorUnit", "getReading", "getPose",
+        "getDistanceResult",
+        "getLidarResult", "getGpsResult", "getCompassResult", "getAccelResult", "getGyroResult", "getPortNames",
+            "getUnit", "getServiceNames");
     private static final int NAME = 0;
     private static final int METHOD = 1;
     private static final int ARGUMENTS = 2;
@@ -46,7 +49,8 @@ final class RestHandler implements HttpHandler {
             RequestBody.receive(exchange, (whole, body) -> dispatch(whole, () -> post(path, body)));
         } else if (path.size() > METHOD && !READING.contains(path.get(METHOD))) {
             exchange.getResponseHeaders().put(Headers.ALLOW, "POST");
-            Guard.refuse(exchange, StatusCodes.METHOD_NOT_ALLOWED, "call " + path.get(METHOD) + " by POST, with a JSON list of arguments");
+            Guard.refuse(exchange, StatusCodes.METHOD_NOT_ALLOWED, "call " + path.get(METHOD)
+                + " by POST, with a JSON list of arguments");
         } else {
             dispatch(exchange, () -> get(path));
         }

@@ -82,7 +82,8 @@ public final class Token {
      */
     public static Token require(Path file) throws IOException {
         PosixFileAttributeView posix = Files.getFileAttributeView(file, PosixFileAttributeView.class);
-        if (posix != null && posix.readAttributes().permissions().stream().anyMatch(one -> !one.name().startsWith("OWNER"))) {
+        if (posix != null && posix.readAttributes().permissions().stream()
+            .anyMatch(one -> !one.name().startsWith("OWNER"))) {
             throw new IOException("other users can read " + file + ": run chmod 600 " + file);
         }
         String text = Files.readString(file).trim();
@@ -128,7 +129,8 @@ public final class Token {
         try {
             Mac mac = Mac.getInstance(MAC);
             mac.init(new SecretKeySpec(key, MAC));
-            return Base64.getUrlEncoder().withoutPadding().encodeToString(mac.doFinal(goodFor.getBytes(StandardCharsets.UTF_8)));
+            return Base64.getUrlEncoder().withoutPadding()
+                .encodeToString(mac.doFinal(goodFor.getBytes(StandardCharsets.UTF_8)));
         } catch (GeneralSecurityException e) {
             throw new IllegalStateException(e);
         }
@@ -170,7 +172,8 @@ public final class Token {
         }
         AclFileAttributeView acl = Files.getFileAttributeView(file, AclFileAttributeView.class);
         if (acl == null) {
-            throw new IOException(file + " can't be protected from other users on this disk, so the token was not written");
+            throw new IOException(file + " can't be protected from other users on this disk, so the token "
+                + "was not written");
         }
         acl.setAcl(List.of(AclEntry.newBuilder().setType(AclEntryType.ALLOW).setPrincipal(Files.getOwner(file))
             .setPermissions(EnumSet.allOf(AclEntryPermission.class)).build()));

@@ -81,18 +81,24 @@ public final class WebServer {
             throw new IOException("other computers could reach this server without a token: the server does not start");
         }
         Address.Names names = address.names(port);
-        PathHandler paths = Handlers.path(Guard.reading(fresh(files))).addPrefixPath(API + "/service", CallGuard.calls(new RestHandler(calls)))
-            .addExactPath(API + "/messages", CallGuard.sockets(Handlers.websocket((exchange, channel) -> hub.connect(channel, calls))));
+        PathHandler paths = Handlers.path(Guard.reading(fresh(files)))
+            .addPrefixPath(API + "/service", CallGuard.calls(new RestHandler(calls)))
+            .addExactPath(API + "/messages",
+                CallGuard.sockets(Handlers.websocket((exchange, channel) -> hub.connect(channel, calls))));
         for (String name : LIBRARIES) {
             paths.addPrefixPath("/webjars/" + name, Guard.reading(library(name)));
         }
-        worker = Xnio.getInstance(HttpOpenListener.class.getClassLoader()).createWorker(OptionMap.builder().set(Options.WORKER_IO_THREADS, IO_THREADS)
-            .set(Options.WORKER_TASK_CORE_THREADS, WORKERS).set(Options.WORKER_TASK_MAX_THREADS, WORKERS).set(Options.TCP_NODELAY, true)
+        worker = Xnio.getInstance(HttpOpenListener.class.getClassLoader())
+            .createWorker(OptionMap.builder().set(Options.WORKER_IO_THREADS, IO_THREADS)
+            .set(Options.WORKER_TASK_CORE_THREADS, WORKERS).set(Options.WORKER_TASK_MAX_THREADS, WORKERS)
+            .set(Options.TCP_NODELAY, true)
             .set(Options.WORKER_NAME, "web server " + port).getMap());
         http = new HttpOpenListener(new DefaultByteBufferPool(true, BUFFER), OptionMap.builder()
-            .set(UndertowOptions.BUFFER_PIPELINED_DATA, true).set(UndertowOptions.MAX_ENTITY_SIZE, -1L)    // RequestBody has its own limit
+            // RequestBody has its own limit
+            .set(UndertowOptions.BUFFER_PIPELINED_DATA, true).set(UndertowOptions.MAX_ENTITY_SIZE, -1L)
             .set(UndertowOptions.MAX_HEADER_SIZE, HEAD)
-            .set(UndertowOptions.REQUEST_PARSE_TIMEOUT, HEADERS_MILLIS).set(UndertowOptions.NO_REQUEST_TIMEOUT, IDLE_MILLIS).getMap());
+            .set(UndertowOptions.REQUEST_PARSE_TIMEOUT, HEADERS_MILLIS)
+                .set(UndertowOptions.NO_REQUEST_TIMEOUT, IDLE_MILLIS).getMap());
         Connections connections = new Connections(http);
         http.setRootHandler(connections.watching(new Guard(new Login(paths, Token.current(), names), names)));
         server = listen(connections, address.socket(port));
@@ -102,7 +108,8 @@ public final class WebServer {
     /** Serves a library of the pages in the version on the class path. */
     private static ResourceHandler library(String name) throws IOException {
         Properties about = new Properties();
-        try (InputStream in = WebServer.class.getClassLoader().getResourceAsStream(WEB_JAR_POM + name + "/pom.properties")) {
+        try (InputStream in = WebServer.class.getClassLoader()
+            .getResourceAsStream(WEB_JAR_POM + name + "/pom.properties")) {
             if (in == null) {
                 throw new IOException("the library " + name + " (org.webjars) is not on the class path");
             }
@@ -114,7 +121,8 @@ public final class WebServer {
 
     /** Serves panels of plug-ins from the class path, for lack of their resource folder. */
     private static HttpHandler classPath(String folder, HttpHandler next) {
-        HttpHandler files = new ResourceHandler(new ClassPathResourceManager(WebServer.class.getClassLoader(), folder), next);
+        HttpHandler files = new ResourceHandler(
+            new ClassPathResourceManager(WebServer.class.getClassLoader(), folder), next);
         return exchange -> (exchange.getRelativePath().endsWith("/") ? next : files).handleRequest(exchange);
     }
 
@@ -125,7 +133,8 @@ public final class WebServer {
 
     /** Answers a missing panel of a service with an empty page, as MyRobotLab does. */
     private static void missing(HttpServerExchange exchange) {
-        exchange.setStatusCode(exchange.getRelativePath().startsWith("/service/") ? StatusCodes.OK : StatusCodes.NOT_FOUND);
+        exchange.setStatusCode(exchange.getRelativePath().startsWith("/service/") ? StatusCodes.OK
+            : StatusCodes.NOT_FOUND);
         exchange.endExchange();
     }
 
@@ -137,11 +146,13 @@ public final class WebServer {
         };
     }
 
-    private AcceptingChannel<StreamConnection> listen(Connections connections, InetSocketAddress address) throws IOException {
+    private AcceptingChannel<StreamConnection> listen(Connections connections, InetSocketAddress address)
+        throws IOException {
         try {
             return worker.createStreamConnectionServer(address,
                 ChannelListeners.openListenerAdapter(connections), OptionMap.builder().set(Options.TCP_NODELAY, true)
-                    .set(Options.REUSE_ADDRESSES, true).set(Options.BACKLOG, BACKLOG).set(Options.CONNECTION_HIGH_WATER, MAX_CONNECTIONS)
+                    .set(Options.REUSE_ADDRESSES, true).set(Options.BACKLOG, BACKLOG)
+                    .set(Options.CONNECTION_HIGH_WATER, MAX_CONNECTIONS)
                     .set(Options.CONNECTION_LOW_WATER, MAX_CONNECTIONS).getMap());
         } catch (BindException e) {
             worker.shutdownNow();

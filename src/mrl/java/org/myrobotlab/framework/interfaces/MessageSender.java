@@ -23,7 +23,8 @@ public interface MessageSender extends NameProvider, SimpleMessageSender {
      *
      * @param timeout milliseconds; null waits without limit
      */
-    Object sendBlocking(String name, Integer timeout, String method, Object... data) throws InterruptedException, TimeoutException;
+    Object sendBlocking(String name, Integer timeout, String method, Object... data)
+        throws InterruptedException, TimeoutException;
 
     /**
      * Sends and waits for the answer.

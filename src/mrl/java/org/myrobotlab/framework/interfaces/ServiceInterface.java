@@ -12,8 +12,10 @@ import org.myrobotlab.service.config.ServiceConfig;
 import org.myrobotlab.service.meta.abstracts.MetaData;
 
 /** Methods of every service. */
-public interface ServiceInterface extends ServiceQueue, LoggingSink, NameTypeProvider, MessageSubscriber, MessageSender, StateSaver, Invoker,
-    StatePublisher, StatusPublisher, ServiceStatus, TaskManager, Attachable, MessageInvoker, Comparable<ServiceInterface> {
+public interface ServiceInterface extends ServiceQueue, LoggingSink, NameTypeProvider, MessageSubscriber, MessageSender,
+    StateSaver, Invoker,
+    StatePublisher, StatusPublisher, ServiceStatus, TaskManager, Attachable, MessageInvoker,
+    Comparable<ServiceInterface> {
     /** Starts the threads. */
     void startService();
 

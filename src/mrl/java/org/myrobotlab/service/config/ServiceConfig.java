@@ -93,7 +93,8 @@ public class ServiceConfig {
     }
 
     /** Adds a peer of any name. */
-    public ServiceConfig addDefaultGlobalConfig(Plan plan, String key, String globalName, String peerType, boolean autoStart) {
+    public ServiceConfig addDefaultGlobalConfig(Plan plan, String key, String globalName, String peerType,
+        boolean autoStart) {
         putPeerType(key, globalName, peerType);
         peers.get(key).autoStart = autoStart;
         getDefault(plan, globalName, peerType);
@@ -122,7 +123,8 @@ public class ServiceConfig {
         @Override
         public boolean equals(Object other) {
             return other instanceof Listener && Objects.equals(method, ((Listener) other).method)
-                && Objects.equals(listener, ((Listener) other).listener) && Objects.equals(callback, ((Listener) other).callback);
+                && Objects.equals(listener, ((Listener) other).listener)
+                && Objects.equals(callback, ((Listener) other).callback);
         }
 
         @Override

@@ -32,7 +32,8 @@
 
         connect() {
             let opened = false
-            this.socket = new WebSocket((location.protocol === 'https:' ? 'wss://' : 'ws://') + location.host + '/api/messages')
+            this.socket = new WebSocket((location.protocol === 'https:' ? 'wss://' : 'ws://') + location.host
+                + '/api/messages')
             this.socket.onopen = () => {
                 opened = true
                 this.connected = true
@@ -102,7 +103,8 @@
             services.forEach(service => {
                 this.methods[service.name] = service.methods
                 this.addMethods(service.name)
-                this.states[service.name] = this.states[service.name] || {name: service.name, simpleName: service.simpleName}
+                this.states[service.name] = this.states[service.name]
+                || {name: service.name, simpleName: service.simpleName}
                 if ((this.missed || before.indexOf(key(service)) < 0) && this.callbacks[service.name]) {
                     this.sendTo(service.name, 'broadcastState')
                 }
@@ -185,7 +187,8 @@
         }
 
         /**
-         * Returns the msg of a panel: send, subscribe and so on for one service, and a function for each of its methods.
+         * Returns the msg of a panel: send, subscribe and so on for one service, and a function for each of its
+         * methods.
          */
         createMsgInterface(name) {
             this.interfaces[name] = this.interfaces[name] || this.makeInterface(name)

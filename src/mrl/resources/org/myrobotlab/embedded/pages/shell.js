@@ -9,8 +9,10 @@
     const PORT = 'Serial'    // numerous and rarely viewed
     let providers = {}
 
-    app.config(['$controllerProvider', '$compileProvider', '$filterProvider', '$provide', (controller, compile, filter, provide) => {
-        providers = {$controllerProvider: controller, $compileProvider: compile, $filterProvider: filter, $provide: provide}
+    app.config(['$controllerProvider', '$compileProvider', '$filterProvider', '$provide',
+        (controller, compile, filter, provide) => {
+        providers = {$controllerProvider: controller, $compileProvider: compile, $filterProvider: filter,
+            $provide: provide}
     }])
 
     /** The page: which services have a tab, which one is in front, and the messages of all. */
@@ -39,7 +41,8 @@
             }
             const onStatus = message => this.onStatus(message)
             $scope.$on('mrl.services', () => {
-                this.services = mrl.getServices().slice().sort((a, b) => this.order(a) - this.order(b) || (a.name < b.name ? -1 : 1))
+                this.services = mrl.getServices().slice()
+                    .sort((a, b) => this.order(a) - this.order(b) || (a.name < b.name ? -1 : 1))
                 this.services.forEach(service => this.lookForFace(service))
                 this.services.forEach(service => {
                     mrl.subscribe(service.name, 'publishStatus')

@@ -42,7 +42,8 @@ final class BuildingPictures {
 
     /** @param folder for the pictures */
     static void take(Path folder) throws Exception {
-        try (Browser browser = new Browser(WIDTH, HEIGHT); MyRobotLab robotLab = new MyRobotLab("sear = Runtime.start('sear', 'SEAR')")) {
+        try (Browser browser = new Browser(WIDTH, HEIGHT); MyRobotLab robotLab =
+            new MyRobotLab("sear = Runtime.start('sear', 'SEAR')")) {
             browser.driver().get(robotLab.url() + "#/sear");
             browser.setPageSize(WIDTH, HEIGHT);
             BuildingPictures pictures = new BuildingPictures(browser, robotLab, folder);
@@ -64,14 +65,16 @@ final class BuildingPictures {
         browser.scope(SearTab.ROOT, "view.zoom(0.8)");
         film.shoot(LOOK);
         place("Floor", 0, 0, 0, "floor1");
-        String template = (String) browser.script("var all = angular.element(document.querySelector('.sear-main')).scope().edits.grammar.templates;"
+        String template = (String) browser.script(
+            "var all = angular.element(document.querySelector('.sear-main')).scope().edits.grammar.templates;"
             + "return all.filter(function(one) { return /rover/i.test(one) })[0] || all[all.length - 1]");
         place(template, 0, 0, -1.5, null);
         film.type("#sear-p-name", ROBOT);
         waitForSelected(ROBOT);
         film.shoot(LOOK);
         double top = ((Number) browser.module("world/pointing.js", "return module.extent("
-            + "angular.element(document.querySelector('.sear-main')).scope().world.shown().robots[0])[1][1]")).doubleValue();
+            + "angular.element(document.querySelector('.sear-main')).scope().world.shown().robots[0])[1][1]"))
+            .doubleValue();
         place("LIDAR", 0, top, -1.5, ROBOT + "/lidar1");
         place("Box", 0.3, 0, 1.3, "box1");
         film.type("[data-field='color'] .form-control", "orange");
@@ -119,7 +122,8 @@ final class BuildingPictures {
             + "return Object.keys(scene.looks.wanted).length === 0 && scope.edits.selected !== null"
             + " && scope.building.found() !== null"
             + " && scene.objects.every(function(item) { return item.dressed })"
-            + " && scene.robots.every(function(robot) { return robot.parts.every(function(item) { return item.dressed }) })")));
+            + " && scene.robots.every(function(robot) { return robot.parts.every(function(item) { return "
+                + "item.dressed }) })")));
     }
 
     /** Returns the page position of a point of the world. */
@@ -127,7 +131,8 @@ final class BuildingPictures {
     private double[] inSpace(double x, double y, double z) {
         WebElement canvas = browser.see(".sear-scene");
         List<Number> at = (List<Number>) browser.script("var box = arguments[0].getBoundingClientRect();"
-            + "var at = angular.element(arguments[0]).scope().view.scene().toScreen(arguments[1], arguments[2], arguments[3]);"
+            + "var at = angular.element(arguments[0]).scope().view.scene().toScreen(arguments[1], arguments[2], "
+            + "arguments[3]);"
             + "return [box.left + at.x, box.top + at.y]", canvas, x, y, z);
         return new double[] {at.get(0).doubleValue(), at.get(1).doubleValue()};
     }
@@ -179,7 +184,8 @@ final class BuildingPictures {
         browser.script("var s = document.querySelector('.sear-slider'); s.value = Math.round(s.max / 2);"
             + "['input', 'change'].forEach(function(one) { s.dispatchEvent(new Event(one, {bubbles: true})) })");
         browser.until("the middle of the drive", () -> tab.isTrue("replay.shown.index > 0"));
-        browser.script("document.activeElement.blur(); document.querySelector('.sear-plot').scrollIntoView({block: 'nearest'})");
+        browser.script("document.activeElement.blur(); "
+            + "document.querySelector('.sear-plot').scrollIntoView({block: 'nearest'})");
         picture("tab-plot");
     }
 }

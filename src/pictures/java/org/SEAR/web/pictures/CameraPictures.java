@@ -20,7 +20,8 @@ final class CameraPictures {
 
     /** @param folder for the picture */
     static void take(Path folder) throws Exception {
-        try (Browser browser = new Browser(WIDTH, HEIGHT); MyRobotLab robotLab = new MyRobotLab("sear = Runtime.start('sear', 'SEAR')")) {
+        try (Browser browser = new Browser(WIDTH, HEIGHT); MyRobotLab robotLab =
+            new MyRobotLab("sear = Runtime.start('sear', 'SEAR')")) {
             SearTab tab = new SearTab(browser, robotLab);
             robotLab.run("sear.loadProject('examples/ball.sear')\nsear.startSimulation()");
             browser.driver().get(robotLab.url() + "#/sear");
@@ -32,8 +33,10 @@ final class CameraPictures {
             browser.until("pictures", () -> browser.all("[data-eye] img").size() >= 1);
             browser.script("document.querySelector(\"[data-eye='kinect']\").scrollIntoView()");
             browser.until("that of depths", () -> browser.all("[data-eye='kinect'] img").size() == 1);
-            browser.script("var button = document.querySelector(\"[data-eye='kinect'] button\"), box = button.getBoundingClientRect();"
-                + "button.dispatchEvent(new MouseEvent('click', {detail: 1, bubbles: true, clientX: box.left + 0.9 * box.width,"
+            browser.script("var button = document.querySelector(\"[data-eye='kinect'] button\"), box = "
+                + "button.getBoundingClientRect();"
+                + "button.dispatchEvent(new MouseEvent('click', {detail: 1, bubbles: true, clientX: box.left + 0.9 "
+                + "* box.width,"
                 + " clientY: box.top + 0.5 * box.height}))");
             browser.seeText("[data-eye='kinect'] .sear-eye-words", "ahead");
             browser.click("[data-eye='eye']:not([data-large]) .sear-enlarge");
@@ -42,7 +45,8 @@ final class CameraPictures {
             browser.script("document.querySelector(\"[data-sensor='kinect']\").scrollIntoView()");
             browser.until("everything is drawn", () -> Boolean.TRUE.equals(
                 browser.script("var scene = angular.element(document.querySelector('.sear-main')).scope().view.scene();"
-                    + "return Object.keys(scene.looks.wanted).length === 0 && scene.objects.every(function(item) { return item.dressed })")));
+                    + "return Object.keys(scene.looks.wanted).length === 0 && scene.objects.every(function(item) { "
+                        + "return item.dressed })")));
             browser.script("angular.element(document.querySelector('.sear-main')).scope().view.zoom(2.2)");
             take(browser, folder.resolve("tab-cameras.png"));
             browser.setTheme("dark");
@@ -57,7 +61,8 @@ final class CameraPictures {
 
     private static void take(Browser browser, Path file) throws Exception {
         Files.createDirectories(file.toAbsolutePath().getParent());
-        browser.driver().executeAsyncScript("var done = arguments[0]; requestAnimationFrame(function() { requestAnimationFrame(done) })");
+        browser.driver().executeAsyncScript("var done = arguments[0]; requestAnimationFrame(function() { "
+            + "requestAnimationFrame(done) })");
         browser.picture(file);
         System.out.println(file);
     }

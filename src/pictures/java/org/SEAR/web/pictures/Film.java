@@ -24,9 +24,11 @@ final class Film {
     private static final int GLIDE_TIME = 5;
     private static final int KEY_TIME = 12;
     /** Browsers without a display draw no pointer. */
-    private static final String POINTER = "var hand = document.createElement('div'); hand.id = 'film-pointer'; document.body.appendChild(hand);"
+    private static final String POINTER = "var hand = document.createElement('div'); hand.id = 'film-pointer'; "
+        + "document.body.appendChild(hand);"
         + "hand.style.cssText = 'position:fixed;left:0;top:0;z-index:99999;pointer-events:none';"
-        + "hand.innerHTML = '<svg width=\"26\" height=\"26\"><path d=\"M2 2v19l5-4 3 7 3-1-3-7h7z\" fill=\"white\" stroke=\"black\"/></svg>';"
+        + "hand.innerHTML = '<svg width=\"26\" height=\"26\"><path d=\"M2 2v19l5-4 3 7 3-1-3-7h7z\" fill=\"white\" "
+        + "stroke=\"black\"/></svg>';"
         + "window.addEventListener('mousemove', function(event) {"
         + " hand.style.transform = 'translate(' + event.clientX + 'px,' + event.clientY + 'px)' }, true);";
     private static final String MIDDLE = "var box = arguments[0].getBoundingClientRect();"
@@ -49,7 +51,8 @@ final class Film {
 
     /** @param hundredths display time of the current picture, hundredths of a second */
     void shoot(int hundredths) throws IOException {
-        browser.driver().executeAsyncScript("var done = arguments[0]; requestAnimationFrame(function() { requestAnimationFrame(done) })");
+        browser.driver().executeAsyncScript("var done = arguments[0]; requestAnimationFrame(function() { "
+            + "requestAnimationFrame(done) })");
         BufferedImage shot = ImageIO.read(new ByteArrayInputStream(browser.driver().getScreenshotAs(OutputType.BYTES)));
         int height = WIDTH * shot.getHeight() / shot.getWidth();
         BufferedImage small = new BufferedImage(WIDTH, height, BufferedImage.TYPE_INT_RGB);

@@ -33,12 +33,15 @@ final class PalettePictures {
     private static final Map<String, String> ONLY = Map.of("Model", "plant", "Terrain", "none");
     /** Draws the shown world as a large picture without a background. */
     private static final String DRAW = String.join("\n",
-        "var view = angular.element(document.querySelector('.sear-main')).scope().view, s = view.scene(), only = arguments[0]",
-        "s.objects.forEach(item => item.holder.visible = only ? item.source.name === only : item.source.name.indexOf('hidden') !== 0)",
+        "var view = angular.element(document.querySelector('.sear-main')).scope().view, s = view.scene(), only = "
+        + "arguments[0]",
+        "s.objects.forEach(item => item.holder.visible = only ? item.source.name === only : "
+        + "item.source.name.indexOf('hidden') !== 0)",
         "s.robots.forEach(item => item.holder.visible = !only)",
         "s.sensors.forEach(item => item.holder.visible = !only)",
         "s.showGrid(false)",
-        "s.orbit.distance *= only === 'none' ? 4 : 1.5; s.orbit.azimuth = Math.PI * 0.8; s.orbit.elevation = only === 'none' ? 0.7 : 0.5",
+        "s.orbit.distance *= only === 'none' ? 4 : 1.5; s.orbit.azimuth = Math.PI * 0.8; s.orbit.elevation = only === "
+        + "'none' ? 0.7 : 0.5",
         "s.sun.castShadow = false",
         "s.aim(-1); s.shade()",
         "s.camera.aspect = 1; s.camera.fov = 25; s.orbit.distance *= 2; s.aim(-1)",
@@ -51,7 +54,8 @@ final class PalettePictures {
     }
 
     static void take() throws Exception {
-        try (Browser browser = new Browser(1000, 800); MyRobotLab robotLab = new MyRobotLab("sear = Runtime.start('sear', 'SEAR')")) {
+        try (Browser browser = new Browser(1000, 800); MyRobotLab robotLab =
+            new MyRobotLab("sear = Runtime.start('sear', 'SEAR')")) {
             browser.driver().get(robotLab.url() + "#/sear");
             browser.see(SearTab.ROOT);
             browser.script("localStorage.setItem('sear.view', 'space')");
@@ -64,7 +68,8 @@ final class PalettePictures {
             BufferedImage all = new BufferedImage(columns * CELL, rows * CELL, BufferedImage.TYPE_INT_ARGB);
             for (int i = 0; i < kinds.size(); i++) {
                 Graphics2D pen = all.createGraphics();
-                pen.drawImage(take(browser, robotLab, (String) kinds.get(i)), i % columns * CELL, i / columns * CELL, null);
+                pen.drawImage(take(browser, robotLab, (String) kinds.get(i)), i % columns * CELL,
+                    i / columns * CELL, null);
                 pen.dispose();
             }
             ImageIO.write(all, "png", FILE.toFile());
@@ -75,18 +80,23 @@ final class PalettePictures {
     private static BufferedImage take(Browser browser, MyRobotLab robotLab, String kind) throws IOException {
         robotLab.run("draw('" + kind + "')");
         String stamp = robotLab.call("sear", "getPreview", "").get("stamp").asText();
-        browser.until(kind, () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "world.preview && world.preview.stamp === '" + stamp + "'"
+        browser.until(kind, () -> Boolean.TRUE.equals(
+            browser.scope(SearTab.ROOT, "world.preview && world.preview.stamp === '" + stamp + "'"
             + " && view.scene() !== null")));
         browser.script("angular.element(document.querySelector('.sear-main')).scope().view.fit()");
-        browser.until("what " + kind + " looks like", () -> Boolean.TRUE.equals(browser.script("var scope = angular.element("
+        browser.until("what " + kind + " looks like",
+            () -> Boolean.TRUE.equals(browser.script("var scope = angular.element("
             + "document.querySelector('.sear-main')).scope();"
             + "var s = scope.view.scene(), now = scope.world.shown();"
-            + "return scope.view.fitted && Object.keys(s.looks.wanted).length === 0 && s.objects.length === now.objects.length"
-            + " && s.objects.every((item, i) => item.source === now.objects[i] && item.dressed && item.shown === item.to)"
+            + "return scope.view.fitted && Object.keys(s.looks.wanted).length === 0 && s.objects.length === "
+            + "now.objects.length"
+            + " && s.objects.every((item, i) => item.source === now.objects[i] && item.dressed && item.shown "
+            + "=== item.to)"
             + " && s.robots.every(robot => robot.parts.every(item => item.dressed && item.shown === item.to))"
             + " && (now.objects.every(one => !one.ground) || s.ground !== null)")));
         String url = (String) browser.script(DRAW, ONLY.get(kind));
-        byte[] png = Base64.getDecoder().decode(url.substring(url.indexOf(',') + 1).getBytes(StandardCharsets.US_ASCII));
+        byte[] png = Base64.getDecoder()
+            .decode(url.substring(url.indexOf(',') + 1).getBytes(StandardCharsets.US_ASCII));
         return small(ImageIO.read(new ByteArrayInputStream(png)), kind);
     }
 
@@ -114,7 +124,8 @@ final class PalettePictures {
         }
         picture = scaled(picture, scale);
         BufferedImage cell = new BufferedImage(CELL, CELL, BufferedImage.TYPE_INT_ARGB);
-        cell.createGraphics().drawImage(picture, (CELL - picture.getWidth()) / 2, (CELL - picture.getHeight()) / 2, null);
+        cell.createGraphics().drawImage(picture, (CELL - picture.getWidth()) / 2,
+            (CELL - picture.getHeight()) / 2, null);
         return cell;
     }
 

@@ -21,7 +21,8 @@ import org.openqa.selenium.interactions.Actions;
  * {@code scripts/screenshots}.
  */
 public final class TabPictures {
-    private static final String SCRIPT = "sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\nsear.startSimulation()\n"
+    private static final String SCRIPT = "sear = Runtime.start('sear', "
+        + "'SEAR')\nsear.loadProject('examples/sensors.sear')\nsear.startSimulation()\n"
         + "lidar = Runtime.start('lidar', 'LIDAR')\nlidar.connect('/dev/SEAR_LIDAR_01')\n"
         + "gps = Runtime.start('gps', 'GPS')\ngps.connect('/dev/SEAR_GPS_01')\n";
     private static final String TERRAIN = "terrain-tab";
@@ -69,7 +70,8 @@ public final class TabPictures {
     /** Takes the pictures of the tutorial, whose script draws the third itself. */
     private static void first(Path folder) throws Exception {
         Path here = Files.createTempDirectory("sear-first");
-        try (Browser browser = new Browser(WIDTH, 800); FirstRobot tutorial = new FirstRobot(browser, here, (shown, name) -> {
+        try (Browser browser = new Browser(WIDTH, 800); FirstRobot tutorial =
+            new FirstRobot(browser, here, (shown, name) -> {
             try {
                 shown.picture(folder.resolve(name + ".png"));
             } catch (IOException e) {
@@ -91,14 +93,16 @@ public final class TabPictures {
             browser.until("all panels", () -> browser.all("mrl-panel[name='gps'] > *").size() > 0);
             robotLab.call("sear", "setSpeed", FACTOR);
             robotLab.call("sear", "drive", SPEED, RADIUS);
-            browser.until("the drive", () -> browser.number(SearTab.ROOT, "world.running ? world.running.time : -1") > DRIVE);
+            browser.until("the drive", () ->
+                browser.number(SearTab.ROOT, "world.running ? world.running.time : -1") > DRIVE);
             robotLab.call("sear", "drive", 0, 0);
             browser.until("the robot stands", () -> browser.number(SearTab.ROOT, "world.running.robots[0].speed") == 0);
             robotLab.call("sear", "setSpeed", 1);
             browser.click("#tab-lidar");
             browser.until("a scan in the tab", () -> {
                 robotLab.call("lidar", "singleScan");
-                return browser.texts("mrl-panel[name='lidar']").stream().anyMatch(text -> text.contains("181 ") || text.contains("361 "));
+                return browser.texts("mrl-panel[name='lidar']").stream()
+                    .anyMatch(text -> text.contains("181 ") || text.contains("361 "));
             });
             browser.script("document.querySelectorAll('footer .btn-link, .sear-clear, .lidar-clear, .gps-clear')"
                 + ".forEach(function(clear) { clear.click() })");
@@ -119,12 +123,14 @@ public final class TabPictures {
         browser.until("all that is to be seen",
             () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "view.scene() !== null")) && Boolean.TRUE.equals(
             browser.script("var scene = angular.element(document.querySelector('.sear-main')).scope().view.scene();"
-                + "return Object.keys(scene.looks.wanted).length === 0 && scene.objects.every(function(item) { return item.dressed })")));
+                + "return Object.keys(scene.looks.wanted).length === 0 && scene.objects.every(function(item) { return "
+                    + "item.dressed })")));
     }
 
     /** Takes the mountains of an example with the pointer on them. */
     private static void terrain(Path folder) throws Exception {
-        try (Browser browser = new Browser(WIDTH, 900); MyRobotLab robotLab = new MyRobotLab("Runtime.start('sear', 'SEAR')")) {
+        try (Browser browser = new Browser(WIDTH, 900); MyRobotLab robotLab =
+            new MyRobotLab("Runtime.start('sear', 'SEAR')")) {
             browser.driver().get(robotLab.url() + "#/sear");
             terrain(browser, robotLab, folder);
         }
@@ -134,8 +140,10 @@ public final class TabPictures {
         browser.see("mrl-panel[name='sear'] > *");
         robotLab.run(Files.readString(Paths.get("examples/mountain.py")));
         browser.until("the ground",
-            () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "ground.terrain !== null && ground.terrain.picture.complete")));
-        browser.script("document.querySelectorAll('footer .btn-link, .sear-clear').forEach(function(clear) { clear.click() })");
+            () -> Boolean.TRUE.equals(browser.scope(
+                SearTab.ROOT, "ground.terrain !== null && ground.terrain.picture.complete")));
+        browser.script("document.querySelectorAll('footer .btn-link, .sear-clear').forEach(function(clear) { "
+            + "clear.click() })");
         browser.script("angular.element(document.querySelector('.sear-main')).scope().view.zoom(0.3)");
         new Actions(browser.driver()).moveToElement(browser.see(".sear-view"), 120, -90).perform();
         browser.seeText(".sear-pointed", "above the geoid");
@@ -144,11 +152,13 @@ public final class TabPictures {
 
     /** Takes exactly the whole page. */
     private static void take(Browser browser, Path file) throws Exception {
-        Number height = (Number) browser.script("return document.querySelector('.container-fluid').getBoundingClientRect().bottom"
+        Number height = (Number) browser.script(
+            "return document.querySelector('.container-fluid').getBoundingClientRect().bottom"
             + " + window.outerHeight - window.innerHeight + 10");
         browser.driver().manage().window().setSize(new Dimension(WIDTH, height.intValue()));
         browser.script("window.dispatchEvent(new Event('resize'))");
-        browser.driver().executeAsyncScript("var done = arguments[0]; requestAnimationFrame(function() { requestAnimationFrame(done) })");
+        browser.driver().executeAsyncScript("var done = arguments[0]; requestAnimationFrame(function() { "
+            + "requestAnimationFrame(done) })");
         browser.picture(file);
         System.out.println(file);
     }

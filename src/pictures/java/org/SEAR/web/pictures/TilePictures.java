@@ -21,7 +21,8 @@ final class TilePictures {
     /** Style that shows the view alone at the size of a tile's picture. */
     private static final String FRAME = String.join("\n",
         "var style = document.createElement('style')",
-        "style.textContent = '.sear-canvas { position: fixed !important; left: 0; top: 0; width: 480px; height: 300px !important; min-height: 0;'",
+        "style.textContent = '.sear-canvas { position: fixed !important; left: 0; top: 0; width: 480px; height: 300px "
+        + "!important; min-height: 0;'",
         "    + ' z-index: 9999; border: 0 !important; border-radius: 0 !important }'",
         "    + ' .sear-over, .sear-note, .sear-welcome { display: none !important }'",
         "document.head.appendChild(style)");
@@ -54,7 +55,8 @@ final class TilePictures {
     }
 
     static void take() throws IOException, InterruptedException {
-        try (Browser browser = new Browser(1000, 800); MyRobotLab robotLab = new MyRobotLab("sear = Runtime.start('sear', 'SEAR')")) {
+        try (Browser browser = new Browser(1000, 800); MyRobotLab robotLab =
+            new MyRobotLab("sear = Runtime.start('sear', 'SEAR')")) {
             browser.driver().get(robotLab.url() + "#/sear");
             browser.see(SearTab.ROOT);
             browser.script("localStorage.setItem('sear.view', 'space')");
@@ -62,22 +64,27 @@ final class TilePictures {
             browser.see(SearTab.ROOT);
             browser.script(FRAME);
             try (Stream<Path> examples = Files.list(Paths.get("examples"))) {
-                for (Path example : examples.filter(path -> path.toString().endsWith(".sear")).sorted().collect(Collectors.toList())) {
+                for (Path example : examples.filter(path -> path.toString().endsWith(".sear")).sorted()
+                    .collect(Collectors.toList())) {
                     String name = example.getFileName().toString().replace(".sear", "");
                     robotLab.call("sear", "loadProject", "examples/" + name + ".sear");
                     robotLab.call("sear", "startSimulation");
-                    browser.until("a run of " + name, () -> browser.number(SearTab.ROOT, "world.running ? world.running.time : -1") > 1);
+                    browser.until("a run of " + name,
+                        () -> browser.number(SearTab.ROOT, "world.running ? world.running.time : -1") > 1);
                     take(browser, name);
                     robotLab.call("sear", "stopSimulation");
-                    browser.until("the end of " + name, () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "service.simulating === false")));
+                    browser.until("the end of " + name,
+                        () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "service.simulating === false")));
                 }
             }
             robotLab.run(BUILT);
-            browser.until("what is built", () -> browser.number(SearTab.ROOT, "world.shown() ? world.shown().objects.length : 0") > 4);
+            browser.until("what is built",
+                () -> browser.number(SearTab.ROOT, "world.shown() ? world.shown().objects.length : 0") > 4);
             browser.script("angular.element(document.querySelector('.sear-main')).scope().view.build(true)");
             take(browser, "build");
             robotLab.run(FIRST);
-            browser.until("a rover with an eye", () -> browser.number(SearTab.ROOT, "world.shown() ? world.shown().sensors.length : 0") == 1);
+            browser.until("a rover with an eye",
+                () -> browser.number(SearTab.ROOT, "world.shown() ? world.shown().sensors.length : 0") == 1);
             take(browser, "tour");
         }
     }
@@ -86,9 +93,11 @@ final class TilePictures {
         browser.script("var view = angular.element(document.querySelector('.sear-main')).scope().view; view.fit()");
         browser.until("a view of all", () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "view.fitted")));
         browser.script("angular.element(document.querySelector('.sear-main')).scope().view.zoom(1.25)");
-        browser.until("all looks", () -> Boolean.TRUE.equals(browser.script("return angular.element(document.querySelector('.sear-main')).scope()"
+        browser.until("all looks", () -> Boolean.TRUE.equals(
+            browser.script("return angular.element(document.querySelector('.sear-main')).scope()"
             + ".view.scene().objects.every(function(item) { return item.dressed })")));
-        BufferedImage shot = ImageIO.read(new ByteArrayInputStream(browser.see(".sear-canvas").getScreenshotAs(OutputType.BYTES)));
+        BufferedImage shot = ImageIO.read(
+            new ByteArrayInputStream(browser.see(".sear-canvas").getScreenshotAs(OutputType.BYTES)));
         BufferedImage picture = new BufferedImage(shot.getWidth(), shot.getHeight(), BufferedImage.TYPE_INT_RGB);
         picture.createGraphics().drawImage(shot, 0, 0, null);
         Files.createDirectories(FOLDER);

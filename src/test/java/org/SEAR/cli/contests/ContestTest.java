@@ -37,7 +37,8 @@ import picocli.CommandLine;
 public class ContestTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final String START = "sear = Runtime.start(\"sear\", \"SEAR\")\nsear.startSimulation()\n";
-    private static final String REFEREE = "SECONDS = 4\ndef stepped(contest):\n    for entry in contest.entries:\n        entry.points = entry.z\n";
+    private static final String REFEREE = "SECONDS = 4\ndef stepped(contest):\n    for entry in "
+        + "contest.entries:\n        entry.points = entry.z\n";
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
@@ -52,7 +53,8 @@ public class ContestTest {
 
     private static String run(List<String> arguments) {
         StringWriter out = new StringWriter();
-        CommandLine line = new CommandLine(new ContestCommand()).setOut(new PrintWriter(out)).setErr(new PrintWriter(out));
+        CommandLine line = new CommandLine(new ContestCommand()).setOut(new PrintWriter(out))
+            .setErr(new PrintWriter(out));
         return line.execute(arguments.toArray(new String[0])) + "\n" + out;
     }
 
@@ -68,16 +70,20 @@ public class ContestTest {
 
     @Test
     public void theRaceOfThePageIsTheSameEachTime() throws Exception {
-        assertEquals(DocBlock.of("docs/contests.md", "python").get(0), Files.readString(ROOT.resolve("contests/race/referee.py")));
+        assertEquals(DocBlock.of("docs/contests.md", "python").get(0),
+            Files.readString(ROOT.resolve("contests/race/referee.py")));
         String told = race("first");
-        assertEquals("0\n" + DocBlock.of("docs/contests.md", "text").get(0), told.substring(0, told.indexOf("\nWritten")));
+        assertEquals("0\n" + DocBlock.of("docs/contests.md", "text").get(0),
+            told.substring(0, told.indexOf("\nWritten")));
         race("second");
         Path first = folder.getRoot().toPath().resolve("first");
         Path second = folder.getRoot().toPath().resolve("second");
         assertEquals(Files.readString(first.resolve("scores.csv")), Files.readString(second.resolve("scores.csv")));
-        assertArrayEquals(Files.readAllBytes(first.resolve("contest.searlog")), Files.readAllBytes(second.resolve("contest.searlog")));
+        assertArrayEquals(Files.readAllBytes(first.resolve("contest.searlog")),
+            Files.readAllBytes(second.resolve("contest.searlog")));
         assertTrue(Files.exists(first.resolve("hasty.txt")));
-        Project world = Bundle.load(ROOT.resolve("contests/race/world.sear"), folder.getRoot().toPath().resolve("SEARproject"),
+        Project world = Bundle.load(ROOT.resolve("contests/race/world.sear"), folder.getRoot().toPath()
+            .resolve("SEARproject"),
             new PercentProgress("opening", first, line -> { }));
         LessonRun again = new LessonRun(world, first, "", "");
         again.follow(first.resolve("contest.searlog"), world, 90);
@@ -92,9 +98,12 @@ public class ContestTest {
         String before = System.getProperty("sear.project");
         System.setProperty("sear.project", contest.resolve("SEARproject").toString());
         try (PythonInterpreter python = new PythonInterpreter()) {
-            python.exec("from org.myrobotlab.service import Runtime\nfrom org.SEAR.POJOs import Distance, Floor, Robots\n"
-                + "sear = Runtime.start('sear', 'SEAR')\nsear.newProject()\nFloor('floor', 40, 40)\nfor i in range(7):\n"
-                + "    robot = Robots.rover('rover%d' % i)\n    robot.move(2 * i, 0, 0)\n    robot.addComponent(Distance('ping%d' % i, 'laser'))\n"
+            python.exec("from org.myrobotlab.service import Runtime\nfrom org.SEAR.POJOs import Distance, "
+                + "Floor, Robots\n"
+                + "sear = Runtime.start('sear', 'SEAR')\nsear.newProject()\nFloor('floor', 40, 40)\nfor i "
+                + "in range(7):\n"
+                + "    robot = Robots.rover('rover%d' % i)\n    robot.move(2 * i, 0, 0)\n    "
+                + "robot.addComponent(Distance('ping%d' % i, 'laser'))\n"
                 + "sear.saveProject('" + contest.resolve("world.sear") + "')\n");
         } finally {
             Runtime.releaseService("sear");
@@ -134,7 +143,8 @@ public class ContestTest {
         assertTrue(text, text.contains("sear contest: the script of leaves ended the whole program at 1.0 s"));
         assertEquals(text, 1, status);
         try (Stream<Path> left = Files.list(temporary)) {
-            assertEquals("[]", left.filter(one -> one.getFileName().toString().startsWith("sear")).collect(Collectors.toList()).toString());
+            assertEquals("[]", left.filter(one -> one.getFileName().toString().startsWith("sear"))
+                .collect(Collectors.toList()).toString());
         }
     }
 
@@ -149,12 +159,14 @@ public class ContestTest {
     @Test
     public void aFailingScriptAffectsOnlyItsOwnRobot() throws Exception {
         Path contest = rovers(REFEREE);
-        String good = START + "sear.driveStraight(0.3)\nprint sear.getSensorNames()\nwhile True:\n    sear.simSleep(0.5)\n";
+        String good = START + "sear.driveStraight(0.3)\nprint sear.getSensorNames()\nwhile True:\n    "
+            + "sear.simSleep(0.5)\n";
         assertTrue(run(entered(contest, "good", good)).startsWith("0\n"));
         String alone = scores(contest).get("good");
         String told = run(entered(contest, "good", good,
             "failing", START + "sear.driveStraight(0.3)\nsear.simSleep(1)\nprint 1 / 0\n",
-            "hanging", START + "sear.driveStraight(0.3)\nsear.simSleep(1)\ntry:\n    while True: pass\nexcept:\n    sear.simSleep(1)\n",
+            "hanging", START + "sear.driveStraight(0.3)\nsear.simSleep(1)\ntry:\n    while True: pass\nexcept:\n    "
+            + "sear.simSleep(1)\n",
             "short", START + "sear.driveStraight(0.3)\nsear.simSleep(1)\n",
             "stubborn", START + "while True:\n    try:\n        sear.simSleep(1)\n    except:\n        pass\n",
             "modern", "#!/usr/bin/env python3\nprint('hello')\n",
@@ -163,8 +175,10 @@ public class ContestTest {
         Map<String, String> scores = scores(contest);
         assertEquals(alone, scores.get("good"));
         assertTrue(alone, alone.startsWith("1.1") && alone.endsWith(",,0,\"the time was over\""));
-        assertTrue(told, scores.get("failing").contains(",\"its script failed at 1.0 s, line 5: ZeroDivisionError: integer division"));
-        assertTrue(told, scores.get("hanging").contains(",\"its script hung at 1.0 s: it ran for 8.00 s without a simSleep\""));
+        assertTrue(told, scores.get("failing")
+            .contains(",\"its script failed at 1.0 s, line 5: ZeroDivisionError: integer division"));
+        assertTrue(told, scores.get("hanging")
+            .contains(",\"its script hung at 1.0 s: it ran for 8.00 s without a simSleep\""));
         assertTrue(told, scores.get("short").contains(",\"its script ended at 1.0 s\""));
         assertTrue(told, scores.get("stubborn").endsWith(",,0,\"the time was over\""));
         assertTrue(told, scores.get("modern").contains("it is Python 3, but contests use Python 2.7"));
@@ -175,7 +189,8 @@ public class ContestTest {
             assertTrue(name + " " + metres, metres > 0.25 && metres < 0.4);     // the robot then stands still
         }
         assertEquals("[ping0]", Files.readString(contest.resolve("result/good.txt")).trim());
-        assertEquals(List.of(), Thread.getAllStackTraces().keySet().stream().map(Thread::getName).filter(name -> name.startsWith("contest "))
+        assertEquals(List.of(), Thread.getAllStackTraces().keySet().stream().map(Thread::getName)
+            .filter(name -> name.startsWith("contest "))
             .collect(Collectors.toList()));
         assertTrue(Files.readString(contest.resolve("result/failing.txt")).contains("ZeroDivisionError"));
     }
@@ -184,13 +199,18 @@ public class ContestTest {
     @Test
     public void callsUnavailableInAContestAreReported() throws Exception {
         Path contest = rovers(REFEREE);
-        run(entered(contest, "pose", START + "sear.getPose('rover0')\n", "two", START + "sear.driveStraight('rover1', 1)\n",
+        run(entered(contest, "pose", START + "sear.getPose('rover0')\n", "two",
+            START + "sear.driveStraight('rover1', 1)\n",
             "motor", START + "sear.setMotorPower(None, 1)\n", "fast", START + "sear.setWheelSpeeds(0, -101)\n"));
         Map<String, String> scores = scores(contest);
-        assertTrue(scores.toString(), scores.get("pose").contains("AttributeError: in a contest sear has no attribute 'getPose'"));
-        assertTrue(scores.toString(), scores.get("two").contains("expected 1 args; got 2, legal: sear.driveStraight(speed)"));
-        assertTrue(scores.toString(), scores.get("motor").contains("no motor of your robot is called \"\"null\"\", legal: leftMotor, rightMotor"));
-        assertTrue(scores.toString(), scores.get("fast").contains("setWheelSpeeds: right is -101.0, legal: -100.0 to 100.0 m/s"));
+        assertTrue(scores.toString(), scores.get("pose")
+            .contains("AttributeError: in a contest sear has no attribute 'getPose'"));
+        assertTrue(scores.toString(), scores.get("two")
+            .contains("expected 1 args; got 2, legal: sear.driveStraight(speed)"));
+        assertTrue(scores.toString(), scores.get("motor")
+            .contains("no motor of your robot is called \"\"null\"\", legal: leftMotor, rightMotor"));
+        assertTrue(scores.toString(), scores.get("fast")
+            .contains("setWheelSpeeds: right is -101.0, legal: -100.0 to 100.0 m/s"));
         List<String> twice = entered(contest, "one", START);
         twice.add("one=" + twice.get(1));
         assertTrue(run(twice), run(twice).contains("two entries are called \"one\"; NAME="));
@@ -213,24 +233,30 @@ public class ContestTest {
         assertEquals(List.of("2,one,1,,0,\"enough\"", "3,three,9,,0,\"disqualified: snoring\""), lines.subList(2, 4));
         Files.writeString(contest.resolve("referee.py"), "SECONDS = 4\ndef stepped(contest):\n    contest.entrys\n");
         String wrong = run(entered(contest, "one", drive));
-        assertTrue(wrong, wrong.startsWith("2\nsear contest: ") && wrong.contains("has an error, which is not an entrant's")
+        assertTrue(wrong, wrong.startsWith("2\nsear contest: ")
+            && wrong.contains("has an error, which is not an entrant's")
             && wrong.contains("line 3"));
-        for (String[] odd : new String[][] {{"contest.entries[0].points = float('nan')", "points of one are NaN, legal: a number"},
+        for (String[] odd : new String[][] {{"contest.entries[0].points = float('nan')",
+            "points of one are NaN, legal: a number"},
             {"sys.exit(3)", "ended itself with status 3, legal: contest.end(words)"}}) {
-            Files.writeString(contest.resolve("referee.py"), "import sys\nSECONDS = 4\ndef stepped(contest):\n    " + odd[0] + "\n");
+            Files.writeString(contest.resolve("referee.py"), "import sys\nSECONDS = 4\ndef stepped(contest):\n    "
+                + odd[0] + "\n");
             wrong = run(entered(contest, "one", drive));
             assertTrue(wrong, wrong.startsWith("2\nsear contest: ") && wrong.contains(odd[1]));
         }
-        Files.writeString(contest.resolve("referee.py"), "SECONDS = 1\ndef stepped(contest): contest.entries[0].finish(None)\n");
+        Files.writeString(contest.resolve("referee.py"),
+            "SECONDS = 1\ndef stepped(contest): contest.entries[0].finish(None)\n");
         assertTrue(run(entered(contest, "one", drive)).startsWith("0\n"));
-        Files.writeString(contest.resolve("referee.py"), "def positions(contest): contest.entries[0].place(float('nan'), 0, 0)\n"
+        Files.writeString(contest.resolve("referee.py"),
+            "def positions(contest): contest.entries[0].place(float('nan'), 0, 0)\n"
             + "SECONDS = 1\ndef stepped(contest): pass\n");
         wrong = run(entered(contest, "one", drive));
         assertTrue(wrong, wrong.contains("place of one is x NaN, z 0.0, heading 0.0, legal: numbers"));
         Files.writeString(contest.resolve("referee.py"), "def stepped(contest): pass\n");
         assertTrue(run(entered(contest, "one", drive)).contains("lacks SECONDS, the simulated time of the contest"));
         assertTrue(run(List.of(folder.getRoot().toString(), "x.py")).contains("is not a contest: it lacks world.sear"));
-        assertTrue(run(List.of(contest.toString(), "x.py")).startsWith("2\nsear contest: x.py can't be read: there is no such file"));
+        assertTrue(run(List.of(contest.toString(), "x.py"))
+            .startsWith("2\nsear contest: x.py can't be read: there is no such file"));
     }
 
     @Test
@@ -249,10 +275,12 @@ public class ContestTest {
 
     @Test
     public void bumpsAreCountedAndPlacesStored() throws Exception {
-        Path contest = rovers("SECONDS = 8\ndef positions(contest):\n    for entry, z, heading in zip(contest.entries, (0, 2), (90, -90)):\n"
+        Path contest = rovers("SECONDS = 8\ndef positions(contest):\n    for entry, z, heading in zip(contest.entries, "
+            + "(0, 2), (90, -90)):\n"
             + "        entry.place(-3, z, heading)\n"
             + "def stepped(contest): pass\n"
-            + "def finished(contest):\n    one, two = contest.entries\n    print one.bumps == len(one.trail.bumps), two.trail.length > 0.5\n");
+            + "def finished(contest):\n    one, two = contest.entries\n    print one.bumps == len(one.trail.bumps), "
+                + "two.trail.length > 0.5\n");
         String drive = START + "sear.driveStraight(0.3)\nsear.simSleep(60)\n";
         String told = run(entered(contest, "one", drive, "two", drive));
         assertTrue(told, told.startsWith("0\nTrue True\n"));

@@ -47,7 +47,8 @@ public class ClassArchiveTest {
     }
 
     private List<String> command(Path home) throws Exception {
-        return classes(home, "--version").stream().filter(line -> line.contains(" org.SEAR.cli.SearCommand ")).collect(Collectors.toList());
+        return classes(home, "--version").stream().filter(line -> line.contains(" org.SEAR.cli.SearCommand "))
+            .collect(Collectors.toList());
     }
 
     @Test
@@ -61,15 +62,19 @@ public class ClassArchiveTest {
     @Test
     public void aScriptBeginsWithClassesFromTheArchive() throws Exception {
         Path script = folder.newFile("first.py").toPath();
-        Files.writeString(script, "from org.SEAR.POJOs import *\nsear = Runtime.start('sear', 'SEAR')\nFloor('floor', 10, 10)\n"
-            + "robot = Robots.create('first', '/dev/user', '/dev/uart')\nrobot.addComponent(LIDAR('scanner', 8, 180, 0.5, 0, 0.15, 0.1))\n"
+        Files.writeString(script, "from org.SEAR.POJOs import *\nsear = Runtime.start('sear', "
+            + "'SEAR')\nFloor('floor', 10, 10)\n"
+            + "robot = Robots.create('first', '/dev/user', '/dev/uart')\nrobot.addComponent(LIDAR('scanner', 8, 180, "
+            + "0.5, 0, 0.15, 0.1))\n"
             + "sear.startSimulation()\nprint 'beams: %d' % len(sear.getLidarResult('scanner'))\n");
         List<String> classes = classes(HOME, script.toString(), "--headless", "--speed", "max", "--port", "none");
         assertTrue("a script reads " + classes.size() + " classes", classes.size() > MOST_OTHERS);
         List<String> others = classes.stream().filter(line -> !line.contains(SHARED)).collect(Collectors.toList());
-        assertTrue(others.size() + " of them are not in the archive:\n" + String.join("\n", others), others.size() <= MOST_OTHERS);
+        assertTrue(others.size() + " of them are not in the archive:\n" + String.join("\n", others),
+            others.size() <= MOST_OTHERS);
         assertEquals("what asks for the names of all time zones", List.of(),
-            classes.stream().filter(line -> line.contains(" com.thoughtworks.xstream.core.JVM ")).collect(Collectors.toList()));
+            classes.stream().filter(line -> line.contains(" com.thoughtworks.xstream.core.JVM "))
+                .collect(Collectors.toList()));
     }
 
     /** With a moved folder or a broken archive the program starts without the archive and without a message. */

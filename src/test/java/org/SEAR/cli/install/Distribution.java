@@ -77,10 +77,12 @@ final class Distribution {
         return run(folder, logs, command, PATIENCE);
     }
 
-    static Result run(Path folder, Path logs, List<String> command, int seconds) throws IOException, InterruptedException {
+    static Result run(Path folder, Path logs, List<String> command, int seconds)
+        throws IOException, InterruptedException {
         File out = logs.resolve("out" + ++runs + ".txt").toFile();
         File err = logs.resolve("err" + runs + ".txt").toFile();
-        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectOutput(out).redirectError(err);
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectOutput(out)
+            .redirectError(err);
         builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
         Process process = builder.start();
         try {
@@ -106,7 +108,8 @@ final class Distribution {
         Files.createDirectories(mrl.resolve("libraries/jar"));
         Manifest manifest = new Manifest();
         manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
-        manifest.getMainAttributes().put(Attributes.Name.CLASS_PATH, Arrays.stream(jars("lib")).map(jar -> jar.toUri().toString())
+        manifest.getMainAttributes().put(Attributes.Name.CLASS_PATH, Arrays.stream(jars("lib"))
+            .map(jar -> jar.toUri().toString())
             .filter(jar -> !jar.endsWith("sear-cli.jar")).collect(Collectors.joining(" ")));
         try (OutputStream out = Files.newOutputStream(mrl.resolve("myrobotlab.jar"))) {
             new JarOutputStream(out, manifest).close();

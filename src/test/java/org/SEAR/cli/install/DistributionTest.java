@@ -57,7 +57,8 @@ public class DistributionTest {
 
     private static Set<String> entries(Path jar) throws IOException {
         try (ZipFile zip = new ZipFile(jar.toFile())) {
-            return zip.stream().map(ZipEntry::getName).filter(name -> !name.endsWith("/")).collect(Collectors.toCollection(TreeSet::new));
+            return zip.stream().map(ZipEntry::getName).filter(name -> !name.endsWith("/"))
+                .collect(Collectors.toCollection(TreeSet::new));
         }
     }
 
@@ -81,22 +82,27 @@ public class DistributionTest {
         Set<String> plugin = entries(distribution.home().resolve("plugin/sear.jar"));
         Set<String> host = entries(distribution.home().resolve("lib/sear-embedded-mrl.jar"));
         List<String> foreign = plugin.stream().filter(name -> name.endsWith(".class"))
-            .filter(name -> host.contains(name) || !name.matches("(org/SEAR|org/myrobotlab|sear_hints)/.*")).collect(Collectors.toList());
+            .filter(name -> host.contains(name) || !name.matches("(org/SEAR|org/myrobotlab|sear_hints)/.*"))
+            .collect(Collectors.toList());
         assertEquals(List.of(), foreign);
-        assertFalse(plugin.stream().anyMatch(name -> name.startsWith("org/myrobotlab/embedded") || name.startsWith("org/SEAR/cli")));
+        assertFalse(plugin.stream().anyMatch(name -> name.startsWith("org/myrobotlab/embedded")
+            || name.startsWith("org/SEAR/cli")));
     }
 
     @Test
     public void thePluginHasTemplatesPanelsIconsAndExamples() throws IOException {
         Set<String> plugin = entries(distribution.home().resolve("plugin/sear.jar"));
-        assertTrue(plugin.containsAll(List.of("templates/controller.py", "templates/userCode.py", "org/SEAR/assets/textures/roomba.jpg")));
+        assertTrue(plugin.containsAll(
+            List.of("templates/controller.py", "templates/userCode.py", "org/SEAR/assets/textures/roomba.jpg")));
         for (String service : new String[] {"SEAR", "LIDAR", "GPS"}) {
-            for (String file : new String[] {"WebGui/app/service/js/%sGui.js", "WebGui/app/service/views/%sGui.html", "%s.png", "%s/%s.py"}) {
+            for (String file : new String[] {"WebGui/app/service/js/%sGui.js", "WebGui/app/service/views/%sGui.html",
+                "%s.png", "%s/%s.py"}) {
                 String name = "resource/" + file.replace("%s", service);
                 assertTrue(name, plugin.contains(name));
             }
         }
-        for (String drive : List.of("arduino_rover", "car_waypoints", "follow_ball", "gps_waypoints", "lidar_mapper", "line_follower", "maze_solver",
+        for (String drive : List.of("arduino_rover", "car_waypoints", "follow_ball", "gps_waypoints", "lidar_mapper",
+            "line_follower", "maze_solver",
                 "mountain_climber", "obstacle_avoidance", "radar_turret", "wall_follower")) {
             assertTrue(drive, plugin.contains("resource/SEAR/drive/" + drive + ".py"));
         }
@@ -110,8 +116,10 @@ public class DistributionTest {
             + "print sear.getExampleScript('wall_follower.py').split('\\n')[0]\n");
         Distribution.Result result = sear(script.toString(), "--headless", "--port", "none");
         assertEquals(result.toString(), 0, result.status);
-        assertTrue(result.toString(), result.out.contains("arduino_rover.py, car_waypoints.py, follow_ball.py, gps_waypoints.py, lidar_mapper.py,"
-            + " line_follower.py, maze_solver.py, mountain_climber.py, obstacle_avoidance.py, radar_turret.py, wall_follower.py"));
+        assertTrue(result.toString(), result.out.contains(
+            "arduino_rover.py, car_waypoints.py, follow_ball.py, gps_waypoints.py, lidar_mapper.py,"
+            + " line_follower.py, maze_solver.py, mountain_climber.py, obstacle_avoidance.py, radar_turret.py, "
+                + "wall_follower.py"));
         assertTrue(result.toString(), result.out.contains("# Follows the wall on its right"));
     }
 
@@ -122,7 +130,8 @@ public class DistributionTest {
         for (Path jar : distribution.jars("plugin")) {
             natives.addAll(entries(jar));
         }
-        for (String platform : new String[] {"linux/x64/%slib%s.so", "linux/arm64/%slib%s.so", "macos/x64/%slib%s.dylib", "macos/arm64/%slib%s.dylib",
+        for (String platform : new String[] {"linux/x64/%slib%s.so", "linux/arm64/%slib%s.so",
+            "macos/x64/%slib%s.dylib", "macos/arm64/%slib%s.dylib",
             "windows/x64/%s%s.dll"}) {
             assertTrue(platform, natives.contains(String.format(platform, "org/lwjgl/", "lwjgl")));
             assertTrue(platform, natives.contains(String.format(platform, "org/lwjgl/glfw/", "glfw")));
@@ -140,7 +149,8 @@ public class DistributionTest {
 
     @Test
     public void everythingIsReadableForTheUser() throws IOException {
-        for (String file : new String[] {"LICENSE", "LICENSES.md", "README.md", "docs/install.md", "examples/maze.py", "scripts/demo.py",
+        for (String file : new String[] {"LICENSE", "LICENSES.md", "README.md", "docs/install.md", "examples/maze.py",
+            "scripts/demo.py",
             "bin/sear.bat"}) {
             assertTrue(file, Files.isRegularFile(distribution.home().resolve(file)));
         }
@@ -150,17 +160,22 @@ public class DistributionTest {
     @Test
     public void umlautsAreWrittenWithoutALocaleToo() throws Exception {
         Path script = folder.newFile("umlaut.py").toPath();
-        Files.writeString(script, "from org.SEAR.POJOs import Box\nBox('T\u00fcr', 1, 1, 1)\nBox(u'\u65e5', 1, 1, 1)\n");
-        Distribution.Result result = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), List.of("env", "LC_ALL=C", "LANG=C",
+        Files.writeString(script, "from org.SEAR.POJOs import Box\nBox('T\u00fcr', 1, 1, "
+            + "1)\nBox(u'\u65e5', 1, 1, 1)\n");
+        Distribution.Result result = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(),
+            List.of("env", "LC_ALL=C", "LANG=C",
             distribution.launcher().toString(), script.toString(), "--headless", "--port", "none"));
         assertEquals(result.toString(), 0, result.status);
         assertTrue(Files.exists(folder.getRoot().toPath().resolve("SEARproject/environment/T\u00fcr.xml")));
         Path here = Files.copy(script, folder.newFolder("T\u00fcr").toPath().resolve("umlaut.py"));
-        Distribution.Result unknown = Distribution.run(here.getParent(), folder.newFolder().toPath(), List.of("env", "LC_ALL=xx_XX.UTF-8",
+        Distribution.Result unknown = Distribution.run(here.getParent(), folder.newFolder().toPath(),
+            List.of("env", "LC_ALL=xx_XX.UTF-8",
             distribution.launcher().toString(), "umlaut.py", "--headless", "--port", "none"));
         assertEquals(unknown.toString(), 0, unknown.status);
-        Distribution.Result bare = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), List.of("env", "LC_ALL=C", "LANG=C",
-            Distribution.java().toString(), "-cp", distribution.home().resolve("plugin") + "/*:" + distribution.home().resolve("lib") + "/*",
+        Distribution.Result bare = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(),
+            List.of("env", "LC_ALL=C", "LANG=C",
+            Distribution.java().toString(), "-cp", distribution.home().resolve("plugin") + "/*:" + distribution.home()
+            .resolve("lib") + "/*",
             "org.SEAR.cli.SearCommand", script.toString(), "--headless", "--port", "none"));
         assertEquals(bare.toString(), 1, bare.status);
         assertTrue(bare.toString(), bare.err.contains("with LC_ALL=C.UTF-8 in the environment"));
@@ -171,7 +186,8 @@ public class DistributionTest {
         Distribution.Result version = sear("--version");
         assertEquals(version.toString(), 0, version.status);
         Path link = Files.createSymbolicLink(folder.getRoot().toPath().resolve("sear link"), distribution.launcher());
-        Distribution.Result linked = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), List.of(link.toString(), "--version"));
+        Distribution.Result linked = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(),
+            List.of(link.toString(), "--version"));
         assertEquals(linked.toString(), 0, linked.status);
         assertEquals(version.out, linked.out);
         assertEquals(2, sear("nowhere.py").status);
@@ -193,9 +209,12 @@ public class DistributionTest {
     public void theExamplesOfLidarAndGpsPrintTheirMeasurements() throws Exception {
         Path resources = Path.of(System.getProperty("sear.root", "."), "resources/resource").toAbsolutePath();
         Path script = folder.getRoot().toPath().resolve("both.py");
-        Files.writeString(script, "sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('" + distribution.home().resolve("examples/sensors.sear")
-            + "')\nsear.startSimulation()\nsear.simSleep(1)\npython.execFile('" + resources.resolve("LIDAR/LIDAR.py") + "')\nsear.simSleep(3)\n"
-            + "print 'truth ' + str(min(sear.getLidarResult('myLidar')))\npython.execFile('" + resources.resolve("GPS/GPS.py")
+        Files.writeString(script, "sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('" + distribution.home()
+            .resolve("examples/sensors.sear")
+            + "')\nsear.startSimulation()\nsear.simSleep(1)\npython.execFile('" + resources.resolve("LIDAR/LIDAR.py")
+            + "')\nsear.simSleep(3)\n"
+            + "print 'truth ' + str(min(sear.getLidarResult('myLidar')))\npython.execFile('"
+            + resources.resolve("GPS/GPS.py")
             + "')\nsear.simSleep(3.5)\nprint 'truth ' + ' '.join([str(x) for x in sear.getGpsResult('gpsUnit1')])\n");
         Distribution.Result result = sear(script.toString(), "--headless", "--speed", "max", "--port", "none");
         assertEquals(result.toString(), 0, result.status);
@@ -203,7 +222,8 @@ public class DistributionTest {
         Matcher scan = Pattern.compile("181 readings, the nearest at (\\d+) mm\\Rtruth (\\S+)\\R").matcher(result.out);
         assertTrue(result.toString(), scan.lookingAt());
         assertEquals(Double.parseDouble(scan.group(2)), Integer.parseInt(scan.group(1)) / 1000.0, 0.002);
-        Matcher fix = Pattern.compile("(latitude (\\S+), longitude (\\S+), altitude (\\S+) m\\R){3,4}truth (\\S+) (\\S+) (\\S+)\\R")
+        Matcher fix = Pattern.compile("(latitude (\\S+), longitude (\\S+), altitude (\\S+) m\\R){3,4}truth (\\S+) "
+            + "(\\S+) (\\S+)\\R")
             .matcher(result.out.substring(scan.end()));
         assertTrue(result.toString(), fix.matches());
         assertEquals(Double.parseDouble(fix.group(5)), Double.parseDouble(fix.group(2)), 2e-6);
@@ -265,9 +285,11 @@ public class DistributionTest {
         List<String> commands = DocBlock.commands("docs/embedded-and-real.md", "java -cp");
         assertEquals(1, commands.size());
         File log = here.resolve("log.txt").toFile();
-        ProcessBuilder shell = new ProcessBuilder("sh", "-c", "exec " + commands.get(0)).directory(here.toFile()).redirectErrorStream(true)
+        ProcessBuilder shell = new ProcessBuilder("sh", "-c", "exec " + commands.get(0)).directory(here.toFile())
+            .redirectErrorStream(true)
             .redirectOutput(log);
-        shell.environment().merge("PATH", Distribution.java().getParent().toString(), (path, first) -> first + File.pathSeparator + path);
+        shell.environment().merge("PATH", Distribution.java().getParent().toString(), (path, first) -> first
+            + File.pathSeparator + path);
         Process process = shell.start();
         try {
             URL services = new URL("http://localhost:" + port + "/api/service");
@@ -295,7 +317,8 @@ public class DistributionTest {
     public void foldersWithoutMyRobotLabAreRejectedByCommand() throws Exception {
         Distribution.Result result = sear("install", folder.newFolder("empty").toString());
         assertEquals(result.toString(), 1, result.status);
-        assertTrue(result.err, result.err.startsWith("sear install: ") && result.err.contains("contains no myrobotlab.jar"));
+        assertTrue(result.err, result.err.startsWith("sear install: ")
+            && result.err.contains("contains no myrobotlab.jar"));
         assertEquals(2, sear("install").status);
     }
 
@@ -317,10 +340,12 @@ public class DistributionTest {
             }
             Files.setPosixFilePermissions(mrl.resolve(closed), PosixFilePermissions.fromString("r-xr-xr-x"));
             List<String> before = tree(mrl);
-            Distribution.Result result = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), command);
+            Distribution.Result result = Distribution.run(folder.getRoot().toPath(), folder.newFolder()
+                .toPath(), command);
             Files.setPosixFilePermissions(mrl.resolve(closed), PosixFilePermissions.fromString("rwxr-xr-x"));
             assertEquals(result.toString(), 1, result.status);
-            assertTrue(result.err, result.err.startsWith("sear install: No permission to write into " + mrl.resolve(closed)));
+            assertTrue(result.err, result.err.startsWith("sear install: No permission to write into "
+                + mrl.resolve(closed)));
             assertEquals(before, tree(mrl));
         }
     }
@@ -350,7 +375,8 @@ public class DistributionTest {
 
     private static List<String> tree(Path root) throws IOException {
         try (Stream<Path> paths = Files.walk(root)) {
-            return paths.sorted().map(path -> root.relativize(path) + (Files.isDirectory(path) ? "/" : " " + path.toFile().length()))
+            return paths.sorted().map(path -> root.relativize(path)
+                + (Files.isDirectory(path) ? "/" : " " + path.toFile().length()))
                 .collect(Collectors.toList());
         }
     }

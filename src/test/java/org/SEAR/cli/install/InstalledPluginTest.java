@@ -37,7 +37,8 @@ public class InstalledPluginTest {
 
     /** Expected nearest reading and GPS position of the robot of examples/sensors.py. */
     private static final String NEAREST = "(?s).*\\b181 readings, the nearest at 21[45]\\d mm\\R.*";
-    private static final String POSITION = "(?s).*\\blatitude 33\\.6100\\d\\d, longitude -80\\.8650\\d\\d, altitude 182\\.[56] m\\R.*";
+    private static final String POSITION = "(?s).*\\blatitude 33\\.6100\\d\\d, longitude -80\\.8650\\d\\d, altitude "
+        + "182\\.[56] m\\R.*";
 
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
@@ -57,11 +58,15 @@ public class InstalledPluginTest {
         Files.createDirectories(mrl.resolve("resource/WebGui/app/service/js"));
         port = FreePort.find();
         Path config = Files.createDirectories(mrl.resolve("data/config/default"));
-        Files.writeString(config.resolve("webgui.yml"), "!!org.myrobotlab.service.config.WebGuiConfig\nport: " + port + "\ntype: WebGui\n");
+        Files.writeString(config.resolve("webgui.yml"), "!!org.myrobotlab.service.config.WebGuiConfig\nport: " + port
+            + "\ntype: WebGui\n");
         log = folder.getRoot().toPath().resolve("log.txt");
-        process = new ProcessBuilder(Distribution.java().toString(), "-Xmx400m", "-Dsear.headless=true", "-Dsear.speed=max", "-cp",
-            "libraries/jar/*:myrobotlab.jar", "org.myrobotlab.service.Runtime", "-s", "webgui", "WebGui", "python", "Python", "sear", "SEAR", "lidar",
-            "LIDAR", "gps", "GPS").directory(mrl.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start();
+        process = new ProcessBuilder(Distribution.java().toString(), "-Xmx400m", "-Dsear.headless=true",
+            "-Dsear.speed=max", "-cp",
+            "libraries/jar/*:myrobotlab.jar", "org.myrobotlab.service.Runtime", "-s", "webgui", "WebGui", "python",
+            "Python", "sear", "SEAR", "lidar",
+            "LIDAR", "gps", "GPS").directory(mrl.toFile()).redirectErrorStream(true)
+            .redirectOutput(log.toFile()).start();
         await("gps", () -> get("/api/service").contains("gps@"));
     }
 
@@ -101,7 +106,8 @@ public class InstalledPluginTest {
 
     private HttpRequest request(String path, String json) {
         URI uri = URI.create("http://localhost:" + port + "/api/service/" + path);
-        return HttpRequest.newBuilder(uri).header("Content-Type", "application/json").POST(HttpRequest.BodyPublishers.ofString(json)).build();
+        return HttpRequest.newBuilder(uri).header("Content-Type", "application/json")
+            .POST(HttpRequest.BodyPublishers.ofString(json)).build();
     }
 
     private void call(String path, String json) throws IOException, InterruptedException {
@@ -125,9 +131,11 @@ public class InstalledPluginTest {
         await("the plug-in's threads to end", () -> {
             call("python/execFile", "[\"threads.py\"]");
             List<String> lines = log().lines().filter(line -> line.startsWith("threads:")).collect(Collectors.toList());
-            return !lines.isEmpty() && !lines.get(lines.size() - 1).matches(".*(SEAR|/dev/|serial time-outs|[:,](sear|lidar|gps)[@_,]).*");
+            return !lines.isEmpty() && !lines.get(lines.size() - 1)
+                .matches(".*(SEAR|/dev/|serial time-outs|[:,](sear|lidar|gps)[@_,]).*");
         });
-        client.sendAsync(request("runtime/shutdown", "[]"), HttpResponse.BodyHandlers.discarding()); // the server may end before it answers
+        // the server may end before it answers
+        client.sendAsync(request("runtime/shutdown", "[]"), HttpResponse.BodyHandlers.discarding());
         assertTrue("a thread keeps MyRobotLab alive\n" + log(), process.waitFor(PATIENCE, TimeUnit.SECONDS));
         assertEquals(log(), 0, process.exitValue());
         assertFalse(log(), log().contains("ERROR") || log().contains("Exception"));
@@ -150,13 +158,15 @@ public class InstalledPluginTest {
             new Installer(mrl).install(mrl.resolve("libraries/jar"), false);
             throw new AssertionError("was not refused");
         } catch (InstallException e) {
-            assertEquals("MyRobotLab is running from " + mrl + " (process " + process.pid() + "). Shut it down and try again.", e.getMessage());
+            assertEquals("MyRobotLab is running from " + mrl + " (process " + process.pid()
+                + "). Shut it down and try again.", e.getMessage());
         }
     }
 
     private void panelsComeFromTheResourceRoot() throws Exception {
         for (String service : new String[] {"SEAR", "LIDAR", "GPS"}) {
-            for (String file : new String[] {"WebGui/app/service/js/%sGui.js", "WebGui/app/service/views/%sGui.html", "%s.png", "%s/%s.py"}) {
+            for (String file : new String[] {"WebGui/app/service/js/%sGui.js", "WebGui/app/service/views/%sGui.html",
+                "%s.png", "%s/%s.py"}) {
                 Path copy = mrl.resolve("resource").resolve(file.replace("%s", service));
                 assertTrue(copy + " was not copied", Files.size(copy) > 0);
             }

@@ -22,16 +22,20 @@ public class InstallerTest extends LaidOutMrl {
         Map<String, String> before = tree();
         install();
         Map<String, String> after = tree();
-        List<String> added = after.keySet().stream().filter(path -> !before.containsKey(path)).collect(Collectors.toList());
-        assertEquals(List.of("libraries/jar/jbullet-20101010-1.jar", "libraries/jar/sear.jar", "libraries/sear-install.json", "resource/SEAR.png",
+        List<String> added = after.keySet().stream().filter(path -> !before.containsKey(path))
+            .collect(Collectors.toList());
+        assertEquals(List.of("libraries/jar/jbullet-20101010-1.jar", "libraries/jar/sear.jar",
+            "libraries/sear-install.json", "resource/SEAR.png",
             "resource/WebGui/app/service/js/SEARGui.js"), added);
         assertEquals(List.of("data/config/default/sear.yml", "libraries/serviceData.json"),
-            before.keySet().stream().filter(path -> !before.get(path).equals(after.get(path))).collect(Collectors.toList()));
+            before.keySet().stream().filter(path -> !before.get(path).equals(after.get(path)))
+                .collect(Collectors.toList()));
         String data = after.get("libraries/serviceData.json");
         for (String service : new String[] {"SEAR", "LIDAR", "GPS"}) {
             assertTrue(data, data.contains("\"org.myrobotlab.service." + service + "\" : {"));
         }
-        assertTrue("entries have Clock's fields", data.contains("\"class\" : \"org.myrobotlab.service.meta.ClockMeta\""));
+        assertTrue("entries have Clock's fields",
+            data.contains("\"class\" : \"org.myrobotlab.service.meta.ClockMeta\""));
         assertEquals(BARE_YML.replace("ServiceConfig", "SEARConfig"), after.get("data/config/default/sear.yml"));
     }
 
@@ -58,7 +62,8 @@ public class InstallerTest extends LaidOutMrl {
         install();
         payload("1.1.0");
         Files.delete(plugin.resolve("jbullet-20101010-1.jar"));
-        jar(plugin.resolve("jbullet-20260101.jar"), null, "com/bulletphysics/BulletGlobals.class", "com/bulletphysics/New.class");
+        jar(plugin.resolve("jbullet-20260101.jar"), null, "com/bulletphysics/BulletGlobals.class",
+            "com/bulletphysics/New.class");
         install();
         assertEquals("1.1.0", new Installer(mrl).old.version);
         assertTrue(Files.exists(mrl.resolve("libraries/jar/jbullet-20260101.jar")));
@@ -86,7 +91,8 @@ public class InstallerTest extends LaidOutMrl {
         remove();
         String left = Files.readString(mrl.resolve("libraries/serviceData.json"));
         assertTrue(left, left.contains("ticks"));
-        assertFalse(left, left.contains("service.SEAR") || left.contains("service.LIDAR") || left.contains("service.GPS"));
+        assertFalse(left, left.contains("service.SEAR") || left.contains("service.LIDAR")
+            || left.contains("service.GPS"));
     }
 
     @Test
@@ -96,7 +102,8 @@ public class InstallerTest extends LaidOutMrl {
         Map<String, String> before = tree();
         InstallPlan plan = new Installer(mrl).install(plugin, false);
         assertTrue(plan.notes.toString(), plan.notes.stream().anyMatch(line -> line.startsWith("later   panels")));
-        assertTrue(plan.notes.toString(), plan.notes.stream().anyMatch(line -> line.startsWith("later   service picker")));
+        assertTrue(plan.notes.toString(), plan.notes.stream()
+            .anyMatch(line -> line.startsWith("later   service picker")));
         plan.apply();
         assertFalse(Files.exists(mrl.resolve("resource")));
         remove();
@@ -109,7 +116,8 @@ public class InstallerTest extends LaidOutMrl {
         install();
         text("resource/SEAR.png", "resource/SEAR.png");
         text("resource/SEAR/SEAR.py", "an older version's example");
-        text("resource/.sear-files.properties", "SEAR/SEAR.py=" + PanelFiles.hash("an older version's example".getBytes(StandardCharsets.UTF_8))
+        text("resource/.sear-files.properties", "SEAR/SEAR.py="
+            + PanelFiles.hash("an older version's example".getBytes(StandardCharsets.UTF_8))
             + "\nSEAR.png=" + PanelFiles.hash("resource/SEAR.png".getBytes(StandardCharsets.UTF_8)));
         remove();
         assertFalse(Files.exists(mrl.resolve("resource/SEAR.png")));
@@ -173,7 +181,8 @@ public class InstallerTest extends LaidOutMrl {
 
     @Test
     public void aRunningMrlIsRefused() throws Exception {
-        Process process = new ProcessBuilder("sh", "-c", "read line; exit 0", "org.myrobotlab.service.Runtime").directory(mrl.toFile()).start();
+        Process process = new ProcessBuilder("sh", "-c", "read line; exit 0", "org.myrobotlab.service.Runtime")
+            .directory(mrl.toFile()).start();
         try {
             assertRefused("MyRobotLab is running from", mrl);
         } finally {
@@ -220,13 +229,15 @@ public class InstallerTest extends LaidOutMrl {
     public void anUpdateAfterMrlRewroteServiceDataCanBeRemovedCompletely() throws Exception {
         install();
         String now = Files.readString(mrl.resolve("libraries/serviceData.json"));
-        text("libraries/serviceData.json", now.replace("\"license\" : \"apache\"", "\"license\" : \"apache\", \"link\" : null"));
+        text("libraries/serviceData.json",
+            now.replace("\"license\" : \"apache\"", "\"license\" : \"apache\", \"link\" : null"));
         payload("1.1.0");
         install();
         remove();
         String left = Files.readString(mrl.resolve("libraries/serviceData.json"));
         assertTrue(left, left.contains("service.Clock"));
-        assertFalse(left, left.contains("service.SEAR") || left.contains("service.LIDAR") || left.contains("service.GPS"));
+        assertFalse(left, left.contains("service.SEAR") || left.contains("service.LIDAR")
+            || left.contains("service.GPS"));
     }
 
     @Test

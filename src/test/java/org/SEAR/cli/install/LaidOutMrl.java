@@ -24,13 +24,16 @@ import org.junit.rules.TemporaryFolder;
 
 /** Base of tests with a folder laid out as MyRobotLab's and the plug-in folder of a distribution. */
 abstract class LaidOutMrl {
-    private static final String CLOCK = "{\"available\":true,\"description\":\"used to generate pulses\",\"isCloudService\":false,"
-        + "\"simpleName\":\"Clock\",\"type\":\"org.myrobotlab.service.Clock\",\"dependencies\":[],\"workingLevel\":null,"
+    private static final String CLOCK = "{\"available\":true,\"description\":\"used to generate "
+        + "pulses\",\"isCloudService\":false,"
+        + "\"simpleName\":\"Clock\",\"type\":\"org.myrobotlab.service.Clock\",\"dependencies\":[],"
+        + "\"workingLevel\":null,"
         + "\"class\":\"org.myrobotlab.service.meta.ClockMeta\"}";
     private static final String SERVICE_DATA = "{\"categoryTypes\":{\"sensors\":{\"name\":\"sensors\","
         + "\"serviceTypes\":[\"org.myrobotlab.service.Pir\"]}},"
         + "\"serviceTypes\":{\"org.myrobotlab.service.Clock\":" + CLOCK + "}}";
-    static final String BARE_YML = "!!org.myrobotlab.service.config.ServiceConfig\nlisteners: null\npeers: null\ntype: SEAR\n";
+    static final String BARE_YML = "!!org.myrobotlab.service.config.ServiceConfig\nlisteners: null\npeers: "
+        + "null\ntype: SEAR\n";
 
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
@@ -40,7 +43,8 @@ abstract class LaidOutMrl {
     @Before
     public void layOut() throws IOException {
         mrl = folder.newFolder("myrobotlab-1.1.1").toPath();
-        jar(mrl.resolve("myrobotlab.jar"), null, "org/myrobotlab/service/Runtime.class", "org/slf4j/Logger.class", "com/google/gson/Gson.class");
+        jar(mrl.resolve("myrobotlab.jar"), null, "org/myrobotlab/service/Runtime.class", "org/slf4j/Logger.class",
+            "com/google/gson/Gson.class");
         jar(mrl.resolve("libraries/jar/jme3-core-3.6.1-stable.jar"), null, "com/jme3/math/Vector3f.class");
         jar(mrl.resolve("libraries/jar/xstream-1.4.19.jar"), null, "com/thoughtworks/xstream/XStream.class");
         text("libraries/serviceData.json", SERVICE_DATA);
@@ -52,7 +56,8 @@ abstract class LaidOutMrl {
     }
 
     final void payload(String version) throws IOException {
-        jar(plugin.resolve("sear.jar"), version, "org/SEAR/POJOs/Box.class", "resource/WebGui/app/service/js/SEARGui.js", "resource/SEAR.png");
+        jar(plugin.resolve("sear.jar"), version, "org/SEAR/POJOs/Box.class",
+            "resource/WebGui/app/service/js/SEARGui.js", "resource/SEAR.png");
         jar(plugin.resolve("jme3-core-3.6.1-stable.jar"), null, "com/jme3/math/Vector3f.class");
         jar(plugin.resolve("xstream-1.4.21.jar"), null, "com/thoughtworks/xstream/XStream.class");
         jar(plugin.resolve("gson-2.9.1.jar"), null, "com/google/gson/Gson.class");

@@ -26,12 +26,15 @@ public class LaunchersTest {
     /** Returns the line that starts Java, in the shell launcher's form. */
     private static List<String> javaLine(String text) {
         List<String> words = new ArrayList<>();
-        String line = text.lines().filter(each -> each.contains("org.SEAR.cli.SearCommand")).collect(Collectors.joining("\n"));
+        String line = text.lines().filter(each -> each.contains("org.SEAR.cli.SearCommand"))
+            .collect(Collectors.joining("\n"));
         Matcher word = Pattern.compile("(?:[^\\s\"]|\"[^\"]*\")+").matcher(line);
         while (word.find()) {
-            words.add(word.group().replace("%HOME_DIR%", "$home").replace("%JAVA_CMD%", "$java").replace("%JAVA_OPTS%", "$JAVA_OPTS")
+            words.add(word.group().replace("%HOME_DIR%", "$home").replace("%JAVA_CMD%", "$java")
+                .replace("%JAVA_OPTS%", "$JAVA_OPTS")
                 .replace("%QUIET%", "$quiet").replace("%MEMORY%", "$memory").replace("%COMPILER%", "$compiler")
-                .replace("%ARCHIVE%", "${archive:+\"$archive\"}").replace("%*", "\"$@\"").replace("\\", "/").replace(";", ":")
+                .replace("%ARCHIVE%", "${archive:+\"$archive\"}").replace("%*", "\"$@\"").replace("\\", "/")
+                .replace(";", ":")
                 .replace("-Dsear.home=\"$home\"", "-Dsear.home=$home"));
         }
         words.remove("exec");
@@ -40,7 +43,8 @@ public class LaunchersTest {
 
     @Test
     public void bothStartJavaAlike() throws IOException {
-        List<String> expected = List.of("\"$java\"", "$quiet", "$memory", "$compiler", "${archive:+\"$archive\"}", "$JAVA_OPTS", "-Dsear.home=$home",
+        List<String> expected = List.of("\"$java\"", "$quiet", "$memory", "$compiler", "${archive:+\"$archive\"}",
+            "$JAVA_OPTS", "-Dsear.home=$home",
             "-cp", "\"$home/plugin/*:$home/lib/*\"", "org.SEAR.cli.SearCommand", "\"$@\"");
         assertEquals(expected, javaLine(text("sear")));
         assertEquals(expected, javaLine(text("sear.bat")));
@@ -76,7 +80,8 @@ public class LaunchersTest {
     @Test
     public void bothUseJavaHomeAndReportAMissingJava() throws IOException {
         String bat = text("sear.bat");
-        assertTrue(bat, bat.contains("if defined JAVA_HOME if exist \"%JAVA_HOME%\\bin\\java.exe\" set \"JAVA_CMD=%JAVA_HOME%\\bin\\java.exe\""));
+        assertTrue(bat, bat.contains("if defined JAVA_HOME if exist \"%JAVA_HOME%\\bin\\java.exe\" set "
+            + "\"JAVA_CMD=%JAVA_HOME%\\bin\\java.exe\""));
         Pattern missing = Pattern.compile("needs Java 11 or newer on the PATH \\(or JAVA_HOME set\\)");
         assertTrue(missing.matcher(text("sear")).find());
         assertTrue(missing.matcher(bat.replace("^", "")).find());
@@ -89,6 +94,7 @@ public class LaunchersTest {
      */
     @Test
     public void noBlockOfCommandsExpandsAFolder() throws IOException {
-        assertEquals(List.of(), text("sear.bat").lines().filter(line -> line.trim().endsWith("(")).collect(Collectors.toList()));
+        assertEquals(List.of(), text("sear.bat").lines().filter(line -> line.trim().endsWith("("))
+            .collect(Collectors.toList()));
     }
 }

@@ -26,7 +26,8 @@ public class LibraryChoiceTest extends LaidOutMrl {
     @Before
     public void addWindowLibraries() throws IOException {
         jar(plugin.resolve("lwjgl-3.3.2-natives-linux.jar"), null, "linux/x64/org/lwjgl/liblwjgl.so");
-        jar(plugin.resolve("jme3-blender-3.3.2-stable.jar"), null, "com/jme3/scene/plugins/blender/BlenderLoader.class");
+        jar(plugin.resolve("jme3-blender-3.3.2-stable.jar"), null,
+            "com/jme3/scene/plugins/blender/BlenderLoader.class");
         System.setProperty("sear.home", plugin.getParent().toString());
     }
 
@@ -41,14 +42,16 @@ public class LibraryChoiceTest extends LaidOutMrl {
         jar(mrl.resolve(OLD_CORE), "3.3.2", "com/jme3/math/Vector3f.class");
         jar(mrl.resolve(OLD_NATIVES), "3.2.3", "linux/x64/org/lwjgl/liblwjgl.so");
         jar(mrl.resolve("libraries/jar/jme3-bullet-3.3.2-stable.jar"), null, "com/jme3/bullet/BulletAppState.class");
-        jar(mrl.resolve("libraries/jar/jme3-blender-3.3.2-stable.jar"), null, "com/jme3/scene/plugins/blender/BlenderLoader.class");
+        jar(mrl.resolve("libraries/jar/jme3-blender-3.3.2-stable.jar"), null,
+            "com/jme3/scene/plugins/blender/BlenderLoader.class");
     }
 
     private String command(String... options) {
         StringWriter out = new StringWriter();
         String[] arguments = Arrays.copyOf(options, options.length + 1);
         arguments[options.length] = mrl.toString();
-        int status = new CommandLine(new InstallCommand()).setOut(new PrintWriter(out, true)).setErr(new PrintWriter(out, true)).execute(arguments);
+        int status = new CommandLine(new InstallCommand()).setOut(new PrintWriter(out, true))
+            .setErr(new PrintWriter(out, true)).execute(arguments);
         assertEquals(out.toString(), 0, status);
         return out.toString();
     }
@@ -90,10 +93,13 @@ public class LibraryChoiceTest extends LaidOutMrl {
     public void anOlderEngineIsKeptAndTheRemedyForTheWindowIsPrinted() throws Exception {
         olderEngine();
         String text = command();
-        assertSays(text, "  keep    jme3-core-3.3.2-stable.jar instead of 3.6.1-stable: the window needs 3.6; --replace-jme replaces it");
-        assertSays(text, "  keep    lwjgl-3.2.3-natives-linux.jar instead of 3.3.2: the window needs 3.3; --replace-jme replaces it");
+        assertSays(text, "  keep    jme3-core-3.3.2-stable.jar instead of 3.6.1-stable: the window needs 3.6; "
+            + "--replace-jme replaces it");
+        assertSays(text, "  keep    lwjgl-3.2.3-natives-linux.jar instead of 3.3.2: the window needs 3.3; "
+            + "--replace-jme replaces it");
         assertSays(text, "  keep    jme3-blender-3.3.2-stable.jar: MyRobotLab has this library");
-        assertEquals("The window needs jMonkeyEngine 3.6, but MyRobotLab has jme3-core-3.3.2-stable.jar, so SEAR runs without a "
+        assertEquals("The window needs jMonkeyEngine 3.6, but MyRobotLab has jme3-core-3.3.2-stable.jar, so SEAR "
+            + "runs without a "
             + "window. To get one, run "
             + "\"sear install --replace-jme " + mrl + "\"; --remove restores the old one.", lastLine(text));
         assertFalse(Files.exists(mrl.resolve("libraries/jar/jme3-core-3.6.1-stable.jar")));
@@ -107,7 +113,8 @@ public class LibraryChoiceTest extends LaidOutMrl {
         String text = command("--replace-jme");
         assertEquals("Done. Start MyRobotLab; SEAR, LIDAR and GPS are among its services.", lastLine(text));
         assertFalse(Files.exists(mrl.resolve(OLD_CORE)) || Files.exists(mrl.resolve(OLD_NATIVES)));
-        for (String jar : new String[] {"jme3-core-3.6.1-stable.jar", "lwjgl-3.3.2-natives-linux.jar", "jme3-bullet-3.3.2-stable.jar"}) {
+        for (String jar : new String[] {"jme3-core-3.6.1-stable.jar", "lwjgl-3.3.2-natives-linux.jar",
+            "jme3-bullet-3.3.2-stable.jar"}) {
             assertTrue(jar, Files.exists(mrl.resolve("libraries/jar").resolve(jar)));
         }
         Map<String, String> once = tree();
@@ -139,7 +146,8 @@ public class LibraryChoiceTest extends LaidOutMrl {
         String again = Files.readString(mrl.resolve(OLD_CORE), StandardCharsets.ISO_8859_1);
         Files.delete(mrl.resolve("libraries/sear-replaced/lwjgl-3.2.3-natives-linux.jar"));
         String text = command("--remove");
-        assertSays(text, "  lost    libraries/jar/lwjgl-3.2.3-natives-linux.jar: it is missing in libraries/sear-replaced/; "
+        assertSays(text, "  lost    libraries/jar/lwjgl-3.2.3-natives-linux.jar: it is missing in "
+            + "libraries/sear-replaced/; "
             + "MyRobotLab can install it again");
         assertEquals(again, Files.readString(mrl.resolve(OLD_CORE), StandardCharsets.ISO_8859_1));
         assertFalse(Files.exists(mrl.resolve("libraries/sear-replaced")));
@@ -152,7 +160,8 @@ public class LibraryChoiceTest extends LaidOutMrl {
             "Nothing to do now: SEAR 1.0.0 is installed."}) {
             String text = command();
             assertSays(text, done);
-            assertEquals("The service picker does not list SEAR, LIDAR and GPS yet. Start MyRobotLab once and install again, or type the "
+            assertEquals("The service picker does not list SEAR, LIDAR and GPS yet. Start MyRobotLab once and install "
+                + "again, or type the "
                 + "service type by hand.", lastLine(text));
         }
     }

@@ -15,7 +15,8 @@ public class LicencesTest {
         String list = Files.readString(Path.of(System.getProperty("sear.root", "."), "src/dist/LICENSES.md"));
         for (String jar : System.getProperty("sear.shipped").split(" ")) {
             String artifact = new JarName(Path.of(jar)).artifact.replaceAll("-natives-.*", "");
-            assertTrue(jar + " is shipped, and src/dist/LICENSES.md does not name it", list.matches("(?s).*\\b" + artifact + "\\b.*"));
+            assertTrue(jar + " is shipped, and src/dist/LICENSES.md does not name it",
+                list.matches("(?s).*\\b" + artifact + "\\b.*"));
         }
     }
 }

@@ -61,12 +61,14 @@ public class GradeTest {
         String told = here(new LessonCommand(), words[2], to);
         assertTrue(told, told.startsWith("0\nDrive a square is in ") && told.contains("sear grade square.py"));
         try (java.util.stream.Stream<Path> files = Files.list(Path.of(to))) {
-            assertEquals("[README.md, SEARproject, square.py, world.png]", Arrays.toString(files.map(one -> one.getFileName().toString())
+            assertEquals("[README.md, SEARproject, square.py, world.png]",
+                Arrays.toString(files.map(one -> one.getFileName().toString())
                 .filter(name -> !name.startsWith(".")).sorted().toArray()));
         }
         assertTrue(here(new LessonCommand(), "square", to).startsWith("2\nsear lesson: "));
         String unknown = here(new LessonCommand(), "squar", to);
-        assertTrue(unknown, unknown.contains("there is no lesson \"squar\", legal: avoid, gps, line, map, odometry, pid, square, wall"));
+        assertTrue(unknown, unknown.contains("there is no lesson \"squar\", legal: avoid, gps, line, map, odometry, "
+            + "pid, square, wall"));
     }
 
     private void handIn(String pupil, String script) throws Exception {
@@ -78,17 +80,21 @@ public class GradeTest {
         folder.newFolder("handed-in", "nobody");
         handIn("right", Files.readString(ROOT.resolve("solutions/square.py")));
         handIn("endless", START + "import time\nwhile True:\n    time.sleep(1)\n");
-        handIn("forever", START + "sear.driveStraight(0.2)\nwhile True:\n    try:\n        sear.simSleep(1)\n    except:\n        pass\n");
+        handIn("forever", START + "sear.driveStraight(0.2)\nwhile True:\n    try:\n        sear.simSleep(1)\n    "
+            + "except:\n        pass\n");
         handIn("greedy", "many = []\nwhile True:\n    many.append('x' * 20000000)\n");
-        handIn("window", START + "sear.simSleep(1)\nfrom javax.swing import JFrame\nJFrame('hello').setVisible(True)\n");
+        handIn("window", START + "sear.simSleep(1)\nfrom javax.swing import "
+            + "JFrame\nJFrame('hello').setVisible(True)\n");
         handIn("empty", "");
-        handIn("builder", "from org.SEAR.POJOs import Box\nBox('help', 1, 1, 1, 0).move(3, 0, 3)\n" + START + "sear.simSleep(1)\n"
+        handIn("builder", "from org.SEAR.POJOs import Box\nBox('help', 1, 1, 1, 0).move(3, 0, 3)\n" + START
+            + "sear.simSleep(1)\n"
             + "run = check = lambda *all: True\nprint('Passed: all 7 of 7')\n");
         String command = DocBlock.commands("docs/lessons.md", "sear grade handed-in").get(0);
         List<String> words = SearProcess.command("-Xmx256m", "-Dsear.home=" + ROOT);
         words.addAll(Arrays.asList(command.split(" ")).subList(1, command.split(" ").length));
         File said = folder.newFile();
-        Process process = new ProcessBuilder(words).directory(folder.getRoot()).redirectErrorStream(true).redirectOutput(said).start();
+        Process process = new ProcessBuilder(words).directory(folder.getRoot()).redirectErrorStream(true)
+            .redirectOutput(said).start();
         try {
             assertTrue("sear grade hangs", process.waitFor(400, TimeUnit.SECONDS));
         } finally {
@@ -104,16 +110,20 @@ public class GradeTest {
         assertTrue(text, lines.get("right").startsWith("right,square,passed,7,7,"));
         assertTrue(text, lines.get("endless").startsWith("endless,square,endless,")
             && lines.get("endless").contains("Is there a loop without"));
-        assertTrue(text, lines.get("forever").startsWith("forever,square,not yet,") && lines.get("forever").contains("of the second corner"));
+        assertTrue(text, lines.get("forever").startsWith("forever,square,not yet,") && lines.get("forever")
+            .contains("of the second corner"));
         assertTrue(text, lines.get("greedy").startsWith("greedy,square,too much memory,0,0,"));
-        assertTrue(text, lines.get("window").startsWith("window,square,error,") && lines.get("window").contains("at line 5: "));
+        assertTrue(text, lines.get("window").startsWith("window,square,error,") && lines.get("window")
+            .contains("at line 5: "));
         assertTrue(text, lines.get("empty").startsWith("empty,square,nothing to mark,0,0,"));
         assertTrue(text, lines.get("nobody").startsWith("nobody,square,nothing to mark,0,0,"));
         assertTrue(text, lines.get("builder").startsWith("builder,square,not yet,0,0,")
             && lines.get("builder").contains("it must use the lesson's world"));
         assertTrue(text, text.contains("1 of 8 have passed"));
-        Element suite = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new File(folder.getRoot(), "marks/marks.xml"))
+        Element suite = DocumentBuilderFactory.newInstance().newDocumentBuilder()
+            .parse(new File(folder.getRoot(), "marks/marks.xml"))
             .getDocumentElement();
-        assertEquals("8 4 3", suite.getAttribute("tests") + " " + suite.getAttribute("failures") + " " + suite.getAttribute("errors"));
+        assertEquals("8 4 3", suite.getAttribute("tests") + " " + suite.getAttribute("failures") + " "
+            + suite.getAttribute("errors"));
     }
 }

@@ -36,7 +36,8 @@ import org.python.util.PythonInterpreter;
 @Category(Slow.class)
 public class LessonChecksTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
-    private static final String[] PROPERTIES = {"sear.home", "sear.project", "sear.headless", "sear.speed", "sear.record", "sear.threads"};
+    private static final String[] PROPERTIES = {"sear.home", "sear.project", "sear.headless", "sear.speed",
+        "sear.record", "sear.threads"};
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
@@ -90,7 +91,8 @@ public class LessonChecksTest {
         try (PythonInterpreter python = new PythonInterpreter(null, state)) {
             python.setOut(printed);
             python.exec("from org.myrobotlab.service import Runtime");
-            python.exec(script.replace("while True:", "while sear.getTime() < 100:"));     // a wrong script may never arrive
+            // a wrong script may never arrive
+            python.exec(script.replace("while True:", "while sear.getTime() < 100:"));
         } finally {
             Runtime.releaseService("sear");
         }
@@ -110,12 +112,14 @@ public class LessonChecksTest {
 
     /** @param changes old text of the solution, its replacement, and the expected message of the check */
     private void fails(String name, String[]... changes) throws Exception {
-        assertTrue(name, !run(name, Files.readString(ROOT.resolve("lessons").resolve(name).resolve(name + ".py"))).getMissing().isEmpty());
+        assertTrue(name, !run(name, Files.readString(ROOT.resolve("lessons").resolve(name).resolve(name + ".py")))
+            .getMissing().isEmpty());
         for (String[] change : changes) {
             String script = solution(name);
             assertTrue(name + " has no " + change[0], script.contains(change[0]));
             LessonRun run = run(name, script.replace(change[0], change[1]));
-            assertTrue(name + " with " + change[1] + ": " + run.getMissing(), String.join("\n", run.getMissing()).contains(change[2]));
+            assertTrue(name + " with " + change[1] + ": " + run.getMissing(), String.join("\n", run.getMissing())
+                .contains(change[2]));
         }
     }
 
@@ -128,24 +132,31 @@ public class LessonChecksTest {
         assertEquals(8, Lesson.all().size());
         for (Lesson lesson : Lesson.all()) {
             assertTrue(lesson.getName(), Files.exists(ROOT.resolve("solutions").resolve(lesson.getName() + ".py")));
-            assertTrue(lesson.getName(), !lesson.title().isEmpty() && Files.exists(lesson.check().resolveSibling("world.png")));
+            assertTrue(lesson.getName(), !lesson.title().isEmpty()
+                && Files.exists(lesson.check().resolveSibling("world.png")));
         }
         try (Stream<Path> solutions = Files.list(ROOT.resolve("solutions"))) {
-            assertEquals(8, solutions.filter(one -> one.toString().endsWith(".py")).collect(Collectors.toList()).size());
+            assertEquals(8, solutions.filter(one -> one.toString().endsWith(".py"))
+                .collect(Collectors.toList()).size());
         }
     }
 
     @Test
     public void square() throws Exception {
-        String told = String.join("\n", run("square", Files.readString(ROOT.resolve("lessons/square/square.py"))).getMissing());
+        String told = String.join("\n", run("square", Files.readString(ROOT.resolve("lessons/square/square.py")))
+            .getMissing());
         assertTrue(told, DocBlock.of("docs/lessons.md", "text").get(0).endsWith(told.replace("You ", "- You ") + "\n"));
         passes("square");
-        fails("square", with("sear.spin(45)", "sear.spin(30)", "m of the second corner; 0.1 m is asked"), with("spin(45)", "spin(-45)",
-            "You came within 1.00 m of the second corner"), with("sear.simSleep(5)", "sear.simSleep(4)", "m of the first corner"),
-            with("range(4)", "range(3)", "of the start again"), with("print(\"Once", "sear.spin(20)\nsear.simSleep(1)\nsear.driveStraight(0.1)\n"
+        fails("square", with("sear.spin(45)", "sear.spin(30)", "m of the second corner; 0.1 m is asked"),
+            with("spin(45)", "spin(-45)",
+            "You came within 1.00 m of the second corner"),
+            with("sear.simSleep(5)", "sear.simSleep(4)", "m of the first corner"),
+            with("range(4)", "range(3)", "of the start again"),
+            with("print(\"Once", "sear.spin(20)\nsear.simSleep(1)\nsear.driveStraight(0.1)\n"
                 + "sear.simSleep(0.5)\nprint(\"Once", "your robot was still moving"));
         for (String still : new String[] {"", "sear.driveStraight(0.2)\n", "sear.simSleep(2)\n"}) {
-            String said = String.join("\n", run("square", "sear = Runtime.start('sear', 'SEAR')\nsear.startSimulation()\n" + still).getMissing());
+            String said = String.join("\n",
+                run("square", "sear = Runtime.start('sear', 'SEAR')\nsear.startSimulation()\n" + still).getMissing());
             assertTrue(said, said.contains("Your robot never moved: ") && !said.contains("still moving"));
         }
     }
@@ -160,14 +171,16 @@ public class LessonChecksTest {
     @Test
     public void wall() throws Exception {
         passes("wall");
-        fails("wall", with("WANTED = 0.3", "WANTED = 0.6", "m off the distance that is asked"), with("< 100", "< 20", "once round is asked"),
+        fails("wall", with("WANTED = 0.3", "WANTED = 0.6", "m off the distance that is asked"),
+            with("< 100", "< 20", "once round is asked"),
             with("steer(0, 0.8)", "steer(SPEED, 0)", "You bumped into something"));
     }
 
     @Test
     public void line() throws Exception {
         passes("line");
-        fails("line", with("0.15 - 7 * off, 0.15 + 7 * off", "0.15 + 7 * off, 0.15 - 7 * off", "m off the line, the first time after"),
+        fails("line", with("0.15 - 7 * off, 0.15 + 7 * off", "0.15 + 7 * off, 0.15 - 7 * off",
+            "m off the line, the first time after"),
             with("< 40", "< 15", "of 12 parts of the way round"), with("7 * off", "0.5 * off", "m off the line"));
     }
 
@@ -175,14 +188,16 @@ public class LessonChecksTest {
     public void map() throws Exception {
         passes("map");
         fails("map", with("for x, z in STOPS:", "for x, z in STOPS[:1]:", "are in your map; 90 % are asked"),
-            with("mark(x + (scan[i] + 0.02) * north, z + (scan[i] + 0.02) * east, 4)", "mark(x - scan[i] * north, z - scan[i] * east, 4)",
+            with("mark(x + (scan[i] + 0.02) * north, z + (scan[i] + 0.02) * east, 4)",
+                "mark(x - scan[i] * north, z - scan[i] * east, 4)",
                 "where nothing is"), with("\"map.txt\"", "\"other.txt\"", "There is no file map.txt"));
     }
 
     @Test
     public void gps() throws Exception {
         passes("gps");
-        fails("gps", with("atan2(east, north)", "atan2(north, east)", "of the first waypoint"), with("sear.driveStraight(0)\n",
+        fails("gps", with("atan2(east, north)", "atan2(north, east)", "of the first waypoint"),
+            with("sear.driveStraight(0)\n",
             "sear.driveStraight(0.2)\n", "At the end your robot was still moving"),
             with(" < 0.1:", " < 1:", "m of the first waypoint; 0.4 m is asked"));
     }
@@ -190,7 +205,8 @@ public class LessonChecksTest {
     @Test
     public void odometry() throws Exception {
         passes("odometry");
-        fails("odometry", with("0.048, 0.05", "0.05, 0.05", "0.1 m is allowed"), with("TRACK = 0.2", "TRACK = 0.3", "5 degrees are allowed"),
+        fails("odometry", with("0.048, 0.05", "0.05, 0.05", "0.1 m is allowed"),
+            with("TRACK = 0.2", "TRACK = 0.3", "5 degrees are allowed"),
             with("before = now\n", "\n", "0.1 m is allowed"),
             with("print(", "print(sear.getPose(\"robot\"))\nprint(", "Your script asks sear.getPose"));
     }
@@ -217,24 +233,29 @@ public class LessonChecksTest {
         assertEquals(0, run.getMeasures().get("metres off"), 0.05);
         List<String> missing = run(own.toString(), script.replace("simSleep(5)", "simSleep(3)")).getMissing();
         assertEquals(1, missing.size());
-        assertTrue(missing.toString(), missing.get(0).matches("You stand 0\\.[34]\\d m from the parking lot; 0\\.2 m is asked\\."));
+        assertTrue(missing.toString(), missing.get(0)
+            .matches("You stand 0\\.[34]\\d m from the parking lot; 0\\.2 m is asked\\."));
         Files.writeString(own.resolve("check.py"), "SECONDS = 0\ndef check(run): pass\n");
         IOException legal = assertThrows(IOException.class, () -> new LessonCheck(Lesson.find(own.toString())));
         assertTrue(legal.getMessage(), legal.getMessage().endsWith("SECONDS is 0.0, legal: above 0 to 3600.0"));
         Files.delete(own.resolve("world.sear"));
-        assertTrue(assertThrows(IOException.class, () -> Lesson.find(own.toString())).getMessage().endsWith("it lacks world.sear"));
+        assertTrue(assertThrows(IOException.class, () -> Lesson.find(own.toString())).getMessage()
+            .endsWith("it lacks world.sear"));
     }
 
     @Test
     public void movingTheRobotByHandIsDetected() throws Exception {
-        LessonRun run = run("square", solution("square") + "sear.setVelocity(\"robot\", 0, 0, 1)\nsear.simSleep(0.1)\n");
+        LessonRun run = run("square", solution("square") + "sear.setVelocity(\"robot\", 0, 0, "
+            + "1)\nsear.simSleep(0.1)\n");
         assertEquals(1, run.getByHand().size());
-        assertTrue(run.getByHand().toString(), run.getByHand().get(0).startsWith("robot was pushed or given a velocity at 32."));
+        assertTrue(run.getByHand().toString(), run.getByHand().get(0)
+            .startsWith("robot was pushed or given a velocity at 32."));
     }
 
     @Test
     public void aScriptsOwnRecordDoesNotDisturbTheCheck() throws Exception {
-        String script = solution("square").replace("sear.startSimulation()", "sear.recordRun(\"" + folder.getRoot() + "/own.searlog\")\n"
+        String script = solution("square").replace("sear.startSimulation()", "sear.recordRun(\"" + folder.getRoot()
+            + "/own.searlog\")\n"
             + "sear.startSimulation()");
         assertEquals(List.of(), run("square", script).getMissing());
         assertTrue(Files.size(folder.getRoot().toPath().resolve("own.searlog")) > 1000);
@@ -243,7 +264,8 @@ public class LessonChecksTest {
     @Test
     public void theLastTryCounts() throws Exception {
         String drive = solution("square").substring(solution("square").indexOf("for side"));
-        LessonRun run = run("square", solution("square").replace("sear.startSimulation()\n", "sear.startSimulation()\nsear.driveStraight(-0.3)\n"
+        LessonRun run = run("square", solution("square")
+            .replace("sear.startSimulation()\n", "sear.startSimulation()\nsear.driveStraight(-0.3)\n"
             + "sear.simSleep(3)\nsear.reset()\n"));
         assertTrue(drive, drive.contains("spin") && run.getMissing().isEmpty());
     }

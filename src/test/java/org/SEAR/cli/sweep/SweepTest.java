@@ -35,9 +35,11 @@ import org.junit.rules.TemporaryFolder;
 @Needs({"installDist", "python3", "gymnasium", "sweep"})
 public class SweepTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
-    private static final String HOME = System.getProperty("sear.home.built", ROOT.resolve("build/install/sear").toString());
+    private static final String HOME = System.getProperty("sear.home.built", ROOT.resolve("build/install/sear")
+        .toString());
     private static final Path PROGRAMS = ROOT.resolve("src/test/sweep");
-    private static final String LIBRARIES = String.join(File.pathSeparator, System.getProperty("sear.sweep"), System.getProperty("sear.python3"),
+    private static final String LIBRARIES = String.join(File.pathSeparator, System.getProperty("sear.sweep"),
+        System.getProperty("sear.python3"),
         System.getProperty("sear.gymnasium"));
     private static final long PATIENCE_SECONDS = 600;
     private static final int ROWS = HowMany.of("sear.sweepRows", 1000);
@@ -59,7 +61,8 @@ public class SweepTest {
     private String run(int status, String modules, List<String> command) throws IOException, InterruptedException {
         File out = temporary.newFile();
         File err = temporary.newFile();
-        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectOutput(out).redirectError(err);
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectOutput(out)
+            .redirectError(err);
         builder.environment().put("PYTHONPATH", modules);
         builder.environment().put("SEAR_HOME", HOME);
         Process process = builder.start();
@@ -80,7 +83,8 @@ public class SweepTest {
     private String python(Path program, String... arguments) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of("python3", program.toString()));
         command.addAll(List.of(arguments));
-        return run(0, String.join(File.pathSeparator, ROOT.resolve("python/src").toString(), PROGRAMS.toString(), LIBRARIES), command);
+        return run(0, String.join(File.pathSeparator, ROOT.resolve("python/src").toString(), PROGRAMS.toString(),
+            LIBRARIES), command);
     }
 
     /** Runs the page's Jython script, aborts and resumes it, and repeats one of its rows. */
@@ -92,7 +96,8 @@ public class SweepTest {
         Files.writeString(script, blocks.get(0));
         List<String> commands = DocBlock.commands("docs/sweeps.md", "sear sweep ahead.py --seeds");
         assertEquals(1, commands.size());
-        String[] words = commands.get(0).replace("--seeds 1000", "--seeds 2").replace("0.1:0.5:5", "0.2:0.4:2 --workers 1")
+        String[] words = commands.get(0).replace("--seeds 1000", "--seeds 2")
+            .replace("0.1:0.5:5", "0.2:0.4:2 --workers 1")
             .substring("sear ".length()).split(" ");
         assertEquals("4 rows in ahead-sweep: 4 ok\n", sear(0, words));
         Path table = folder.resolve("ahead-sweep/rows.csv");
@@ -111,7 +116,8 @@ public class SweepTest {
         assertTrue("the same bytes when it has gone on", java.util.Arrays.equals(bytes, Files.readAllBytes(table))
             && java.util.Arrays.equals(columns, Files.readAllBytes(folder.resolve("ahead-sweep/rows.parquet"))));
 
-        String[] again = DocBlock.commands("docs/sweeps.md", "sear sweep ahead.py --again").get(0).replace("--again 17", "--again 3")
+        String[] again = DocBlock.commands("docs/sweeps.md", "sear sweep ahead.py --again").get(0)
+            .replace("--again 17", "--again 3")
             .substring("sear ".length()).split(" ");
         sear(0, again);
         assertTrue(said, said.contains("row 3 is identical to the byte"));
@@ -130,22 +136,27 @@ public class SweepTest {
     @Test
     public void aFailureCostsOneRow() throws Exception {
         Path script = folder.resolve("wrong.py");
-        Files.writeString(script, String.join("\n", "#!/usr/bin/env python3", "import os, signal", "sear = Runtime.start('sear', 'SEAR')",
+        Files.writeString(script, String.join("\n", "#!/usr/bin/env python3", "import os, signal",
+            "sear = Runtime.start('sear', 'SEAR')",
             "kind = sear.getParameter('kind', 'good')", "while kind == 'endless': sleep(0.1)", "if kind == 'dies':",
             "    os.kill(os.getpid(), signal.SIGKILL)",
-            "if kind == 'parent': os.kill(os.getppid(), signal.SIGTERM)", "if kind == 'group': os.killpg(0, signal.SIGKILL)",
+            "if kind == 'parent': os.kill(os.getppid(), signal.SIGTERM)",
+            "if kind == 'group': os.killpg(0, signal.SIGKILL)",
             "while kind == 'parent': sleep(0.1)", "if kind == 'greedy':", "    much = b'x' * 1500000000",
             "    while True: sleep(0.1)",
             "if kind == 'fails':", "    sear.loadProject('nowhere.sear')", "if kind == 'escapes':",
             "    raise ValueError('\\x1b[31mred')", "sear.setResult('answer', 42)",
             "sear.setResult('big', kind == 'good')"));
-        String out = sear(1, "sweep", "wrong.py", "--set", "kind=good,endless,dies,greedy,fails,escapes,parent,group", "--set",
+        String out = sear(1, "sweep", "wrong.py", "--set",
+            "kind=good,endless,dies,greedy,fails,escapes,parent,group", "--set",
             "knd=1", "--workers", "2",
             "--limit", "20", "--memory", "1200", "--out", "out");
         assertEquals("8 rows in out: 1 ok, 3 died, 2 failed, 1 memory, 1 time\n", out);
-        assertTrue(said, said.contains("row 0 has not used parameter knd: does the script pass this name to sear.getParameter?\n"));
+        assertTrue(said, said.contains("row 0 has not used parameter knd: does the script pass this name to "
+            + "sear.getParameter?\n"));
         assertTrue(said, said.contains("\ndied: row 2: the run's process was ended by SIGKILL\n"));
-        List<String> rows = Files.readAllLines(folder.resolve("out/rows.csv")).stream().map(row -> row.replaceFirst(",[^,]*,[^,]*$", ""))
+        List<String> rows = Files.readAllLines(folder.resolve("out/rows.csv")).stream()
+            .map(row -> row.replaceFirst(",[^,]*,[^,]*$", ""))
             .collect(Collectors.toList());
         assertEquals("row,seed,kind,knd,answer,big,status,message", rows.get(0));
         assertEquals("0,1,good,1,42,true,ok,", rows.get(1));
@@ -228,8 +239,10 @@ public class SweepTest {
     /** Runs one of the example's runs without Dask. */
     @Test
     public void theExampleFindsTheCone() throws Exception {
-        Path program = Files.writeString(folder.resolve("once.py"), "import sys\nsys.path.insert(0, sys.argv[1])\nimport maze_sweep\n"
+        Path program = Files.writeString(folder.resolve("once.py"),
+            "import sys\nsys.path.insert(0, sys.argv[1])\nimport maze_sweep\n"
             + "made = maze_sweep.drive(5, 0.3)\nprint(made['found'], made['seconds'] < 150, sorted(made))\n");
-        assertEquals("True True ['bumps', 'found', 'seconds']\n", python(program, ROOT.resolve("examples/python3").toString()));
+        assertEquals("True True ['bumps', 'found', 'seconds']\n",
+            python(program, ROOT.resolve("examples/python3").toString()));
     }
 }

@@ -44,7 +44,8 @@ public class FirmataTest {
     public void theHandshakeOfJohnnyFive() {
         assertEquals(FIRMATA.get("version 2.5"), uno.answer("F9"));
         assertEquals(FIRMWARE, uno.answer(FIRMATA.get("ask for the firmware")));
-        assertEquals(("F0 6C 7F 7F " + DIGITAL + PWM + DIGITAL + PWM + PWM + DIGITAL + DIGITAL + PWM + PWM + PWM + DIGITAL + DIGITAL + ANALOG + ANALOG
+        assertEquals(("F0 6C 7F 7F " + DIGITAL + PWM + DIGITAL + PWM + PWM + DIGITAL + DIGITAL + PWM + PWM + PWM
+            + DIGITAL + DIGITAL + ANALOG + ANALOG
             + ANALOG + ANALOG + TWO_WIRE + TWO_WIRE + "F7"), uno.answer(FIRMATA.get("ask for the capabilities")));
         assertEquals(FIRMATA.get("analog pins of an Uno"), uno.answer(FIRMATA.get("ask for the analog pins")));
     }
@@ -57,7 +58,8 @@ public class FirmataTest {
         assertEquals(16, answer.split("02 0A", -1).length - 1);
         assertEquals(15, answer.split("03 08", -1).length - 1);
         assertEquals(48, answer.split("04 0E", -1).length - 1);
-        assertTrue(mega.answer(FIRMATA.get("ask for the analog pins")).endsWith("7F 00 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F F7"));
+        assertTrue(mega.answer(FIRMATA.get("ask for the analog pins"))
+            .endsWith("7F 00 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F F7"));
     }
 
     /** Requests of pyFirmata2 for an analog pin and its sampling. */

@@ -34,7 +34,8 @@ public class MrlCommTest {
     }
 
     private List<String> taken(MrlFunction function) {
-        return taken().stream().filter(message -> message.getFunction() == function).map(message -> Bytes.hex(message.toBytes()))
+        return taken().stream().filter(message -> message.getFunction() == function)
+            .map(message -> Bytes.hex(message.toBytes()))
             .collect(Collectors.toList());
     }
 
@@ -46,9 +47,11 @@ public class MrlCommTest {
         byte[] hello = uno.line.take();
         assertEquals("MRLComm Reset.", new String(hello, 0, 63).trim());
         assertEquals(MRL_COMM.get("hello of a board"), Bytes.hex(Arrays.copyOfRange(hello, 63, hello.length)));
-        assertEquals(MRL_COMM.get("an Uno with nothing attached", "ask for the board acknowledged"), uno.answer(MRL_COMM.get("ask for the board")));
+        assertEquals(MRL_COMM.get("an Uno with nothing attached", "ask for the board acknowledged"),
+            uno.answer(MRL_COMM.get("ask for the board")));
         Boards mega = Boards.mrlComm(BoardModel.MEGA);
-        assertEquals(MRL_COMM.get("a Mega with nothing attached", "ask for the board acknowledged"), mega.answer(MRL_COMM.get("ask for the board")));
+        assertEquals(MRL_COMM.get("a Mega with nothing attached", "ask for the board acknowledged"),
+            mega.answer(MRL_COMM.get("ask for the board")));
     }
 
     @Test
@@ -121,7 +124,8 @@ public class MrlCommTest {
         uno.line.take();
         uno.line.pass(0.5);
         assertEquals(0, taken(MrlFunction.PUBLISH_ULTRASONIC).size());
-        assertEquals(MRL_COMM.get("an Uno with device 1", "ask for the board acknowledged"), uno.answer(MRL_COMM.get("ask for the board")));
+        assertEquals(MRL_COMM.get("an Uno with device 1", "ask for the board acknowledged"),
+            uno.answer(MRL_COMM.get("ask for the board")));
     }
 
     /**
@@ -165,16 +169,19 @@ public class MrlCommTest {
     private String errors(String hex) {
         uno.line.take();
         uno.line.host(hex);
-        return taken().stream().filter(message -> message.getFunction() == MrlFunction.PUBLISH_ERROR).map(message -> new String(message.getList(0)))
+        return taken().stream().filter(message -> message.getFunction() == MrlFunction.PUBLISH_ERROR)
+            .map(message -> new String(message.getList(0)))
             .collect(Collectors.joining());
     }
 
     @Test
     public void aSoftResetForgetsDevicesAndPins() {
         Boards.Probe servo = uno.probe(10);
-        uno.line.host(MRL_COMM.get("attach the servo 3 at pin 10, 1472 us, 45 degrees a second", "read analog pin 14 ten times a second",
+        uno.line.host(MRL_COMM.get("attach the servo 3 at pin 10, 1472 us, 45 degrees a second",
+            "read analog pin 14 ten times a second",
             "soft reset"));
         assertEquals(0, servo.micros);
-        assertEquals(MRL_COMM.get("an Uno with nothing attached", "ask for the board acknowledged"), uno.answer(MRL_COMM.get("ask for the board")));
+        assertEquals(MRL_COMM.get("an Uno with nothing attached", "ask for the board acknowledged"),
+            uno.answer(MRL_COMM.get("ask for the board")));
     }
 }

@@ -59,7 +59,8 @@ public class ColaScannerTest {
     }
 
     private String text() {
-        return new String(line.take(), StandardCharsets.ISO_8859_1).replace("\u0003\u0002", "|").replaceAll("[\u0002\u0003]", "");
+        return new String(line.take(), StandardCharsets.ISO_8859_1).replace("\u0003\u0002", "|")
+            .replaceAll("[\u0002\u0003]", "");
     }
 
     private String askB(String hex) {
@@ -72,7 +73,8 @@ public class ColaScannerTest {
     private static void head(String[] scan, String frequency, String beams, String start, String step, String count) {
         assertEquals("1 1", scan[2] + " " + scan[3]);
         assertEquals("0 0", scan[5] + " " + scan[6]);
-        assertEquals("0 " + frequency + " " + beams + " 0 1 DIST1 3F800000 00000000 " + start + " " + step + " " + count,
+        assertEquals("0 " + frequency + " " + beams + " 0 1 DIST1 3F800000 00000000 " + start + " " + step
+            + " " + count,
             String.join(" ", Arrays.copyOfRange(scan, 15, FIRST_VALUE)));
     }
 
@@ -93,7 +95,8 @@ public class ColaScannerTest {
     @Test
     public void mrptsConversation() {
         assertEquals(COLA.get("logged in"), ask(LOGIN));
-        assertEquals(COLA.get("25 Hz, a quarter of a degree: done"), ask(COLA.get("25 Hz, a quarter of a degree, decimal")));
+        assertEquals(COLA.get("25 Hz, a quarter of a degree: done"),
+            ask(COLA.get("25 Hz, a quarter of a degree, decimal")));
         assertEquals(COLA.get("what scans have: done"), ask(COLA.get("distances without remissions")));
         assertEquals(COLA.get("measuring"), ask(COLA.get("start measuring")));
         assertTrue(ask(COLA.get("ask for the state")).matches("sRA STlms 7 0 8 00:00:00 A 01\\.01\\.1970 0 0 0"));
@@ -121,7 +124,8 @@ public class ColaScannerTest {
         String[] scan = text().split(" ");
         assertEquals("sSN LMDscandata", scan[0] + " " + scan[1]);
         assertEquals("distances and remissions", "2 DIST1", scan[19] + " " + scan[20]);
-        assertEquals("RSSI1 3F800000 00000000 FFF92230 1388 21D", String.join(" ", Arrays.copyOfRange(scan, 26 + 541, 32 + 541)));
+        assertEquals("RSSI1 3F800000 00000000 FFF92230 1388 21D",
+            String.join(" ", Arrays.copyOfRange(scan, 26 + 541, 32 + 541)));
         assertEquals("0 0 0 0 0 0", String.join(" ", Arrays.copyOfRange(scan, 32 + 2 * 541, scan.length)));
         line.pass(1);
         assertEquals("50 Hz", 50, text().split("sSN LMDscandata", -1).length - 1, 1);
@@ -148,12 +152,14 @@ public class ColaScannerTest {
         line.pass(1 / 15.0);
         byte[] scan = line.take();
         assertEquals("sSN LMDscandata ", new String(scan, 8, 16, StandardCharsets.US_ASCII));
-        assertEquals("outputs, reserved, 15 Hz, 16.2 kHz, encoders, one channel", "01 00 00 00 00 00 05 DC 00 00 00 A2 00 00 00 01",
+        assertEquals("outputs, reserved, 15 Hz, 16.2 kHz, encoders, one channel",
+            "01 00 00 00 00 00 05 DC 00 00 00 A2 00 00 00 01",
             Bytes.hex(Arrays.copyOfRange(scan, 48, 64)));
         assertEquals("DIST1", new String(scan, 64, 5, StandardCharsets.US_ASCII));
         assertEquals("-45 degrees, a third of a degree, 811 values of 2000", "FF F9 22 30 0D 05 03 2B 07 D0",
             Bytes.hex(Arrays.copyOfRange(scan, 77, 87)));
-        assertEquals("four bytes of length and nine around it", scan.length - 9, (scan[6] & 0xFF) << 8 | scan[7] & 0xFF);
+        assertEquals("four bytes of length and nine around it", scan.length - 9, (scan[6] & 0xFF) << 8
+            | scan[7] & 0xFF);
     }
 
     private static String binary(String request) {
@@ -206,12 +212,18 @@ public class ColaScannerTest {
     public void ratesThatAnLms1xxDoesNotHaveAreRefusedWithTheirReason() {
         ask(LOGIN);
         String present = " 1388 1 1388 FFF92230 225510";
-        assertEquals("frequency", "sAN mLMPsetscancfg 1" + present, ask("sMN mLMPsetscancfg +3000 +1 +5000 -450000 +2250000"));
-        assertEquals("resolution", "sAN mLMPsetscancfg 2" + present, ask("sMN mLMPsetscancfg +5000 +1 +1000 -450000 +2250000"));
-        assertEquals("both", "sAN mLMPsetscancfg 3" + present, ask("sMN mLMPsetscancfg +5000 +1 +2500 -450000 +2250000"));
-        assertEquals("area", "sAN mLMPsetscancfg 4" + present, ask("sMN mLMPsetscancfg +5000 +1 +5000 -450001 +2250000"));
-        assertEquals("sectors", "sAN mLMPsetscancfg 5" + present, ask("sMN mLMPsetscancfg +5000 +2 +5000 -450000 +2250000"));
-        assertEquals("sAN mLMPsetscancfg 0 9C4 1 1388 FFF92230 225510", ask("sMN mLMPsetscancfg 9C4 1 1388 FFF92230 225510"));
+        assertEquals("frequency", "sAN mLMPsetscancfg 1" + present,
+            ask("sMN mLMPsetscancfg +3000 +1 +5000 -450000 +2250000"));
+        assertEquals("resolution", "sAN mLMPsetscancfg 2" + present,
+            ask("sMN mLMPsetscancfg +5000 +1 +1000 -450000 +2250000"));
+        assertEquals("both", "sAN mLMPsetscancfg 3" + present,
+            ask("sMN mLMPsetscancfg +5000 +1 +2500 -450000 +2250000"));
+        assertEquals("area", "sAN mLMPsetscancfg 4" + present,
+            ask("sMN mLMPsetscancfg +5000 +1 +5000 -450001 +2250000"));
+        assertEquals("sectors", "sAN mLMPsetscancfg 5" + present,
+            ask("sMN mLMPsetscancfg +5000 +2 +5000 -450000 +2250000"));
+        assertEquals("sAN mLMPsetscancfg 0 9C4 1 1388 FFF92230 225510",
+            ask("sMN mLMPsetscancfg 9C4 1 1388 FFF92230 225510"));
     }
 
     /** Measures 10 m plus 1 cm per degree to the left of the forward axis, with as many beams as the real sensor. */
@@ -241,7 +253,8 @@ public class ColaScannerTest {
         line.sensor = new AngleScanner();
         device = line.attach(new ColaScanner(ColaModel.LMS111, 270, 0.5, LidarModel.LMS111.getBaud(), line));
         ask(LOGIN);
-        int[][] ranges = {{-450000, 2250000}, {0, 1800000}, {900000, 900000}, {1000000, 2250000}, {-450000, -445000}, {895000, 900000},
+        int[][] ranges = {{-450000, 2250000}, {0, 1800000}, {900000, 900000}, {1000000, 2250000}, {-450000, -445000},
+            {895000, 900000},
             {123400, 987600}};
         for (int[] range : ranges) {
             assertEquals("sWA LMPoutputRange", ask("sWN LMPoutputRange 1 1388 " + hex(range[0]) + " " + hex(range[1])));
@@ -270,9 +283,11 @@ public class ColaScannerTest {
             String[] scan = ask(COLA.get("ask for a scan")).split(" ");
             int count = (int) Math.floor(fan[0] / fan[1] + 1e-6) + 1;
             String start = hex(900000 - (int) Math.round(fan[0] * 5000));
-            head(scan, "3E8", hex((int) Math.round(36 / fan[1])), start, hex((int) Math.round(fan[1] * 10000)), hex(count));
+            head(scan, "3E8", hex((int) Math.round(36 / fan[1])), start, hex((int) Math.round(fan[1] * 10000)),
+                hex(count));
             for (int i = 0; i < count; i += Math.max(1, count / 50)) {
-                assertEquals(10000 + (-fan[0] / 2 + i * fan[1]) * 10, Integer.parseInt(scan[FIRST_VALUE + i], 16), 0.51);
+                assertEquals(10000 + (-fan[0] / 2 + i * fan[1]) * 10,
+                    Integer.parseInt(scan[FIRST_VALUE + i], 16), 0.51);
             }
         }
         assertEquals("sFA 2", ask(COLA.get("25 Hz, a quarter of a degree, decimal")));
@@ -284,7 +299,8 @@ public class ColaScannerTest {
 
     @Test
     public void unmeasurableRangesAreZero() {
-        power(LidarModel.LMS111, 270, 0.5, beam -> new double[] {0.499, 0.5, 20, 20.0004, 20.001, Double.POSITIVE_INFINITY}[beam % 6]);
+        power(LidarModel.LMS111, 270, 0.5,
+            beam -> new double[] {0.499, 0.5, 20, 20.0004, 20.001, Double.POSITIVE_INFINITY}[beam % 6]);
         String[] scan = ask(COLA.get("ask for a scan")).split(" ");
         assertEquals("0 1F4 4E20 4E20 0 0", String.join(" ", Arrays.copyOfRange(scan, FIRST_VALUE, FIRST_VALUE + 6)));
     }
@@ -298,7 +314,8 @@ public class ColaScannerTest {
         assertEquals("sRA LMDscandatacfg 3 0 1 0 0 0 0 1 1 1 1 2", ask("sRN LMDscandatacfg"));
         String[] scan = ask(COLA.get("ask for a scan")).split(" ");
         assertEquals("two channels of 16 bit, two of 8, name and time", "2 DIST1 3F800000 00000000 DBBA0 1388 1 3E9 "
-            + "DIST2 3F800000 00000000 DBBA0 1388 1 0 2 RSSI1 3F800000 00000000 DBBA0 1388 1 64 RSSI2 3F800000 00000000 DBBA0 1388 1 0 "
+            + "DIST2 3F800000 00000000 DBBA0 1388 1 0 2 RSSI1 3F800000 00000000 DBBA0 1388 1 64 RSSI2 3F800000 "
+            + "00000000 DBBA0 1388 1 0 "
             + "0 1 5 front 0 1 7EA 1 1 C 0 0", String.join(" ", Arrays.copyOfRange(scan, 19, scan.length - 2)));
         ask(COLA.get("stream scans"));
         line.take();
@@ -311,14 +328,16 @@ public class ColaScannerTest {
     public void nothingIsWiredToTheInputs() {
         line.pass(1);
         assertTrue(ask("sRN LIDinputstate").matches("sRA LIDinputstate 0 F4[0-9A-F]{3} 0 0 0 0 0"));
-        assertTrue(payload(askB(binary("sRN LIDinputstate"))).matches("73 52 41 20 4C 49 44 69 6E 70 75 74 73 74 61 74 65 20 "
+        assertTrue(payload(askB(binary("sRN LIDinputstate")))
+            .matches("73 52 41 20 4C 49 44 69 6E 70 75 74 73 74 61 74 65 20 "
             + "00 00 00 0F [0-9A-F]{2} [0-9A-F]{2} 00 00 00 00 00 00"));
     }
 
     @Test
     public void noFieldIsTaught() {
         power(LidarModel.TIM561, 270, 1 / 3.0, beam -> 2);
-        assertEquals("73 52 41 20 66 69 65 6C 64 30 30 30 20 3F 80 00 00 00 00 00 00 00 00 0D 05 FF F9 22 30 02 01 00 01 00 00 00 00 00 00 00 00 "
+        assertEquals("73 52 41 20 66 69 65 6C 64 30 30 30 20 3F 80 00 00 00 00 00 00 00 00 0D 05 FF F9 22 30 02 01 00 "
+            + "01 00 00 00 00 00 00 00 00 "
             + "00 01 00 08 46 69 65 6C 64 30 30 31 00 00", payload(askB(binary("sRN field000"))));
         assertTrue(payload(askB(binary("sRN field047"))).endsWith("46 69 65 6C 64 30 34 38 00 00"));
         assertEquals("there is no such one", "sFA 3", ask("sRN field048"));

@@ -17,12 +17,17 @@ import org.junit.Test;
 /** The receiver compared with recordings of real ones. */
 public class Mt3301Test {
     private static final Golden NMEA = Golden.of("nmea");
-    private static final String[] COMMANDS = NMEA.each("test", "hot start", "warm start", "cold start", "full cold start", "a fix each second",
-        "2 fixes a second", "4 fixes a second", "5 fixes a second", "10 fixes a second", "baud rate of its start", "4800 baud", "9600 baud",
+    private static final String[] COMMANDS = NMEA.each("test", "hot start", "warm start", "cold start",
+        "full cold start", "a fix each second",
+        "2 fixes a second", "4 fixes a second", "5 fixes a second", "10 fixes a second", "baud rate of its start",
+        "4800 baud", "9600 baud",
         "14400 baud", "19200 baud", "38400 baud", "57600 baud", "115200 baud", "an interval of a second between fixes",
-        "an interval of 200 ms between fixes", "corrections by satellites", "look for satellites of corrections", "GGA only", "RMC and GGA only",
-        "all sentences, GSV with each fifth fix", "sentences of its start", "no power saving", "ask for the interval between fixes",
-        "ask for the source of corrections", "ask whether it looks for corrections", "ask which sentences", "ask for the release");
+        "an interval of 200 ms between fixes", "corrections by satellites", "look for satellites of corrections",
+        "GGA only", "RMC and GGA only",
+        "all sentences, GSV with each fifth fix", "sentences of its start", "no power saving",
+        "ask for the interval between fixes",
+        "ask for the source of corrections", "ask whether it looks for corrections", "ask which sentences",
+            "ask for the release");
 
     private FakeContext line;
     private Mt3301 gps;
@@ -92,7 +97,8 @@ public class Mt3301Test {
 
     @Test
     public void commandsAreAcknowledged() {
-        String[][] pairs = {NMEA.each("5 fixes a second", "fixes per second: done"), NMEA.each("9600 baud", "baud rate: done"),
+        String[][] pairs = {NMEA.each("5 fixes a second", "fixes per second: done"),
+            NMEA.each("9600 baud", "baud rate: done"),
             NMEA.each("sentences of its start", "which sentences: done"),
             NMEA.each("an interval of a second between fixes", "interval between fixes: done"),
             {Nmea.sentence("PMTK604").trim(), NMEA.get("604: done")},
@@ -128,7 +134,8 @@ public class Mt3301Test {
         assertEquals(10, text.split("\\$GPGGA", -1).length - 1);
         assertEquals(10, text.split("\\$GPRMC", -1).length - 1);
         assertEquals(2, text.split("\\$GPGSA", -1).length - 1);
-        assertTrue(text, text.startsWith("$GPGGA,120001.000,3336.600000,N,08051.900000,W,1,8,1.02,182.500,M,-32.797,M,,*"));
+        assertTrue(text, text.startsWith(
+            "$GPGGA,120001.000,3336.600000,N,08051.900000,W,1,8,1.02,182.500,M,-32.797,M,,*"));
         for (String sentence : text.split("\r\n")) {
             assertTrue(sentence, Nmea.body(sentence) != null);
         }

@@ -46,7 +46,8 @@ public class NeoM8nTest {
     }
 
     private static String masks(int clear, int save, int load) {
-        return Bytes.hex(new UbxFrame(UbxMessage.CFG_CFG, UbxFrame.room(12).putInt(clear).putInt(save).putInt(load).array()).toBytes());
+        return Bytes.hex(new UbxFrame(UbxMessage.CFG_CFG, UbxFrame.room(12).putInt(clear).putInt(save).putInt(load)
+            .array()).toBytes());
     }
 
     private String ask(String hex) {
@@ -92,9 +93,11 @@ public class NeoM8nTest {
         assertEquals("[GNRMC, GNVTG, GNGGA, GNGSA, GNGSA, GPGSV, GPGSV, GLGSV, GNGLL]",
             lines.stream().map(each -> each.substring(1, 6)).collect(Collectors.toList()).toString());
         assertTrue(lines.stream().allMatch(each -> Nmea.body(each) != null));
-        assertTrue(lines.toString(), lines.get(0).startsWith("$GNRMC,120001.00,A,4717.11399,N,00833.91590,E,5.832,30.00,010126,,,A*"));
+        assertTrue(lines.toString(), lines.get(0)
+            .startsWith("$GNRMC,120001.00,A,4717.11399,N,00833.91590,E,5.832,30.00,010126,,,A*"));
         assertTrue(lines.toString(), lines.get(1).startsWith("$GNVTG,30.00,T,,M,5.832,N,10.800,K,A*"));
-        assertTrue(lines.toString(), lines.get(2).startsWith("$GNGGA,120001.00,4717.11399,N,00833.91590,E,1,12,1.02,499.6,M,48.2,M,,*"));
+        assertTrue(lines.toString(), lines.get(2)
+            .startsWith("$GNGGA,120001.00,4717.11399,N,00833.91590,E,1,12,1.02,499.6,M,48.2,M,,*"));
         assertTrue(lines.toString(), lines.get(4).startsWith("$GNGSA,A,3,66,73,81,82,,,,,,,,,1.88,1.02,1.58*"));
         assertTrue(lines.toString(), lines.get(8).startsWith("$GNGLL,4717.11399,N,00833.91590,E,120001.00,A,A*"));
     }
@@ -131,7 +134,8 @@ public class NeoM8nTest {
         assertEquals(UBX.get("message rate acknowledged"), ask(PVT_ON));
         assertEquals(UBX.get("navigation rate acknowledged"), ask(UBX.get("five solutions a second")));
         assertEquals(UBX.get("port settings acknowledged"), ask(UBX.get("UBX, NMEA and RTCM both ways, 9600 baud")));
-        assertEquals(UBX.get("key and value refused"), ask(UBX.get("key and value, which a generation 8 does not know")));
+        assertEquals(UBX.get("key and value refused"),
+            ask(UBX.get("key and value, which a generation 8 does not know")));
         String refused = UBX.get("message rate refused");
         assertEquals("an unknown message", refused, ask(frame(UbxMessage.CFG_MSG, 0x01, 0x43, 1)));
         assertEquals("of a wrong length", refused, ask(frame(UbxMessage.CFG_MSG, 0x01, 0x07, 1, 1)));
@@ -140,7 +144,8 @@ public class NeoM8nTest {
         assertEquals("no cycles", rate, ask(frame(UbxMessage.CFG_RATE, 0xC8, 0, 0, 0, 1, 0)));
         assertEquals("an unknown clock", rate, ask(frame(UbxMessage.CFG_RATE, 0xC8, 0, 1, 0, 7, 0)));
         assertEquals("UART 2", UBX.get("port settings refused"), ask(frame(UbxMessage.CFG_PRT, 2)));
-        assertEquals("a wrong check sum", "", ask(UBX.get("position, velocity and time with each solution, its checksum wrong")));
+        assertEquals("a wrong check sum", "",
+            ask(UBX.get("position, velocity and time with each solution, its checksum wrong")));
         assertEquals("a message of another class", "", ask(UBX.get("ask for the unique number")));
     }
 
@@ -149,8 +154,10 @@ public class NeoM8nTest {
         assertEquals(UBX.get("UBX, NMEA and RTCM in, UBX and NMEA out, 9600 baud", "port settings acknowledged"),
             ask(UBX.get("ask for the settings of this port")));
         ask(PVT_ON);
-        assertEquals(frame(UbxMessage.CFG_MSG, 1, 7, 0, 1, 0, 0, 0, 0) + " B5 62 05 01 02 00 06 01 0F 38", ask(frame(UbxMessage.CFG_MSG, 1, 7)));
-        assertEquals(UBX.get("a solution each second", "navigation rate acknowledged"), ask(frame(UbxMessage.CFG_RATE)));
+        assertEquals(frame(UbxMessage.CFG_MSG, 1, 7, 0, 1, 0, 0, 0, 0) + " B5 62 05 01 02 00 06 01 0F 38",
+            ask(frame(UbxMessage.CFG_MSG, 1, 7)));
+        assertEquals(UBX.get("a solution each second", "navigation rate acknowledged"),
+            ask(frame(UbxMessage.CFG_RATE)));
         assertEquals(28 + 10, Bytes.ints(ask(frame(UbxMessage.CFG_NMEA))).length);
     }
 
@@ -162,7 +169,8 @@ public class NeoM8nTest {
         assertEquals(done.trim(), ask(changed(changed(air, 7, 0), 6, 1)));
         assertEquals("its bit of the mask was set", air + done, ask(frame(UbxMessage.CFG_NAV5)));
         assertEquals(done.trim(), ask(changed(changed(changed(air, 7, 0), 6, 4), 9, 2)));
-        assertEquals("three dimensions only, the model as it was", changed(air, 9, 2) + done, ask(frame(UbxMessage.CFG_NAV5)));
+        assertEquals("three dimensions only, the model as it was", changed(air, 9, 2) + done,
+            ask(frame(UbxMessage.CFG_NAV5)));
         assertEquals("no such model", "B5 62 05 00 02 00 06 24 31 56", ask(changed(air, 8, 1)));
         assertEquals("no such mode", "B5 62 05 00 02 00 06 24 31 56", ask(changed(air, 9, 4)));
         assertEquals("refused, so kept", changed(air, 9, 2) + done, ask(frame(UbxMessage.CFG_NAV5)));
@@ -170,8 +178,10 @@ public class NeoM8nTest {
         assertEquals("B5 62 05 01 02 00 06 3E 4C 75", ask(satellites));
         assertEquals(changed(satellites, 7, 32) + " B5 62 05 01 02 00 06 3E 4C 75", ask(frame(UbxMessage.CFG_GNSS)));
         ask(frame(UbxMessage.CFG_GNSS, 0, 32, 32, 1, 6, 8, 14, 0, 1, 0, 1, 1));
-        assertEquals("one system", changed(changed(satellites, 7, 32), 62, 1) + " B5 62 05 01 02 00 06 3E 4C 75", ask(frame(UbxMessage.CFG_GNSS)));
-        assertEquals("no such system", "B5 62 05 00 02 00 06 3E 4B 70", ask(frame(UbxMessage.CFG_GNSS, 0, 32, 32, 1, 7, 8, 14, 0, 1, 0, 1, 1)));
+        assertEquals("one system", changed(changed(satellites, 7, 32), 62, 1) + " B5 62 05 01 02 00 06 3E 4C 75",
+            ask(frame(UbxMessage.CFG_GNSS)));
+        assertEquals("no such system", "B5 62 05 00 02 00 06 3E 4B 70",
+            ask(frame(UbxMessage.CFG_GNSS, 0, 32, 32, 1, 7, 8, 14, 0, 1, 0, 1, 1)));
         assertEquals("B5 62 05 01 02 00 06 16 24 4D", ask(frame(UbxMessage.CFG_SBAS, 0, 3, 3, 0, 0, 0, 0, 0)));
         ask(SAVE);
         gps.powerOff();
@@ -185,7 +195,8 @@ public class NeoM8nTest {
     private static String changed(String frame, int at, int value) {
         byte[] bytes = Bytes.bytes(frame);
         bytes[at] = (byte) value;
-        return Bytes.hex(new UbxFrame(bytes[2], bytes[3], java.util.Arrays.copyOfRange(bytes, 6, bytes.length - 2)).toBytes());
+        return Bytes.hex(new UbxFrame(bytes[2], bytes[3], java.util.Arrays.copyOfRange(bytes, 6, bytes.length - 2))
+            .toBytes());
     }
 
     @Test
@@ -199,7 +210,8 @@ public class NeoM8nTest {
         assertEquals(-250, NavPvt.DOWNWARD.get(pvt));
         assertEquals(3000000, NavPvt.COURSE.get(pvt));
         assertEquals(2026, NavPvt.YEAR.get(pvt));
-        assertEquals("Thursday noon, a second and 18 leap seconds", (4 * 24 + 12) * 3600000 + 19000, NavPvt.TIME_OF_WEEK.get(pvt));
+        assertEquals("Thursday noon, a second and 18 leap seconds", (4 * 24 + 12) * 3600000 + 19000,
+            NavPvt.TIME_OF_WEEK.get(pvt));
         ByteBuffer llh = UbxFrame.room(28).put(poll(UbxMessage.NAV_POSLLH));
         assertEquals(NavPvt.LONGITUDE.get(pvt), llh.getInt(4));
         assertEquals(NavPvt.HEIGHT.get(pvt), llh.getInt(12));
@@ -209,14 +221,16 @@ public class NeoM8nTest {
         ByteBuffer ecef = UbxFrame.room(20).put(poll(UbxMessage.NAV_POSECEF));
         double[] place = {ecef.getInt(4) / 100.0, ecef.getInt(8) / 100.0, ecef.getInt(12) / 100.0};
         assertEquals(sol.getInt(12), ecef.getInt(4));
-        assertEquals("from the Earth's axis, by the ellipsoid's formula", 4334814.037, Math.hypot(place[0], place[1]), 0.02);
+        assertEquals("from the Earth's axis, by the ellipsoid's formula", 4334814.037,
+            Math.hypot(place[0], place[1]), 0.02);
         assertEquals("longitude", 8 + 33.91590 / 60, Math.toDegrees(Math.atan2(place[1], place[0])), 1e-7);
         ByteBuffer moving = UbxFrame.room(20).put(poll(UbxMessage.NAV_VELECEF));
         assertEquals("speed is the same in each frame", Math.hypot(3, 0.25) * 100,
             Math.hypot(Math.hypot(moving.getInt(4), moving.getInt(8)), moving.getInt(12)), 1);
         ByteBuffer ned = UbxFrame.room(36).put(poll(UbxMessage.NAV_VELNED));
         assertEquals(-25, ned.getInt(12));
-        assertEquals("B5 62 01 04 12 00", Bytes.hex(new UbxFrame(UbxMessage.NAV_DOP, poll(UbxMessage.NAV_DOP)).toBytes()).substring(0, 17));
+        assertEquals("B5 62 01 04 12 00",
+            Bytes.hex(new UbxFrame(UbxMessage.NAV_DOP, poll(UbxMessage.NAV_DOP)).toBytes()).substring(0, 17));
         ByteBuffer status = UbxFrame.room(16).put(poll(UbxMessage.NAV_STATUS));
         assertEquals(3, status.get(4));
         assertEquals(0x0D, status.get(5));
@@ -241,7 +255,8 @@ public class NeoM8nTest {
         List<UbxFrame> found = frames();
         assertEquals(20, found.size(), 1);
         assertTrue(found.stream().allMatch(each -> each.getMessage() == UbxMessage.NAV_PVT));
-        assertEquals(200, NavPvt.TIME_OF_WEEK.get(found.get(1).getPayload()) - NavPvt.TIME_OF_WEEK.get(found.get(0).getPayload()));
+        assertEquals(200, NavPvt.TIME_OF_WEEK.get(found.get(1).getPayload()) - NavPvt.TIME_OF_WEEK.get(
+            found.get(0).getPayload()));
     }
 
     @Test
@@ -259,7 +274,8 @@ public class NeoM8nTest {
     /** Returns the frame that sets the port to UBX only and this speed. */
     private static String port(int baud) {
         ByteBuffer payload = UbxFrame.room(20).put(0, (byte) 1).putInt(4, 0x8D0).putInt(8, baud);
-        return Bytes.hex(new UbxFrame(UbxMessage.CFG_PRT, payload.putShort(12, (short) 1).putShort(14, (short) 1).array()).toBytes());
+        return Bytes.hex(new UbxFrame(UbxMessage.CFG_PRT, payload.putShort(12, (short) 1).putShort(14, (short) 1)
+            .array()).toBytes());
     }
 
     @Test
@@ -267,7 +283,8 @@ public class NeoM8nTest {
         StringBuilder[] runs = {new StringBuilder(), new StringBuilder()};
         for (StringBuilder run : runs) {
             power(2);
-            run.append(ask(PVT_ON)).append(ask(UBX.get("five solutions a second"))).append(ask(frame(UbxMessage.CFG_MSG, 1, 0x35, 2)));
+            run.append(ask(PVT_ON)).append(ask(UBX.get("five solutions a second")))
+                .append(ask(frame(UbxMessage.CFG_MSG, 1, 0x35, 2)));
             line.pass(5);
             run.append(line.takeHex());
         }
@@ -295,7 +312,8 @@ public class NeoM8nTest {
         power(3);
         line.pass(4);
         assertTrue(line.takeText().contains("GNRMC,120004.00,A"));
-        assertTrue("greets", new String(Bytes.bytes(ask(frame(UbxMessage.CFG_RST, 0xFF, 0xFF, 1, 0))), StandardCharsets.US_ASCII).contains("GNTXT"));
+        assertTrue("greets", new String(Bytes.bytes(ask(frame(UbxMessage.CFG_RST, 0xFF, 0xFF, 1, 0))),
+            StandardCharsets.US_ASCII).contains("GNTXT"));
         line.pass(2);
         assertTrue(line.takeText().contains("GNRMC,,V"));
         line.pass(3);

@@ -116,7 +116,8 @@ public class RazorTest {
 
     @Test
     public void anglesAndMotionForRos() {
-        assertArrayEquals(new double[] {-142.28, -5.38, 33.52, -128, 0, 256, 0, -0.17, 1.57}, numbers("YPRAG", new String(one("#ox")).trim()), 0);
+        assertArrayEquals(new double[] {-142.28, -5.38, 33.52, -128, 0, 256, 0, -0.17, 1.57},
+            numbers("YPRAG", new String(one("#ox")).trim()), 0);
     }
 
     @Test

@@ -54,7 +54,8 @@ public class Lms200Test {
 
     @Test
     public void baudTelegramsChangeTheSpeed() {
-        String[][] rates = {{LMS.get("19200 baud"), "19200"}, {LMS.get("38400 baud"), "38400"}, {LMS.get("500000 baud"), "500000"},
+        String[][] rates = {{LMS.get("19200 baud"), "19200"}, {LMS.get("38400 baud"), "38400"},
+            {LMS.get("500000 baud"), "500000"},
             {LMS.get("9600 baud"), "9600"}};
         for (String[] rate : rates) {
             assertEquals(MODE_OK, ask(rate[0]));
@@ -88,11 +89,13 @@ public class Lms200Test {
 
     @Test
     public void variantsAreSwitchedOrRefused() {
-        String[][] variants = {{"100 degrees, each", "101"}, {"100 degrees, each half", "201"}, {"100 degrees, each quarter", "401"},
+        String[][] variants = {{"100 degrees, each", "101"}, {"100 degrees, each half", "201"},
+            {"100 degrees, each quarter", "401"},
             {"180 degrees, each", "181"}, {"180 degrees, each half", "361"}};
         for (String[] variant : variants) {
             assertEquals("06 " + LMS.get(variant[0] + ": done"), ask(LMS.get(variant[0])));
-            assertEquals("06 " + LMS.get("refused, " + variant[0] + ", go on"), ask(LMS.get("180 degrees, each quarter, which there is not")));
+            assertEquals("06 " + LMS.get("refused, " + variant[0] + ", go on"),
+                ask(LMS.get("180 degrees, each quarter, which there is not")));
             line.host(LMS.get("ask for a scan"));
             line.pass(1);
             assertEquals(Integer.parseInt(variant[1]) * 2 + 11, line.take().length);
@@ -134,17 +137,20 @@ public class Lms200Test {
 
     @Test
     public void configurationIsReadAndWritten() {
-        assertEquals("06 02 80 24 00 F4 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 3C FB", ask(LMS.get("ask for the configuration")));
+        assertEquals("06 02 80 24 00 F4 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 3C FB",
+            ask(LMS.get("ask for the configuration")));
         String centimetres = "02 00 23 00 77 00 00 70 00 00 00 00 00 00 02 02" + ZEROS + " 02 00 41 B8";
         assertEquals(NOT_PERMITTED, ask(centimetres));
         assertEquals(MODE_OK, ask(INSTALLATION));
         assertEquals("06 02 80 25 00 F7 01 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 C5 7A",
             ask("02 00 23 00 77 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 11 88"));
         assertTrue(ask(centimetres).endsWith("65 1A"));
-        assertEquals("06 02 80 24 00 F4 00 00 70 00 00 00 00 00 00 02 02" + ZEROS + " 02 00 10 9C 9B", ask(LMS.get("ask for the configuration")));
+        assertEquals("06 02 80 24 00 F4 00 00 70 00 00 00 00 00 00 02 02" + ZEROS + " 02 00 10 9C 9B",
+            ask(LMS.get("ask for the configuration")));
         assertTrue(ask("02 00 23 00 77 00 00 70 00 00 04 01 00 00 02 02" + ZEROS + " 02 00 94 8A").endsWith("CF 7F"));
         assertTrue(ask(LMS.get("ask for the configuration")).endsWith("36 FE"));
-        assertTrue(ask("02 00 23 00 77 00 00 70 00 00 06 01 00 00 02 02" + ZEROS + " 02 00 D4 4B").startsWith("06 02 80 25 00 F7 01"));
+        assertTrue(ask("02 00 23 00 77 00 00 70 00 00 06 01 00 00 02 02" + ZEROS + " 02 00 D4 4B")
+            .startsWith("06 02 80 25 00 F7 01"));
         String full = LMS.get("write the configuration of the quick manual, whole");
         assertTrue(ask(full).startsWith("06 02 80 25 00 F7 01 00 00 46"));
         assertTrue(ask(LMS.get("define no field")).startsWith("06 02 80 03 00 FC 01 10"));
@@ -161,8 +167,10 @@ public class Lms200Test {
         assertTrue(ask(LMS.get("write the configuration of the quick manual, whole"))
             .startsWith("06 02 80 25 00 F7 01"));
         String answer = ask("02 00 21 00 77 00 00 00 00 00 00 01 00 00 02 02" + ZEROS + " FC 7E");
-        assertTrue(answer, answer.startsWith("06 02 80 25 00 F7 01 00 00 00 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10"));
-        assertTrue(ask("02 00 21 00 77 00 00 70 00 00 04 01 00 00 02 02" + ZEROS + " 84 72").startsWith("06 02 80 25 00 F7 01 00 00 70 00 00 04"));
+        assertTrue(answer, answer.startsWith("06 02 80 25 00 F7 01 00 00 00 00 00 00 01 00 00 02 02" + ZEROS
+            + " 02 00 10"));
+        assertTrue(ask("02 00 21 00 77 00 00 70 00 00 04 01 00 00 02 02" + ZEROS + " 84 72")
+            .startsWith("06 02 80 25 00 F7 01 00 00 70 00 00 04"));
         assertTrue(ask(LMS.get("ask for the configuration")).endsWith("36 FE"));
         assertEquals(MODE_OK, ask(ON_REQUEST));
         scanner.world = beam -> beam == 90 ? 11.75 : Double.POSITIVE_INFINITY;
@@ -246,9 +254,11 @@ public class Lms200Test {
         assertTrue(ask(LMS.get("ask for the taught contour")).startsWith("06 02 80 6E 01 B0 B5 40 FF 1F"));
         assertTrue(ask(LMS.get("ask for interlaced scans")).startsWith("06 02 80 6E 01 B0 B5 60 01 00"));
         assertTrue(ask(LMS.get("ask for the mean of 2 scans")).startsWith("06 02 80 6F 01 B6 02 B5 40 01 00"));
-        assertEquals("values 1 to 361 are not there with one degree", NOT_PERMITTED, ask(LMS.get("ask for values 1 to 361")));
+        assertEquals("values 1 to 361 are not there with one degree", NOT_PERMITTED,
+            ask(LMS.get("ask for values 1 to 361")));
         ask(LMS.get("180 degrees, each half"));
-        assertTrue(ask(LMS.get("ask for values 1 to 361")).startsWith("06 02 80 DA 02 B7 01 00 69 01 69 41 01 00 02 00"));
+        assertTrue(ask(LMS.get("ask for values 1 to 361"))
+            .startsWith("06 02 80 DA 02 B7 01 00 69 01 69 41 01 00 02 00"));
         assertTrue(ask(LMS.get("ask for interlaced scans")).contains(" B0 B4 70 02 00 04 00"));
     }
 

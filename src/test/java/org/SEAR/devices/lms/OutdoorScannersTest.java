@@ -58,7 +58,8 @@ public class OutdoorScannersTest {
     @Test
     public void theyAreDeliveredInCentimetres() {
         power("LMS291");
-        assertEquals("06 02 80 24 00 F4 00 00 70 00 00 00 00 00 00 02 02" + " 00".repeat(21) + " 02 00 10 9C 9B", ask(CONFIGURATION));
+        assertEquals("06 02 80 24 00 F4 00 00 70 00 00 00 00 00 00 02 02" + " 00".repeat(21) + " 02 00 10 9C 9B",
+            ask(CONFIGURATION));
         String[] scan = ask(ALL_VALUES).split(" ");
         assertEquals("181 values, centimetres", "B5 00", scan[6] + " " + scan[7]);
         assertEquals("79.99 m", "3F 1F", scan[DISTANCES_AT] + " " + scan[DISTANCES_AT + 1]);

@@ -16,7 +16,8 @@ import org.junit.experimental.categories.Category;
 @Category(Slow.class)
 public class StreamRateTest {
     private static final double[][] HERTZ = {
-        {100, 1, 4.416, 8.342, 15.02, 75.1}, {100, 0.5, 2.208, 4.171, 7.508, 37.5}, {100, 0.25, 1.173, 2.346, 4.692, 18.77},
+        {100, 1, 4.416, 8.342, 15.02, 75.1}, {100, 0.5, 2.208, 4.171, 7.508, 37.5},
+            {100, 0.25, 1.173, 2.346, 4.692, 18.77},
         {180, 1, 2.503, 5.005, 9.384, 75.1}, {180, 0.5, 1.294, 2.503, 4.692, 37.5}};
     private static final double SECONDS = 60;
 
@@ -34,9 +35,11 @@ public class StreamRateTest {
 
     @Test
     public void meansAndPartsAndRanges() {
-        assertEquals(1 / (5 * 2 * 0.01332), rate(Variant.V180_HALF, Baud.B500000, "02 00 03 00 20 26 05 79 3E", 733), 0.3);
+        assertEquals(1 / (5 * 2 * 0.01332),
+            rate(Variant.V180_HALF, Baud.B500000, "02 00 03 00 20 26 05 79 3E", 733), 0.3);
         assertEquals(9.384, rate(Variant.V180_HALF, Baud.B38400, "02 00 02 00 20 2A 3A 08", 371), 0.4);
-        assertEquals(1 / (11 * 2 * 0.01332), rate(Variant.V180_HALF, Baud.B19200, "02 00 06 00 20 27 1B 00 2B 01 FF FE", 560), 0.2);
+        assertEquals(1 / (11 * 2 * 0.01332),
+            rate(Variant.V180_HALF, Baud.B19200, "02 00 06 00 20 27 1B 00 2B 01 FF FE", 560), 0.2);
     }
 
     private static double rate(Variant variant, Baud baud, String start, int size) {

@@ -12,7 +12,8 @@ import org.junit.Test;
 public class PacketTest {
     @Test
     public void groupsHaveTheSizesOfTheSpecifications() {
-        int[][] groups = {{0, 26}, {1, 10}, {2, 6}, {3, 10}, {4, 14}, {5, 12}, {6, 52}, {100, 80}, {101, 28}, {106, 12}, {107, 9}};
+        int[][] groups = {{0, 26}, {1, 10}, {2, 6}, {3, 10}, {4, 14}, {5, 12}, {6, 52}, {100, 80}, {101, 28},
+            {106, 12}, {107, 9}};
         for (int[] group : groups) {
             assertEquals("group " + group[0], group[1], Packet.size(group[0]));
         }

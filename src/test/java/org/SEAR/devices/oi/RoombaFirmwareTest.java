@@ -39,7 +39,8 @@ public class RoombaFirmwareTest {
         power(OiModel.CREATE2);
         line.host("80 84");
         double share = 0.129 / 0.5;
-        drives(OI.get("back at 200 mm/s, to the left around 500 mm, of the specification"), -0.2 * (1 - share), -0.2 * (1 + share));
+        drives(OI.get("back at 200 mm/s, to the left around 500 mm, of the specification"), -0.2 * (1 - share),
+            -0.2 * (1 + share));
         drives(OI.get("200 mm/s straight on"), 0.2, 0.2);
         drives(OI.get("200 mm/s straight on, the other number for it"), 0.2, 0.2);
         drives(OI.get("200 mm/s to the left on the spot"), -0.2, 0.2);
@@ -131,7 +132,8 @@ public class RoombaFirmwareTest {
 
     @Test
     public void groupsHaveTheirSizes() {
-        int[][] sizes = {{0, 26}, {1, 10}, {2, 6}, {3, 10}, {4, 14}, {5, 12}, {6, 52}, {100, 80}, {101, 28}, {106, 12}, {107, 9}};
+        int[][] sizes = {{0, 26}, {1, 10}, {2, 6}, {3, 10}, {4, 14}, {5, 12}, {6, 52}, {100, 80}, {101, 28},
+            {106, 12}, {107, 9}};
         power(OiModel.CREATE2);
         line.host("80");
         for (int[] size : sizes) {
@@ -174,13 +176,17 @@ public class RoombaFirmwareTest {
 
     @Test
     public void streamChecksumsOfBothRules() {
-        assertEquals(OI.get("stream of packets 29 and 13, its header summed"), Bytes.hex(Stream.frame(Bytes.bytes("1D 02 19 0D 00"), true)));
-        assertEquals(OI.get("stream of packets 29 and 13, its header not summed"), Bytes.hex(Stream.frame(Bytes.bytes("1D 02 19 0D 00"), false)));
+        assertEquals(OI.get("stream of packets 29 and 13, its header summed"),
+            Bytes.hex(Stream.frame(Bytes.bytes("1D 02 19 0D 00"), true)));
+        assertEquals(OI.get("stream of packets 29 and 13, its header not summed"),
+            Bytes.hex(Stream.frame(Bytes.bytes("1D 02 19 0D 00"), false)));
         assertEquals("13 02 07 00 E4", Bytes.hex(Stream.frame(Bytes.bytes("07 00"), true)));
         assertEquals("13 02 07 00 F7", Bytes.hex(Stream.frame(Bytes.bytes("07 00"), false)));
         assertEquals("13 02 23 02 C6", Bytes.hex(Stream.frame(Bytes.bytes("23 02"), true)));
-        assertEquals("13 08 07 03 13 00 64 14 FF D3 7E", Bytes.hex(Stream.frame(Bytes.bytes("07 03 13 00 64 14 FF D3"), true)));
-        assertEquals("13 08 07 03 13 00 64 14 FF D3 91", Bytes.hex(Stream.frame(Bytes.bytes("07 03 13 00 64 14 FF D3"), false)));
+        assertEquals("13 08 07 03 13 00 64 14 FF D3 7E",
+            Bytes.hex(Stream.frame(Bytes.bytes("07 03 13 00 64 14 FF D3"), true)));
+        assertEquals("13 08 07 03 13 00 64 14 FF D3 91",
+            Bytes.hex(Stream.frame(Bytes.bytes("07 03 13 00 64 14 FF D3"), false)));
     }
 
     @Test
@@ -225,7 +231,8 @@ public class RoombaFirmwareTest {
         assertEquals("full mode does not mind", OiMode.FULL, roomba.getMode());
         assertEquals("01", ask("8E 0A"));
         assertTrue(line.warnings.toString(), line.warnings.get(0).startsWith("a cliff: the robot left safe mode"));
-        assertTrue(line.warnings.toString(), line.warnings.get(1).startsWith("a wheel has dropped: the robot left safe mode"));
+        assertTrue(line.warnings.toString(), line.warnings.get(1)
+            .startsWith("a wheel has dropped: the robot left safe mode"));
     }
 
     @Test
@@ -298,8 +305,10 @@ public class RoombaFirmwareTest {
         line.host("80 83 8C 02 01 40 00 8D 02");
         assertEquals("[]", line.warnings.toString());
         line.host("8D 03 8D 03 8D 09 8C 09 01 40 20 90 00 00 00");
-        assertEquals("[song 3 is not defined: command 141 (PLAY) is ignored, command 141 (PLAY) with first argument 9 is not possible on a create2:"
-            + " ignored, command 140 (SONG) with first argument 9 is not possible on a create2: ignored]", line.warnings.toString());
+        assertEquals("[song 3 is not defined: command 141 (PLAY) is ignored, command 141 (PLAY) with first argument 9 "
+            + "is not possible on a create2:"
+            + " ignored, command 140 (SONG) with first argument 9 is not possible on a create2: ignored]",
+                line.warnings.toString());
     }
 
     @Test
@@ -321,7 +330,8 @@ public class RoombaFirmwareTest {
 
     @Test
     public void everyCommandTakesItsArguments() {
-        String[] create2 = {"8B 04 00 80", "8A 0D", "A7 28 00 00 00 00 00 00 0F 00 00 00 0A 24 00 00", "A2 00 00", "A3 00 00 00 00",
+        String[] create2 = {"8B 04 00 80", "8A 0D", "A7 28 00 00 00 00 00 00 0F 00 00 00 0A 24 00 00", "A2 00 00",
+            "A3 00 00 00 00",
             "A4 41 42 43 44", "A5 00", "A8 00 00 00", "90 00 00 00", "86 83", "87 83", "88 83", "8F 83"};
         String[] create = {"90 20 00 80", "93 00", "97 00", "8B 08 00 80", "88 FF 83", "9B 00", "98 00"};
         for (OiModel model : new OiModel[] {OiModel.CREATE, OiModel.CREATE2}) {
@@ -373,7 +383,8 @@ public class RoombaFirmwareTest {
             line.take();
             roomba.powerOn(line.now);
             line.pass(1);
-            assertEquals("only a Create 2 says that it boots", model == OiModel.CREATE2 ? "bl-start\r\nRoomba by iRobot!\r\n" : "", line.takeText());
+            assertEquals("only a Create 2 says that it boots", model == OiModel.CREATE2
+                ? "bl-start\r\nRoomba by iRobot!\r\n" : "", line.takeText());
             assertEquals(57600, roomba.getBaud());
             assertEquals(OiMode.OFF, roomba.getMode());
             assertEquals("", ask("8E 07"));

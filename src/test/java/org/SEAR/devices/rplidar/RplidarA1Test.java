@@ -80,7 +80,8 @@ public class RplidarA1Test {
 
     @Test
     public void samplesRunClockwiseFromAhead() {
-        scanner.world = beam -> beam == 180 ? 1 : beam == 90 ? 2 : beam == 270 ? 3 : beam == 0 ? 4 : beam == 179 ? 0.1 : Double.POSITIVE_INFINITY;
+        scanner.world = beam -> beam == 180 ? 1 : beam == 90 ? 2 : beam == 270 ? 3 : beam == 0 ? 4 : beam == 179 ? 0.1
+            : Double.POSITIVE_INFINITY;
         List<Node> nodes = nodes(RPLIDAR.get("ask for a scan"), 0.5);
         assertTrue(nodes.get(0).isFirst());
         assertNode(nodes.get(0), 0, 1000, 15);
@@ -105,7 +106,8 @@ public class RplidarA1Test {
         }
         scanner.times.clear();
         ask(EXPRESS);
-        assertEquals("4000 a second in an express scan", 0.00025, scanner.times.get(359).get(0) - scanner.times.get(360).get(0), 1e-9);
+        assertEquals("4000 a second in an express scan", 0.00025, scanner.times.get(359).get(0) - scanner.times.get(360)
+            .get(0), 1e-9);
     }
 
     private static void assertNode(Node node, double angle, double distance, int quality) {

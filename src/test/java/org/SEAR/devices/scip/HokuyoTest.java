@@ -71,7 +71,8 @@ public class HokuyoTest {
         assertTrue(state, state.contains("|LASR:OFF;7|SCSP:Initial(600[rpm])<-Default setting by user;A|MESM:IDLE;:|"));
         assertTrue(state, state.endsWith("|STAT:Sensor works well.;8||"));
         power(HokuyoModel.UTM_30LX);
-        assertTrue(ask("PP").endsWith("|DMIN:23;7|DMAX:60000;J|ARES:1440;^|AMIN:0;?|AMAX:1080;Z|AFRT:540;0|SCAN:2400;U||"));
+        assertTrue(ask("PP").endsWith(
+            "|DMIN:23;7|DMAX:60000;J|ARES:1440;^|AMIN:0;?|AMAX:1080;Z|AFRT:540;0|SCAN:2400;U||"));
         assertTrue(ask("II").contains("|SBPS:USB only;n|"));
     }
 
@@ -81,7 +82,8 @@ public class HokuyoTest {
         List<Reply> replies = replies("MD0044072501001", 1);
         int stamp = replies.get(1).time();
         for (int step = 44; step <= 725; step++) {
-            assertEquals("step " + step, stamp / 1000.0 + step * 0.1 / 1024, scanner.times.get(step - 384 + 341).get(0), 1e-9);
+            assertEquals("step " + step, stamp / 1000.0 + step * 0.1 / 1024, scanner.times.get(step - 384 + 341)
+                .get(0), 1e-9);
         }
     }
 
@@ -150,7 +152,8 @@ public class HokuyoTest {
         int[] values = replies("MD0000076801001", 3).get(1).values(Encoding.LONG);
         assertEquals(769, values.length);
         assertEquals("not measured", 19, values[43]);
-        assertEquals("44 is 340 steps to the right of the front, the fan begins one step before", 10, 10 * (44 - 384 + 341));
+        assertEquals("44 is 340 steps to the right of the front, the fan begins one step before", 10,
+            10 * (44 - 384 + 341));
         assertEquals("too near", 6, values[44]);
         assertEquals(3410, values[384]);
         assertEquals("beyond 5.6 m", 0, values[384 + 341]);
@@ -163,12 +166,14 @@ public class HokuyoTest {
         List<Reply> replies = replies("MS0384039203001", 1);
         assertArrayEquals(new int[] {700, 2000, 2000}, replies.get(1).values(Encoding.SHORT));
         scanner.world = beam -> 5;
-        assertArrayEquals("two characters end at 4095", new int[] {4095}, replies("MS0384038401001", 1).get(1).values(Encoding.SHORT));
+        assertArrayEquals("two characters end at 4095", new int[] {4095}, replies("MS0384038401001", 1).get(1)
+            .values(Encoding.SHORT));
         scanner.world = beam -> Double.POSITIVE_INFINITY;
         assertArrayEquals(new int[] {0}, replies("MD0384038602001", 1).get(1).values(Encoding.LONG));
         power(HokuyoModel.UTM_30LX);
         scanner.world = beam -> beam == 540 ? 0.01 : Double.POSITIVE_INFINITY;
-        assertArrayEquals("too near, nothing", new int[] {2, 1}, replies("MD0540054101001", 1).get(1).values(Encoding.LONG));
+        assertArrayEquals("too near, nothing", new int[] {2, 1}, replies("MD0540054101001", 1).get(1)
+            .values(Encoding.LONG));
     }
 
     @Test

@@ -46,7 +46,8 @@ public final class Grounds {
         for (int i = 0; i < heights.length; i++) {
             double x = i / posts * spacing;
             double z = i % posts * spacing;
-            heights[i] = (float) (0.3 * Math.sin(0.4 * x) * Math.cos(0.3 * z) + roughness * (random.nextDouble() - 0.5));
+            heights[i] = (float) (0.3 * Math.sin(0.4 * x) * Math.cos(0.3 * z)
+                + roughness * (random.nextDouble() - 0.5));
         }
         return new HeightField(posts, posts, -20.013, -19.987, spacing, spacing, heights);
     }

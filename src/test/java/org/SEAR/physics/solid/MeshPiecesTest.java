@@ -23,7 +23,8 @@ public class MeshPiecesTest {
         for (int count : new int[] {0, ConvexParts.MAX_TRIANGLES + 1}) {
             Triangles mesh = new Triangles(new float[3], new int[3 * count]);
             String message = assertThrows(IOException.class, () -> MeshPieces.check(mesh, model)).getMessage();
-            assertTrue(message, message.startsWith("model ring has " + count + " triangles, legal for setCollision(\"parts\"): 1 to 250000"));
+            assertTrue(message, message.startsWith(
+                "model ring has " + count + " triangles, legal for setCollision(\"parts\"): 1 to 250000"));
         }
     }
 
@@ -32,7 +33,8 @@ public class MeshPiecesTest {
         Meshes pair = new Meshes().box(0, 0, 0, 1, 1, 1).box(2, 0, 0, 3, 1, 1);
         double[] scale = {1, 1, 1};
         assertEquals(2, MeshPieces.of(triangles(pair), scale, pair.points()).size());
-        assertSame(MeshPieces.of(triangles(pair), scale, pair.points()), MeshPieces.of(triangles(pair), scale, pair.points()));
+        assertSame(MeshPieces.of(triangles(pair), scale, pair.points()),
+            MeshPieces.of(triangles(pair), scale, pair.points()));
     }
 
     private static Triangles triangles(Meshes mesh) {

@@ -153,7 +153,8 @@ public class SolidsTest {
             sum[0] += part;
             for (int axis = 0; axis < 3; axis++) {
                 double total = (double) at[a + axis] + at[b + axis] + at[c + axis];
-                double squares = (double) at[a + axis] * at[a + axis] + (double) at[b + axis] * at[b + axis] + (double) at[c + axis] * at[c + axis];
+                double squares = (double) at[a + axis] * at[a + axis] + (double) at[b + axis] * at[b + axis]
+                    + (double) at[c + axis] * at[c + axis];
                 sum[1 + axis] += part * total / 4;
                 sum[4 + axis] += part * (total * total + squares) / 20;
             }
@@ -184,7 +185,8 @@ public class SolidsTest {
     private static boolean isInside(Solid solid, double[] d, double t) {
         double[] p = {t * d[0], t * d[1], t * d[2]};
         GjkDistance gjk = new GjkDistance();
-        return gjk.measure((dx, dy, dz, into) -> solid.convex().support(dx, dy, dz, into), (dx, dy, dz, into) -> System.arraycopy(p, 0, into, 0, 3),
+        return gjk.measure((dx, dy, dz, into) -> solid.convex().support(dx, dy, dz, into), (dx, dy, dz, into) ->
+            System.arraycopy(p, 0, into, 0, 3),
             0);
     }
 
@@ -202,7 +204,8 @@ public class SolidsTest {
                     drawn = Math.max(drawn, dot(d, point));
                 }
                 String name = shapes.get(i).getName();
-                assertTrue(name + ": " + drawn + " of " + reach, drawn <= reach + 1e-3 && drawn >= reach - COARSE * solid.convex().radius());
+                assertTrue(name + ": " + drawn + " of " + reach, drawn <= reach + 1e-3
+                    && drawn >= reach - COARSE * solid.convex().radius());
             }
         }
     }

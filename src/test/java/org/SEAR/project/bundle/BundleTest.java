@@ -84,12 +84,15 @@ public class BundleTest {
         Bundle.save(other, place("a.sear"));
         Map<String, String> before = project.files();
         for (Path source : new Path[] {place("a.sear"), other}) {
-            String said = assertThrows(ProjectException.class, () -> Bundle.load(source, project.folder())).getMessage();
+            String said = assertThrows(ProjectException.class, () -> Bundle.load(source, project.folder()))
+                .getMessage();
             for (String name : new String[] {"a", "b"}) {
-                assertTrue(said, said.contains("environment/" + name + ".xml: path is \"" + name + ".obj\", legal: a model that can be loaded (Model"
+                assertTrue(said, said.contains("environment/" + name + ".xml: path is \"" + name
+                    + ".obj\", legal: a model that can be loaded (Model"
                     + " \"" + name + "\": " + name + ".obj can't be loaded"));
             }
-            assertThrows(ProjectException.class, () -> Bundle.importEnvironment(source, project.folder(), Progress.NONE));
+            assertThrows(ProjectException.class,
+                () -> Bundle.importEnvironment(source, project.folder(), Progress.NONE));
         }
         assertEquals(before, project.files());
     }
@@ -163,7 +166,8 @@ public class BundleTest {
         assertEquals(place("SEARproject.backup-2"), Bundle.newProject(project.folder(), Progress.NONE));
         assertEquals(changed, ProjectRule.files(place("SEARproject.backup-2")));
         Bundle.load(bundle, project.folder(), false, Progress.NONE);
-        assertEquals("a bundle of one's own", place("SEARproject.backup-3"), Bundle.newProject(project.folder(), Progress.NONE));
+        assertEquals("a bundle of one's own", place("SEARproject.backup-3"),
+            Bundle.newProject(project.folder(), Progress.NONE));
     }
 
     /**
@@ -185,7 +189,8 @@ public class BundleTest {
     public void backupsAreAGigabyteAtMostAndTheNewestStays() throws Exception {
         assertEquals(List.of(), retireWithMap(400 << 20));
         assertEquals(List.of(), retireWithMap(401 << 20));
-        assertEquals(List.of("the backup " + place("SEARproject.backup-1") + " was removed: SEAR keeps the last 10 backups of a project,"
+        assertEquals(List.of("the backup " + place("SEARproject.backup-1") + " was removed: SEAR keeps the last 10 "
+            + "backups of a project,"
             + " at most 1024 MB together"), retireWithMap(402 << 20));
         assertFalse(Files.exists(place("SEARproject.backup-1")));
         assertTrue(Files.exists(place("SEARproject.backup-2/assets/map.tif")));

@@ -28,14 +28,16 @@ public class DissertationBundlesTest {
 
     @Test
     public void aSearProjectThatWasZippedAndRenamedOpensWhateverProgramZippedIt() throws Exception {
-        File[] bundles = Paths.get(DissertationBundlesTest.class.getResource("dissertation").toURI()).toFile().listFiles();
+        File[] bundles = Paths.get(DissertationBundlesTest.class.getResource("dissertation").toURI()).toFile()
+            .listFiles();
         assertEquals(Arrays.toString(bundles), 5, bundles.length);
         for (File bundle : bundles) {
             Project read = Bundle.load(bundle.toPath(), project.folder());
             assertEquals(bundle.getName(), "[M\u00fclltonne, my box]", names(read));
             assertEquals(bundle.getName(), 2, read.getRobots().get(0).getComponents().size());
             assertEquals(bundle.getName(), "[]", read.getWarnings().toString());
-            assertEquals(bundle.getName(), new TreeSet<>(Arrays.asList("assets/cardboard.png", "drive.py", "environment/my box.xml",
+            assertEquals(bundle.getName(),
+                new TreeSet<>(Arrays.asList("assets/cardboard.png", "drive.py", "environment/my box.xml",
                 "environment/M\u00fclltonne.xml", "robot/body.xml", "robot/drive.xml", "robot/myRoomba.xml")), files());
             assertEquals(bundle.getName(), "[]", Bundle.check(bundle.toPath()).toString());
         }
@@ -45,7 +47,8 @@ public class DissertationBundlesTest {
     public void bundlesUnpackedAndZippedByHandOpen() throws Exception {
         RawZip zip = new RawZip();
         zip.stored("SEARproject/sear-version.txt", "1\n");
-        zip.stored("SEARproject/environment/b.xml", "<Box><name>b</name><length>1</length><width>1</width><height>1</height></Box>");
+        zip.stored("SEARproject/environment/b.xml",
+            "<Box><name>b</name><length>1</length><width>1</width><height>1</height></Box>");
         Path file = project.getRoot().toPath().resolve("again.sear");
         Files.write(file, zip.bytes());
         assertEquals("[b]", names(Bundle.load(file, project.folder())));

@@ -32,7 +32,8 @@ public class FilesTest {
             Bundle.save(project.folder(), target);
             fail("saved to " + target);
         } catch (IOException e) {
-            assertEquals(target + " is a link, a pipe or a device; choose the name of an ordinary file", e.getMessage());
+            assertEquals(target + " is a link, a pipe or a device; choose the name of an ordinary file",
+                e.getMessage());
         }
     }
 
@@ -77,7 +78,8 @@ public class FilesTest {
     @Test
     public void aWheelWithoutARobotIsAWarning() throws Exception {
         project.put("robot/w.xml", "<Wheel><name>w</name><radius>1</radius><width>1</width></Wheel>");
-        assertEquals("[robot/w.xml: Wheel \"w\" is on no robot and is left out; robot.addWheel(wheel) adds it, or a <wheel> in the robot's file]",
+        assertEquals("[robot/w.xml: Wheel \"w\" is on no robot and is left out; robot.addWheel(wheel) adds it, or a "
+            + "<wheel> in the robot's file]",
             Project.read(project.folder()).getWarnings().toString());
     }
 

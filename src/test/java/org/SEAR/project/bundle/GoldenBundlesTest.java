@@ -25,7 +25,8 @@ public class GoldenBundlesTest {
 
     @Test
     public void allOpen() throws Exception {
-        File[] bundles = Paths.get(GoldenBundlesTest.class.getResource("golden").toURI()).toFile().listFiles((dir, name) -> name.endsWith(".sear"));
+        File[] bundles = Paths.get(GoldenBundlesTest.class.getResource("golden").toURI()).toFile()
+            .listFiles((dir, name) -> name.endsWith(".sear"));
         assertTrue(bundles.length >= 1);
         for (File bundle : bundles) {
             Project read = Bundle.load(bundle.toPath(), project.folder());

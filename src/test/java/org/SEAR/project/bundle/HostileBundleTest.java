@@ -70,7 +70,8 @@ public class HostileBundleTest {
         bundle("very long name", with("assets/" + "a".repeat(300)), path);
         bundle("very deep", with("a/".repeat(50) + "b"), path);
         bundle("empty name", with(""), path);
-        bundle("one folder too deep", with("SEARproject/environment/b.xml"), "legal: environment, robot and assets at the top of the bundle");
+        bundle("one folder too deep", with("SEARproject/environment/b.xml"), "legal: environment, robot and assets at "
+            + "the top of the bundle");
         RawZip twice = with("environment/b.xml");
         twice.stored("environment/b.xml", BOX);
         bundle("twice", twice, "legal: each name once");
@@ -97,7 +98,8 @@ public class HostileBundleTest {
 
     private void foreignNames() {
         String path = "legal: a path inside the project";
-        for (String name : new String[] {"../evil.xml", "SEARproject/../../evil.xml", "SEARproject/./evil.xml", "SEARproject//evil.xml", "/evil.xml",
+        for (String name : new String[] {"../evil.xml", "SEARproject/../../evil.xml", "SEARproject/./evil.xml",
+            "SEARproject//evil.xml", "/evil.xml",
             "SEARproject/environment/...", "C:/evil.xml"}) {
             RawZip zip = new RawZip();
             zip.stored("SEARproject/environment/b.xml", BOX);
@@ -191,7 +193,8 @@ public class HostileBundleTest {
         broken.stored("environment/b.xml", BOX.replace("<length>1", "<length>-1"));
         bundle("an object that is wrong", broken, "environment/b.xml:1: length is \"-1\"");
         RawZip gadget = RawZip.bundle();
-        gadget.stored("environment/b.xml", "<java.lang.ProcessBuilder><command><string>sh</string></command></java.lang.ProcessBuilder>");
+        gadget.stored("environment/b.xml",
+            "<java.lang.ProcessBuilder><command><string>sh</string></command></java.lang.ProcessBuilder>");
         bundle("a foreign class", gadget, "<java.lang.ProcessBuilder> is not an object here");
         RawZip random = RawZip.bundle();
         byte[] noise = new byte[2000];

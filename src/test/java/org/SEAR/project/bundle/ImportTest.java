@@ -20,7 +20,8 @@ import org.junit.Test;
 
 /** Imports of robots and environments from other projects. */
 public class ImportTest {
-    private static final String BEAM = "<Beam><name>own</name><minRange>0</minRange><cone><halfAngle>5</halfAngle><range>RANGE</range></cone></Beam>";
+    private static final String BEAM = "<Beam><name>own</name><minRange>0</minRange>"
+        + "<cone><halfAngle>5</halfAngle><range>RANGE</range></cone></Beam>";
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -28,14 +29,18 @@ public class ImportTest {
 
     @Before
     public void haveABundle() throws Exception {
-        project.put("robot/rover.xml", "<SEARrobot><name>rover</name><component>drive</component><component>body</component>"
+        project.put("robot/rover.xml",
+            "<SEARrobot><name>rover</name><component>drive</component><component>body</component>"
             + "<component>eye</component></SEARrobot>");
-        project.put("robot/drive.xml", "<Dynamics><name>drive</name><mass>3</mass><uartPort>COM1</uartPort><userPort>COM2</userPort></Dynamics>");
-        project.put("robot/body.xml", "<Box><name>body</name><length>1</length><width>1</width><height>1</height><image>skin.png</image></Box>");
+        project.put("robot/drive.xml",
+            "<Dynamics><name>drive</name><mass>3</mass><uartPort>COM1</uartPort><userPort>COM2</userPort></Dynamics>");
+        project.put("robot/body.xml", "<Box><name>body</name><length>1</length>"
+            + "<width>1</width><height>1</height><image>skin.png</image></Box>");
         project.put("robot/eye.xml", "<Distance><name>eye</name><beam>own</beam></Distance>");
         project.put("beams/own.xml", BEAM.replace("RANGE", "2"));
         project.put("assets/skin.png", "one");
-        project.put("environment/crate.xml", "<Box><name>crate</name><length>1</length><width>1</width><height>1</height></Box>");
+        project.put("environment/crate.xml",
+            "<Box><name>crate</name><length>1</length><width>1</width><height>1</height></Box>");
         bundle = project.getRoot().toPath().resolve("rover.sear");
         Bundle.save(project.folder(), bundle);
     }
@@ -45,7 +50,8 @@ public class ImportTest {
     }
 
     private static String parts(SEARrobot robot) {
-        return robot.getName() + robot.getComponents().stream().map(part -> part.getName()).collect(Collectors.toList());
+        return robot.getName() + robot.getComponents().stream().map(part -> part.getName())
+            .collect(Collectors.toList());
     }
 
     @Test
@@ -54,9 +60,12 @@ public class ImportTest {
         assertEquals("{rover=rover_2, drive=drive, body=body, eye=eye}", renamed.toString());
         assertEquals("rover[drive, body, eye]", parts(read().getRobots().get(0)));
         assertEquals("rover_2[drive, body, eye]", parts(read().getRobots().get(1)));
-        assertTrue(project.text("robot/rover_2/drive.xml"), project.text("robot/rover_2/drive.xml").contains("<uartPort>COM1_2</uartPort>"));
-        assertTrue(project.text("robot/rover_2/body.xml"), project.text("robot/rover_2/body.xml").contains("<image>skin.png</image>"));
-        assertTrue(project.text("robot/rover_2/eye.xml"), project.text("robot/rover_2/eye.xml").contains("<beam>own</beam>"));
+        assertTrue(project.text("robot/rover_2/drive.xml"), project.text("robot/rover_2/drive.xml")
+            .contains("<uartPort>COM1_2</uartPort>"));
+        assertTrue(project.text("robot/rover_2/body.xml"), project.text("robot/rover_2/body.xml")
+            .contains("<image>skin.png</image>"));
+        assertTrue(project.text("robot/rover_2/eye.xml"), project.text("robot/rover_2/eye.xml")
+            .contains("<beam>own</beam>"));
         assertEquals("rover_3", Bundle.importRobot(bundle, project.folder(), "", Progress.NONE).get("rover"));
         assertEquals(3, read().getRobots().size());
         assertEquals(1, read().getEnvironment().size());
@@ -67,10 +76,12 @@ public class ImportTest {
         project.put("beams/own.xml", BEAM.replace("RANGE", "7"));
         project.put("assets/skin.png", "two");
         Bundle.importRobot(bundle, project.folder(), "rover", Progress.NONE);
-        assertTrue(project.text("robot/rover_2/eye.xml"), project.text("robot/rover_2/eye.xml").contains("<beam>own_2</beam>"));
+        assertTrue(project.text("robot/rover_2/eye.xml"), project.text("robot/rover_2/eye.xml")
+            .contains("<beam>own_2</beam>"));
         assertTrue(project.text("beams/own_2.xml"), project.text("beams/own_2.xml").contains("<range>2</range>"));
         assertTrue(project.text("beams/own.xml"), project.text("beams/own.xml").contains("<range>7</range>"));
-        assertTrue(project.text("robot/rover_2/body.xml"), project.text("robot/rover_2/body.xml").contains("<image>imported1/skin.png</image>"));
+        assertTrue(project.text("robot/rover_2/body.xml"), project.text("robot/rover_2/body.xml")
+            .contains("<image>imported1/skin.png</image>"));
         assertEquals("one", project.text("assets/imported1/skin.png"));
         assertEquals("two", project.text("assets/skin.png"));
     }
@@ -80,7 +91,8 @@ public class ImportTest {
         Path other = project.getRoot().toPath().resolve("other/SEARproject");
         Files.createDirectories(other.getParent());
         Bundle.load(bundle, other);
-        assertEquals("{crate=crate_2}", Bundle.importEnvironment(other.getParent(), project.folder(), Progress.NONE).toString());
+        assertEquals("{crate=crate_2}", Bundle.importEnvironment(other.getParent(), project.folder(), Progress.NONE)
+            .toString());
         assertEquals(2, read().getEnvironment().size());
         Bundle.newProject(project.folder(), Progress.NONE);
         assertEquals("{crate=crate}", Bundle.importEnvironment(other, project.folder(), Progress.NONE).toString());
@@ -102,7 +114,8 @@ public class ImportTest {
             Bundle.importRobot(bundle, project.folder(), "nobody", Progress.NONE);
             fail("imported");
         } catch (IllegalArgumentException e) {
-            assertTrue(e.getMessage(), e.getMessage().contains("robot is \"nobody\", legal: a robot of") && e.getMessage().contains("[rover]"));
+            assertTrue(e.getMessage(), e.getMessage().contains("robot is \"nobody\", legal: a robot of")
+                && e.getMessage().contains("[rover]"));
         }
         try {
             Bundle.importEnvironment(Paths.get("nothere.sear"), project.folder(), Progress.NONE);

@@ -128,15 +128,18 @@ final class RawZip {
             out.writeBytes(local.array());
             out.writeBytes(entry.localName);
             out.writeBytes(entry.data);
-            ByteBuffer central = buffer(46).putInt(0x02014b50).putShort((short) (entry.madeBy << 8 | 20)).putShort((short) 20);
+            ByteBuffer central = buffer(46).putInt(0x02014b50).putShort((short) (entry.madeBy << 8 | 20))
+                .putShort((short) 20);
             common(central, entry).putShort((short) entry.name.length).putShort((short) entry.extra.length);
-            central.putShort((short) 0).putShort((short) 0).putShort((short) 0).putShort((short) 0).putShort((short) entry.unixMode);
+            central.putShort((short) 0).putShort((short) 0).putShort((short) 0).putShort((short) 0)
+                .putShort((short) entry.unixMode);
             central.putInt((int) offset);
             directory.writeBytes(central.array());
             directory.writeBytes(entry.name);
             directory.writeBytes(entry.extra);
         }
-        ByteBuffer end = buffer(22).putInt(0x06054b50).putInt(0).putShort((short) entries.size()).putShort((short) entries.size());
+        ByteBuffer end = buffer(22).putInt(0x06054b50).putInt(0).putShort((short) entries.size())
+            .putShort((short) entries.size());
         end.putInt(directory.size()).putInt(out.size()).putShort((short) 0);
         out.writeBytes(directory.toByteArray());
         out.writeBytes(end.array());
@@ -144,7 +147,8 @@ final class RawZip {
     }
 
     private static ByteBuffer common(ByteBuffer out, Entry entry) {
-        return out.putShort((short) entry.flags).putShort((short) entry.method).putInt(0x00210000).putInt(entry.crc).putInt((int) entry.packed)
+        return out.putShort((short) entry.flags).putShort((short) entry.method).putInt(0x00210000).putInt(entry.crc)
+            .putInt((int) entry.packed)
             .putInt((int) entry.size);
     }
 

@@ -126,7 +126,8 @@ public class TerrainBundleTest {
         assertEquals("everywhere 257 m", 257, loaded().getGround().height(36.486, -84.23), 1e-6);
         own("maps/maps.zip", Files.readAllBytes(zip));
         String told = assertThrows(ProjectException.class, () -> Bundle.save(project.folder(), bundle())).getMessage();
-        assertTrue(told, told.contains("entry is \"assets/maps/maps.zip\", legal: no archive inside a bundle; this is zip"));
+        assertTrue(told, told.contains("entry is \"assets/maps/maps.zip\", legal: no archive inside a "
+            + "bundle; this is zip"));
     }
 
     @Test
@@ -138,7 +139,8 @@ public class TerrainBundleTest {
             read.getGround();
             return read.getWarnings();
         })).getMessage();
-        assertTrue(told, told.contains("environment/jacksboro.xml:15: path is \"maps/jacksboro.tif\", legal: an elevation map that can be used ("));
+        assertTrue(told, told.contains("environment/jacksboro.xml:15: path is \"maps/jacksboro.tif\", legal: an "
+            + "elevation map that can be used ("));
         assertThrows(ProjectException.class, () -> Bundle.saveCut(project.folder(), bundle(), Progress.NONE));
     }
 }

@@ -33,7 +33,8 @@ public class DeletionTest extends EditedProject {
         return map("pin", pin, "part", part, "role", role);
     }
 
-    // ---- every kind of reference -------------------------------------------------------------------------------------------
+    // ---- every kind of reference
+    // -------------------------------------------------------------------------------------------
 
     /** A robot with a reference, the object to delete and the expected message. */
     private static final class Case {
@@ -56,7 +57,8 @@ public class DeletionTest extends EditedProject {
     private Map<String, Case> cases() {
         Map<String, Case> cases = new TreeMap<>();
         cases.put("SEARrobot.component", new Case("ping", null, () -> add("Distance", "ping", "beam", "laser")));
-        cases.put("Motor.wheel", new Case("left", "motor leftMotor was deleted with wheel left; Undo brings back both", () -> { }));
+        cases.put("Motor.wheel", new Case("left", "motor leftMotor was deleted with wheel left; Undo brings back both",
+            () -> { }));
         cases.put("Servo.part", new Case("ping", "servo pan lost its part ping; Undo brings back both", () -> {
             add("Distance", "ping", "beam", "laser");
             add("Compass", "north");
@@ -66,7 +68,8 @@ public class DeletionTest extends EditedProject {
             add("Box", "bar", "length", 0.2, "width", 0.02, "height", 0.02);
             add("Bumper", "touch", "part", "bar");
         }));
-        cases.put("Arduino.wire.part", new Case("ping", "arduino uno lost its wire to ping; Undo brings back both", () -> {
+        cases.put("Arduino.wire.part",
+            new Case("ping", "arduino uno lost its wire to ping; Undo brings back both", () -> {
             add("Distance", "ping", "beam", "laser");
             add("Led", "lamp");
             add("Arduino", "uno", "wire", List.of(wire("7", "ping", "ping"), wire("8", "lamp", "light")));
@@ -86,7 +89,8 @@ public class DeletionTest extends EditedProject {
     }
 
     /** Adds the parameters of an object or group that refer to parts. */
-    private static void addReferences(TreeSet<String> found, TreeSet<String> unknown, List<Object> all, Class<?> type, String path) {
+    private static void addReferences(TreeSet<String> found, TreeSet<String> unknown, List<Object> all, Class<?> type,
+        String path) {
         for (Parameter parameter : ParameterTable.of(type).getParameters()) {
             String name = path + "." + parameter.getName();
             if (parameter.getKind() == Parameter.Kind.GROUP) {
@@ -112,7 +116,8 @@ public class DeletionTest extends EditedProject {
                 addReferences(found, unknown, all, type, type.getSimpleName());
             }
         }
-        assertEquals("a beam is no object; any other parameter that is the name of something says so in its @Param", "[Distance.beam]",
+        assertEquals("a beam is no object; any other parameter that is the name of something says so in its @Param",
+            "[Distance.beam]",
             unknown.toString());
         assertEquals(new TreeSet<>(cases().keySet()), found);
     }
@@ -129,7 +134,8 @@ public class DeletionTest extends EditedProject {
             Map<String, String> after = objects();
             assertEquals(entry.getKey(), one.note, outcome.note);
             assertEquals(entry.getKey(), 1, Project.read(project.folder()).getRobots().size());
-            after.forEach((file, text) -> assertFalse(entry.getKey() + " in " + file, text.contains(">" + one.object + "<")));
+            after.forEach((file, text) -> assertFalse(entry.getKey() + " in " + file,
+                text.contains(">" + one.object + "<")));
             editor.undo();
             assertEquals(entry.getKey(), before, objects());
             editor.redo();
@@ -139,26 +145,32 @@ public class DeletionTest extends EditedProject {
         }
     }
 
-    // ---- what goes and what stays -------------------------------------------------------------------------------------------
+    // ---- what goes and what stays
+    // -------------------------------------------------------------------------------------------
 
     @Test
     public void aMotorStaysWhileItTurnsAnotherWheel() throws Exception {
         edit("do", "robot", "template", "car", "name", "rover");
-        assertEquals("motor engine lost its wheel rearLeft; Undo brings back both", edit("do", "delete", "object", "rearLeft").note);
+        assertEquals("motor engine lost its wheel rearLeft; Undo brings back both",
+            edit("do", "delete", "object", "rearLeft").note);
         assertEquals(List.of("rearRight"), value("rover/engine", "wheel"));
-        String refused = assertThrows(ProjectException.class, () -> edit("do", "delete", "object", "rearRight")).getMessage();
-        assertTrue(refused, refused.contains("legal: a steered wheel in front of or behind the axle of those that aren't steered"));
+        String refused = assertThrows(ProjectException.class, () -> edit("do", "delete", "object", "rearRight"))
+            .getMessage();
+        assertTrue(refused, refused.contains("legal: a steered wheel in front of or behind the axle of those that "
+            + "aren't steered"));
     }
 
     @Test
     public void objectsDeletedWithAPartAreForgotten() throws Exception {
         edit("do", "robot", "template", "rover", "name", "rover");
         add("Distance", "ping", "beam", "laser");
-        add("Arduino", "uno", "wire", List.of(wire("5", "leftMotor", "pwm"), wire("6", "leftMotor", "reverse"), wire("7", "ping", "ping")));
+        add("Arduino", "uno", "wire", List.of(wire("5", "leftMotor", "pwm"), wire("6", "leftMotor", "reverse"),
+            wire("7", "ping", "ping")));
         Map<String, String> before = objects();
         Outcome outcome = edit("do", "delete", "object", "left");
         assertEquals("delete left with motor leftMotor", outcome.words);
-        assertEquals("motor leftMotor was deleted with wheel left; arduino uno lost its wire to leftMotor; Undo brings back all of it", outcome.note);
+        assertEquals("motor leftMotor was deleted with wheel left; arduino uno lost its wire to leftMotor; Undo brings "
+            + "back all of it", outcome.note);
         assertEquals(List.of(wire("7", "ping", "ping")), value("rover/uno", "wire"));
         assertThrows(ProjectException.class, () -> editor.object("rover/leftMotor"));
         editor.undo();
@@ -183,7 +195,8 @@ public class DeletionTest extends EditedProject {
         edit("do", "mount", "object", "bar", "to", "rover");
         assertEquals("mounted where it is, it is the bumper's still", "bar", value("rover/touch", "part"));
         Map<String, String> before = objects();
-        assertEquals("bumper touch lost its part bar; Undo brings back both", edit("do", "unmount", "object", "rover/bar").note);
+        assertEquals("bumper touch lost its part bar; Undo brings back both",
+            edit("do", "unmount", "object", "rover/bar").note);
         assertNull(value("rover/touch", "part"));
         editor.undo();
         assertEquals(before, objects());
@@ -223,7 +236,8 @@ public class DeletionTest extends EditedProject {
         }
     }
 
-    // ---- with others ---------------------------------------------------------------------------------------------------------
+    // ---- with others
+    // ---------------------------------------------------------------------------------------------------------
 
     @Test
     public void changesOfAnotherPageAndByHandAreNotLost() throws Exception {
@@ -234,7 +248,8 @@ public class DeletionTest extends EditedProject {
         Map<String, String> before = objects();
         edit("do", "delete", "object", "rover/left");
         String refused = assertThrows(ProjectException.class, () -> other.apply(
-            map("do", "set", "object", "rover/leftMotor", "set", map("gearRatio", 4), "was", map("gearRatio", "3")))).getMessage();
+            map("do", "set", "object", "rover/leftMotor", "set", map("gearRatio", 4), "was", map("gearRatio", "3"))))
+            .getMessage();
         assertTrue(refused, refused.contains("it may have been deleted or renamed meanwhile"));
         other.apply(map("do", "set", "object", "rover/rightMotor", "set", map("gearRatio", 5)));
         assertEquals("change gearRatio of rightMotor", other.undo().words);
@@ -249,7 +264,8 @@ public class DeletionTest extends EditedProject {
         Map<String, String> before = objects();
         Outcome outcome = edit("do", "all", "edits",
             List.of(map("do", "delete", "object", "rover/left"), map("do", "delete", "object", "rover/right")));
-        assertEquals("motor leftMotor was deleted with wheel left; motor rightMotor was deleted with wheel right; Undo brings back all of it",
+        assertEquals("motor leftMotor was deleted with wheel left; motor rightMotor was deleted with wheel right; Undo "
+            + "brings back all of it",
             outcome.note);
         editor.undo();
         assertEquals(before, objects());

@@ -51,7 +51,8 @@ public class GrammarTest {
                 assertEquals(known.get(k).getUnit(), one.get("unit"));
                 assertEquals(known.get(k).legal(), one.get("legal"));
                 boolean group = known.get(k).getKind() == Parameter.Kind.GROUP;
-                assertTrue(type.get("type") + "." + one.get("name"), !group || one.containsKey("parameters") || one.get("name").equals("wheel"));
+                assertTrue(type.get("type") + "." + one.get("name"), !group || one.containsKey("parameters")
+                    || one.get("name").equals("wheel"));
             }
         }
     }
@@ -66,7 +67,8 @@ public class GrammarTest {
             }
             Map<String, Object> values = new HashMap<>();
             for (Map<String, Object> parameter : parameters(type)) {
-                if (Boolean.TRUE.equals(parameter.get("required")) && "".equals(parameter.get("initial")) && !parameter.get("name").equals("name")) {
+                if (Boolean.TRUE.equals(parameter.get("required")) && "".equals(parameter.get("initial"))
+                    && !parameter.get("name").equals("name")) {
                     values.put((String) parameter.get("name"), "models/tree.j3o");
                 }
             }
@@ -83,7 +85,8 @@ public class GrammarTest {
                 Outcome outcome = editor.apply(edit);
                 assertEquals(type.get("type"), editor.object(outcome.object).get("type"));
             }
-            assertTrue(type.get("type") + " has only files without an initial value", !file || values.keySet().equals(Set.of("path")));
+            assertTrue(type.get("type") + " has only files without an initial value", !file || values.keySet()
+                .equals(Set.of("path")));
         }
     }
 

@@ -53,10 +53,12 @@ public class JointEditsTest extends EditedProject {
     @Test
     public void wrongJointsAreReported() throws Exception {
         door();
-        project.put("environment/hinge.xml", project.text("environment/hinge.xml").replace("<first>frame</first>", "<first>wall</first>"));
+        project.put("environment/hinge.xml", project.text("environment/hinge.xml")
+            .replace("<first>frame</first>", "<first>wall</first>"));
         String said = assertThrows(ProjectException.class, () -> Project.read(project.folder())).getMessage();
         assertTrue(said, said.contains("\"wall\", legal: the name of an object of the environment or of a robot"));
-        project.put("environment/hinge.xml", project.text("environment/hinge.xml").replace("<first>wall</first>", "<first>door</first>"));
+        project.put("environment/hinge.xml", project.text("environment/hinge.xml")
+            .replace("<first>wall</first>", "<first>door</first>"));
         said = assertThrows(ProjectException.class, () -> Project.read(project.folder())).getMessage();
         assertTrue(said, said.contains("legal: another object than the first"));
         Box wall = new Box("wall", 1, 1, 1);
@@ -65,6 +67,7 @@ public class JointEditsTest extends EditedProject {
         said = assertThrows(ProjectException.class, () -> Project.read(project.folder())).getMessage();
         assertTrue(said, said.contains("connects only fixed ones, and setMass(kg) makes one movable"));
         said = assertThrows(IllegalArgumentException.class, () -> new Hinge("loose", wall, null)).getMessage();
-        assertEquals("Hinge \"loose\": the second object is missing (None), legal: an object or robot; None as the first object is the world", said);
+        assertEquals("Hinge \"loose\": the second object is missing (None), legal: an object or robot; None as the "
+            + "first object is the world", said);
     }
 }

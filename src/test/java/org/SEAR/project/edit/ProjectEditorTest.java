@@ -31,7 +31,8 @@ public class ProjectEditorTest extends EditedProject {
         return assertThrows(ProjectException.class, () -> edit(pairs)).getMessage();
     }
 
-    // ---- like scripts ------------------------------------------------------------------------------------------------------
+    // ---- like scripts
+    // ------------------------------------------------------------------------------------------------------
 
     /** An object that a script still holds can't recreate a renamed or deleted object under its old name. */
     @Test
@@ -41,10 +42,12 @@ public class ProjectEditorTest extends EditedProject {
         edit("do", "rename", "object", "crate", "name", "chest");
         edit("do", "delete", "object", "rover");
         Map<String, String> before = objects();
-        for (ThrowingRunnable change : List.<ThrowingRunnable>of(() -> crate.move(0, 1, 0), () -> crate.setMass(2), () -> rover.move(0, 1, 0),
+        for (ThrowingRunnable change : List.<ThrowingRunnable>of(() -> crate.move(0, 1, 0), () -> crate.setMass(2),
+            () -> rover.move(0, 1, 0),
             () -> rover.getWheels().get(0).setRollers(45))) {
             String said = assertThrows(IllegalStateException.class, change).getMessage();
-            assertTrue(said, said.matches("(Box \"crate\"|SEARrobot \"rover\"|Wheel \".*\") is not in the project: since this object was created it"
+            assertTrue(said, said.matches("(Box \"crate\"|SEARrobot \"rover\"|Wheel \".*\") is not in the project: "
+                + "since this object was created it"
                 + " was deleted or renamed there, or another project was opened; sear\\.edit.*"));
         }
         assertEquals(before, objects());
@@ -61,11 +64,13 @@ public class ProjectEditorTest extends EditedProject {
         robot.addComponent(new Compass("compass"));
         Map<String, String> script = project.files();
         ProjectSwap.delete(project.folder());
-        edit("do", "add", "type", "Box", "name", "crate", "set", map("length", 0.5, "width", "0.4", "height", 0.3, "mass", 2, "x", 1));
+        edit("do", "add", "type", "Box", "name", "crate", "set",
+            map("length", 0.5, "width", "0.4", "height", 0.3, "mass", 2, "x", 1));
         edit("do", "set", "object", "crate", "set", map("y", 0.15, "z", -2, "color", "red"));
         edit("do", "robot", "template", "create2", "name", "rosie");
         edit("do", "set", "object", "rosie", "set", map("x", 1, "z", 2));
-        edit("do", "add", "type", "Distance", "name", "ping", "to", "rosie", "set", map("beam", "PING)))", "y", 0.1, "z", 0.17, "ry", 15));
+        edit("do", "add", "type", "Distance", "name", "ping", "to", "rosie", "set",
+            map("beam", "PING)))", "y", 0.1, "z", 0.17, "ry", 15));
         edit("do", "add", "type", "Compass", "name", "compass", "to", "rosie");
         assertEquals(script, objects());
         Project.read(project.folder());
@@ -80,7 +85,8 @@ public class ProjectEditorTest extends EditedProject {
         assertEquals("create2", edit("do", "duplicate", "object", "create1").object);
         assertEquals("create2/lidar1", editor.object("create2/lidar1").get("object"));
         assertEquals("LIDAR", editor.object("create1/lidar1").get("type"));
-        assertTrue(assertThrows(ProjectException.class, () -> editor.object("lidar1")).getMessage().contains("create1/lidar1 or create2/lidar1"));
+        assertTrue(assertThrows(ProjectException.class, () -> editor.object("lidar1")).getMessage()
+            .contains("create1/lidar1 or create2/lidar1"));
         assertEquals("2", value("create2", "order"));
         Project.read(project.folder());
     }
@@ -107,18 +113,21 @@ public class ProjectEditorTest extends EditedProject {
     public void referencesFollowARenamedPartInTheSameStep() throws Exception {
         for (String robot : List.of("rover", "other")) {
             edit("do", "robot", "template", "create", "name", robot);
-            edit("do", "add", "type", "Motor", "name", "engine", "to", robot, "set", map("wheel", List.of("right", "left")));
+            edit("do", "add", "type", "Motor", "name", "engine", "to", robot, "set",
+                map("wheel", List.of("right", "left")));
             edit("do", "add", "type", "Distance", "name", "eye", "to", robot);
             edit("do", "add", "type", "Servo", "name", "neck", "to", robot, "set", map("part", List.of("eye")));
             edit("do", "add", "type", "Servo", "name", "helm", "to", robot);
             edit("do", "add", "type", "Bumper", "name", "touch", "to", robot, "set", map("part", "body"));
-            edit("do", "add", "type", "Wheel", "name", "fifth", "to", robot, "set", map("type", 2, "z", 0.3, "steeringServo", "helm"));
+            edit("do", "add", "type", "Wheel", "name", "fifth", "to", robot, "set",
+                map("type", 2, "z", 0.3, "steeringServo", "helm"));
             edit("do", "add", "type", "Arduino", "name", "board", "to", robot, "set", map("wire", List.of(
                 map("pin", 7, "part", "eye", "role", "ping"), map("pin", 9, "part", "neck", "role", "servo"),
                 map("pin", 5, "part", "engine", "role", "pwm"))));
         }
         Map<String, String> before = objects();
-        List<String> renamed = List.of("left", "port", "eye", "sonar", "neck", "pan", "engine", "drivetrain", "helm", "rudder",
+        List<String> renamed = List.of("left", "port", "eye", "sonar", "neck", "pan", "engine", "drivetrain",
+            "helm", "rudder",
             "body", "hull");
         for (int i = 0; i < renamed.size(); i += 2) {
             edit("do", "rename", "object", "rover/" + renamed.get(i), "name", renamed.get(i + 1));
@@ -128,7 +137,8 @@ public class ProjectEditorTest extends EditedProject {
         assertEquals(List.of("sonar"), value("rover/pan", "part"));
         assertEquals("rudder", value("rover/fifth", "steeringServo"));
         assertEquals("hull", value("rover/touch", "part"));
-        assertEquals(List.of(map("pin", "7", "part", "sonar", "role", "ping"), map("pin", "9", "part", "pan", "role", "servo"),
+        assertEquals(List.of(map("pin", "7", "part", "sonar", "role", "ping"),
+            map("pin", "9", "part", "pan", "role", "servo"),
             map("pin", "5", "part", "drivetrain", "role", "pwm")), value("rover/board", "wire"));
         assertEquals("another robot's parts are others", List.of("right", "left"), value("other/engine", "wheel"));
         assertEquals(List.of("eye"), value("other/neck", "part"));
@@ -142,18 +152,21 @@ public class ProjectEditorTest extends EditedProject {
     public void thingsAreMountedAndTakenOff() throws Exception {
         edit("do", "robot", "template", "create", "name", "rover");
         edit("do", "add", "type", "Box", "name", "mast", "set", map("x", 3, "onGround", true));
-        assertEquals("rover/mast", edit("do", "mount", "object", "mast", "to", "rover", "set", map("x", 0, "y", 0.2)).object);
+        assertEquals("rover/mast", edit("do", "mount", "object", "mast", "to", "rover", "set",
+            map("x", 0, "y", 0.2)).object);
         assertFalse(Files.exists(project.folder().resolve("environment/mast.xml")));
         Project.read(project.folder());
         assertEquals("mast", edit("do", "unmount", "object", "rover/mast", "set", map("x", 3)).object);
         assertEquals("3", value("mast", "x"));
         edit("do", "add", "type", "Compass", "name", "north", "to", "rover");
-        assertTrue(refusal("do", "unmount", "object", "rover/north").contains("legal: a shape: a Compass can't stand in the world without a robot"));
+        assertTrue(refusal("do", "unmount", "object", "rover/north")
+            .contains("legal: a shape: a Compass can't stand in the world without a robot"));
         edit("do", "robot", "template", "create", "name", "other");
         edit("do", "mount", "object", "rover/north", "to", "other");
         assertEquals("other", editor.object("north").get("robot"));
         edit("do", "delete", "object", "rover");
-        assertEquals(List.of("environment/mast.xml", "robot/north.xml", "robot/other.xml", "robot/other/body.xml", "robot/other/drive.xml"),
+        assertEquals(List.of("environment/mast.xml", "robot/north.xml", "robot/other.xml", "robot/other/body.xml",
+            "robot/other/drive.xml"),
             List.copyOf(objects().keySet()));
     }
 
@@ -161,37 +174,49 @@ public class ProjectEditorTest extends EditedProject {
     public void groupsAndListsAreSetAsAWhole() throws Exception {
         edit("do", "robot", "template", "create", "name", "rover");
         edit("do", "add", "type", "Distance", "name", "sonar", "to", "rover", "set",
-            map("beam", null, "cone", Arrays.asList(map("halfAngle", 10, "range", 2), map("halfAngle", "0", "range", "4", "yaw", 30))));
+            map("beam", null, "cone", Arrays.asList(map("halfAngle", 10, "range", 2),
+                map("halfAngle", "0", "range", "4", "yaw", 30))));
         assertEquals("4", ((Map<?, ?>) ((List<?>) value("sonar", "cone")).get(1)).get("range"));
-        assertTrue(refusal("do", "set", "object", "sonar", "set", map("cone", List.of(map("halfAngle", 100, "range", 1))))
+        assertTrue(refusal("do", "set", "object", "sonar", "set",
+            map("cone", List.of(map("halfAngle", 100, "range", 1))))
             .contains("cone#0.halfAngle is \"100\", legal: a number from 0 to 90 deg"));
-        assertTrue(refusal("do", "set", "object", "sonar", "set", map("cone", List.of(map("range", 1)))).contains("cone#0.halfAngle is \"\""));
+        assertTrue(refusal("do", "set", "object", "sonar", "set", map("cone", List.of(map("range", 1))))
+            .contains("cone#0.halfAngle is \"\""));
         edit("do", "set", "object", "sonar", "set", map("beam", "PING)))", "cone", List.of()));
         assertNull(((List<?>) value("sonar", "cone")).stream().findFirst().orElse(null));
     }
 
-    // ---- refusals ----------------------------------------------------------------------------------------------------------
+    // ---- refusals
+    // ----------------------------------------------------------------------------------------------------------
 
     @Test
     public void illegalEditsAreReportedAtTheirFieldAndChangeNothing() throws Exception {
         edit("do", "add", "type", "Box", "name", "crate");
         Map<String, String> before = project.files();
         assertEquals("environment/crate.xml: length is \"-1\", legal: a number from 0.0001 to 100000 m\n"
-            + "environment/crate.xml: colour is \"red\", legal: no such parameter, but name, x, y, z, rx, ry, rz, onGround, placeLatitude,"
-            + " placeLongitude, mass, image, color, scaleX, scaleY, scaleZ, visibleToSensors, friction, restitution, rollingFriction, velocityX,"
+            + "environment/crate.xml: colour is \"red\", legal: no such parameter, but name, x, y, z, rx, ry, rz, "
+            + "onGround, placeLatitude,"
+            + " placeLongitude, mass, image, color, scaleX, scaleY, scaleZ, visibleToSensors, friction, restitution, "
+            + "rollingFriction, velocityX,"
             + " velocityY, velocityZ, spinX, spinY, spinZ, temperature, length,"
             + " width, height", refusal("do", "set", "object", "crate", "set", map("length", -1, "colour", "red")));
-        assertTrue(refusal("do", "set", "object", "crate", "set", map("length", "")).contains("length is \"\", legal: a number"));
-        assertTrue(refusal("do", "set", "object", "crate", "set", map("placeLatitude", 5)).contains("legal: both placeLatitude and placeLongitude"));
+        assertTrue(refusal("do", "set", "object", "crate", "set", map("length", ""))
+            .contains("length is \"\", legal: a number"));
+        assertTrue(refusal("do", "set", "object", "crate", "set", map("placeLatitude", 5))
+            .contains("legal: both placeLatitude and placeLongitude"));
         assertTrue(refusal("do", "set", "object", "crate", "set", map("name", "x")).contains("rename"));
-        assertTrue(refusal("do", "rename", "object", "crate", "name", "a/b").contains("name is \"a/b\", legal: a name of 1 to 100"));
+        assertTrue(refusal("do", "rename", "object", "crate", "name", "a/b")
+            .contains("name is \"a/b\", legal: a name of 1 to 100"));
         assertTrue(refusal("do", "add", "type", "Box", "name", "crate")
             .contains("a name that no other object has, case-insensitively, such as crate1"));
-        assertTrue(refusal("do", "add", "type", "Box", "name", "CRATE").contains("name is \"CRATE\", legal: a name that no other"));
+        assertTrue(refusal("do", "add", "type", "Box", "name", "CRATE")
+            .contains("name is \"CRATE\", legal: a name that no other"));
         assertTrue(refusal("do", "add", "type", "Bax").contains("type is \"Bax\", legal: Accelerometer, "));
         assertTrue(refusal("do", "add", "type", "Compass").contains("the name of a robot: a Compass is a part of one"));
-        assertTrue(refusal("do", "add", "type", "Compass", "to", "../x").contains("to is \"../x\", legal: the name of a robot, and there is none"));
-        assertTrue(refusal("do", "set", "object", "../../crate", "set", map()).contains("legal: the name of an object of the project"));
+        assertTrue(refusal("do", "add", "type", "Compass", "to", "../x")
+            .contains("to is \"../x\", legal: the name of a robot, and there is none"));
+        assertTrue(refusal("do", "set", "object", "../../crate", "set", map())
+            .contains("legal: the name of an object of the project"));
         assertTrue(refusal("do", "add", "type", "Model").contains("path"));
         assertTrue(refusal("do", "fly").contains("do is \"fly\", legal: add, robot"));
         assertTrue(refusal().contains("do is \"\""));
@@ -203,7 +228,8 @@ public class ProjectEditorTest extends EditedProject {
         project.put("environment/broken.xml", "<Box><name>broken</name></Box>");
         edit("do", "add", "type", "Sphere", "name", "ball");
         edit("do", "set", "object", "ball", "set", map("radius", 2));
-        assertTrue(refusal("do", "set", "object", "ball", "set", map("radius", 0)).startsWith("environment/ball.xml: radius is \"0\""));
+        assertTrue(refusal("do", "set", "object", "ball", "set", map("radius", 0))
+            .startsWith("environment/ball.xml: radius is \"0\""));
         edit("do", "delete", "object", "ball");
         assertEquals(1, objects().size());
     }
@@ -215,13 +241,15 @@ public class ProjectEditorTest extends EditedProject {
         edit("do", "set", "object", "crate", "set", map("z", 2), "was", map("z", "0"));
         String refusal = refusal("do", "set", "object", "crate", "set", map("x", 5), "was", map("x", "0"));
         assertTrue(refusal, refusal.contains("x is \"5\", legal: a value based on the present one, 1"));
-        assertEquals("nothing is done that was done already", "", edit("do", "set", "object", "crate", "set", map("x", 1), "was", map("x", 0)).words);
+        assertEquals("nothing is done that was done already", "",
+            edit("do", "set", "object", "crate", "set", map("x", 1), "was", map("x", 0)).words);
         edit("do", "set", "object", "crate", "set", map("color", "red"), "was", map("color", ""));
         assertEquals("1", value("crate", "x"));
         assertEquals("2", value("crate", "z"));
     }
 
-    // ---- undo --------------------------------------------------------------------------------------------------------------
+    // ---- undo
+    // --------------------------------------------------------------------------------------------------------------
 
     @Test
     public void undoOfAllStepsGivesTheEmptyProjectAndRedoEverythingBack() throws Exception {
@@ -266,7 +294,8 @@ public class ProjectEditorTest extends EditedProject {
         editor.undo();
         assertEquals("0", value("crate", "x"));
         project.put("environment/crate.xml", hand);
-        assertTrue(assertThrows(IllegalStateException.class, editor::redo).getMessage().contains("came after the undo"));
+        assertTrue(assertThrows(IllegalStateException.class, editor::redo).getMessage()
+            .contains("came after the undo"));
         edit("do", "set", "object", "crate", "set", map("z", 1));
         editor.undo();
         assertEquals(hand, project.text("environment/crate.xml"));
@@ -297,9 +326,11 @@ public class ProjectEditorTest extends EditedProject {
     public void theNumberOfStepsIsBounded() throws Exception {
         edit("do", "add", "type", "Sphere", "name", "ball");
         for (int i = 1; i <= EditJournal.MAX_STEPS + 5; i++) {
-            Files.write(project.folder().resolve(".edits/" + i + ".step"), new UndoStep("step " + i, List.of()).toBytes());
+            Files.write(project.folder().resolve(".edits/" + i + ".step"), new UndoStep("step " + i, List.of())
+                .toBytes());
         }
-        Files.write(project.folder().resolve(".edits/state"), ("done " + (EditJournal.MAX_STEPS + 5) + "\n").getBytes("UTF-8"));
+        Files.write(project.folder().resolve(".edits/state"), ("done " + (EditJournal.MAX_STEPS + 5) + "\n")
+            .getBytes("UTF-8"));
         edit("do", "set", "object", "ball", "set", map("x", 1));
         try (Stream<Path> files = Files.list(project.folder().resolve(".edits"))) {
             assertEquals(EditJournal.MAX_STEPS + 1, files.count());
@@ -319,11 +350,13 @@ public class ProjectEditorTest extends EditedProject {
     @Test
     public void severalEditsAreOneStep() throws Exception {
         edit("do", "all", "words", "build a wall", "edits", List.of(map("do", "add", "type", "Box", "name", "a"),
-            map("do", "duplicate", "object", "a", "name", "b", "set", map("x", 1)), map("do", "set", "object", "b", "set", map("mass", 1))));
+            map("do", "duplicate", "object", "a", "name", "b", "set", map("x", 1)),
+                map("do", "set", "object", "b", "set", map("mass", 1))));
         assertEquals(2, objects().size());
         assertEquals("build a wall", editor.undo().words);
         assertEquals(Map.of(), objects());
-        assertTrue(refusal("do", "all", "edits", List.of(map("do", "add", "type", "Box", "name", "a"), map("do", "delete", "object", "c")))
+        assertTrue(refusal("do", "all", "edits",
+            List.of(map("do", "add", "type", "Box", "name", "a"), map("do", "delete", "object", "c")))
             .contains("object is \"c\""));
         assertEquals(Map.of(), objects());
     }

@@ -30,9 +30,11 @@ final class BlendFile {
         "MEdge int v1 int v2 char crease char bweight short flag",
         "MLoop int v int e",
         "MPoly int loopstart int totloop short mat_nr char flag char pad",
-        "Mesh ID id void **mat MPoly *mpoly MLoop *mloop void *mface MVert *mvert MEdge *medge void *dvert void *mcol void *mloopcol"
+        "Mesh ID id void **mat MPoly *mpoly MLoop *mloop void *mface MVert *mvert MEdge *medge void *dvert void *mcol "
+        + "void *mloopcol"
             + " CustomData fdata CustomData ldata int totvert int totedge int totloop int totpoly",
-        "Object ID id short type char restrictflag char pad int lay void *parent void *data void *action void *pose float size[3] float obmat[4][4]"
+        "Object ID id short type char restrictflag char pad int lay void *parent void *data void *action void *pose "
+            + "float size[3] float obmat[4][4]"
             + " int pad2 ListBase modifiers ListBase defbase ListBase constraints",
         "Base Base *next Base *prev Object *object",
         "Scene ID id ListBase base",
@@ -229,13 +231,15 @@ final class BlendFile {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         out.writeBytes(HEADER.getBytes(StandardCharsets.US_ASCII));
         List<String> structures = new ArrayList<>(offsets.keySet());
-        blocks.forEach(block -> write(out, block.code, block.address, structures.indexOf(block.type), block.count, block.bytes.array()));
+        blocks.forEach(block -> write(out, block.code, block.address, structures.indexOf(block.type), block.count,
+            block.bytes.array()));
         write(out, "DNA1", 0, 0, 1, description());
         write(out, "ENDB", 0, 0, 0, new byte[0]);
         return out.toByteArray();
     }
 
-    private static void write(ByteArrayOutputStream out, String code, long address, int structure, int count, byte[] data) {
+    private static void write(ByteArrayOutputStream out, String code, long address, int structure, int count,
+        byte[] data) {
         int size = (data.length + 3) / 4 * 4;
         ByteBuffer block = little(24 + size);
         block.put(code.getBytes(StandardCharsets.US_ASCII)).position(4);

@@ -57,12 +57,14 @@ public class BlendFormatTest {
             "m.blend: the number of faces after the Subsurf modifier of the object solid is 1572864, legal: at "
             + "most 250000");
         project.with("m.blend", BlendFile.modified(CUBE, SIDES, "Subsurf", 7)).refuses("m.blend",
-            "m.blend: the number of faces of subdivided objects, up to the Subsurf modifier of the object solid, is 98304, legal: at most 25000:"
+            "m.blend: the number of faces of subdivided objects, up to the Subsurf modifier of the object solid, is "
+            + "98304, legal: at most 25000:"
             + " lower its levels or count, apply it in Blender, or export .glb");
         project.with("m.blend", BlendFile.modified(CUBE, SIDES, "Array", 1_000_000)).refuses("m.blend",
             "modifier of the object solid is 6000000");
         project.with("m.blend", BlendFile.modified(CUBE, SIDES, "Array", 3000)).refuses("m.blend",
-            "m.blend: the product of faces and copies, up to the Array modifier of the object solid, is 54000000, legal: at most 30000000: lower");
+            "m.blend: the product of faces and copies, up to the Array modifier of the object solid, is 54000000, "
+                + "legal: at most 30000000: lower");
         load(BlendFile.modified(CUBE, SIDES, "Bevel", 0)).hasVolume(1);
         assertEquals(Arrays.asList("model m.blend: the Bevel modifier of the object solid is left out: apply it in "
             + "Blender, or export .glb"),

@@ -20,7 +20,8 @@ import java.util.zip.GZIPOutputStream;
 
 /** Models and pictures with one error each, and their messages. */
 public final class BrokenModels {
-    static final ModelFiles TRIANGLE = new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 2}, 1, 0, -3);
+    static final ModelFiles TRIANGLE = new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0},
+        new int[] {0, 1, 2}, 1, 0, -3);
 
     /** File content by file name. */
     public final Map<String, byte[]> files = new LinkedHashMap<>();
@@ -65,7 +66,8 @@ public final class BrokenModels {
         for (int i = 0; i < corners; i++) {
             double angle = 2 * Math.PI * i / corners;
             double radius = 1 + i % 2;
-            text.append("v ").append(radius * Math.cos(angle)).append(" 0 ").append(radius * Math.sin(angle)).append('\n');
+            text.append("v ").append(radius * Math.cos(angle)).append(" 0 ").append(radius * Math.sin(angle))
+                .append('\n');
             face.append(' ').append(i + 1);
         }
         return text.append(face).append('\n').toString();
@@ -86,11 +88,14 @@ public final class BrokenModels {
         put("short-vertex.obj", "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1 is v 0 0, legal");
         put("no-faces.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "no triangles");
         put("empty.obj", "", "the file's size is 0");
-        put("face-first.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", "line 1 is 1, legal: none, for there is no v line before it");
-        put("commas.obj", "v 0 0 0\nv 1,5 0 0\nv 0 1 0\nf 1 2 3\n", "line 2 is v 1,5 0 0, legal: v and three numbers with decimal points");
+        put("face-first.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", "line 1 is 1, legal: none, for there is no v "
+            + "line before it");
+        put("commas.obj", "v 0 0 0\nv 1,5 0 0\nv 0 1 0\nf 1 2 3\n", "line 2 is v 1,5 0 0, legal: v and three numbers "
+            + "with decimal points");
         put("no-such-place.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/2\n",
             "a corner of the face in line 5 is 3/2, legal: the number of a vt line before it, 1 to 1");
-        put("no-normals.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//1 3//1\n", "line 4 is 1//1, legal: none, for there is no vn line before it");
+        put("no-normals.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//1 3//1\n", "line 4 is 1//1, legal: none, for there "
+            + "is no vn line before it");
         put("star.obj", star(1200),
             "the number of corners of the face in line 1201, which is not convex, is 1200, legal: 3 to 1000");
     }
@@ -108,8 +113,10 @@ public final class BrokenModels {
 
     private void gltfNodes() throws IOException {
         String nodes = "\"nodes\":[{\"mesh\":0";
-        put("cycle.gltf", gltf(nodes, "\"nodes\":[{\"children\":[0],\"mesh\":0"), "nodes[0] is nested without end or too deep");
-        put("cycle-of-two.gltf", gltf(nodes, "\"nodes\":[{\"children\":[1]},{\"children\":[0],\"mesh\":0"), "nested without end or too deep");
+        put("cycle.gltf", gltf(nodes, "\"nodes\":[{\"children\":[0],\"mesh\":0"),
+            "nodes[0] is nested without end or too deep");
+        put("cycle-of-two.gltf", gltf(nodes, "\"nodes\":[{\"children\":[1]},{\"children\":[0],\"mesh\":0"),
+            "nested without end or too deep");
         put("two-parents.gltf", gltf(nodes, "\"nodes\":[{\"children\":[2,1]},{\"children\":[2]},{\"mesh\":0"),
             "nodes[1].children is 2, legal: a node that has no other parent");
         put("child-twice.gltf", gltf(nodes, "\"nodes\":[{\"children\":[1,1]},{\"mesh\":0"),
@@ -121,12 +128,17 @@ public final class BrokenModels {
             deep.append("{\"children\":[" + i + "]},");
         }
         put("doubling.gltf", gltf(nodes, doubling + "{\"mesh\":0"), "a node that has no other parent");
-        put("deep.gltf", gltf(nodes, deep + "{\"mesh\":0"), "nested without end or too deep, legal: a tree at most 100 deep");
-        put("many-nodes.gltf", gltf(nodes, "\"nodes\":[" + "{},".repeat(10_000) + "{\"mesh\":0"), "the number of nodes is 10001, legal: 0 to 10000");
-        put("no-such-child.gltf", gltf(nodes, "\"nodes\":[{\"children\":[7],\"mesh\":0"), "nodes[0].children is 7, legal: 0 to 0");
+        put("deep.gltf", gltf(nodes, deep + "{\"mesh\":0"), "nested without end or too deep, legal: a tree at "
+            + "most 100 deep");
+        put("many-nodes.gltf", gltf(nodes, "\"nodes\":[" + "{},".repeat(10_000) + "{\"mesh\":0"),
+            "the number of nodes is 10001, legal: 0 to 10000");
+        put("no-such-child.gltf", gltf(nodes, "\"nodes\":[{\"children\":[7],\"mesh\":0"),
+            "nodes[0].children is 7, legal: 0 to 0");
         put("no-such-mesh.gltf", gltf(nodes, "\"nodes\":[{\"mesh\":3"), "nodes[0].mesh is 3, legal: 0 to 0");
-        put("no-such-node.gltf", gltf("\"scenes\":[{\"nodes\":[0]", "\"scenes\":[{\"nodes\":[4]"), "scenes[0].nodes is 4, legal: 0 to 0");
-        put("shown-twice.gltf", gltf("\"scenes\":[{\"nodes\":[0]", "\"scenes\":[{\"nodes\":[0,0]"), "at most once in a scene");
+        put("no-such-node.gltf", gltf("\"scenes\":[{\"nodes\":[0]", "\"scenes\":[{\"nodes\":[4]"),
+            "scenes[0].nodes is 4, legal: 0 to 0");
+        put("shown-twice.gltf", gltf("\"scenes\":[{\"nodes\":[0]", "\"scenes\":[{\"nodes\":[0,0]"),
+            "at most once in a scene");
         put("no-such-scene.gltf", gltf("\"scene\":0", "\"scene\":-1"), "scene is -1, legal: 0 to 0");
         put("nan-place.gltf", gltf("\"translation\":[1.0", "\"translation\":[\"NaN\""), "legal: a finite number");
         put("far-place.gltf", gltf("\"translation\":[1.0", "\"translation\":[1e12"), "legal: a finite number");
@@ -135,19 +147,24 @@ public final class BrokenModels {
     }
 
     private void gltfBuffers() throws IOException {
-        put("long-buffer.gltf", gltf("\"byteLength\":48}", "\"byteLength\":2000000000}"), "buffers[0].byteLength is 2000000000, legal: 0 to 48");
+        put("long-buffer.gltf", gltf("\"byteLength\":48}", "\"byteLength\":2000000000}"),
+            "buffers[0].byteLength is 2000000000, legal: 0 to 48");
         put("negative-buffer.gltf", gltf("\"byteLength\":48}", "\"byteLength\":-1}"), "buffers[0].byteLength is -1");
-        put("short-buffer.gltf", gltf("\"byteLength\":48}", "\"byteLength\":40}"), "bufferViews[1].byteLength is 12, legal: 0 to 4");
-        put("missing-file.gltf", gltf("data:application/octet-stream;base64,", "nothere.bin?"), "a buffer's uri is nothere.bin?");
+        put("short-buffer.gltf", gltf("\"byteLength\":48}", "\"byteLength\":40}"),
+            "bufferViews[1].byteLength is 12, legal: 0 to 4");
+        put("missing-file.gltf", gltf("data:application/octet-stream;base64,", "nothere.bin?"),
+            "a buffer's uri is nothere.bin?");
         put("no-data.gltf", gltf("data:application/octet-stream;base64,", "data:"), "buffers[0].uri");
-        put("no-such-buffer.gltf", gltf("{\"buffer\":0,\"byteLength\"", "{\"buffer\":5,\"byteLength\""), "bufferViews[0].buffer is 5, legal: 0 to 0");
+        put("no-such-buffer.gltf", gltf("{\"buffer\":0,\"byteLength\"", "{\"buffer\":5,\"byteLength\""),
+            "bufferViews[0].buffer is 5, legal: 0 to 0");
         put("view-behind-the-end.gltf", gltf("\"byteOffset\":36", "\"byteOffset\":4000"),
             "bufferViews[1].byteOffset is 4000, legal: a whole number from 0 to 48");
         put("many-elements.gltf", gltf("\"count\":3,\"type\":\"VEC3\"", "\"count\":2000000000,\"type\":\"VEC3\""),
             "accessors[0].count is 2000000000, legal: 1 to 12000000");
         put("more-elements-than-bytes.gltf", gltf("\"count\":3,\"type\":\"VEC3\"", "\"count\":4,\"type\":\"VEC3\""),
             "accessors[0].count is 4, legal: 1 to 3");
-        put("no-such-view.gltf", gltf("{\"bufferView\":1", "{\"bufferView\":9"), "accessors[1].bufferView is 9, legal: 0 to 1");
+        put("no-such-view.gltf", gltf("{\"bufferView\":1", "{\"bufferView\":9"),
+            "accessors[1].bufferView is 9, legal: 0 to 1");
         put("odd-component.gltf", gltf("\"componentType\":5125", "\"componentType\":1"), "accessors[1] is");
         put("odd-type.gltf", gltf("\"type\":\"VEC3\"", "\"type\":\"VEC9\""), "accessors[0] is");
     }
@@ -161,33 +178,43 @@ public final class BrokenModels {
             "meshes[0].primitives[0].attributes is missing, legal: a JSON object");
         String material = "\"asset\"";
         for (String packed : new String[] {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
-            put(packed + ".gltf", gltf(material, "\"extensionsRequired\":[\"" + packed + "\"],\"asset\""), "a required extension is " + packed
+            put(packed + ".gltf", gltf(material, "\"extensionsRequired\":[\"" + packed + "\"],\"asset\""),
+                "a required extension is " + packed
                 + ", legal: one of KHR_lights_punctual, KHR_materials_pbrSpecularGlossiness, KHR_materials_unlit,"
                 + " KHR_mesh_quantization, KHR_texture_transform: export it"
                 + " without compression");
         }
-        put("no-such-image.gltf", gltf(material, "\"images\":[{\"uri\":\"a.png\"}],\"textures\":[{\"source\":1}],\"asset\""),
+        put("no-such-image.gltf", gltf(
+            material, "\"images\":[{\"uri\":\"a.png\"}],\"textures\":[{\"source\":1}],\"asset\""),
             "textures[0].source is 1, legal: 0 to 0");
-        put("image-in-no-view.gltf", gltf(material, "\"images\":[{\"bufferView\":7}],\"asset\""), "images[0].bufferView is 7, legal: 0 to 1");
-        put("no-such-sampler.gltf", gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":2,\"target\":{}}]}],\"asset\""),
+        put("image-in-no-view.gltf", gltf(material, "\"images\":[{\"bufferView\":7}],\"asset\""),
+            "images[0].bufferView is 7, legal: 0 to 1");
+        put("no-such-sampler.gltf", gltf(
+            material, "\"animations\":[{\"channels\":[{\"sampler\":2,\"target\":{}}]}],\"asset\""),
             "animations[0].channels.sampler is 2, legal: nothing");
-        put("moves-nothing.gltf", gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":0}],\"samplers\":[{}]}],\"asset\""),
+        put("moves-nothing.gltf", gltf(
+            material, "\"animations\":[{\"channels\":[{\"sampler\":0}],\"samplers\":[{}]}],\"asset\""),
             "animations[0].channels.target is missing, legal: a JSON object");
-        put("no-such-moved-node.gltf", gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":9}}],\"samplers\":[{}]}],"
+        put("no-such-moved-node.gltf",
+            gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":9}}],"
+                + "\"samplers\":[{}]}],"
             + "\"asset\""), "animations[0].channels.target.node is 9, legal: 0 to 0");
-        put("no-such-keys.gltf", gltf(material, "\"animations\":[{\"samplers\":[{\"input\":0,\"output\":9}]}],\"asset\""),
+        put("no-such-keys.gltf", gltf(
+            material, "\"animations\":[{\"samplers\":[{\"input\":0,\"output\":9}]}],\"asset\""),
             "animations[0].samplers.output is 9, legal: 0 to 1");
         put("no-such-target.gltf", gltf("\"indices\":1", "\"targets\":[{\"POSITION\":8}],\"indices\":1"),
             "meshes[0].primitives[0].targets[0].POSITION is 8, legal: 0 to 1");
         put("short-place.gltf", gltf("\"translation\":[", "\"scale\":[1,1],\"translation\":["),
             "the number of numbers of nodes[0].scale is 2, legal: 3");
-        put("no-meshes.gltf", gltf("\"meshes\"", "\"nothing\""), "nodes[0].mesh is 0, legal: nothing, because there are none");
+        put("no-meshes.gltf", gltf("\"meshes\"", "\"nothing\""), "nodes[0].mesh is 0, legal: nothing, because "
+            + "there are none");
         put("list.gltf", "[]", "the text is [], legal: a JSON object");
         put("nested.gltf", "[".repeat(100_000), "can't be loaded");
         put("index-out-of-range.gltf", new String(
             new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 7}, 0, 0, 0).bytes(".gltf"),
             StandardCharsets.UTF_8), "meshes[0].primitives[0].indices[2], an index of the file, is 7, legal: 0 to 2");
-        put("nan.gltf", new String(new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, Float.NaN, 0}, new int[] {0, 1, 2}, 0, 0, 0).bytes(".gltf"),
+        put("nan.gltf", new String(new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, Float.NaN, 0}, new int[] {0, 1, 2},
+            0, 0, 0).bytes(".gltf"),
             StandardCharsets.UTF_8).replace("NaN", "0"), "a coordinate of vertex 2");
     }
 
@@ -257,7 +284,8 @@ public final class BrokenModels {
         byte[] good = TRIANGLE.bytes(".j3o");
         put("cut.j3o", Arrays.copyOf(good, good.length * 2 / 3), "can't be loaded");
         put("head-only.j3o", Arrays.copyOf(good, 8), "can't be loaded");
-        put("more-objects-than-bytes.j3o", withObjects(good, Integer.MAX_VALUE), "the number of objects is 2147483647, legal: 1 to ");
+        put("more-objects-than-bytes.j3o", withObjects(good, Integer.MAX_VALUE),
+            "the number of objects is 2147483647, legal: 1 to ");
         put("no-objects.j3o", withObjects(good, 0), "the number of objects is 0, legal: 1 to ");
     }
 
@@ -332,25 +360,32 @@ public final class BrokenModels {
     }
 
     private static byte[] gif() {
-        byte[] gif = ByteBuffer.allocate(24).order(ByteOrder.LITTLE_ENDIAN).put("GIF89a".getBytes(StandardCharsets.US_ASCII)).putShort((short) -1)
-            .putShort((short) -1).put((byte) 0).put((byte) 0).put((byte) 0).put((byte) ',').putShort((short) 0).putShort((short) 0)
+        byte[] gif = ByteBuffer.allocate(24).order(ByteOrder.LITTLE_ENDIAN)
+            .put("GIF89a".getBytes(StandardCharsets.US_ASCII)).putShort((short) -1)
+            .putShort((short) -1).put((byte) 0).put((byte) 0).put((byte) 0).put((byte) ',').putShort((short) 0)
+            .putShort((short) 0)
             .putShort((short) -1).putShort((short) -1).put((byte) 0).array();
         return gif;
     }
 
     /** Its header states the length of the data; newer Javas do not read the size without it. */
     private static byte[] bmp() {
-        return ByteBuffer.allocate(54).order(ByteOrder.LITTLE_ENDIAN).put((byte) 'B').put((byte) 'M').putInt(54 + 12_000 * 8_000 * 3).putInt(0)
-            .putInt(54).putInt(40).putInt(12_000).putInt(8_000).putShort((short) 1).putShort((short) 24).putInt(0).putInt(0).array();
+        return ByteBuffer.allocate(54).order(ByteOrder.LITTLE_ENDIAN).put((byte) 'B').put((byte) 'M')
+            .putInt(54 + 12_000 * 8_000 * 3).putInt(0)
+            .putInt(54).putInt(40).putInt(12_000).putInt(8_000).putShort((short) 1).putShort((short) 24).putInt(0)
+            .putInt(0).array();
     }
 
     private static byte[] jpeg() {
         ByteBuffer out = ByteBuffer.allocate(60);
-        out.putShort((short) 0xffd8).putShort((short) 0xffe0).putShort((short) 16).put("JFIF\0".getBytes(StandardCharsets.US_ASCII))
+        out.putShort((short) 0xffd8).putShort((short) 0xffe0).putShort((short) 16)
+            .put("JFIF\0".getBytes(StandardCharsets.US_ASCII))
             .putShort((short) 0x0101).put((byte) 0).putShort((short) 1).putShort((short) 1).putShort((short) 0);
-        out.putShort((short) 0xffc0).putShort((short) 11).put((byte) 8).putShort((short) 65_500).putShort((short) 65_500).put((byte) 1).put((byte) 1)
+        out.putShort((short) 0xffc0).putShort((short) 11).put((byte) 8).putShort((short) 65_500)
+            .putShort((short) 65_500).put((byte) 1).put((byte) 1)
             .put((byte) 0x11).put((byte) 0);
-        out.putShort((short) 0xffda).putShort((short) 8).put((byte) 1).put((byte) 1).put((byte) 0).put((byte) 0).put((byte) 63).put((byte) 0);
+        out.putShort((short) 0xffda).putShort((short) 8).put((byte) 1).put((byte) 1).put((byte) 0).put((byte) 0)
+            .put((byte) 63).put((byte) 0);
         return out.array();
     }
 }

@@ -73,7 +73,8 @@ public class BrokenModelsTest {
             asset(file.getKey(), file.getValue());
             for (int mass = 0; mass < 2; mass++) {
                 String said = problem(model(file.getKey(), mass));
-                boolean good = said.startsWith("environment/o.xml") && said.contains("path is \"" + file.getKey() + "\"")
+                boolean good = said.startsWith("environment/o.xml")
+                    && said.contains("path is \"" + file.getKey() + "\"")
                     && said.contains(broken.messages.get(file.getKey()));
                 if (!good) {
                     wrong.add(file.getKey() + ": " + said);
@@ -91,7 +92,8 @@ public class BrokenModelsTest {
             asset(file.getKey(), file.getValue());
             String said = problem("<Box><name>o</name><length>1</length><width>1</width><height>1</height><image>"
                 + file.getKey() + "</image></Box>");
-            if (!said.contains("image is \"" + file.getKey() + "\"") || !said.contains(broken.messages.get(file.getKey()))) {
+            if (!said.contains("image is \"" + file.getKey() + "\"")
+                || !said.contains(broken.messages.get(file.getKey()))) {
                 wrong.add(file.getKey() + ": " + said);
             }
         }
@@ -113,7 +115,8 @@ public class BrokenModelsTest {
         asset("noise.png", new byte[100]);
         asset("cut.png", Arrays.copyOf(BrokenModels.png(2, 2), 20));
         for (String name : new String[] {"noise.png", "cut.png"}) {
-            project.put("environment/o.xml", "<Box><name>o</name><length>1</length><width>1</width><height>1</height><image>"
+            project.put("environment/o.xml",
+                "<Box><name>o</name><length>1</length><width>1</width><height>1</height><image>"
                 + name + "</image></Box>");
             String warnings = Project.read(project.folder()).getWarnings().toString();
             assertTrue(warnings, warnings.contains("the picture of Box \"o\" can't be shown (" + name));
@@ -127,21 +130,29 @@ public class BrokenModelsTest {
         asset("cut.png", Arrays.copyOf(BrokenModels.png(2, 2), 20));
         asset("other.tiff", new byte[100]);
         ModelFiles solid = new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 2}, 0, 0, 0);
-        String gltf = new String(solid.bytes(".gltf"), StandardCharsets.UTF_8).replace(INDICES, "\"material\":0," + INDICES);
-        for (String name : new String[] {"missing.png", "noise.png", "cut.png", "other.tiff", "../../elsewhere.png", "C:\\\\pictures\\\\a.png"}) {
-            asset("m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".getBytes(StandardCharsets.UTF_8));
+        String gltf = new String(solid.bytes(".gltf"), StandardCharsets.UTF_8)
+            .replace(INDICES, "\"material\":0," + INDICES);
+        for (String name : new String[] {"missing.png", "noise.png", "cut.png", "other.tiff", "../../elsewhere.png",
+            "C:\\\\pictures\\\\a.png"}) {
+            asset("m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+                .getBytes(StandardCharsets.UTF_8));
             asset("m.mtl", ("newmtl a\nmap_Kd " + name.replace("\\\\", "\\") + "\n").getBytes(StandardCharsets.UTF_8));
-            asset("m.gltf", gltf.replace("\"asset\"", "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
-                + "\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"" + name + "\"}],\"asset\"").getBytes(StandardCharsets.UTF_8));
+            asset("m.gltf", gltf.replace("\"asset\"",
+                "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+                + "\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"" + name + "\"}],\"asset\"")
+                    .getBytes(StandardCharsets.UTF_8));
             for (String file : new String[] {"m.obj", "m.gltf"}) {
-                assertOneWarning(file, "model " + file + ": its picture ", name.replace("\\\\", "\\").replace("../", ""), " can't be shown: ");
+                assertOneWarning(file, "model " + file + ": its picture ", name.replace("\\\\", "\\")
+                    .replace("../", ""), " can't be shown: ");
             }
         }
         for (String texture : new String[] {"{}", "{\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}"}) {
-            String rest = "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],\"textures\":[" + texture
+            String rest = "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+                + "\"textures\":[" + texture
                 + "],\"images\":[{\"uri\":\"a.webp\"}],\"asset\"";
             asset("m.gltf", gltf.replace("\"asset\"", rest).getBytes(StandardCharsets.UTF_8));
-            asset("m.glb", glb(solid.bytes(".glb"), json -> json.replace(INDICES, "\"material\":0," + INDICES).replace("\"asset\"", rest)));
+            asset("m.glb", glb(solid.bytes(".glb"), json -> json.replace(INDICES, "\"material\":0," + INDICES)
+                .replace("\"asset\"", rest)));
             for (String file : new String[] {"m.gltf", "m.glb"}) {
                 assertOneWarning(file, "model " + file + ": its picture textures[0] without a source can't be shown: ");
             }
@@ -156,9 +167,11 @@ public class BrokenModelsTest {
     private static byte[] glb(byte[] whole, UnaryOperator<String> change) {
         ByteBuffer in = ByteBuffer.wrap(whole).order(ByteOrder.LITTLE_ENDIAN);
         int data = 20 + in.getInt(12);
-        byte[] json = change.apply(new String(whole, 20, data - 20, StandardCharsets.UTF_8)).getBytes(StandardCharsets.UTF_8);
+        byte[] json = change.apply(new String(whole, 20, data - 20, StandardCharsets.UTF_8))
+            .getBytes(StandardCharsets.UTF_8);
         int size = 20 + json.length + whole.length - data;
-        return ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).put(whole, 0, 8).putInt(size).putInt(json.length).put(whole, 16, 4)
+        return ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).put(whole, 0, 8).putInt(size)
+            .putInt(json.length).put(whole, 16, 4)
             .put(json).put(whole, data, whole.length - data).array();
     }
 
@@ -172,7 +185,8 @@ public class BrokenModelsTest {
             for (String word : words) {
                 assertTrue(warnings.toString(), warnings.get(0).contains(word));
             }
-            new ModelLoader(Project.read(project.folder()).getAssets()).look((Model) Project.read(project.folder()).getEnvironment().get(0));
+            new ModelLoader(Project.read(project.folder()).getAssets())
+                .look((Model) Project.read(project.folder()).getEnvironment().get(0));
         }
     }
 
@@ -205,7 +219,8 @@ public class BrokenModelsTest {
     @Test
     public void aModelThatIsTooLargeIsNotEvenOpened() throws Exception {
         asset("large.obj", new byte[0]);
-        try (RandomAccessFile file = new RandomAccessFile(project.folder().resolve("assets/large.obj").toFile(), "rw")) {
+        try (RandomAccessFile file = new RandomAccessFile(project.folder().resolve("assets/large.obj")
+            .toFile(), "rw")) {
             file.setLength(ModelLimits.MAX_FILE + 1);
         }
         String said = problem(model("large.obj", 0));

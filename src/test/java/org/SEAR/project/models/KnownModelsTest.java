@@ -47,7 +47,8 @@ public class KnownModelsTest {
         project.put("assets/m.obj", CORNERS);
         Model model = new Model("m", "m.obj");
         load(project.folder(), model);
-        project.put("assets/m.obj", CORNERS.replace('2', '3').replace("f 1 3 3", "f 1 2 3"));       // the same length, within the clock's resolution
+        // the same length, within the clock's resolution
+        project.put("assets/m.obj", CORNERS.replace('2', '3').replace("f 1 3 3", "f 1 2 3"));
         assertEquals(3, load(project.folder(), model).vertices[7], 0);
         Triangles before = load(project.folder(), model);
         project.put("assets/beside.bin", "it may be a part of the model");

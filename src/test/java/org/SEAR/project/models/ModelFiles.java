@@ -53,7 +53,8 @@ final class ModelFiles {
             case ".obj":
                 return obj().getBytes(StandardCharsets.UTF_8);
             case ".gltf":
-                return gltf("\"uri\":\"data:application/octet-stream;base64," + Base64.getEncoder().encodeToString(buffer()) + "\",")
+                return gltf("\"uri\":\"data:application/octet-stream;base64," + Base64.getEncoder()
+                    .encodeToString(buffer()) + "\",")
                     .getBytes(StandardCharsets.UTF_8);
             case ".glb":
                 return glb();
@@ -80,14 +81,17 @@ final class ModelFiles {
     }
 
     private String ogre() {
-        StringBuilder text = new StringBuilder("<mesh><submeshes><submesh material=\"none\" usesharedvertices=\"false\" use32bitindexes=\"false\""
+        StringBuilder text = new StringBuilder(
+            "<mesh><submeshes><submesh material=\"none\" usesharedvertices=\"false\" use32bitindexes=\"false\""
             + " operationtype=\"triangle_list\"><faces count=\"" + indices.length / 3 + "\">");
         for (int i = 0; i < indices.length; i += 3) {
-            text.append("<face v1=\"" + indices[i] + "\" v2=\"" + indices[i + 1] + "\" v3=\"" + indices[i + 2] + "\"/>");
+            text.append("<face v1=\"" + indices[i] + "\" v2=\"" + indices[i + 1] + "\" v3=\""
+                + indices[i + 2] + "\"/>");
         }
         text.append("</faces><geometry vertexcount=\"" + corners.length / 3 + "\"><vertexbuffer positions=\"true\">");
         for (int i = 0; i < corners.length; i += 3) {
-            text.append("<vertex><position x=\"" + moved(i) + "\" y=\"" + moved(i + 1) + "\" z=\"" + moved(i + 2) + "\"/></vertex>");
+            text.append("<vertex><position x=\"" + moved(i) + "\" y=\"" + moved(i + 1) + "\" z=\"" + moved(i + 2)
+                + "\"/></vertex>");
         }
         return text + "</vertexbuffer></geometry></submesh></submeshes></mesh>";
     }
@@ -123,12 +127,17 @@ final class ModelFiles {
             low[i % 3] = Math.min(low[i % 3], corners[i]);
             high[i % 3] = Math.max(high[i % 3], corners[i]);
         }
-        return "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"translation\":["
+        return "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,"
+            + "\"translation\":["
             + triple(place) + "]}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
-            + "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":" + corners.length / 3 + ",\"type\":\"VEC3\",\"min\":[" + triple(low)
-            + "],\"max\":[" + triple(high) + "]},{\"bufferView\":1,\"componentType\":5125,\"count\":" + indices.length + ",\"type\":\"SCALAR\"}],"
-            + "\"bufferViews\":[{\"buffer\":0,\"byteLength\":" + corners.length * 4 + "},{\"buffer\":0,\"byteOffset\":" + corners.length * 4
-            + ",\"byteLength\":" + indices.length * 4 + "}],\"buffers\":[{" + uri + "\"byteLength\":" + buffer().length + "}]}";
+            + "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":" + corners.length / 3
+            + ",\"type\":\"VEC3\",\"min\":[" + triple(low)
+            + "],\"max\":[" + triple(high) + "]},{\"bufferView\":1,\"componentType\":5125,\"count\":" + indices.length
+            + ",\"type\":\"SCALAR\"}],"
+            + "\"bufferViews\":[{\"buffer\":0,\"byteLength\":" + corners.length * 4 + "},{\"buffer\":0,\"byteOffset\":"
+            + corners.length * 4
+            + ",\"byteLength\":" + indices.length * 4 + "}],\"buffers\":[{" + uri + "\"byteLength\":"
+            + buffer().length + "}]}";
     }
 
     private static String triple(float[] values) {

@@ -87,7 +87,8 @@ public class ModelLoaderTest {
 
     @Test
     public void anObjMayHaveCommentsBehindNumbersAndColoursOfCorners() throws Exception {
-        assertWhole("v 0 0 0 1 0 0 # red\nv 1 0 0 1 0.5 0\nv 0 1 0 1 1 1\nvt 0 0 # a place\no a#b\nf 1/1 2/-1 3/1 # a face\n", 1, 0.5);
+        assertWhole("v 0 0 0 1 0 0 # red\nv 1 0 0 1 0.5 0\nv 0 1 0 1 1 1\nvt 0 0 # a place\no a#b\nf 1/1 2/-1 "
+            + "3/1 # a face\n", 1, 0.5);
     }
 
     @Test
@@ -95,7 +96,8 @@ public class ModelLoaderTest {
         StringBuilder disc = new StringBuilder();
         StringBuilder face = new StringBuilder("f");
         for (int i = 0; i < 32; i++) {
-            disc.append("v ").append(Math.cos(Math.PI * i / 16)).append(' ').append(Math.sin(Math.PI * i / 16)).append(" 0\n");
+            disc.append("v ").append(Math.cos(Math.PI * i / 16)).append(' ').append(Math.sin(Math.PI * i / 16))
+                .append(" 0\n");
             face.append(' ').append(i - 32);
         }
         assertWhole(disc.toString() + face + "\n", 30, 16 * Math.sin(Math.PI / 16));
@@ -180,7 +182,8 @@ public class ModelLoaderTest {
         project.put("assets/hill.obj", "v 10 5 10\nv 30 5 10\nv 30 9 30\nv 10 9 30\nf 1 4 3\nf 1 3 2\n");
         Model terrain = new Model("hill", "hill.obj");
         terrain.setTerrain(true);
-        assertTriangles(load(terrain), new double[] {-10, -2, -10, -10, 2, 10, 10, 2, 10, -10, -2, -10, 10, 2, 10, 10, -2, -10});
+        assertTriangles(load(terrain), new double[] {-10, -2, -10, -10, 2, 10, 10, 2, 10, -10, -2, -10, 10, 2, 10,
+            10, -2, -10});
         Spatial shown = new ModelLoader(Project.read(project.folder()).getAssets()).spatial(terrain);
         assertEquals(0, shown.getWorldBound().getCenter().length(), 1e-5);
     }
@@ -196,7 +199,8 @@ public class ModelLoaderTest {
 
     @Test
     public void hostileAndBrokenModelsAreRefused() throws Exception {
-        project.put("assets/evil.mesh.xml", "<?xml version=\"1.0\"?><!DOCTYPE mesh [<!ENTITY x SYSTEM \"file:///etc/passwd\">]><mesh>&x;</mesh>");
+        project.put("assets/evil.mesh.xml", "<?xml version=\"1.0\"?><!DOCTYPE mesh [<!ENTITY x SYSTEM "
+            + "\"file:///etc/passwd\">]><mesh>&x;</mesh>");
         assertRefused("evil.mesh.xml", "document type");
         project.put("assets/broken.mesh.xml", "<mesh><submeshes>");
         assertRefused("broken.mesh.xml", "can't be loaded");
@@ -219,7 +223,8 @@ public class ModelLoaderTest {
         Path outside = project.getRoot().toPath().resolve("other.blend");
         Files.write(outside, other);
         put("assets/inside.blend", other);
-        for (String path : new String[] {outside.toString(), "//../../other.blend", "//inside.blend", "/nowhere.blend"}) {
+        for (String path : new String[] {outside.toString(), "//../../other.blend", "//inside.blend",
+            "/nowhere.blend"}) {
             put("assets/linked.blend", BlendFile.linked(path));
             FileTime before = lastRead(outside);
             assertRefused("linked.blend",

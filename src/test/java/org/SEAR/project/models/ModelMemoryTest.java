@@ -33,7 +33,8 @@ public class ModelMemoryTest {
     public final ProjectRule project = new ProjectRule();
 
     private static long direct() {
-        return ManagementFactory.getPlatformMXBeans(BufferPoolMXBean.class).stream().filter(pool -> pool.getName().equals("direct"))
+        return ManagementFactory.getPlatformMXBeans(BufferPoolMXBean.class).stream()
+            .filter(pool -> pool.getName().equals("direct"))
             .mapToLong(BufferPoolMXBean::getMemoryUsed).sum();
     }
 
@@ -99,9 +100,11 @@ public class ModelMemoryTest {
         AtomicInteger changes = new AtomicInteger();
         holdsNoMore(() -> {
             String edge = "1." + changes.incrementAndGet();
-            project.put("environment/box.xml", "<Box><name>box</name><length>" + edge + "</length><width>1</width><height>1</height></Box>");
+            project.put("environment/box.xml", "<Box><name>box</name><length>" + edge
+                + "</length><width>1</width><height>1</height></Box>");
             Map<String, Object> answer = preview.of(project.folder(), "");
-            assertTrue(answer.toString(), answer.get("world") != null && Json.write(answer.get("world")).contains("\"box\""));
+            assertTrue(answer.toString(), answer.get("world") != null && Json.write(answer.get("world"))
+                .contains("\"box\""));
             return answer;
         });
     }

@@ -35,11 +35,14 @@ public class ModelsInTheWorldTest {
     private static final double HEAVY = 2000;
     /** A wedge like a doorstop without equal sides: 3 wide, 1 high, its front tilted back. */
     private static final float[] WEDGE = {-1, 0, -0.3f, 2, 0, -0.3f, 2, 0, 0.6f, -1, 0, 0.6f, -1, 1, 0.2f, 2, 1, 0.4f};
-    private static final int[] WEDGE_TRIANGLES = {0, 1, 2, 0, 2, 3, 0, 4, 5, 0, 5, 1, 3, 2, 5, 3, 5, 4, 0, 3, 4, 1, 5, 2};
+    private static final int[] WEDGE_TRIANGLES = {0, 1, 2, 0, 2, 3, 0, 4, 5, 0, 5, 1, 3, 2, 5, 3, 5, 4, 0, 3,
+        4, 1, 5, 2};
     /** A block with its front at z = -0.25. */
-    private static final float[] BLOCK = {-1, 0, -0.25f, 1, 0, -0.25f, 1, 0, 0.25f, -1, 0, 0.25f, -1, 0.4f, -0.25f, 1, 0.4f, -0.25f, 1, 0.4f,
+    private static final float[] BLOCK = {-1, 0, -0.25f, 1, 0, -0.25f, 1, 0, 0.25f, -1, 0, 0.25f, -1, 0.4f, -0.25f, 1,
+        0.4f, -0.25f, 1, 0.4f,
         0.25f, -1, 0.4f, 0.25f};
-    private static final int[] BLOCK_TRIANGLES = {0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6, 0, 5, 1, 0, 4, 5, 3, 2, 6, 3, 6, 7, 0, 3, 7, 0, 7, 4, 1, 6,
+    private static final int[] BLOCK_TRIANGLES = {0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6, 0, 5, 1, 0, 4, 5, 3, 2, 6, 3, 6,
+        7, 0, 3, 7, 0, 7, 4, 1, 6,
         2, 1, 5, 6};
     /** A plain that rises to a hill at its far end: 12 by 8, height 0 to 2. */
     private static final float[] HILL = {-6, 0, -4, 6, 0, -4, -6, 0, 2, 6, 0, 2, -6, 2, 4, 6, 2, 4};
@@ -85,7 +88,8 @@ public class ModelsInTheWorldTest {
     }
 
     private static double determinant(double[] a, double[] b, double[] c) {
-        return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) + c[0] * (a[1] * b[2] - a[2] * b[1]);
+        return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1])
+            + c[0] * (a[1] * b[2] - a[2] * b[1]);
     }
 
     private static double[] minus(double[] a, double[] b) {
@@ -128,7 +132,8 @@ public class ModelsInTheWorldTest {
                 double angle = Math.toRadians(scan.angle(i) + (j - 1) * 0.1);
                 expected[j] = nearest(corners, triangles, eye, new double[] {Math.sin(angle), 0, Math.cos(angle)});
             }
-            boolean inside = Double.isFinite(expected[0]) && Double.isFinite(expected[1]) && Double.isFinite(expected[2]);
+            boolean inside = Double.isFinite(expected[0]) && Double.isFinite(expected[1])
+                && Double.isFinite(expected[2]);
             if (inside && expected[1] < 30 || expected[0] == expected[2]) {
                 assertEquals(what + " at " + scan.angle(i) + " degrees", expected[1], scan.range(i), MILLIMETRE);
                 hits += inside ? 1 : 0;
@@ -195,7 +200,8 @@ public class ModelsInTheWorldTest {
                 new Floor("floor", 50, 50);
                 boxRobot(0.1);
                 new Model("block", block.put(project, ending), mass).move(0, 0.2, 0.85);
-                assertEquals(ending + " of " + mass + " kg", 0.6, stopped(new double[] {0, HALF_HEIGHT, NOSE}, new double[] {0, -HALF_HEIGHT, NOSE}),
+                assertEquals(ending + " of " + mass + " kg", 0.6,
+                    stopped(new double[] {0, HALF_HEIGHT, NOSE}, new double[] {0, -HALF_HEIGHT, NOSE}),
                     MILLIMETRE);
             }
         }

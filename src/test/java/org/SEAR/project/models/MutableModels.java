@@ -35,11 +35,13 @@ public final class MutableModels {
             + "},\"indices\":1,\"targets\":[{\"POSITION\":" + sparse + "}],\"material\":0").mesh(",\"weights\":[0.5]");
         gltf.primitive("\"attributes\":{\"POSITION\":0},\"mode\":5,\"indices\":1");
         gltf.node("\"mesh\":0,\"skin\":0").node("\"matrix\":[1,0,0,0,2,1,0,0,0,0,1,0,5,6,7,1],\"mesh\":0").roots("0,1");
-        gltf.with(",\"skins\":[{\"joints\":[1]}],\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,0,0,1],"
+        gltf.with(",\"skins\":[{\"joints\":[1]}],"
+            + "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,0,0,1],"
             + "\"baseColorTexture\":{\"index\":0}}}],\"textures\":[{\"source\":0,\"sampler\":0}],"
             + "\"samplers\":[{\"wrapS\":33071}],\"images\":[{\"uri\":\"data:image/png;base64,iVBORw0KGgo=\"}]");
         all.put("2.gltf", gltf.bytes());
-        String vertex = "<vertex><position x='1' y='2' z='3'/><normal x='0' y='0' z='1'/><texcoord u='0' v='1'/></vertex>";
+        String vertex = "<vertex><position x='1' y='2' z='3'/><normal x='0' y='0' z='1'/><texcoord u='0' "
+            + "v='1'/></vertex>";
         all.put("2.mesh.xml", ("<mesh><sharedgeometry vertexcount='4'>"
             + "<vertexbuffer positions='true' normals='true' texture_coords='1'>" + vertex.repeat(4)
             + "</vertexbuffer></sharedgeometry>"

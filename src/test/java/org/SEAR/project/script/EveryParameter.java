@@ -18,7 +18,8 @@ import org.SEAR.grammar.TextRule;
  * are legal together.
  */
 final class EveryParameter {
-    private static final List<Object> TEXTS = Arrays.asList("laser", "textures/brick.png", "#12ab34", "ttyX", "MT3329", "LMS291", "roomba400", "1");
+    private static final List<Object> TEXTS = Arrays.asList("laser", "textures/brick.png", "#12ab34", "ttyX", "MT3329",
+        "LMS291", "roomba400", "1");
     private static final List<Object> NUMBERS = Arrays.asList(0.5, 0.25, 2.5, 1.0, 45.0, 500.0, 9600.0);
     private static final List<Object> WHOLES = Arrays.asList(2, 1, 0, 12, 500, 19200);
     private static final int MOST_COMPANIONS = 3;
@@ -34,7 +35,8 @@ final class EveryParameter {
     EveryParameter(Class<? extends SearObject> type) {
         this.type = type;
         for (Parameter parameter : ParameterTable.of(type).getParameters()) {
-            boolean structure = parameter.getTextRule() == TextRule.COMPONENT || SearObject.class.isAssignableFrom(parameter.getType());
+            boolean structure = parameter.getTextRule() == TextRule.COMPONENT
+                || SearObject.class.isAssignableFrom(parameter.getType());
             if (!structure && !parameter.isRequired()) {
                 parameters.add(parameter);
             }
@@ -127,8 +129,10 @@ final class EveryParameter {
             table.getParameters().forEach(inner -> inner.set(group, another(inner)));
             return group;
         }
-        Object usual = parameter.get(ParameterTable.of(type == null || !owns(parameter) ? ownerOf(parameter) : type).newInstance());
-        List<Object> candidates = new ArrayList<>(parameter.getKind() == Parameter.Kind.TEXT ? TEXTS : parameter.getKind() == Parameter.Kind.NUMBER
+        Object usual = parameter.get(ParameterTable.of(type == null || !owns(parameter) ? ownerOf(parameter) : type)
+            .newInstance());
+        List<Object> candidates = new ArrayList<>(parameter.getKind() == Parameter.Kind.TEXT ? TEXTS
+            : parameter.getKind() == Parameter.Kind.NUMBER
             ? NUMBERS : parameter.getKind() == Parameter.Kind.WHOLE ? WHOLES : Arrays.asList((Object) false, true));
         if (parameter.getKind() == Parameter.Kind.TEXT) {
             candidates.addAll(Arrays.asList(parameter.legal().split(", ")));
@@ -151,6 +155,7 @@ final class EveryParameter {
 
     private Class<?> ownerOf(Parameter inner) {
         return ParameterTable.of(type).getParameters().stream().map(Parameter::getType)
-            .filter(group -> ParameterTable.of(group).getParameters().contains(inner)).findFirst().orElseThrow(AssertionError::new);
+            .filter(group -> ParameterTable.of(group).getParameters().contains(inner)).findFirst()
+            .orElseThrow(AssertionError::new);
     }
 }

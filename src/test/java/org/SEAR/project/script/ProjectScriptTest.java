@@ -81,7 +81,8 @@ public class ProjectScriptTest {
         Map<String, String> files = objects(folder);
         files.replaceAll((name, text) -> {
             Object read = Xml.read(folder.resolve(name), name, classes, new ProblemList()).object;
-            return new String(Xml.write(read).getBytes(java.nio.charset.StandardCharsets.UTF_8), java.nio.charset.StandardCharsets.ISO_8859_1);
+            return new String(Xml.write(read).getBytes(java.nio.charset.StandardCharsets.UTF_8),
+                java.nio.charset.StandardCharsets.ISO_8859_1);
         });
         return files;
     }
@@ -131,10 +132,13 @@ public class ProjectScriptTest {
             count += wanted.size();
             never.addAll(every.never());
         }
-        assertEquals("[Arduino.wire, BallJoint.first, Chessboard.image, FixedJoint.first, Hinge.first, Marker.image, Rope.first, Slider.first,"
-            + " Terrain.mass, Terrain.onGround, Terrain.placeLatitude, Terrain.placeLongitude, Terrain.rx, Terrain.ry, Terrain.rz,"
+        assertEquals("[Arduino.wire, BallJoint.first, Chessboard.image, FixedJoint.first, Hinge.first, Marker.image, "
+            + "Rope.first, Slider.first,"
+            + " Terrain.mass, Terrain.onGround, Terrain.placeLatitude, Terrain.placeLongitude, Terrain.rx, "
+            + "Terrain.ry, Terrain.rz,"
             + " Terrain.scaleX, Terrain.scaleY, Terrain.scaleZ, Terrain.spinX, Terrain.spinY, Terrain.spinZ,"
-            + " Terrain.velocityX, Terrain.velocityY, Terrain.velocityZ, Terrain.x, Terrain.y, Terrain.z, Wheel.spinX, Wheel.spinY,"
+            + " Terrain.velocityX, Terrain.velocityY, Terrain.velocityZ, Terrain.x, Terrain.y, Terrain.z, Wheel.spinX, "
+            + "Wheel.spinY,"
             + " Wheel.spinZ, Wheel.trail, Wheel.velocityX, Wheel.velocityY, Wheel.velocityZ]", never.toString());
         assertTrue("objects: " + count, count > 200);
     }
@@ -152,7 +156,8 @@ public class ProjectScriptTest {
                 script.append("def make():\n    it = ").append(one.expression()).append('\n');
                 one.calls().forEach(call -> script.append("    it.").append(call).append('\n'));
                 if (object instanceof SEARrobot) {
-                    script.append("    it.set({'order': ").append(PythonText.literal(((SEARrobot) object).getOrder())).append("})\n");
+                    script.append("    it.set({'order': ").append(PythonText.literal(((SEARrobot) object).getOrder()))
+                        .append("})\n");
                 }
                 script.append("make()\n");
                 expected.put(object.getName() + ".xml", Xml.write(object));
@@ -203,7 +208,8 @@ public class ProjectScriptTest {
             Path folder = fresh.newFolder().toPath().resolve("SEARproject");
             System.setProperty("sear.project", folder.toString());
             new RandomProjects(seed).create();
-            if (Files.isDirectory(folder) && Project.read(folder).getWarnings().stream().noneMatch(warning -> warning.contains("is left out"))) {
+            if (Files.isDirectory(folder) && Project.read(folder).getWarnings().stream()
+                .noneMatch(warning -> warning.contains("is left out"))) {
                 checkSame(folder);
             }
         }
@@ -258,7 +264,8 @@ public class ProjectScriptTest {
         uno.wire(9, motor, "pwm");
         uno.wire(10, servo);
         Map<String, String> made = objects(project.folder());
-        assertTrue(made.toString(), made.get("robot/uno.xml").contains("A0") && made.get("robot/rover.xml").contains("<trail>0.04</trail>"));
+        assertTrue(made.toString(), made.get("robot/uno.xml").contains("A0") && made.get("robot/rover.xml")
+            .contains("<trail>0.04</trail>"));
         checkSame(project.folder());
     }
 
@@ -278,7 +285,8 @@ public class ProjectScriptTest {
         robot.addComponent(dynamics);
         robot.addComponent(new Distance("PING)))"));
         String script = checkSame(project.folder());
-        assertTrue(script, script.contains("dynamics") || script.contains("d.setPorts(\"\\\"); import os; x=(\\\"\\\\\","));
+        assertTrue(script, script.contains("dynamics")
+            || script.contains("d.setPorts(\"\\\"); import os; x=(\\\"\\\\\","));
         assertTrue(script, script.contains("addComponent(Distance(\"PING)))\"))"));
     }
 

@@ -19,8 +19,10 @@ import org.junit.Test;
 public class ColaCodecTest {
     private static final Golden COLA = Golden.of("cola");
     /** Scan of a real LMS1xx: 21 beams from 10 degrees on. */
-    private static final String REAL_SCAN = "sRA LMDscandata 1 1 89A27F 0 0 343 347 27477BA9 2747813B 0 0 7 0 0 1388 168 0 1 DIST1 3F800000 00000000 "
-        + "186A0 1388 15 8A1 8A5 8AB 8AC 8A6 8AC 8B6 8C8 8C2 8C9 8CB 8C4 8E4 8E1 8EB 8E0 8F5 908 8FC 907 906 0 0 0 0 0 0";
+    private static final String REAL_SCAN = "sRA LMDscandata 1 1 89A27F 0 0 343 347 27477BA9 2747813B 0 0 7 0 0 1388 "
+        + "168 0 1 DIST1 3F800000 00000000 "
+        + "186A0 1388 15 8A1 8A5 8AB 8AC 8A6 8AC 8B6 8C8 8C2 8C9 8CB 8C4 8E4 8E1 8EB 8E0 8F5 908 8FC 907 "
+        + "906 0 0 0 0 0 0";
     /** Lengths of the fields 2 to 19 of the real scan in CoLa B, bytes. */
     private static final int[] HEAD = {2, 2, 4, 1, 1, 2, 2, 4, 4, 1, 1, 1, 1, 2, 4, 4, 2, 2};
     private static final int BEAMS = 21;
@@ -53,7 +55,8 @@ public class ColaCodecTest {
             b("sMN", "SetAccessMode").u1(3).i4(0xF4724744));
         golden(COLA.get("CoLa B: it speaks CoLa B"), b("sWA", "EIHstCola"));
         golden(COLA.get("CoLa B: speak CoLa B"), b("sWN", "EIHstCola").u1(1));
-        golden("02 02 02 02 00 00 00 13 73 52 41 20 53 43 64 65 76 69 63 65 73 74 61 74 65 20 01 1E", b("sRA", "SCdevicestate").u1(1));
+        golden("02 02 02 02 00 00 00 13 73 52 41 20 53 43 64 65 76 69 63 65 73 74 61 74 65 20 01 1E",
+            b("sRA", "SCdevicestate").u1(1));
         golden(COLA.get("CoLa B: stream scans"), b("sEN", "LMDscandata").u1(1));
         golden(COLA.get("CoLa B: scans are streamed"), b("sEA", "LMDscandata").u1(1));
         golden("02 02 02 02 00 00 00 25 73 4D 4E 20 6D 4C 4D 50 73 65 74 73 63 61 6E 63 66 67 20 "
@@ -71,19 +74,22 @@ public class ColaCodecTest {
             assertEquals(row[1], found.getVerb());
             assertEquals(row[2], found.getName());
             assertFalse(found.hasMore());
-            assertEquals(row[0], Bytes.hex(ColaDialect.B.frame((row[1] + " " + row[2]).getBytes(StandardCharsets.ISO_8859_1))));
+            assertEquals(row[0], Bytes.hex(
+                ColaDialect.B.frame((row[1] + " " + row[2]).getBytes(StandardCharsets.ISO_8859_1))));
         }
     }
 
     @Test
     public void numbersOfTextHaveASignOrAreHexadecimal() throws Exception {
-        for (String form : new String[] {"+5000 +1 +5000 -450000 +2250000", "1388 1 1388 FFF92230 225510", "1388 +1 1388 fff92230 225510"}) {
+        for (String form : new String[] {"+5000 +1 +5000 -450000 +2250000", "1388 1 1388 FFF92230 225510",
+            "1388 +1 1388 fff92230 225510"}) {
             ColaTelegram found = read(text("sMN mLMPsetscancfg " + form)).get(0);
             assertEquals(ColaDialect.A, found.getDialect());
             assertEquals(form, "5000 1 5000 -450000 2250000",
                 found.i4() + " " + found.u2() + " " + found.i4() + " " + found.i4() + " " + found.i4());
         }
-        assertEquals(COLA.get("50 Hz, half a degree"), read(new ColaPayload(ColaDialect.A).begin("sMN", "mLMPsetscancfg")
+        assertEquals(COLA.get("50 Hz, half a degree"),
+            read(new ColaPayload(ColaDialect.A).begin("sMN", "mLMPsetscancfg")
             .i4(5000).u2(1).i4(5000).i4(-450000).i4(2250000).toTelegram()).get(0).toString());
     }
 
@@ -122,7 +128,8 @@ public class ColaCodecTest {
         assertEquals(REAL_SCAN, read(again).get(0).toString());
         byte[] binary = copy(read(again).get(0), ColaDialect.B);
         assertEquals("DIST1", new String(binary, 64, 5, StandardCharsets.US_ASCII));
-        assertEquals("start angle, step, count and the first value", "00 01 86 A0 13 88 00 15 08 A1", Bytes.hex(Arrays.copyOfRange(binary, 77, 87)));
+        assertEquals("start angle, step, count and the first value", "00 01 86 A0 13 88 00 15 08 A1",
+            Bytes.hex(Arrays.copyOfRange(binary, 77, 87)));
         assertEquals(REAL_SCAN, read(copy(read(binary).get(0), ColaDialect.A)).get(0).toString());
     }
 
@@ -132,7 +139,8 @@ public class ColaCodecTest {
         for (int size : HEAD) {
             copy(from, to, size);
         }
-        to.fixed(from.fixed(5)).real(Float.intBitsToFloat(from.i4())).real(Float.intBitsToFloat(from.i4())).i4(from.i4()).u2(from.u2());
+        to.fixed(from.fixed(5)).real(Float.intBitsToFloat(from.i4())).real(Float.intBitsToFloat(from.i4()))
+            .i4(from.i4()).u2(from.u2());
         int beams = from.u2();
         assertEquals(BEAMS, beams);
         to.u2(beams);
@@ -155,7 +163,8 @@ public class ColaCodecTest {
 
     @Test
     public void textsWithALength() throws Exception {
-        assertEquals(COLA.get("no name"), read(new ColaPayload(ColaDialect.A).begin("sRA", "LocationName").text("not defined")
+        assertEquals(COLA.get("no name"),
+            read(new ColaPayload(ColaDialect.A).begin("sRA", "LocationName").text("not defined")
             .toTelegram()).get(0).toString());
         ColaTelegram ident = read(text(COLA.get("an LMS111"))).get(0);
         assertEquals("LMS10x_FieldEval", ident.text());

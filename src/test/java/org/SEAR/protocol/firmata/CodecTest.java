@@ -44,7 +44,8 @@ public class CodecTest {
     public void theFirmwaresName() {
         assertEquals(FIRMATA.get("StandardFirmata.ino 2.5"),
             hex(FirmataMessage.text(Feature.FIRMWARE, new int[] {2, 5}, "StandardFirmata.ino")));
-        assertEquals("Tür", read(FirmataReader.HOST, hex(FirmataMessage.text(Feature.STRING, new int[0], "Tür"))).get(0).getText(0));
+        assertEquals("Tür", read(FirmataReader.HOST, hex(FirmataMessage.text(Feature.STRING, new int[0], "Tür"))).get(0)
+            .getText(0));
     }
 
     @Test
@@ -63,12 +64,14 @@ public class CodecTest {
     @Test
     public void positionsOfEncoders() {
         assertEquals(FIRMATA.get("encoder 2 at -300"), hex(EncoderMessage.positions(new int[] {2}, new long[] {-300})));
-        assertEquals(FIRMATA.get("encoders 0 and 4 at the ends"), hex(EncoderMessage.positions(new int[] {0, 4}, new long[] {1, 0xFFFFFFF})));
+        assertEquals(FIRMATA.get("encoders 0 and 4 at the ends"),
+            hex(EncoderMessage.positions(new int[] {0, 4}, new long[] {1, 0xFFFFFFF})));
     }
 
     @Test
     public void unknownMessagesAreSkipped() {
-        assertEquals(0, read(FirmataReader.BOARD, "01 02 F1 05 F0 79 F9").stream().filter(FirmataMessage::isSysex).count());
+        assertEquals(0, read(FirmataReader.BOARD, "01 02 F1 05 F0 79 F9").stream()
+            .filter(FirmataMessage::isSysex).count());
         List<FirmataMessage> found = read(FirmataReader.BOARD, "33 F4 0D 01 44 F0 F7 F0 79 F7 F9");
         assertEquals(3, found.size());
         assertArrayEquals(Bytes.bytes("F4 0D 01"), found.get(0).toBytes());

@@ -50,10 +50,14 @@ public class LidarModelTest {
     public void thePageHasEachRow() throws IOException {
         String page = Files.readString(Paths.get(System.getProperty("sear.root", "."), "docs/sensors.md"));
         for (LidarModel model : LidarModel.values()) {
-            String speeds = model.bauds().replace("12000000", "USB, 12 Mbit/s").replace("100000000", "its network's, 100 Mbit/s");
-            String row = "| " + model.getName() + " | " + model.getMaker() + " | " + Fans.format(model.getRange()) + ", "
-                + Fans.format(model.getFarthest()) + " m | " + Fans.format(model.getNearest()) + " m | " + Fans.format(model.getSpread()) + ", "
-                + Fans.format(model.getResolution()) + " | " + model.fans() + " | " + Fans.format(model.getScanRate()) + " | " + speeds
+            String speeds = model.bauds().replace("12000000", "USB, 12 Mbit/s")
+                .replace("100000000", "its network's, 100 Mbit/s");
+            String row = "| " + model.getName() + " | " + model.getMaker() + " | "
+                + Fans.format(model.getRange()) + ", "
+                + Fans.format(model.getFarthest()) + " m | " + Fans.format(model.getNearest()) + " m | "
+                + Fans.format(model.getSpread()) + ", "
+                + Fans.format(model.getResolution()) + " | " + model.fans() + " | " + Fans.format(model.getScanRate())
+                + " | " + speeds
                 + (speeds.endsWith("s") ? " |" : " baud |");
             assertTrue(row, page.contains(row));
         }

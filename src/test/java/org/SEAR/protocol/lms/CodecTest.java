@@ -22,7 +22,8 @@ public class CodecTest {
     }
 
     private static void reply(String frame, LmsPayload payload) {
-        assertEquals(frame, Bytes.hex(new Telegram(Integer.parseInt(frame.substring(3, 5), 16), payload.toBytes()).toBytes()));
+        assertEquals(frame, Bytes.hex(new Telegram(Integer.parseInt(frame.substring(3, 5), 16), payload.toBytes())
+            .toBytes()));
     }
 
     @Test
@@ -37,7 +38,8 @@ public class CodecTest {
         request(LMS.get("stream partial scans"), LmsCommand.MODE.request().add(OperatingMode.STREAM_PARTIAL));
         request(LMS.get("diagnosis, without a password"), LmsCommand.MODE.request().add(OperatingMode.DIAGNOSTIC));
         request(LMS.get("stream means of 5 scans"), LmsCommand.MODE.request().add(OperatingMode.STREAM_MEAN).add(5));
-        request(LMS.get("stream values 27 to 299"), LmsCommand.MODE.request().add(OperatingMode.STREAM_RANGE).word(27).word(299));
+        request(LMS.get("stream values 27 to 299"), LmsCommand.MODE.request().add(OperatingMode.STREAM_RANGE).word(27)
+            .word(299));
         request(LMS.get("installation, with the password SICK_LMS"),
             LmsCommand.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
         request(LMS.get("ask for a scan"), LmsCommand.SCAN.request().add(1));
@@ -91,13 +93,17 @@ public class CodecTest {
 
     @Test
     public void variantsHaveTheirTelegrams() {
-        String[] frames = {LMS.get("100 degrees, each"), LMS.get("100 degrees, each half"), LMS.get("100 degrees, each quarter"),
+        String[] frames = {LMS.get("100 degrees, each"), LMS.get("100 degrees, each half"),
+            LMS.get("100 degrees, each quarter"),
             LMS.get("180 degrees, each"), LMS.get("180 degrees, each half")};
         String[] replies = {LMS.get("100 degrees, each: done"), LMS.get("100 degrees, each half: done"),
-            LMS.get("100 degrees, each quarter: done"), LMS.get("180 degrees, each: done"), LMS.get("180 degrees, each half: done")};
+            LMS.get("100 degrees, each quarter: done"), LMS.get("180 degrees, each: done"),
+                LMS.get("180 degrees, each half: done")};
         for (Variant variant : Variant.values()) {
-            request(frames[variant.ordinal()], LmsCommand.VARIANT.request().word(variant.getSpread()).word(variant.getResolution()));
-            reply(replies[variant.ordinal()], LmsCommand.VARIANT.reply().add(1).word(variant.getSpread()).word(variant.getResolution())
+            request(frames[variant.ordinal()], LmsCommand.VARIANT.request().word(variant.getSpread())
+                .word(variant.getResolution()));
+            reply(replies[variant.ordinal()], LmsCommand.VARIANT.reply().add(1).word(variant.getSpread())
+                .word(variant.getResolution())
                 .add(StatusByte.OK));
             assertEquals(variant, Variant.of(variant.getSpread(), variant.getResolution()));
             assertEquals(variant, Variant.ofDegrees(variant.getSpread(), variant.getResolution() / 100.0));
@@ -109,13 +115,17 @@ public class CodecTest {
     @Test
     public void configurationsAreThoseOfTheListing() {
         Configuration millimetres = Configuration.ofFactory();
-        request("02 00 23 00 77 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 11 88", LmsCommand.SET_CONFIGURATION.request()
+        request("02 00 23 00 77 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 11 88",
+            LmsCommand.SET_CONFIGURATION.request()
             .bytes(millimetres.toBytes()));
-        request("02 00 23 00 77 00 00 70 00 00 00 00 00 00 02 02" + ZEROS + " 02 00 41 B8", LmsCommand.SET_CONFIGURATION.request()
+        request("02 00 23 00 77 00 00 70 00 00 00 00 00 00 02 02" + ZEROS + " 02 00 41 B8",
+            LmsCommand.SET_CONFIGURATION.request()
             .bytes(millimetres.withMillimetres(false).toBytes()));
-        reply("02 80 24 00 F4 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 3C FB", LmsCommand.GET_CONFIGURATION.reply()
+        reply("02 80 24 00 F4 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 3C FB",
+            LmsCommand.GET_CONFIGURATION.reply()
             .bytes(millimetres.toBytes()).add(StatusByte.OK));
-        reply("02 80 25 00 F7 01 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 C5 7A", LmsCommand.SET_CONFIGURATION.reply().add(1)
+        reply("02 80 25 00 F7 01 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 C5 7A",
+            LmsCommand.SET_CONFIGURATION.reply().add(1)
             .bytes(millimetres.toBytes()).add(StatusByte.OK));
         assertEquals(1000, millimetres.getUnitsPerMetre());
         assertEquals(100, millimetres.withMillimetres(false).getUnitsPerMetre());
@@ -152,7 +162,8 @@ public class CodecTest {
 
     @Test
     public void measuringModesHaveTheirBitsAndTheirOverflows() {
-        int[][] modes = {{0, 8191, 8183}, {1, 8191, 8183}, {2, 8191, 8183}, {3, 16383, 16375}, {4, 16383, 16375}, {5, 32767, 32759},
+        int[][] modes = {{0, 8191, 8183}, {1, 8191, 8183}, {2, 8191, 8183}, {3, 16383, 16375}, {4, 16383, 16375},
+            {5, 32767, 32759},
             {6, 32767, 32759}, {0x0F, 32767, 32759}};
         for (int[] row : modes) {
             MeasuringMode mode = MeasuringMode.of(row[0]);

@@ -17,7 +17,8 @@ public final class RealFrames {
 
     /** Returns each telegram as it went over the line. */
     public static List<byte[]> frames() throws IOException {
-        try (BufferedReader in = new BufferedReader(new InputStreamReader(RealFrames.class.getResourceAsStream("real-frames.txt"),
+        try (BufferedReader in = new BufferedReader(
+            new InputStreamReader(RealFrames.class.getResourceAsStream("real-frames.txt"),
                 StandardCharsets.US_ASCII))) {
             return in.lines().filter(line -> line.startsWith("02 ")).map(Bytes::bytes).collect(Collectors.toList());
         }

@@ -125,7 +125,8 @@ public class TelegramReaderTest {
             reader.accept(chunk);
         }
         feed(String.join(" ", java.util.Collections.nCopies(200, MODE_REPLY)));
-        assertTrue("seed " + Fuzz.SEED, Arrays.equals(Bytes.bytes("A0 00 10"), payload(telegrams.get(telegrams.size() - 1))));
+        assertTrue("seed " + Fuzz.SEED,
+            Arrays.equals(Bytes.bytes("A0 00 10"), payload(telegrams.get(telegrams.size() - 1))));
     }
 
     @Test

@@ -28,9 +28,11 @@ public class CodecTest {
 
     @Test
     public void theHello() {
-        assertEquals(MRL_COMM.get("hello of a board"), Bytes.hex(MrlMessage.of(MrlFunction.PUBLISH_BEGIN).add(MrlMessage.VERSION).end().toBytes()));
+        assertEquals(MRL_COMM.get("hello of a board"),
+            Bytes.hex(MrlMessage.of(MrlFunction.PUBLISH_BEGIN).add(MrlMessage.VERSION).end().toBytes()));
         assertEquals(MRL_COMM.get("ask for the board acknowledged"),
-            Bytes.hex(MrlMessage.of(MrlFunction.PUBLISH_ACK).add(MrlFunction.GET_BOARD_INFO.getNumber()).end().toBytes()));
+            Bytes.hex(MrlMessage.of(MrlFunction.PUBLISH_ACK).add(MrlFunction.GET_BOARD_INFO.getNumber()).end()
+                .toBytes()));
         read(MRL_COMM.get("ask for the board"));
         assertEquals(MrlFunction.GET_BOARD_INFO, found.get(0).getFunction());
     }
@@ -58,7 +60,8 @@ public class CodecTest {
         assertEquals(-1, attach.getShort(4));
         assertEquals("servo", new String(attach.getList(6)));
         assertEquals("AA 06 2B 03 00 FF FF 90",
-            Bytes.hex(MrlMessage.of(MrlFunction.PUBLISH_SERVO_EVENT).add(3).add(0).addShort(-1).add(0x90).end().toBytes()));
+            Bytes.hex(MrlMessage.of(MrlFunction.PUBLISH_SERVO_EVENT).add(3).add(0).addShort(-1).add(0x90).end()
+                .toBytes()));
     }
 
     @Test
@@ -72,7 +75,8 @@ public class CodecTest {
 
     @Test
     public void aListIsCutToTheSizeOfAFrame() {
-        byte[] frame = MrlMessage.of(MrlFunction.PUBLISH_DEBUG).addText(new String(new char[200]).replace('\0', 'x')).end().toBytes();
+        byte[] frame = MrlMessage.of(MrlFunction.PUBLISH_DEBUG).addText(new String(new char[200]).replace('\0', 'x'))
+            .end().toBytes();
         assertEquals(2 + 64, frame.length);
         assertEquals(64, frame[1]);
         read(Bytes.hex(frame));

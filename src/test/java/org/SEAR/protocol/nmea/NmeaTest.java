@@ -13,8 +13,10 @@ public class NmeaTest {
     private static final Golden NMEA = Golden.of("nmea");
     @Test
     public void sentencesOfRealReceiversHaveThisChecksum() {
-        String[] real = NMEA.each("it has restarted", "place without a fix, recorded", "place with three satellites, recorded",
-            "three satellites in use, recorded", "satellites in view, recorded", "the least that one needs, recorded", "course and speed, recorded",
+        String[] real = NMEA.each("it has restarted", "place without a fix, recorded",
+            "place with three satellites, recorded",
+            "three satellites in use, recorded", "satellites in view, recorded", "the least that one needs, recorded",
+            "course and speed, recorded",
             "place by an MT3329, recorded");
         for (String sentence : real) {
             String body = Nmea.body(sentence);
@@ -25,7 +27,8 @@ public class NmeaTest {
 
     @Test
     public void aDamagedFrameHasNoBody() {
-        String[] damaged = {"", "$", "*00", NMEA.get("a fix each second, its checksum wrong"), "PMTK220,1000*1F", "$PMTK220,1000",
+        String[] damaged = {"", "$", "*00", NMEA.get("a fix each second, its checksum wrong"), "PMTK220,1000*1F",
+            "$PMTK220,1000",
             "$PMTK220,1000*1G", "$PMTK220,1000*1F "};
         for (String line : damaged) {
             assertNull(line, Nmea.body(line));
@@ -38,11 +41,13 @@ public class NmeaTest {
         assertEquals(NMEA.get("test") + "\r\n", Nmea.sentence(Pmtk.TEST.body()));
         assertEquals(NMEA.get("5 fixes a second") + "\r\n", Nmea.sentence(Pmtk.SET_PERIOD.body(200)));
         assertEquals(NMEA.get("38400 baud") + "\r\n", Nmea.sentence(Pmtk.SET_BAUD.body(38400)));
-        assertEquals(NMEA.get("an interval of a second between fixes") + "\r\n", Nmea.sentence(Pmtk.SET_FIX_INTERVAL.body(1000, 0, 0, 0, 0)));
+        assertEquals(NMEA.get("an interval of a second between fixes") + "\r\n",
+            Nmea.sentence(Pmtk.SET_FIX_INTERVAL.body(1000, 0, 0, 0, 0)));
         assertEquals(NMEA.get("sentences of its start") + "\r\n", Nmea.sentence(Pmtk.SET_OUTPUT.body(-1)));
         assertEquals(NMEA.get("ask for the release") + "\r\n", Nmea.sentence(Pmtk.QUERY_RELEASE.body()));
         assertEquals(NMEA.get("fixes per second: done") + "\r\n", Nmea.sentence(Pmtk.ACKNOWLEDGE.body(220, 3)));
-        assertEquals(NMEA.get("release AXN_1.30") + "\r\n", Nmea.sentence(Pmtk.RELEASE.body("AXN_1.30", "0000", "20090609", "")));
+        assertEquals(NMEA.get("release AXN_1.30") + "\r\n",
+            Nmea.sentence(Pmtk.RELEASE.body("AXN_1.30", "0000", "20090609", "")));
         String[] speeds = {"4800*14", "9600*17", "14400*29", "19200*22", "38400*27", "57600*2C", "115200*1F"};
         for (int i = 0; i < speeds.length; i++) {
             assertEquals("$PMTK251," + speeds[i] + "\r\n", Nmea.sentence(Pmtk.SET_BAUD.body(Pmtk.BAUDS.get(i))));

@@ -23,8 +23,10 @@ public class CodecTest {
         assertEquals(RPLIDAR.get("stop"), Bytes.hex(new RplidarRequestPacket(RplidarCommand.STOP.getCode()).toBytes()));
         assertEquals(RPLIDAR.get("ask for an express scan"),
             Bytes.hex(new RplidarRequestPacket(RplidarCommand.EXPRESS_SCAN.getCode(), new byte[5]).toBytes()));
-        assertEquals(RPLIDAR.get("motor at 660 of 1023"), Bytes.hex(new RplidarRequestPacket(0xF0, (byte) 0x94, (byte) 2).toBytes()));
-        assertEquals(RPLIDAR.get("ask for the motor's control"), Bytes.hex(new RplidarRequestPacket(0xFF, new byte[4]).toBytes()));
+        assertEquals(RPLIDAR.get("motor at 660 of 1023"),
+            Bytes.hex(new RplidarRequestPacket(0xF0, (byte) 0x94, (byte) 2).toBytes()));
+        assertEquals(RPLIDAR.get("ask for the motor's control"),
+            Bytes.hex(new RplidarRequestPacket(0xFF, new byte[4]).toBytes()));
     }
 
     @Test
@@ -35,7 +37,8 @@ public class CodecTest {
             + "A5 F0 02 94 02 C1 A5 84 00 21 A5 52")) {
             reader.accept(value);
         }
-        assertEquals("[A5 50, A5 82 05 00 00 00 00 00 22, A5 20, A5 F0 02 94 02 C1, A5 84 00 21, A5 52]", found.toString());
+        assertEquals("[A5 50, A5 82 05 00 00 00 00 00 22, A5 20, A5 F0 02 94 02 C1, A5 84 00 21, A5 52]",
+            found.toString());
     }
 
     @Test
@@ -111,8 +114,10 @@ public class CodecTest {
     @Test
     public void infoAndHealth() {
         byte[] serial = Bytes.bytes(RPLIDAR.get("its number"));
-        assertEquals("18 1D 01 07 EB B3 99 F6 C9 E5 9A D2 C5 E5 9C F7 17 61 34 12", Bytes.hex(new Info(Info.A1M8, 1, 29, 7, serial).toBytes()));
-        assertEquals("model 24, firmware 1.29, hardware 7", new Info(new Info(Info.A1M8, 1, 29, 7, serial).toBytes()).toString());
+        assertEquals("18 1D 01 07 EB B3 99 F6 C9 E5 9A D2 C5 E5 9C F7 17 61 34 12",
+            Bytes.hex(new Info(Info.A1M8, 1, 29, 7, serial).toBytes()));
+        assertEquals("model 24, firmware 1.29, hardware 7", new Info(new Info(Info.A1M8, 1, 29, 7, serial).toBytes())
+            .toString());
         assertEquals("02 34 12", Bytes.hex(new Health(Health.ERROR, 0x1234).toBytes()));
         assertEquals(0x1234, new Health(Bytes.bytes("02 34 12")).getCode());
     }

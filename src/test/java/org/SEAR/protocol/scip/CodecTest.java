@@ -30,8 +30,10 @@ public class CodecTest {
 
     @Test
     public void numbersAsTheSpecificationHasThem() {
-        Object[][] examples = {{1234, 2, "CB"}, {5432, 3, "1Dh"}, {16000000, 4, "m2@0"}, {0, 2, "00"}, {4095, 2, "oo"}, {1000, 2, "?X"},
-            {1000, 3, "0?X"}, {1000, 4, "00?X"}, {19, 3, "00C"}, {5600, 3, "1GP"}, {30000, 3, "7D`"}, {60000, 3, ">YP"}, {262143, 3, "ooo"}};
+        Object[][] examples = {{1234, 2, "CB"}, {5432, 3, "1Dh"}, {16000000, 4, "m2@0"}, {0, 2, "00"}, {4095, 2, "oo"},
+            {1000, 2, "?X"},
+            {1000, 3, "0?X"}, {1000, 4, "00?X"}, {19, 3, "00C"}, {5600, 3, "1GP"}, {30000, 3, "7D`"}, {60000, 3, ">YP"},
+                {262143, 3, "ooo"}};
         for (Object[] example : examples) {
             assertEquals(example[2], encode((int) example[0], (int) example[1]));
             assertEquals(example[0], Encoding.decode((String) example[2], 0, (int) example[1]));
@@ -50,26 +52,33 @@ public class CodecTest {
 
     @Test
     public void checksumsOfRealAnswers() {
-        String lines = "00P 99b 0Aa 0Bb 0Ee 10Q DMIN:20;4 DMAX:5600;_ ARES:1024;\\ AMIN:44;7 AMAX:725;o AFRT:384;6 SCAN:600;e DMIN:23;7 DMAX:60000;J "
-            + "ARES:1440;^ AMIN:0;? AMAX:1080;Z AFRT:540;0 SCAN:2400;U PROT:SCIP_2.0;" + Checksum.of("PROT:SCIP_2.0") + " SERI:H0614967;V LASR:OFF;7";
+        String lines = "00P 99b 0Aa 0Bb 0Ee 10Q DMIN:20;4 DMAX:5600;_ ARES:1024;\\ AMIN:44;7 AMAX:725;o AFRT:384;6 "
+            + "SCAN:600;e DMIN:23;7 DMAX:60000;J "
+            + "ARES:1440;^ AMIN:0;? AMAX:1080;Z AFRT:540;0 SCAN:2400;U PROT:SCIP_2.0;" + Checksum.of("PROT:SCIP_2.0")
+            + " SERI:H0614967;V LASR:OFF;7";
         for (String line : lines.split(" ")) {
             String expected = line.substring(0, line.length() - 1).replace(";", "");
             assertEquals(expected, Checksum.strip(line));
-            assertNull(line, Checksum.strip(line.substring(0, line.length() - 1) + (char) (line.charAt(line.length() - 1) ^ 1)));
+            assertNull(line, Checksum.strip(line.substring(0, line.length() - 1)
+                + (char) (line.charAt(line.length() - 1) ^ 1)));
         }
         assertEquals("VEND:Hokuyo Automatic Co.,Ltd.", Checksum.strip("VEND:Hokuyo Automatic Co.,Ltd.;["));
         assertEquals("FIRM:3.1.00(18/Jan./2007)", Checksum.strip("FIRM:3.1.00(18/Jan./2007);`"));
-        assertEquals("MODL:URG-04LX(Hokuyo Automatic Co.,Ltd.)", Checksum.strip("MODL:URG-04LX(Hokuyo Automatic Co.,Ltd.);N"));
+        assertEquals("MODL:URG-04LX(Hokuyo Automatic Co.,Ltd.)",
+            Checksum.strip("MODL:URG-04LX(Hokuyo Automatic Co.,Ltd.);N"));
     }
 
     @Test
     public void wholeRepliesByteByByte() {
         assertEquals(SCIP.get("three values of three characters by GD"),
-            text(new ReplyWriter("GD0384038601", ScipStatus.OK).time(1000).values(new int[] {1000, 1001, 1002}, Encoding.LONG)));
+            text(new ReplyWriter("GD0384038601", ScipStatus.OK).time(1000)
+                .values(new int[] {1000, 1001, 1002}, Encoding.LONG)));
         assertEquals(SCIP.get("a value of three characters by MD"),
-            text(new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(1000).values(new int[] {1000}, Encoding.LONG)));
+            text(new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(1000)
+                .values(new int[] {1000}, Encoding.LONG)));
         assertEquals(SCIP.get("two values of two characters by MS"),
-            text(new ReplyWriter("MS0384038501000", ScipStatus.SCAN).time(1000).values(new int[] {1000, 19}, Encoding.SHORT)));
+            text(new ReplyWriter("MS0384038501000", ScipStatus.SCAN).time(1000)
+                .values(new int[] {1000, 19}, Encoding.SHORT)));
     }
 
     @Test
@@ -103,7 +112,8 @@ public class CodecTest {
 
     @Test
     public void scanCommandsAreReadAsTheyAreWritten() {
-        for (String line : new String[] {"MD0044072501000", "MS0000076804399", "GD0384038601", "GS0044072500;name", "MD0044072501005;x"}) {
+        for (String line : new String[] {"MD0044072501000", "MS0000076804399", "GD0384038601", "GS0044072500;name",
+            "MD0044072501005;x"}) {
             assertNull(line, ScanCommand.fault(line, 768));
             assertEquals(line, ScanCommand.of(line).toString());
         }
@@ -114,7 +124,8 @@ public class CodecTest {
 
     @Test
     public void wrongParametersHaveTheirStatus() {
-        String[][] faults = {{"MD00x4072501000", "01"}, {"MD0044 72501000", "02"}, {"MD00440725x1000", "03"}, {"MD0044076901000", "04"},
+        String[][] faults = {{"MD00x4072501000", "01"}, {"MD0044 72501000", "02"}, {"MD00440725x1000", "03"},
+            {"MD0044076901000", "04"},
             {"MD0100009901000", "05"}, {"MD0044072501x00", "06"}, {"MD00440725010x0", "07"}, {"GD0044072x01", "02"}};
         for (String[] fault : faults) {
             assertEquals(fault[0], fault[1], ScanCommand.fault(fault[0], 768));
@@ -126,7 +137,8 @@ public class CodecTest {
         List<String> seen = new ArrayList<>();
         ReplyReader reader = new ReplyReader(reply -> seen.add(reply.getEcho()), () -> seen.add("broken"));
         reader.accept("QT\n00Q\n\nBM\n00P\n\n\nnoise without end\n\nQT\n00P\n\n".getBytes(StandardCharsets.ISO_8859_1));
-        reader.accept((new String(new char[500]).replace("\0", "x") + "\n\nRS\n00P\n\n").getBytes(StandardCharsets.ISO_8859_1));
+        reader.accept((new String(new char[500]).replace("\0", "x") + "\n\nRS\n00P\n\n")
+            .getBytes(StandardCharsets.ISO_8859_1));
         assertEquals("[broken, BM, broken, QT, broken, RS]", seen.toString());
     }
 }

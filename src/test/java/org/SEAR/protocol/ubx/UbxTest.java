@@ -20,8 +20,10 @@ public class UbxTest {
     private static final Golden UBX = Golden.of("ubx");
     /** From gpsd's log of a NEO-M8N, 2017-07-19. */
     public static final String PVT = UBX.get("position, velocity and time of a NEO-M8N, from gpsd's log of 2017-07-19");
-    private static final String[] FRAMES = UBX.each("ask for the version", "ask for the settings of UART 1", "message rate acknowledged",
-        "key and value refused", "a solution each second", "no GLL", "key and value, which a generation 8 does not know",
+    private static final String[] FRAMES = UBX.each("ask for the version", "ask for the settings of UART 1",
+        "message rate acknowledged",
+        "key and value refused", "a solution each second", "no GLL",
+        "key and value, which a generation 8 does not know",
         "dilutions of precision of a real receiver", "UBX, NMEA and RTCM both ways, 9600 baud",
         "position, velocity and time of a NEO-M8N, from gpsd's log of 2017-07-19");
 
@@ -93,7 +95,8 @@ public class UbxTest {
     public void randomBytesNeverStopIt() {
         Random random = new Random(Fuzz.SEED);
         for (int i = 0; i < Fuzz.BYTES; i++) {
-            reader.accept(random.nextInt(4) == 0 ? (random.nextBoolean() ? 0xB5 : 0x62) : random.nextInt(6) == 0 ? 0 : random.nextInt(256));
+            reader.accept(random.nextInt(4) == 0 ? (random.nextBoolean() ? 0xB5 : 0x62) : random.nextInt(6) == 0 ? 0
+                : random.nextInt(256));
             if (i % 50000 == 0) {
                 reader.feed(new byte[UbxFrame.MOST + UbxFrame.OVERHEAD]);
                 found.clear();

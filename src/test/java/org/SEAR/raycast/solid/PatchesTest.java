@@ -54,7 +54,8 @@ public class PatchesTest {
 
     @Test
     public void eachTriangleIsInOnePatchWithItsCornersAndInsideOfItsBox() {
-        for (Triangles triangles : new Triangles[] {net(30), soup(500), soup(1), soup(Patches.CORNERS / 3), soup(Patches.MOST)}) {
+        for (Triangles triangles : new Triangles[] {net(30), soup(500), soup(1), soup(Patches.CORNERS / 3),
+            soup(Patches.MOST)}) {
             Mesh mesh = Mesh.of(triangles);
             boolean[] found = new boolean[triangles.size()];
             patches = 0;

@@ -33,7 +33,8 @@ public class BumperTest {
     public final ProjectRule project = new ProjectRule();
     private Simulation simulation;
 
-    private static Box box(String name, double length, double width, double height, double mass, double x, double y, double z) {
+    private static Box box(String name, double length, double width, double height, double mass, double x,
+        double y, double z) {
         Box box = new Box(name, length, width, height, mass);
         box.move(x, y, z);
         return box;
@@ -132,7 +133,8 @@ public class BumperTest {
             start();
             driveUntil("any");
             assertEquals("front of the wheels", 0.45, simulation.getPose("rover").z + 0.2, 0.015);
-            assertTrue(simulation.getRobots().get(0).getHardware().isBumpedLeft() && simulation.getRobots().get(0).getHardware().isBumpedRight());
+            assertTrue(simulation.getRobots().get(0).getHardware().isBumpedLeft() && simulation.getRobots().get(0)
+                .getHardware().isBumpedRight());
             Worlds.run(simulation, 3);
             double pushed = simulation.getPose("crate").z - 0.6;
             assertEquals("a crate of " + mass + " kg is pushed", mass == 0 ? 0 : 0.3, pushed, 0.05);
@@ -199,7 +201,8 @@ public class BumperTest {
                 drive(i < 600 ? 0.2 : -0.2);
             }
             simulation.step();
-            readings.add(List.of(simulation.read("left").value(), simulation.read("right").value(), simulation.read("any").value()));
+            readings.add(List.of(simulation.read("left").value(), simulation.read("right").value(),
+                simulation.read("any").value()));
         }
         return readings;
     }
@@ -213,7 +216,8 @@ public class BumperTest {
         rover.addComponent(loose);
         simulation = Worlds.start(project);
         List<Object> first = readings();
-        assertTrue(first.toString(), first.contains(List.of(true, false, true)) && first.contains(List.of(false, false, false)));
+        assertTrue(first.toString(), first.contains(List.of(true, false, true))
+            && first.contains(List.of(false, false, false)));
         simulation.reset();
         assertEquals("after reset", first, readings());
         simulation = Worlds.start(project);
@@ -241,7 +245,8 @@ public class BumperTest {
 
     @Test
     public void wrongPartsAreRefused() throws Exception {
-        String legal = ", legal: a shape that is a component of the same robot, and no wheel; Bumper(name) is pressed by each of them";
+        String legal = ", legal: a shape that is a component of the same robot, and no wheel; Bumper(name) is pressed "
+            + "by each of them";
         refused("Bumper \"b\": part is missing (None)" + legal, () -> new Bumper("b", null));
         Wheel wheel = new Wheel("wheel", 0.1, 0.05);
         refused("Bumper \"b\": Wheel \"wheel\" can't press it" + legal, () -> new Bumper("b", wheel));
@@ -250,12 +255,14 @@ public class BumperTest {
         rover.addComponent(bumper);
         SEARrobot other = Worlds.roomba("other", 0, 3, 0);
         Shape body = (Shape) other.getComponents().get(1);
-        refused("Bumper \"b\": Cylinder \"otherBody\" is a part of SEARrobot \"other\", legal: a part of SEARrobot \"rover\"",
+        refused("Bumper \"b\": Cylinder \"otherBody\" is a part of SEARrobot \"other\", legal: a part of "
+            + "SEARrobot \"rover\"",
             () -> bumper.setPart(body));
         other.addComponent(new Bumper("far", (Shape) rover.getComponents().get(1)));
         ProjectException e = assertThrows(ProjectException.class, () -> Project.read(project.folder()));
         assertEquals(1, e.getProblems().size());
-        assertTrue(e.getMessage(), e.getMessage().contains("part is \"roverBody\", legal: the name of a shape of the bumper's robot other:"
+        assertTrue(e.getMessage(), e.getMessage()
+            .contains("part is \"roverBody\", legal: the name of a shape of the bumper's robot other:"
             + " otherBody"));
     }
 }

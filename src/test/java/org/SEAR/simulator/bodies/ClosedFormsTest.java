@@ -47,7 +47,8 @@ public class ClosedFormsTest {
         box.setFriction(0.25);
         put(box, 0.1, 20, 0, 0, 20);
         double slope = Math.toRadians(20);
-        near("a box slides down 20 degrees, friction 0.2, 3 s", G * (Math.sin(slope) - 0.2 * Math.cos(slope)) * 4.5, gone(3));
+        near("a box slides down 20 degrees, friction 0.2, 3 s", G * (Math.sin(slope) - 0.2 * Math.cos(slope))
+            * 4.5, gone(3));
     }
 
     @Test
@@ -62,7 +63,8 @@ public class ClosedFormsTest {
         new Floor("slope", 400, 10).rotate(0, 0, 10);
         put(new Cylinder("thing", 0.1, 0.3, 2), 0.1, 10, 90, 0, 0);
         double slope = Math.toRadians(10);
-        near("a cylinder rolls down 10 degrees, 3 s", G * (Math.sin(slope) - 0.002 * Math.cos(slope)) * 2 / 3 * 4.5, gone(3));
+        near("a cylinder rolls down 10 degrees, 3 s", G * (Math.sin(slope) - 0.002 * Math.cos(slope)) * 2 / 3
+            * 4.5, gone(3));
     }
 
     @Test
@@ -70,7 +72,8 @@ public class ClosedFormsTest {
         new Floor("slope", 400, 10).rotate(0, 0, 10);
         put(new Sphere("thing", 0.1, 2), 0.1, 10, 0, 0, 0);
         double slope = Math.toRadians(10);
-        near("a sphere rolls down 10 degrees, 3 s", G * (Math.sin(slope) - 0.002 * Math.cos(slope)) * 5 / 7 * 4.5, gone(3));
+        near("a sphere rolls down 10 degrees, 3 s", G * (Math.sin(slope) - 0.002 * Math.cos(slope)) * 5 / 7
+            * 4.5, gone(3));
     }
 
     @Test
@@ -80,7 +83,8 @@ public class ClosedFormsTest {
         thing.setRollingFriction(0.05);
         put(thing, 0.1, 10, 90, 0, 0);
         double slope = Math.toRadians(10);
-        near("the same with rolling friction 0.051", G * (Math.sin(slope) - 0.051 * Math.cos(slope)) * 2 / 3 * 4.5, gone(3));
+        near("the same with rolling friction 0.051", G * (Math.sin(slope) - 0.051 * Math.cos(slope)) * 2 / 3
+            * 4.5, gone(3));
     }
 
     @Test
@@ -139,7 +143,8 @@ public class ClosedFormsTest {
         simulation.getRobots().get(0).drive(0, Double.POSITIVE_INFINITY);
         double from = simulation.getPose("thing").z;
         Worlds.run(simulation, 4);
-        near("a box pushed by a robot at 0.5 m/s slides on, friction 0.04", 0.25 / (2 * 0.04 * G), simulation.getPose("thing").z - from);
+        near("a box pushed by a robot at 0.5 m/s slides on, friction 0.04", 0.25 / (2 * 0.04 * G),
+            simulation.getPose("thing").z - from);
     }
 
     @Test
@@ -181,13 +186,15 @@ public class ClosedFormsTest {
         Pose from = simulation.getPose("thing");
         Worlds.run(simulation, seconds);
         Pose to = simulation.getPose("thing");
-        return Math.sqrt((from.x - to.x) * (from.x - to.x) + (from.y - to.y) * (from.y - to.y) + (from.z - to.z) * (from.z - to.z));
+        return Math.sqrt((from.x - to.x) * (from.x - to.x) + (from.y - to.y) * (from.y - to.y)
+            + (from.z - to.z) * (from.z - to.z));
     }
 
     private static void near(String what, double expected, double actual) throws IOException {
         assertEquals(what, expected, actual, Math.abs(expected) * SHARE);
         String row = String.format(Locale.ROOT, "| %s | %.4f | %.4f |", what, expected, actual);
-        List<String> page = Files.readAllLines(Paths.get(System.getProperty("sear.root", "."), "docs/physics.md"), StandardCharsets.UTF_8);
+        List<String> page = Files.readAllLines(Paths.get(System.getProperty("sear.root", "."), "docs/physics.md"),
+            StandardCharsets.UTF_8);
         assertTrue("docs/physics.md lacks the line " + row, page.contains(row));
     }
 }

@@ -52,7 +52,8 @@ public class CollisionShapesTest {
     }
 
     private static Meshes channel() {
-        return new Meshes().box(-0.5, 0, -0.5, 0.5, 0.1, 0.5).box(-0.5, 0.1, -0.5, -0.4, 0.5, 0.5).box(0.4, 0.1, -0.5, 0.5, 0.5, 0.5);
+        return new Meshes().box(-0.5, 0, -0.5, 0.5, 0.1, 0.5).box(-0.5, 0.1, -0.5, -0.4, 0.5, 0.5)
+            .box(0.4, 0.1, -0.5, 0.5, 0.5, 0.5);
     }
 
     private Pose after(double seconds, String name) throws Exception {
@@ -148,7 +149,8 @@ public class CollisionShapesTest {
     private List<String> poses() throws Exception {
         try (Simulation simulation = Worlds.start(project)) {
             Worlds.run(simulation, 1.5);
-            return Worlds.physics(simulation).getBodies().stream().map(body -> body.getPose().x + " " + body.getPose().y + " " + body.getPose().qx)
+            return Worlds.physics(simulation).getBodies().stream()
+                .map(body -> body.getPose().x + " " + body.getPose().y + " " + body.getPose().qx)
                 .collect(Collectors.toList());
         }
     }

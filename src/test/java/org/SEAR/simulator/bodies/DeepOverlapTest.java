@@ -35,7 +35,8 @@ public class DeepOverlapTest {
     private Pose start(String name, String... words) throws Exception {
         try (Simulation simulation = Worlds.start(project)) {
             for (String word : words) {
-                assertTrue(simulation.snapshot().warnings.toString(), simulation.snapshot().warnings.toString().contains(word));
+                assertTrue(simulation.snapshot().warnings.toString(), simulation.snapshot().warnings.toString()
+                    .contains(word));
             }
             return Worlds.body(simulation, name).getStart();
         }

@@ -61,7 +61,8 @@ public class DropsTest {
      * @param robotEach every n-th object is a robot
      * @return the lost objects
      */
-    private List<String> drops(int all, int atOnce, double low, double high, double seconds, int robotEach) throws Exception {
+    private List<String> drops(int all, int atOnce, double low, double high, double seconds, int robotEach)
+        throws Exception {
         Random random = new Random(SEED);
         List<String> lost = new ArrayList<>();
         for (int done = 0; done < all; done += atOnce) {
@@ -79,9 +80,11 @@ public class DropsTest {
             for (int i = 0; i < count; i++) {
                 double size = 0.02 * Math.pow(50, random.nextDouble());
                 double height = size + low + (high - low) * random.nextDouble();
-                String kind = i % robotEach == robotEach - 1 ? robot("thing" + i, size, height, APART * (i % row), APART * (i / row), random)
+                String kind = i % robotEach == robotEach - 1
+                    ? robot("thing" + i, size, height, APART * (i % row), APART * (i / row), random)
                     : thing("thing" + i, size, height, APART * (i % row), APART * (i / row), random);
-                what.add((mesh ? "mesh " : "floor ") + kind + " of " + size + " from " + height + ", number " + (done + i));
+                what.add((mesh ? "mesh " : "floor ") + kind + " of " + size + " from " + height + ", number "
+                    + (done + i));
             }
             run(seconds, what, lost);
         }
@@ -112,7 +115,8 @@ public class DropsTest {
 
     private static String robot(String name, double size, double height, double x, double z, Random random) {
         double track = 0.05 + size / 2;
-        Worlds.cart(name, 1 + 10 * random.nextDouble(), 0.3 * track, track, new double[] {0}, -track, x, z, 360 * random.nextDouble())
+        Worlds.cart(name, 1 + 10 * random.nextDouble(), 0.3 * track, track, new double[] {0}, -track, x, z,
+            360 * random.nextDouble())
             .move(0, height, 0);
         return "robot";
     }
@@ -136,7 +140,8 @@ public class DropsTest {
         int cells = 60;
         for (int i = 0; i <= cells; i++) {
             for (int k = 0; k <= cells; k++) {
-                text.append("v ").append(i * side / cells - AROUND).append(" 0 ").append(k * side / cells - AROUND).append('\n');
+                text.append("v ").append(i * side / cells - AROUND).append(" 0 ").append(k * side / cells - AROUND)
+                    .append('\n');
             }
         }
         for (int i = 0; i < cells; i++) {

@@ -26,8 +26,10 @@ public class KillPlaneTest {
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 2);
         List<String> warnings = simulation.snapshot().warnings;
-        assertTrue(warnings.toString(), warnings.contains("box has fallen out of the world, below everything, at x 0.0, z 5.0; put ground there"));
-        assertTrue(warnings.toString(), warnings.stream().anyMatch(one -> one.startsWith("roomba has fallen out of the world")));
+        assertTrue(warnings.toString(),
+            warnings.contains("box has fallen out of the world, below everything, at x 0.0, z 5.0; put ground there"));
+        assertTrue(warnings.toString(), warnings.stream()
+            .anyMatch(one -> one.startsWith("roomba has fallen out of the world")));
         Worlds.run(simulation, 20);
         double box = simulation.getPose("box").y;
         double roomba = simulation.getPose("roomba").y;

@@ -56,7 +56,8 @@ public class LaunchTest {
         try (Simulation simulation = thrown()) {
             Worlds.run(simulation, 1);
             at("a parabola", 3, 100 + 5 - G / 2, -2, simulation.getPose("box"));
-            assertArrayEquals("a quarter turn to the left", new double[] {0, 0, -1}, simulation.getPose("box").rotate(1, 0, 0), NEAR);
+            assertArrayEquals("a quarter turn to the left", new double[] {0, 0, -1}, simulation.getPose("box")
+                .rotate(1, 0, 0), NEAR);
         }
     }
 
@@ -107,7 +108,8 @@ public class LaunchTest {
         try (Simulation simulation = Worlds.start(project)) {
             simulation.order(new BodyOrder(Kind.PUSH, "box", 6, 0, -2, 1));
             Worlds.run(simulation, 1);
-            at("half of force by mass, times the square of the time", 1.5, 100 - G / 2, -0.5, simulation.getPose("box"));
+            at("half of force by mass, times the square of the time", 1.5, 100 - G / 2, -0.5,
+                simulation.getPose("box"));
             Worlds.run(simulation, 1);
             at("on with the speed that it got", 4.5, 100 - 2 * G, -1.5, simulation.getPose("box"));
             assertArrayEquals(new double[] {3, -2 * G, -1, 0, 0, 0}, velocities(simulation, "box"), 0.01);
@@ -156,7 +158,8 @@ public class LaunchTest {
             double x = simulation.getPose("cart").x;
             simulation.order(new BodyOrder(Kind.PUSH, "cart", 200, 0, 0, 0.2));
             Worlds.run(simulation, 1);
-            assertTrue("it was at " + x + " and is at " + simulation.getPose("cart").x, simulation.getPose("cart").x > x + 0.1);
+            assertTrue("it was at " + x + " and is at " + simulation.getPose("cart").x,
+                simulation.getPose("cart").x > x + 0.1);
         }
     }
 
@@ -185,7 +188,8 @@ public class LaunchTest {
         refused("Box \"wall\" is fixed (mass 0) and can't have a velocity", () -> fixed.setVelocity(1, 0, 0));
         refused("velocityY is 1001", () -> box.setVelocity(0, 1001, 0));
         refused("spinX is NaN", () -> box.setSpin(Double.NaN, 0, 0));
-        refused("\"lost\": velocityX can't be set: a wheel belongs to a robot", () -> new Wheel("lost", 0.1, 0.05).setVelocity(1, 0, 0));
+        refused("\"lost\": velocityX can't be set: a wheel belongs to a robot", () -> new Wheel("lost", 0.1, 0.05)
+            .setVelocity(1, 0, 0));
         box.setSpin(0, 0, 10);
         refused("mass is 0, legal: more than 0 kg for an object with a velocity or a spin", () -> box.setMass(0));
         SEARrobot robot = new SEARrobot("robot");
@@ -196,10 +200,13 @@ public class LaunchTest {
             Map.of("name", "other", "length", 1, "width", 1, "height", 1, "velocityX", 2)));
         try (Simulation simulation = Worlds.start(project)) {
             refused("wall is fixed", () -> simulation.order(new BodyOrder(Kind.PUSH, "wall", 1, 0, 0, 1)));
-            refused("nothing that can be moved is named \"ghost\"", () -> simulation.order(new BodyOrder(Kind.SPIN, "ghost", 1, 0, 0, 0)));
-            refused("legal for its 1.0 kg: at most 60000", () -> simulation.order(new BodyOrder(Kind.PUSH, "box", 70000, 0, 0, 1)));
+            refused("nothing that can be moved is named \"ghost\"",
+                () -> simulation.order(new BodyOrder(Kind.SPIN, "ghost", 1, 0, 0, 0)));
+            refused("legal for its 1.0 kg: at most 60000",
+                () -> simulation.order(new BodyOrder(Kind.PUSH, "box", 70000, 0, 0, 1)));
             refused("push for 0.0 s", () -> new BodyOrder(Kind.PUSH, "box", 1, 0, 0, 0));
-            refused("velocity is Infinity along an axis", () -> new BodyOrder(Kind.VELOCITY, "box", 0, Double.POSITIVE_INFINITY, 0, 0));
+            refused("velocity is Infinity along an axis",
+                () -> new BodyOrder(Kind.VELOCITY, "box", 0, Double.POSITIVE_INFINITY, 0, 0));
         }
     }
 
@@ -209,17 +216,22 @@ public class LaunchTest {
 
     @Test
     public void filesWithImpossibleValuesAreRejected() throws Exception {
-        project.put("environment/box.xml", "<Box><name>box</name><length>1</length><width>1</width><height>1</height><spinY>30</spinY></Box>");
+        project.put("environment/box.xml",
+            "<Box><name>box</name><length>1</length><width>1</width><height>1</height><spinY>30</spinY></Box>");
         String message = problem();
-        assertTrue(message, message.contains("environment/box.xml") && message.contains("spinY") && message.contains("0 for a fixed object"));
-        project.put("environment/box.xml", "<Box><name>box</name><length>1</length><width>1</width><height>1</height><mass>1</mass></Box>");
+        assertTrue(message, message.contains("environment/box.xml") && message.contains("spinY")
+            && message.contains("0 for a fixed object"));
+        project.put("environment/box.xml",
+            "<Box><name>box</name><length>1</length><width>1</width><height>1</height><mass>1</mass></Box>");
         SEARrobot robot = new SEARrobot("robot");
         robot.addComponent(new Dynamics("drive", 4, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, 0, 0, 0, 0));
         robot.addComponent(new Box("body", 0.2, 0.2, 0.1, 4));
         robot.addWheel(new Wheel("wheel", 0.05, 0.02));
-        project.put("robot/body.xml", project.text("robot/body.xml").replace("</Box>", "<velocityZ>1</velocityZ></Box>"));
+        project.put("robot/body.xml", project.text("robot/body.xml")
+            .replace("</Box>", "<velocityZ>1</velocityZ></Box>"));
         message = problem();
-        assertTrue(message, message.contains("robot/body.xml") && message.contains("velocityZ") && message.contains("a part of a robot"));
+        assertTrue(message, message.contains("robot/body.xml") && message.contains("velocityZ")
+            && message.contains("a part of a robot"));
     }
 
     @Test
@@ -228,7 +240,8 @@ public class LaunchTest {
         box.setVelocity(1, -2, 0.5);
         box.setSpin(0, 720, 0);
         String text = project.text("environment/box.xml");
-        for (String line : List.of("<velocityX>1</velocityX>", "<velocityY>-2</velocityY>", "<velocityZ>0.5</velocityZ>", "<spinY>720</spinY>")) {
+        for (String line : List.of("<velocityX>1</velocityX>", "<velocityY>-2</velocityY>",
+            "<velocityZ>0.5</velocityZ>", "<spinY>720</spinY>")) {
             assertTrue(text, text.contains(line));
         }
         assertFalse(text, text.contains("spinX"));

@@ -44,7 +44,8 @@ public class OrdersTest {
         assertEquals("[]", warnings().toString());
         rover.drive(1.5, STRAIGHT);
         rover.drive(3, STRAIGHT);
-        assertEquals("[robot rover can't obey the command to turn its wheels at 1.50 m/s: without load its motors reach 1.00 m/s, so it drives"
+        assertEquals("[robot rover can't obey the command to turn its wheels at 1.50 m/s: without load its motors "
+            + "reach 1.00 m/s, so it drives"
             + " that fast instead, or slower under load. A motor's noLoadSpeed sets its limit]", warnings().toString());
         Worlds.run(simulation, 2);
         Pose from = simulation.getPose("rover");
@@ -61,9 +62,12 @@ public class OrdersTest {
         Pose a = simulation.getPose("rover");
         Worlds.run(simulation, 1);
         Pose b = simulation.getPose("rover");
-        double turned = 2 * Math.asin(Math.min(1, Math.abs(a.rotateBack(b.rotate(0, 0, 1)[0], b.rotate(0, 0, 1)[1], b.rotate(0, 0, 1)[2])[0]) / 2));
+        double turned = 2 * Math.asin(
+            Math.min(1, Math.abs(a.rotateBack(b.rotate(0, 0, 1)[0], b.rotate(0, 0, 1)[1], b.rotate(0, 0, 1)[2])[0])
+                / 2));
         double chord = Math.hypot(b.x - a.x, b.z - a.z);
-        double angle = Math.asin(Math.abs(a.rotateBack(b.rotate(0, 0, 1)[0], b.rotate(0, 0, 1)[1], b.rotate(0, 0, 1)[2])[0]));
+        double angle = Math.asin(Math.abs(
+            a.rotateBack(b.rotate(0, 0, 1)[0], b.rotate(0, 0, 1)[1], b.rotate(0, 0, 1)[2])[0]));
         assertTrue("turned " + turned, turned > 0.1);
         assertEquals("radius", 1, chord / 2 / Math.sin(angle / 2), 0.06);
     }
@@ -77,7 +81,8 @@ public class OrdersTest {
         assertEquals("[]", warnings().toString());
         create.drive(20, 1);
         create.drive(-20, -2);
-        assertEquals("[robot create can't obey the command to drive at 20.00 m/s on a circle of 1.00 m radius: that takes 400.0 m/s\u00b2 of grip,"
+        assertEquals("[robot create can't obey the command to drive at 20.00 m/s on a circle of 1.00 m radius: that "
+            + "takes 400.0 m/s\u00b2 of grip,"
             + " and here its wheels have 9.8. It slides outwards instead; drive slower or on a wider circle]",
             warnings().toString());
     }
@@ -88,7 +93,8 @@ public class OrdersTest {
         Robot car = start(Robots.car("car"));
         car.drive(3, 0.1);
         List<String> warnings = warnings();
-        assertEquals(warnings.toString(), 1, warnings.stream().filter(text -> text.contains("circle of 0.52 m radius: that takes")).count());
+        assertEquals(warnings.toString(), 1, warnings.stream()
+            .filter(text -> text.contains("circle of 0.52 m radius: that takes")).count());
     }
 
     @Test
@@ -99,7 +105,8 @@ public class OrdersTest {
         double spin = Math.toRadians(40) * car.getHardware().getWheelBase() / 2;
         car.drive(spin, 0);
         car.drive(spin, 0.1);
-        assertEquals("[robot car can't obey the command to turn in place: its wheels steer by 30 degrees at most. At 0.08 m/s it drives on a"
+        assertEquals("[robot car can't obey the command to turn in place: its wheels steer by 30 degrees at most. At "
+            + "0.08 m/s it drives on a"
             + " circle of 0.52 m radius instead, and turns at 9.2 degrees per second]", warnings().toString());
         Worlds.run(simulation, 3);
         assertEquals(9.2, Math.toDegrees(simulation.snapshot().robots.get(0).turnRate), 0.3);
@@ -117,6 +124,7 @@ public class OrdersTest {
         Worlds.run(simulation, 3);
         assertEquals(8, simulation.getMotor("engine").getSpeed(), 0.04);
         double speed = 8 * 0.05 / Math.toRadians(1);
-        assertEquals("degrees a second", speed * Math.tan(Math.toRadians(30)) / 0.3, Math.toDegrees(simulation.snapshot().robots.get(0).turnRate), 2);
+        assertEquals("degrees a second", speed * Math.tan(Math.toRadians(30)) / 0.3,
+            Math.toDegrees(simulation.snapshot().robots.get(0).turnRate), 2);
     }
 }

@@ -79,7 +79,8 @@ public class ParkingTest {
                 double way = way(from, simulation.getPose("robot"));
                 double pull = 9.81 * (Math.sin(slope) - friction * Math.cos(slope));
                 assertTrue("speed ahead " + speed, Math.abs(speed) < 0.05);
-                assertEquals("friction " + friction, pull > 0 ? pull * (0.5 * 1 + 0.5) : 0, way, pull > 0 ? 0.1 * pull : MILLIMETRE);
+                assertEquals("friction " + friction, pull > 0 ? pull * (0.5 * 1 + 0.5) : 0, way, pull > 0 ? 0.1 * pull
+                    : MILLIMETRE);
             }
         }
     }

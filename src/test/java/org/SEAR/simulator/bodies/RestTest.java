@@ -42,7 +42,8 @@ public class RestTest {
 
     /** Returns the vertical component of each axis of a cube. */
     private static double[] upward(Pose pose) {
-        return new double[] {Math.abs(pose.rotate(1, 0, 0)[1]), Math.abs(pose.rotate(0, 1, 0)[1]), Math.abs(pose.rotate(0, 0, 1)[1])};
+        return new double[] {Math.abs(pose.rotate(1, 0, 0)[1]), Math.abs(pose.rotate(0, 1, 0)[1]),
+            Math.abs(pose.rotate(0, 0, 1)[1])};
     }
 
     private static void assertAboveTheFloor(String what, Pose pose, double size) {
@@ -63,7 +64,8 @@ public class RestTest {
             int row = (int) Math.ceil(Math.sqrt(THINGS));
             for (int i = 0; i < THINGS; i++) {
                 sizes[i] = 0.05 + 0.25 * random.nextDouble();
-                cube("cube" + i, sizes[i], random).move(APART * (i % row - row / 2), 0.5 + sizes[i], APART * (i / row - row / 2));
+                cube("cube" + i, sizes[i], random)
+                    .move(APART * (i % row - row / 2), 0.5 + sizes[i], APART * (i / row - row / 2));
             }
             try (Simulation simulation = Worlds.start(project)) {
                 Worlds.run(simulation, 10);

@@ -39,7 +39,8 @@ public class TippingTest {
     /** Makes a flat chassis with a mast, its wheels 0.3 m apart in width and 0.4 m in length. */
     private static SEARrobot tower(double chassis, double mast, double mastX, double height) {
         SEARrobot robot = new SEARrobot("tower");
-        robot.addComponent(new Dynamics("drive", chassis + mast, STIFFNESS, 0.5, 0.5, 10000, REST, 0, RADIUS + HANGING, 0, 0, 0, 0));
+        robot.addComponent(new Dynamics("drive", chassis + mast, STIFFNESS, 0.5, 0.5, 10000, REST, 0, RADIUS + HANGING,
+            0, 0, 0, 0));
         robot.addComponent(new Box("chassis", 0.2, 0.3, 0.02, chassis));
         Box box = new Box("mast", 0.05, 0.05, 0.05, mast);
         box.move(mastX, height, 0);
@@ -75,7 +76,8 @@ public class TippingTest {
         });
         Stability stability = Worlds.start(project).getRobots().get(0).getStability();
         assertArrayEquals(new double[] {0, 0.4, 0}, stability.getCentre(), 1e-6);
-        assertTrue(stability.getWords(), stability.getWords().endsWith(". SEAR assumes its weight in the middle of its wheels until two of its shapes"
+        assertTrue(stability.getWords(), stability.getWords()
+            .endsWith(". SEAR assumes its weight in the middle of its wheels until two of its shapes"
             + " have a mass"));
     }
 
@@ -94,7 +96,8 @@ public class TippingTest {
             assertEquals(told, simulation.getRobots().get(0).getStability().degrees, 1e-3);
             Worlds.run(simulation, 4);
             double up = simulation.getPose("tower").rotate(0, 1, 0)[1];
-            assertEquals("up after standing on " + slope + " degrees: " + up, share < 1, up > Math.cos(Math.toRadians(slope + 10)));
+            assertEquals("up after standing on " + slope + " degrees: " + up,
+                share < 1, up > Math.cos(Math.toRadians(slope + 10)));
         }
     }
 
@@ -102,13 +105,17 @@ public class TippingTest {
     public void theSlopeIsReportedAtTheStart() throws Exception {
         new Floor("floor", 10, 10);
         tower(1, 3, 0, 0.9);
-        assertEquals("[robot tower tips over to the left on a slope of 11 degrees, or when it brakes or turns with more than 2.0 m/s\u00b2."
-            + " Put weight lower or further inwards, or its wheels further apart]", Worlds.start(project).snapshot().warnings.toString());
-        assertEquals("a check says the same", Worlds.start(project).snapshot().warnings, ProjectCheck.warnings(Project.read(project.folder())));
+        assertEquals("[robot tower tips over to the left on a slope of 11 degrees, or when it brakes or turns with "
+            + "more than 2.0 m/s\u00b2."
+            + " Put weight lower or further inwards, or its wheels further apart]", Worlds.start(project)
+                .snapshot().warnings.toString());
+        assertEquals("a check says the same", Worlds.start(project).snapshot().warnings,
+            ProjectCheck.warnings(Project.read(project.folder())));
         tower(1, 3, 0.3, 0.1);
         assertEquals(Worlds.start(project).snapshot().warnings, ProjectCheck.warnings(Project.read(project.folder())));
         Simulation simulation = Worlds.start(project);
-        assertEquals("[robot tower falls over to the left at rest: its centre of mass at x 0.225, y 0.075, z 0.000 of its frame is"
+        assertEquals("[robot tower falls over to the left at rest: its centre of mass at x 0.225, y 0.075, z 0.000 of "
+            + "its frame is"
             + " 0.075 m outside its wheels. Put weight lower or further inwards, or its wheels further apart]",
             simulation.snapshot().warnings.toString());
         Worlds.run(simulation, 3);

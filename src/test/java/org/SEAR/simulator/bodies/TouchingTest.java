@@ -161,7 +161,8 @@ public class TouchingTest {
         robot.getComponents().stream().filter(part -> part instanceof Dynamics)
             .forEach(part -> part.rotate(dynamicsDegrees[0], dynamicsDegrees[1], dynamicsDegrees[2]));
         Simulation simulation = Worlds.start(project);
-        assertTrue(simulation.snapshot().warnings.toString(), simulation.snapshot().warnings.toString().contains("upside down"));
+        assertTrue(simulation.snapshot().warnings.toString(), simulation.snapshot().warnings.toString()
+            .contains("upside down"));
         Worlds.run(simulation, 1);
         Pose pose = simulation.getPose("roomba");
         assertEquals(1, pose.rotate(0, 1, 0)[1], 0.01);
@@ -172,9 +173,12 @@ public class TouchingTest {
     @Test
     public void aRobotUpsideDownIsSetUprightAndTurned() throws Exception {
         assertArrayEquals(new double[] {0, -1}, aheadOf(new double[3], new double[] {0, 0, 180}), 0.01);
-        assertArrayEquals("about either axis", new double[] {0, -1}, aheadOf(new double[3], new double[] {180, 0, 0}), 0.01);
-        assertArrayEquals("its heading is kept", new double[] {-1, 0}, aheadOf(new double[3], new double[] {0, 90, 180}), 0.01);
-        assertArrayEquals("the robot itself", new double[] {0, -1}, aheadOf(new double[] {0, 0, 180}, new double[3]), 0.01);
+        assertArrayEquals("about either axis", new double[] {0, -1},
+            aheadOf(new double[3], new double[] {180, 0, 0}), 0.01);
+        assertArrayEquals("its heading is kept", new double[] {-1, 0},
+            aheadOf(new double[3], new double[] {0, 90, 180}), 0.01);
+        assertArrayEquals("the robot itself", new double[] {0, -1},
+            aheadOf(new double[] {0, 0, 180}, new double[3]), 0.01);
     }
 
     @Test
@@ -194,7 +198,8 @@ public class TouchingTest {
         assertTrue("nothing stays in the air", simulation.getPose("box1").y < 0.35);
     }
 
-    private static Box box(String name, double length, double width, double height, double mass, double x, double y, double z) {
+    private static Box box(String name, double length, double width, double height, double mass, double x,
+        double y, double z) {
         Box box = new Box(name, length, width, height, mass);
         box.move(x, y, z);
         return box;

@@ -36,7 +36,8 @@ public class WheelFrictionTest {
             simulation.getMotor("rightMotor").setPower(1);
             Worlds.run(simulation, 1);
             Pose to = simulation.getPose("car");
-            return new double[] {from.rotateBack(to.x - from.x, to.y - from.y, to.z - from.z)[2], simulation.getMotor("leftMotor").getSpeed() * 0.06};
+            return new double[] {from.rotateBack(to.x - from.x, to.y - from.y, to.z - from.z)[2],
+                simulation.getMotor("leftMotor").getSpeed() * 0.06};
         }
     }
 

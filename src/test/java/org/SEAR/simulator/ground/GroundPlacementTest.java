@@ -30,7 +30,8 @@ public class GroundPlacementTest {
 
     /** Makes a slope of triangles that rises by 1 m in 4 m to the north, 40 m long and wide. */
     private void slope() throws Exception {
-        project.put("assets/slope.obj", String.format(Locale.ROOT, "v -20 -5 -20%nv 20 5 -20%nv -20 -5 20%nv 20 5 20%nf 1 3 4%nf 1 4 2%n"));
+        project.put("assets/slope.obj",
+            String.format(Locale.ROOT, "v -20 -5 -20%nv 20 5 -20%nv -20 -5 20%nv 20 5 20%nf 1 3 4%nf 1 4 2%n"));
         new Model("slope", "slope.obj").setTerrain(true);
     }
 
@@ -153,7 +154,8 @@ public class GroundPlacementTest {
         robot.placeAt(-40, 0);
         String told = assertThrows(ProjectException.class, () -> Worlds.start(project)).getMessage();
         assertTrue(told, told.contains("environment/beside.xml: x, z is \"30, 3\", legal: a place with ground"));
-        assertTrue(told, told.contains("environment/nowhere.xml: placeLatitude is \"36.5\", legal: only with a Terrain whose map"));
+        assertTrue(told, told.contains("environment/nowhere.xml: placeLatitude is \"36.5\", legal: only with a "
+            + "Terrain whose map"));
         assertTrue(told, told.contains("robot/cart.xml: x, z is \"-40, 0\", legal: a place with ground"));
     }
 
@@ -162,15 +164,20 @@ public class GroundPlacementTest {
         SEARrobot robot = new SEARrobot("cart");
         Box part = new Box("part", 1, 1, 1);
         robot.addComponent(part);
-        assertRefused("Box \"part\" is a part of SEARrobot \"cart\" and can't be placed on the ground", () -> part.placeAt(1, 2));
+        assertRefused("Box \"part\" is a part of SEARrobot \"cart\" and can't be placed on the ground",
+            () -> part.placeAt(1, 2));
         Box placed = new Box("placed", 1, 1, 1);
         placed.placeAt(1, 2);
-        assertRefused("Box \"placed\" was placed on the ground, which a component can't be", () -> robot.addComponent(placed));
-        assertRefused("Box \"placed\": placeLatitude is 91, legal: a number from -90 to 90 deg", () -> placed.place(91, 0));
+        assertRefused("Box \"placed\" was placed on the ground, which a component can't be",
+            () -> robot.addComponent(placed));
+        assertRefused("Box \"placed\": placeLatitude is 91, legal: a number from -90 to 90 deg",
+            () -> placed.place(91, 0));
         assertTrue("nothing is lost", placed.isOnGround());
-        project.put("robot/part.xml", project.files().get("robot/part.xml").replace("<mass>", "<onGround>true</onGround><mass>"));
+        project.put("robot/part.xml", project.files().get("robot/part.xml")
+            .replace("<mass>", "<onGround>true</onGround><mass>"));
         String told = assertThrows(ProjectException.class, () -> Worlds.start(project)).getMessage();
-        assertTrue(told, told.contains("robot/part.xml:10: onGround is \"true\", legal: none for Box \"part\", a part of a robot"));
+        assertTrue(told, told.contains("robot/part.xml:10: onGround is \"true\", legal: none for Box \"part\", a "
+            + "part of a robot"));
     }
 
     private static void assertRefused(String message, org.junit.function.ThrowingRunnable call) {

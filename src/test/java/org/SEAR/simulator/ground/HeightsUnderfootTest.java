@@ -49,7 +49,8 @@ public class HeightsUnderfootTest {
         assertFalse("it sleeps", heights.physics.isAwake(heights.bodies.get(0)));
         assertEquals(rest + " and " + mesh.bodies.get(0).getPose(), 0, apart(rest, mesh.bodies.get(0).getPose()), 8e-3);
         double thickness = (rest.y - slope.height(rest.x, rest.z)) * Math.cos(Math.atan(0.25));
-        assertTrue("it lies on a side: " + thickness, Math.min(Math.abs(thickness - 0.15), Math.min(Math.abs(thickness - 0.2),
+        assertTrue("it lies on a side: " + thickness,
+            Math.min(Math.abs(thickness - 0.15), Math.min(Math.abs(thickness - 0.2),
             Math.abs(thickness - 0.25))) < 2e-3);
     }
 
@@ -83,7 +84,8 @@ public class HeightsUnderfootTest {
             lowest = Math.min(lowest, now.y);
             highest = Math.max(highest, now.y);
         }
-        assertTrue("it drove " + farthest + " m over " + (highest - lowest) + " m of height", farthest > 3 && highest - lowest > 0.1);
+        assertTrue("it drove " + farthest + " m over " + (highest - lowest) + " m of height", farthest > 3
+            && highest - lowest > 0.1);
         assertEquals("apart from the track over the mesh, metres", 0, worst, 1e-3);
     }
 
@@ -128,7 +130,8 @@ public class HeightsUnderfootTest {
                 world.bodies.forEach(body -> {
                     Pose pose = body.getPose();
                     double ground = field.height(pose.x, pose.z);
-                    assertTrue(body.name + " at " + speed + " m/s is at " + pose + ", ground " + ground, !(pose.y < ground - 0.02));
+                    assertTrue(body.name + " at " + speed + " m/s is at " + pose + ", ground " + ground,
+                        !(pose.y < ground - 0.02));
                 });
             }
         }
@@ -152,7 +155,8 @@ public class HeightsUnderfootTest {
         box.move(3.1, 0.05, -2.2);
         HeightField flat = Grounds.slope(0);
         GroundWorld world = world(new TerrainSolid(flat), box);
-        assertEquals("[box started inside a fixed object (ground); SEAR lifted it by 0.150 m. Raise y in its move(x, y, z) by that,"
+        assertEquals("[box started inside a fixed object (ground); SEAR lifted it by 0.150 m. Raise y in its move(x, "
+            + "y, z) by that,"
             + " or change x or z]", world.warnings.toString());
     }
 }

@@ -45,13 +45,15 @@ public class ModelsTest {
         StringBuilder out = new StringBuilder();
         for (int row = 0; row <= CELLS; row++) {
             for (int side = -1; side <= 1; side++) {
-                out.append(String.format(Locale.ROOT, "v %d %.6f %.2f%n", 5 * side, height(row), (row - CELLS / 2.0) * CELL));
+                out.append(String.format(Locale.ROOT, "v %d %.6f %.2f%n", 5 * side, height(row),
+                    (row - CELLS / 2.0) * CELL));
             }
         }
         for (int row = 0; row < CELLS; row++) {
             for (int side = 0; side < 2; side++) {
                 int corner = 3 * row + side + 1;
-                out.append(String.format("f %d %d %d%nf %d %d %d%n", corner, corner + 3, corner + 4, corner, corner + 4, corner + 1));
+                out.append(String.format("f %d %d %d%nf %d %d %d%n", corner, corner + 3, corner + 4, corner, corner + 4,
+                    corner + 1));
             }
         }
         project.put("assets/hills.obj", out.toString());
@@ -63,7 +65,8 @@ public class ModelsTest {
     public void aRobotDrivesOverATerrain() throws Exception {
         terrain();
         SEARrobot robot = Worlds.cart("cart", 20, 0.1, 0.25, new double[] {0.2, -0.2}, 0, 0, -6, 0);
-        robot.getComponents().stream().filter(part -> part instanceof Dynamics).forEach(part -> part.move(0, 0.2 + height(-6), -6));
+        robot.getComponents().stream().filter(part -> part instanceof Dynamics)
+            .forEach(part -> part.move(0, 0.2 + height(-6), -6));
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 2);
         double above = simulation.getPose("cart").y - height(simulation.getPose("cart").z);
@@ -85,7 +88,8 @@ public class ModelsTest {
         body.move(0, 0.05, 0);
         robot.addComponent(body);
         for (int i = 0; i < 4; i++) {
-            robot.addWheel(new Wheel("wheel" + i, 0.05, 0.02, 1, i % 2 == 0 ? 0.17 : -0.17, 0, i / 2 == 0 ? 0.1 : -0.1));
+            robot.addWheel(new Wheel("wheel" + i, 0.05, 0.02, 1, i % 2 == 0 ? 0.17 : -0.17, 0, i / 2 == 0
+                ? 0.1 : -0.1));
         }
         robot.addComponent(new Distance("eye", "laser", 0, 0.05, 0.3, 0, 0, 0));
     }
@@ -110,7 +114,8 @@ public class ModelsTest {
     public void aMovableModelRestsIsPushedAndIsSeenWhereItIs() throws Exception {
         StringBuilder cube = new StringBuilder();
         for (int i = 0; i < 8; i++) {
-            cube.append(String.format(Locale.ROOT, "v %.3f %.3f %.3f%n", 0.15 * (i % 2 * 2 - 1), 0.15 * (i / 2 % 2 * 2 - 1), 0.15 * (i / 4 * 2 - 1)));
+            cube.append(String.format(Locale.ROOT, "v %.3f %.3f %.3f%n", 0.15 * (i % 2 * 2 - 1),
+                0.15 * (i / 2 % 2 * 2 - 1), 0.15 * (i / 4 * 2 - 1)));
         }
         cube.append("f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
         project.put("assets/cube.obj", cube.toString());
@@ -134,7 +139,8 @@ public class ModelsTest {
     public void aModelWithMassIsHeavyInItsMiddleWhereverItsOriginIs() throws Exception {
         StringBuilder cube = new StringBuilder();
         for (int i = 0; i < 8; i++) {
-            cube.append(String.format(Locale.ROOT, "v %.1f %.1f %.1f%n", 0.4 * (i % 2), 0.4 * (i / 2 % 2), 0.4 * (i / 4)));
+            cube.append(String.format(Locale.ROOT, "v %.1f %.1f %.1f%n", 0.4 * (i % 2), 0.4 * (i / 2 % 2),
+                0.4 * (i / 4)));
         }
         cube.append("f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
         project.put("assets/corner.obj", cube.toString());

@@ -206,7 +206,8 @@ public class PlacingTest {
             assertTrue("lifted out of the step", world.getPose("rover").y >= 0.2);
             run(world, 120);
             assertEquals(0.2 + floor, world.getPose("rover").y, 0.005);
-            assertEquals("down from it", 0, world.rise("rover", shift(3)) + world.getRobots().get(0).getStart().y, floor + 0.005);
+            assertEquals("down from it", 0, world.rise("rover", shift(3)) + world.getRobots().get(0).getStart().y,
+                floor + 0.005);
         }
     }
 

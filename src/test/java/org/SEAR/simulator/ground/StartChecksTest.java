@@ -58,9 +58,12 @@ public class StartChecksTest {
         robot.addWheel(new Wheel("back", 0.0381, 0.03, 0, 0, 0, -0.16));
         assertEquals("without a port nobody asks", "[]", Worlds.start(project).snapshot().warnings.toString());
         drive.setPorts("/dev/uart", "/dev/user");
-        assertEquals("[robot old answers as a create2, whose wheels are 0.235 m apart, but its own are 0.320 m apart: drivers misjudge its turns."
-            + " Robots.create2(name) makes a robot that fits, robot old answers as a create2, whose wheels have a radius of 0.036 m,"
-            + " but its wheel left has 0.038 m: drivers misjudge its distances. Robots.create2(name) makes a robot that fits]",
+        assertEquals("[robot old answers as a create2, whose wheels are 0.235 m apart, but its own are 0.320 m apart: "
+            + "drivers misjudge its turns."
+            + " Robots.create2(name) makes a robot that fits, robot old answers as a create2, whose wheels have a "
+            + "radius of 0.036 m,"
+            + " but its wheel left has 0.038 m: drivers misjudge its distances. Robots.create2(name) makes a "
+            + "robot that fits]",
             Worlds.start(project).snapshot().warnings.toString());
     }
 

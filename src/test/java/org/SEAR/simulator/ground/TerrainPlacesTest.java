@@ -63,7 +63,8 @@ public class TerrainPlacesTest {
             assertEquals(List.of(), simulation.snapshot().warnings);
             simulation.step();
             GpsFix fix = (GpsFix) simulation.read("gps");
-            double miss = Geodesic.WGS84.Inverse(SUMMIT_LATITUDE, SUMMIT_LONGITUDE, fix.getLatitude(), fix.getLongitude()).s12;
+            double miss = Geodesic.WGS84.Inverse(SUMMIT_LATITUDE, SUMMIT_LONGITUDE, fix.getLatitude(),
+                fix.getLongitude()).s12;
             assertTrue(miss + " m", miss < 2);
             assertEquals(SUMMIT, fix.getAltitude(), 1);
         }
@@ -78,7 +79,8 @@ public class TerrainPlacesTest {
         for (int i = 0; i < probes.size(); i++) {
             double latitude = probes.get(i).get("latitude").asDouble();
             double longitude = probes.get(i).get("longitude").asDouble();
-            assertEquals(probes.get(i).get("elevation_wgs84_grid").asDouble(), terrain.getHeight(latitude, longitude), 0.5);
+            assertEquals(probes.get(i).get("elevation_wgs84_grid").asDouble(),
+                terrain.getHeight(latitude, longitude), 0.5);
             new Box("box" + i, 0.01, 0.01, 0.01).place(latitude, longitude);
         }
         Project read = Project.read(project.folder());
@@ -94,16 +96,19 @@ public class TerrainPlacesTest {
             }
         }
         double[] point = read.getOrigin().to(SUMMIT_LATITUDE, SUMMIT_LONGITUDE);
-        assertEquals("before the start, too", SUMMIT, read.getOrigin().getAltitude() + Simulation.groundHeight(read, point[0], point[1]), 0.5);
+        assertEquals("before the start, too", SUMMIT, read.getOrigin().getAltitude()
+            + Simulation.groundHeight(read, point[0], point[1]), 0.5);
     }
 
     @Test
     public void filledGapsAreReported() throws Exception {
-        project.put("assets/holes.asc", "ncols 3\nnrows 3\nxllcenter -84.2\nyllcenter 36.4\ncellsize 0.001\nNODATA_value -1\n5 5 5\n5 5 -1\n5 5 5\n");
+        project.put("assets/holes.asc", "ncols 3\nnrows 3\nxllcenter -84.2\nyllcenter 36.4\ncellsize "
+            + "0.001\nNODATA_value -1\n5 5 5\n5 5 -1\n5 5 5\n");
         new Terrain("holes", "holes.asc");
         try (Simulation simulation = Worlds.start(project)) {
             String told = simulation.snapshot().warnings.toString();
-            assertTrue(told, told.contains("holes.asc: ") && told.contains("of the area has no data: SEAR interpolates it"));
+            assertTrue(told, told.contains("holes.asc: ")
+                && told.contains("of the area has no data: SEAR interpolates it"));
         }
     }
 
@@ -113,7 +118,8 @@ public class TerrainPlacesTest {
         rover(new GPS("gps", 33.61, 182.5, -80.865)).placeAt(0, 0);
         try (Simulation simulation = Worlds.start(project)) {
             String told = simulation.snapshot().warnings.toString();
-            assertTrue(told, told.contains("gps gps puts the world's origin at latitude 33.6100000, longitude -80.8650000, altitude 182.5 m, but"
+            assertTrue(told, told.contains("gps gps puts the world's origin at latitude 33.6100000, longitude "
+                + "-80.8650000, altitude 182.5 m, but"
                 + " the terrain puts it at latitude 36.4850000, longitude -84.2308333, altitude 107"));
             simulation.step();
             assertEquals(33.61, ((GpsFix) simulation.read("gps")).getLatitude(), 1e-5);
@@ -137,11 +143,14 @@ public class TerrainPlacesTest {
     @Test
     public void beyondTheAreaThereIsNothing() throws Exception {
         Terrain terrain = around(SUMMIT_LATITUDE, SUMMIT_LONGITUDE);
-        String told = assertThrows(IllegalArgumentException.class, () -> terrain.getHeight(36.5, SUMMIT_LONGITUDE)).getMessage();
-        assertTrue(told, told.startsWith("Terrain \"jacksboro\" has no ground at latitude 36.5, longitude -84.2308333, legal: latitude 36.480"));
+        String told = assertThrows(IllegalArgumentException.class, () -> terrain.getHeight(36.5, SUMMIT_LONGITUDE))
+            .getMessage();
+        assertTrue(told, told.startsWith("Terrain \"jacksboro\" has no ground at latitude 36.5, longitude -84.2308333, "
+            + "legal: latitude 36.480"));
         new Box("box", 1, 1, 1).place(36.5, SUMMIT_LONGITUDE);
         String problem = assertThrows(ProjectException.class, () -> Worlds.start(project)).getMessage();
-        assertTrue(problem, problem.contains("environment/box.xml: placeLatitude, placeLongitude is \"36.5, -84.2308333 (1665 m north and 0 m east of"
+        assertTrue(problem, problem.contains("environment/box.xml: placeLatitude, placeLongitude is \"36.5, "
+            + "-84.2308333 (1665 m north and 0 m east of"
             + " the origin)\", legal: a place with ground"));
     }
 
@@ -170,6 +179,7 @@ public class TerrainPlacesTest {
         Terrain terrain = new Terrain("letter", "letter.tif");
         assertFalse(terrain.hasArea());
         String problem = assertThrows(ProjectException.class, () -> Worlds.start(project)).getMessage();
-        assertTrue(problem, problem.contains("environment/letter.xml:15: path is \"letter.tif\", legal: an elevation map that can be used ("));
+        assertTrue(problem, problem.contains("environment/letter.xml:15: path is \"letter.tif\", legal: an elevation "
+            + "map that can be used ("));
     }
 }

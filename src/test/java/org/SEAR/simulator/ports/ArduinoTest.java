@@ -204,7 +204,8 @@ public class ArduinoTest {
         assertEquals(7, pins.size());
         assertTrue(pins.toString(), pins.contains("7 roverLeftMotor (direction): output, high"));
         assertTrue(pins.toString(), pins.contains("9 roverLeftMotor (pwm): pwm, 50 %"));
-        assertTrue(pins.toString(), pins.contains(String.format(Locale.ROOT, "A0 sharp (volts): input, %.2f V", volts)));
+        assertTrue(pins.toString(), pins.contains(
+            String.format(Locale.ROOT, "A0 sharp (volts): input, %.2f V", volts)));
         simulation.power("uno", false);
         assertEquals(List.of(), simulation.snapshot().robots.get(0).devices.get(0).pins);
     }
@@ -257,12 +258,14 @@ public class ArduinoTest {
         say("F4 02 0B D0 01");
         Worlds.run(simulation, 0.5);
         assertEquals("90 04 00", Bytes.hex(heard.toByteArray()));
-        assertEquals("2 front (switch): pullup, 5.00 V", simulation.snapshot().robots.get(0).devices.get(0).pins.get(0).toString());
+        assertEquals("2 front (switch): pullup, 5.00 V", simulation.snapshot().robots.get(0).devices.get(0).pins.get(0)
+            .toString());
         heard.reset();
         drive(0.4, 6);
         String told = Bytes.hex(heard.toByteArray());
         assertTrue("it may bounce: " + told, told.startsWith("90 00 00") && told.endsWith("90 00 00"));
-        assertEquals("2 front (switch): pullup, 0.00 V", simulation.snapshot().robots.get(0).devices.get(0).pins.get(0).toString());
+        assertEquals("2 front (switch): pullup, 0.00 V", simulation.snapshot().robots.get(0).devices.get(0).pins.get(0)
+            .toString());
         heard.reset();
         drive(-0.4, 1);
         assertEquals("90 04 00", Bytes.hex(heard.toByteArray()));
@@ -361,26 +364,33 @@ public class ArduinoTest {
         Distance sharp = new Distance("sharp", "GP2Y0A21");
         Distance ping = new Distance("ping", "PING)))");
         refused("Arduino \"uno\": pin A9 is no pin of an Uno, legal: A0 to A5 for volts", () -> uno.wire("A9", sharp));
-        refused("Arduino \"uno\": pin 7 is not an analog input of an Uno, legal: A0 to A5 for volts", () -> uno.wire(7, sharp));
+        refused("Arduino \"uno\": pin 7 is not an analog input of an Uno, legal: A0 to A5 for volts",
+            () -> uno.wire(7, sharp));
         uno.wire(7, ping);
-        refused("Arduino \"uno\": Distance \"ping\" has its ping at pin 7 already, legal: one pin for it; unwire(\"7\") removes that wire",
+        refused("Arduino \"uno\": Distance \"ping\" has its ping at pin 7 already, legal: one pin for it; "
+            + "unwire(\"7\") removes that wire",
             () -> uno.wire(8, ping));
         refused("Arduino \"uno\": pin D7 is wired to ping (ping) already, legal: 2 to 6, 8 to 13, A0 to A5 for ping",
             () -> uno.wire("D7", new Distance("other")));
-        refused("Arduino \"uno\": role is \"volts\", legal for Distance \"ping\": ping, trigger, echo", () -> uno.wire("A0", ping, "volts"));
-        refused("Arduino \"uno\": role is \"power\", legal for Distance \"ping\": ping, trigger, echo", () -> uno.wire("A0", ping, "power"));
+        refused("Arduino \"uno\": role is \"volts\", legal for Distance \"ping\": ping, trigger, echo",
+            () -> uno.wire("A0", ping, "volts"));
+        refused("Arduino \"uno\": role is \"power\", legal for Distance \"ping\": ping, trigger, echo",
+            () -> uno.wire("A0", ping, "power"));
         Motor motor = new Motor("left", new Wheel("wheel", 0.1, 0.05));
-        refused("Arduino \"uno\": pin A0 is not a PWM pin of an Uno, legal: 3, 5, 6, 9 to 11 for pwm", () -> uno.wire("A0", motor));
+        refused("Arduino \"uno\": pin A0 is not a PWM pin of an Uno, legal: 3, 5, 6, 9 to 11 for pwm",
+            () -> uno.wire("A0", motor));
         refused("Arduino \"uno\": pin 4 is not a pin with an interrupt of an Uno, legal: 2, 3 for encoderA",
             () -> uno.wire(4, motor, "encoderA"));
-        refused("Arduino \"uno\": role is \"volts\", legal for Bumper \"front\": switch", () -> uno.wire("A0", new Bumper("front"), "volts"));
+        refused("Arduino \"uno\": role is \"volts\", legal for Bumper \"front\": switch",
+            () -> uno.wire("A0", new Bumper("front"), "volts"));
         refused("Arduino \"uno\": nothing is wired to pin 9, legal: 7", () -> uno.unwire(9));
         GPS gps = new GPS("gps");
         try {
             uno.wire(9, gps);
             fail("a GPS has no wires");
         } catch (IllegalArgumentException e) {
-            assertTrue(e.getMessage(), e.getMessage().startsWith("Arduino \"uno\": GPS \"gps\" has no wires for the pins of an Arduino, legal: "));
+            assertTrue(e.getMessage(), e.getMessage()
+                .startsWith("Arduino \"uno\": GPS \"gps\" has no wires for the pins of an Arduino, legal: "));
         }
     }
 }

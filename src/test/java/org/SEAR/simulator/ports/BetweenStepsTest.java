@@ -64,7 +64,8 @@ public class BetweenStepsTest {
     }
 
     private SerialLine line(String type) {
-        return world.getLines().stream().filter(each -> each.getObjectType().equals(type)).findFirst().orElseThrow(AssertionError::new);
+        return world.getLines().stream().filter(each -> each.getObjectType().equals(type)).findFirst()
+            .orElseThrow(AssertionError::new);
     }
 
     private String heard() {

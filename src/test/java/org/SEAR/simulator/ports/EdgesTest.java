@@ -52,7 +52,8 @@ public class EdgesTest {
         }
         Simulation simulation = Worlds.start(project);
         List<String> warnings = simulation.snapshot().warnings;
-        assertTrue(warnings.toString(), warnings.contains("more objects start inside each other; SEAR names the first 20 only"));
+        assertTrue(warnings.toString(),
+            warnings.contains("more objects start inside each other; SEAR names the first 20 only"));
         assertEquals(21, warnings.size());
         Worlds.run(simulation, 2);
         assertFalse(Double.isNaN(simulation.getPose("box11").x));
@@ -62,14 +63,16 @@ public class EdgesTest {
     public void tooManyObjectsAtOneSpotAreRejected() throws Exception {
         Worlds.roomba("roomba", 0, 0, 0);
         for (int i = 0; i < 9995; i++) {
-            project.put("environment/box" + i + ".xml", "<Box><name>box" + i + "</name><length>0.2</length><width>0.2</width><height>0.2</height>"
+            project.put("environment/box" + i + ".xml", "<Box><name>box" + i
+                + "</name><length>0.2</length><width>0.2</width><height>0.2</height>"
                 + "<mass>1</mass><y>0.1</y></Box>");
         }
         try {
             Worlds.start(project);
             fail("9995 boxes on one spot were taken");
         } catch (ProjectException e) {
-            assertTrue(e.getMessage(), e.getMessage().contains("more than 50000 pairs of objects with mass start inside each other, such as box"));
+            assertTrue(e.getMessage(), e.getMessage()
+                .contains("more than 50000 pairs of objects with mass start inside each other, such as box"));
         }
     }
 }

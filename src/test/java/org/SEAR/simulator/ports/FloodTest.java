@@ -42,7 +42,8 @@ public class FloodTest {
     private Simulation world() throws Exception {
         new Floor("floor", 50, 50);
         SEARrobot robot = Worlds.roomba("roomba", 0, 0, 0);
-        robot.getComponents().stream().filter(part -> part instanceof Dynamics).forEach(part -> ((Dynamics) part).setPorts("oiUart", "oiUser"));
+        robot.getComponents().stream().filter(part -> part instanceof Dynamics)
+            .forEach(part -> ((Dynamics) part).setPorts("oiUart", "oiUser"));
         LIDAR lidar = new LIDAR("lidar", 8, 180, 0.5, 0, 0.1, 0.1);
         lidar.setPorts("lidarUart", "lidarUser");
         robot.addComponent(lidar);
@@ -65,7 +66,8 @@ public class FloodTest {
     }
 
     private static long tellsOf(Simulation simulation, String what) {
-        return simulation.snapshot().warnings.stream().filter(warning -> warning.contains(what) && !warning.endsWith("so far)")).count();
+        return simulation.snapshot().warnings.stream()
+            .filter(warning -> warning.contains(what) && !warning.endsWith("so far)")).count();
     }
 
     @Test
@@ -73,7 +75,8 @@ public class FloodTest {
         Simulation simulation = world();
         List<SerialLine> lines = simulation.getLines();
         lines.forEach(line -> line.setSink((bytes, starts) -> { }));
-        lines.stream().filter(line -> line.getObjectType().equals("Dynamics")).forEach(line -> line.write(Bytes.bytes("80")));
+        lines.stream().filter(line -> line.getObjectType().equals("Dynamics"))
+            .forEach(line -> line.write(Bytes.bytes("80")));
         while (simulation.getTime() < FLOOD) {
             for (SerialLine line : lines) {
                 if (line.getWaiting() < 100) {
@@ -87,13 +90,16 @@ public class FloodTest {
         }
         for (SerialLine line : lines) {
             double most = line.getDeviceBaud() / 10.0 * simulation.getTime();
-            assertTrue(line.getObjectName() + " sent " + line.getDelivered(), line.getDelivered() <= most && line.getDelivered() > most / 4);
+            assertTrue(line.getObjectName() + " sent " + line.getDelivered(), line.getDelivered() <= most
+                && line.getDelivered() > most / 4);
         }
-        assertEquals("one for each, beside how many there were: " + simulation.snapshot().warnings, 1, tellsOf(simulation, "roombaDynamics"));
+        assertEquals("one for each, beside how many there were: " + simulation.snapshot().warnings, 1,
+            tellsOf(simulation, "roombaDynamics"));
         SerialLine drive = lines.stream().filter(line -> line.getObjectType().equals("Dynamics")).findFirst().get();
         long sent = drive.getDelivered();
         Worlds.run(simulation, 5);
-        assertTrue("what waited was " + (drive.getDelivered() - sent), drive.getDelivered() - sent <= 4096 + LONGEST + 200 * 52);
+        assertTrue("what waited was " + (drive.getDelivered() - sent), drive.getDelivered() - sent <= 4096 + LONGEST
+            + 200 * 52);
         long all = drive.getDelivered();
         Worlds.run(simulation, 1);
         assertEquals("silent again", all, drive.getDelivered());
@@ -116,15 +122,18 @@ public class FloodTest {
             simulation.step();
         }
         List<String> warnings = simulation.snapshot().warnings;
-        assertTrue("seed " + Fuzz.SEED + ": " + warnings, warnings.size() <= 4 * Opcode.values().length && !warnings.isEmpty());
-        String counted = warnings.stream().filter(warning -> warning.contains("times so far")).collect(Collectors.joining());
+        assertTrue("seed " + Fuzz.SEED + ": " + warnings, warnings.size() <= 4 * Opcode.values().length
+            && !warnings.isEmpty());
+        String counted = warnings.stream().filter(warning -> warning.contains("times so far"))
+            .collect(Collectors.joining());
         assertTrue("seed " + Fuzz.SEED + ": " + warnings, counted.contains("opcode"));
     }
 
     @Test
     public void aBurstWithinOneStepShowsTheFirstAndHowMany() throws Exception {
         Simulation simulation = world();
-        SerialLine drive = simulation.getLines().stream().filter(line -> line.getObjectType().equals("Dynamics")).findFirst().get();
+        SerialLine drive = simulation.getLines().stream().filter(line -> line.getObjectType().equals("Dynamics"))
+            .findFirst().get();
         drive.write(Bytes.bytes("80"));
         Worlds.run(simulation, 0.1);
         byte[] unknown = new byte[50];
@@ -133,7 +142,8 @@ public class FloodTest {
         drive.write(unknown);
         simulation.step();
         List<String> warnings = simulation.snapshot().warnings;
-        List<String> told = warnings.stream().filter(warning -> warning.contains("opcode")).collect(Collectors.toList());
+        List<String> told = warnings.stream().filter(warning -> warning.contains("opcode"))
+            .collect(Collectors.toList());
         assertEquals(warnings.toString(), 2, told.size());
         assertTrue(told.get(0), told.get(0).contains("opcode 2") && !told.get(0).contains("so far"));
         assertTrue(told.get(1), told.get(1).endsWith("(10 times so far)"));

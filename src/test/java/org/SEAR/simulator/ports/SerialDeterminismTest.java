@@ -33,20 +33,25 @@ import org.junit.experimental.categories.Category;
 public class SerialDeterminismTest {
     private static final int STEPS = 1800;
     /** LMS200: type; status; one scan; send all scans. */
-    private static final String[] LMS = {"02 00 01 00 3A 1E 12", "02 00 01 00 31 15 12", "02 00 02 00 30 01 31 18", "02 00 02 00 20 24 34 08"};
+    private static final String[] LMS = {"02 00 01 00 3A 1E 12", "02 00 01 00 31 15 12", "02 00 02 00 30 01 31 18",
+        "02 00 02 00 20 24 34 08"};
     /** LMS111, in CoLa: log in; fine fan; state; one scan; send all scans. */
-    private static final String[] COLA = {hexOf("sMN SetAccessMode 03 F4724744"), hexOf("sMN mLMPsetscancfg +2500 +1 +2500 -450000 +2250000"),
+    private static final String[] COLA =
+        {hexOf("sMN SetAccessMode 03 F4724744"), hexOf("sMN mLMPsetscancfg +2500 +1 +2500 -450000 +2250000"),
         hexOf("sRN STlms"), hexOf("sRN LMDscandata"), hexOf("sEN LMDscandata 1")};
     /**
      * Roomba: start and full mode; drive at 200 mm/s straight; sensor groups; stream of bumps, distance and angle;
      * stop.
      */
-    private static final String[] ROOMBA = {"80 84", "89 00 C8 80 00", "8E 00", "94 03 07 13 14", "89 01 2C 01 F4", "8E 06"};
+    private static final String[] ROOMBA = {"80 84", "89 00 C8 80 00", "8E 00", "94 03 07 13 14",
+        "89 01 2C 01 F4", "8E 06"};
     /** URG-04LX, in SCIP 2.0: parameters; laser on; one scan; a stream; state. */
-    private static final String[] SCIP = {textOf("PP"), textOf("BM"), textOf("GD0044072501"), textOf("MS0044072502000"), textOf("II")};
+    private static final String[] SCIP = {textOf("PP"), textOf("BM"), textOf("GD0044072501"), textOf("MS0044072502000"),
+        textOf("II")};
     /** RPLIDAR A1: type; health; standard scans; express scans. */
     private static final String[] RPLIDAR = {"A5 50", "A5 52", "A5 20", "A5 82 05 00 00 00 00 00 22"};
-    private static final Map<String, String[]> SCRIPTS = Map.of("lidar", LMS, "network", COLA, "hokuyo", SCIP, "rplidar", RPLIDAR);
+    private static final Map<String, String[]> SCRIPTS = Map.of("lidar", LMS, "network", COLA, "hokuyo", SCIP,
+        "rplidar", RPLIDAR);
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -75,7 +80,8 @@ public class SerialDeterminismTest {
             box.move(2.5 * Math.sin(i), 0.15, 2.5 * Math.cos(i));
         }
         SEARrobot robot = Worlds.roomba("roomba", 0, 0, 20);
-        robot.getComponents().stream().filter(part -> part instanceof Dynamics).forEach(part -> ((Dynamics) part).setPorts("oiUart", "oiUser"));
+        robot.getComponents().stream().filter(part -> part instanceof Dynamics)
+            .forEach(part -> ((Dynamics) part).setPorts("oiUart", "oiUser"));
         LIDAR lidar = new LIDAR("lidar", 8, 180, 1, 0, 0.1, 0.1);
         lidar.setNoise(new Noise().setWhite(0.01));
         lidar.setPorts("lidarUart", "lidarUser");
@@ -127,7 +133,8 @@ public class SerialDeterminismTest {
         }
         int[] hashes = new int[heard.size()];
         for (int i = 0; i < hashes.length; i++) {
-            assertTrue(simulation.getLines().get(i).getObjectName() + " said " + heard.get(i).size() + " bytes", heard.get(i).size() > 500);
+            assertTrue(simulation.getLines().get(i).getObjectName() + " said " + heard.get(i).size() + " bytes",
+                heard.get(i).size() > 500);
             hashes[i] = Arrays.hashCode(heard.get(i).toByteArray());
         }
         return hashes;

@@ -91,7 +91,8 @@ public class WrongPortTest {
     }
 
     private static List<String> complaints(Simulation simulation, SerialLine line) {
-        return simulation.snapshot().warnings.stream().filter(one -> one.startsWith(line.getObjectName() + ": ") && one.contains("bytes came"))
+        return simulation.snapshot().warnings.stream().filter(one -> one.startsWith(line.getObjectName() + ": ")
+            && one.contains("bytes came"))
             .collect(Collectors.toList());
     }
 
@@ -121,7 +122,8 @@ public class WrongPortTest {
     @Test
     public void aProgramAtTheDevicesFormerRateIsReported() throws Exception {
         Simulation simulation = world();
-        SerialLine line = simulation.getLines().stream().filter(one -> one.getObjectName().equals("LMS200")).findFirst().get();
+        SerialLine line = simulation.getLines().stream().filter(one -> one.getObjectName().equals("LMS200"))
+            .findFirst().get();
         line.setHostBaud(9600);
         line.write(Bytes.bytes("02 00 02 00 20 48 58 08"));
         Worlds.run(simulation, 1);
@@ -129,7 +131,8 @@ public class WrongPortTest {
         assertEquals(List.of(), complaints(simulation, line));
         line.write(FIRST_WORDS.get("LMS200"));
         Worlds.run(simulation, 1);
-        assertEquals(List.of("LMS200: 14 bytes came at 9600 baud, but an LMS200 is at 500000 baud now: change the program's rate, too"),
+        assertEquals(List.of("LMS200: 14 bytes came at 9600 baud, but an LMS200 is at 500000 baud now: change the "
+            + "program's rate, too"),
             complaints(simulation, line));
     }
 }

@@ -50,7 +50,8 @@ public class BlockedRobotTest {
         robot.addWheel(new Wheel("right", 0.0381, 0.03, 1, -0.16, 0, 0));
         robot.addWheel(new Wheel("left", 0.0381, 0.03, 1, 0.16, 0, 0));
         robot.addWheel(new Wheel("back", 0.0381, 0.03, 0, 0, 0, -0.1));
-        robot.addComponent("round".equals(shape) ? new Cylinder("body", 0.1666875, 0.0762, 0) : new Box("body", 0.3, 0.32, 0.0762, 0));
+        robot.addComponent("round".equals(shape) ? new Cylinder("body", 0.1666875, 0.0762, 0)
+            : new Box("body", 0.3, 0.32, 0.0762, 0));
     }
 
     private void obstacle(String kind, double mass) throws Exception {
@@ -72,7 +73,8 @@ public class BlockedRobotTest {
             default:
                 StringBuilder cube = new StringBuilder();
                 for (int i = 0; i < 8; i++) {
-                    cube.append(String.format(Locale.ROOT, "v %d %.1f %.2f%n", i % 2 * 2 - 1, 0.2 * (i / 2 % 2 * 2 - 1), 0.25 * (i / 4 * 2 - 1)));
+                    cube.append(String.format(Locale.ROOT, "v %d %.1f %.2f%n", i % 2 * 2 - 1, 0.2 * (i / 2 % 2 * 2 - 1),
+                        0.25 * (i / 4 * 2 - 1)));
                 }
                 cube.append("f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
                 project.put("assets/cube.obj", cube.toString());
@@ -118,7 +120,8 @@ public class BlockedRobotTest {
             Worlds.run(simulation, 20);
             Pose pose = simulation.getRobots().get(0).getPose();
             double[] forward = pose.rotate(0, 0, 1);
-            assertEquals(mass + " kg: degrees off straight on", 0, Math.toDegrees(Math.atan2(forward[0], forward[2])), 1);
+            assertEquals(mass + " kg: degrees off straight on", 0,
+                Math.toDegrees(Math.atan2(forward[0], forward[2])), 1);
             assertEquals(mass + " kg: front of the front wheel at the box", 1.5, pose.z + 0.16 + 0.0381, 0.01);
         }
     }

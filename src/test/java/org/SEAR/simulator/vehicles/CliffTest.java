@@ -71,7 +71,8 @@ public class CliffTest {
             SerialLine line = simulation.getLines().get(i);
             line.write(Bytes.bytes(start));
             int speed = share * SPEEDS[i / ANGLES.length];
-            line.write(ByteBuffer.allocate(5).put((byte) 0x89).putShort((short) speed).putShort((short) 0x8000).array());
+            line.write(ByteBuffer.allocate(5).put((byte) 0x89).putShort((short) speed)
+                .putShort((short) 0x8000).array());
         }
     }
 
@@ -111,7 +112,8 @@ public class CliffTest {
             double[] at = pose(i);
             assertEquals(name + " mode while backing off", "safe", mode(i));
             double back = Math.hypot(at[0] - stopped.get(i)[0], at[2] - stopped.get(i)[2]);
-            assertEquals(name + " backs off", SPEEDS[i / ANGLES.length] / 1000.0, back, 0.15 * SPEEDS[i / ANGLES.length] / 1000.0);
+            assertEquals(name + " backs off", SPEEDS[i / ANGLES.length] / 1000.0, back,
+                0.15 * SPEEDS[i / ANGLES.length] / 1000.0);
             assertEquals(name + " height", before.get(i)[1], at[1], 0.002);
         }
     }

@@ -142,7 +142,8 @@ public class DriveErrorsTest {
         assertTrue("radius " + size, Math.abs(size - 1) > 0.009 && Math.abs(size - 1) < 0.021);
         drive.setErrors(new DriveErrors(0, 0, 0, 0, 0.1, 0, 0, 0));
         assertEquals("missed counts", 0.9, ratio(1), 0.01);
-        assertEquals("an odometer counts the wheels", 0.9 * 0.3 * 10, ((OdometerReading) simulation.read("odometer")).getMetres(), 0.1);
+        assertEquals("an odometer counts the wheels", 0.9 * 0.3 * 10, ((OdometerReading) simulation.read("odometer"))
+            .getMetres(), 0.1);
     }
 
     /** Returns the ratio of counted to true distance. */
@@ -153,7 +154,8 @@ public class DriveErrorsTest {
             simulation.step();
         }
         RobotHardware wheels = simulation.getRobots().get(0).getHardware();
-        return (wheels.getLeftWheelAngle() + wheels.getRightWheelAngle()) / 2 * wheels.getWheelRadius() / wheels.getPath();
+        return (wheels.getLeftWheelAngle() + wheels.getRightWheelAngle()) / 2 * wheels.getWheelRadius()
+            / wheels.getPath();
     }
 
     /** On ice the wheels spin: the Open Interface reports their distance, not that of the robot. */
@@ -237,9 +239,11 @@ public class DriveErrorsTest {
 
     @Test
     public void illegalErrorsAreRefusedWithTheLegalRange() {
-        IllegalArgumentException range = assertThrows(IllegalArgumentException.class, () -> new DriveErrors(21, 0, 0, 0, 0, 0, 0, 0));
+        IllegalArgumentException range =
+            assertThrows(IllegalArgumentException.class, () -> new DriveErrors(21, 0, 0, 0, 0, 0, 0, 0));
         assertEquals("DriveErrors: radius is 21, legal: a number from 0 to 20 %", range.getMessage());
         IllegalArgumentException name = assertThrows(IllegalArgumentException.class, () -> DriveErrors.of("tank"));
-        assertEquals("drive errors of \"tank\", legal: car, create, create2, fourWheeled, roomba400, rover", name.getMessage());
+        assertEquals("drive errors of \"tank\", legal: car, create, create2, fourWheeled, roomba400, rover",
+            name.getMessage());
     }
 }

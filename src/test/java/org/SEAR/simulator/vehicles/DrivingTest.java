@@ -63,7 +63,8 @@ public class DrivingTest {
         Robots.create2("r", "/dev/uart", "/dev/user");
         RobotHardware create2 = meetsCommands(0.2);
         assertEquals(0.235, create2.getWheelBase(), 1e-9);
-        assertEquals("no slip", create2.getPath(), 0.036 * (create2.getLeftWheelAngle() + create2.getRightWheelAngle()) / 2, 0.02);
+        assertEquals("no slip", create2.getPath(),
+            0.036 * (create2.getLeftWheelAngle() + create2.getRightWheelAngle()) / 2, 0.02);
     }
 
     /**

@@ -40,7 +40,8 @@ public class FirstRobotTest {
             Worlds.run(simulation, 3);
             String name = simulation.getRobots().get(0).getObject().getName();
             Pose from = simulation.getPose(name);
-            assertEquals(what + " leans, degrees", 0, Math.toDegrees(Math.acos(Math.min(1, from.rotate(0, 1, 0)[1]))), 1);
+            assertEquals(what + " leans, degrees", 0,
+                Math.toDegrees(Math.acos(Math.min(1, from.rotate(0, 1, 0)[1]))), 1);
             simulation.getRobots().get(0).drive(0.2, Double.POSITIVE_INFINITY);
             Worlds.run(simulation, 5);
             Pose to = simulation.getPose(name);
@@ -68,7 +69,8 @@ public class FirstRobotTest {
             Worlds.run(simulation, 2);
             simulation.getRobots().get(0).drive(4, Double.POSITIVE_INFINITY);
             Worlds.run(simulation, 3);
-            assertEquals("2 m while it speeds up by 4 m/s in a second, and 8 m", 10, simulation.getPose("giant").z, 0.2);
+            assertEquals("2 m while it speeds up by 4 m/s in a second, and 8 m", 10,
+                simulation.getPose("giant").z, 0.2);
         }
     }
 
@@ -87,7 +89,8 @@ public class FirstRobotTest {
     @Test
     public void theOneOfTheDocumentsDoes() throws Exception {
         List<String> blocks = DocBlock.of("docs/projects.md", "xml");
-        project.put("robot/rover.xml", blocks.get(0).replace("  <component>frontEye</component>   <!-- robot/frontEye.xml -->\n", ""));
+        project.put("robot/rover.xml", blocks.get(0)
+            .replace("  <component>frontEye</component>   <!-- robot/frontEye.xml -->\n", ""));
         project.put("robot/drive.xml", blocks.get(1));
         new Floor("floor", 20, 20);
         standsAndDrives("docs/projects.md");
@@ -106,7 +109,8 @@ public class FirstRobotTest {
                 robot.addWheel(new Wheel("right", 0.08, 0.03));
             }
             try (Simulation simulation = Worlds.start(project)) {
-                assertEquals(wheels == 2, simulation.snapshot().warnings.toString().contains("robot first has its wheels left and right at the same"
+                assertEquals(wheels == 2, simulation.snapshot().warnings.toString()
+                    .contains("robot first has its wheels left and right at the same"
                     + " place, x 0, z 0 m, so it can't stand on them. Give each its place"));
                 Worlds.run(simulation, 2);
                 simulation.getRobots().get(0).drive(0.2, Double.POSITIVE_INFINITY);
@@ -123,7 +127,8 @@ public class FirstRobotTest {
         robot(new Dynamics("soft", 2, 40, 0.3, 0.4, 10000, 0.2), 0.05, -0.15, 0.05, 0);
         try (Simulation simulation = Worlds.start(project)) {
             String warnings = simulation.snapshot().warnings.toString();
-            assertTrue(warnings, warnings.contains("robot first falls over forwards or backwards at rest: its springs of stiffness 40 are"
+            assertTrue(warnings, warnings.contains("robot first falls over forwards or backwards at rest: its springs "
+                + "of stiffness 40 are"
                 + " too soft for its centre of mass at x 0.000, y 0.000, z "));
         }
     }

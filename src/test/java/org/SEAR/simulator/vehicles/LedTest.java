@@ -98,9 +98,12 @@ public class LedTest {
     public void wrongOrdersAreRefused() throws Exception {
         try (Simulation simulation = start()) {
             refused("no led is called \"lamb\", legal: lamp tail", () -> simulation.getLight("lamb"));
-            refused("led lamp of robot rover: brightness is 1.5, legal: 0 to 1", () -> simulation.getLight("lamp").setBrightness(1.5));
-            refused("led lamp of robot rover: brightness is -1, legal: 0 to 1", () -> simulation.getLight("lamp").setBrightness(-1));
-            refused("led lamp of robot rover: brightness is NaN, legal: 0 to 1", () -> simulation.getLight("lamp").setBrightness(Double.NaN));
+            refused("led lamp of robot rover: brightness is 1.5, legal: 0 to 1", () -> simulation.getLight("lamp")
+                .setBrightness(1.5));
+            refused("led lamp of robot rover: brightness is -1, legal: 0 to 1", () -> simulation.getLight("lamp")
+                .setBrightness(-1));
+            refused("led lamp of robot rover: brightness is NaN, legal: 0 to 1", () -> simulation.getLight("lamp")
+                .setBrightness(Double.NaN));
             assertEquals(0, simulation.getLight("lamp").getBrightness(), 0);
         }
     }
@@ -113,7 +116,8 @@ public class LedTest {
         assertEquals("#ff0000", lamp.getColor());
         Arduino uno = new Arduino("uno");
         refused("Arduino \"uno\": role is \"pwm\", legal for Led \"lamp\": light", () -> uno.wire(9, lamp, "pwm"));
-        refused("Arduino \"uno\": pin 1 is not a digital pin of an Uno: 0 and 1 are its serial line, legal: 2 to 13, A0 to A5 for light",
+        refused("Arduino \"uno\": pin 1 is not a digital pin of an Uno: 0 and 1 are its serial line, legal: 2 to 13, "
+            + "A0 to A5 for light",
             () -> uno.wire(1, lamp));
     }
 }

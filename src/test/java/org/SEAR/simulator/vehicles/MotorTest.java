@@ -43,7 +43,8 @@ public class MotorTest {
     }
 
     private static double along(Pose from, Pose to) {
-        return Math.sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y) + (to.z - from.z) * (to.z - from.z));
+        return Math.sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y)
+            + (to.z - from.z) * (to.z - from.z));
     }
 
     @Test
@@ -145,7 +146,8 @@ public class MotorTest {
         MotorHardware motor = simulation.getMotor("engine");
         said("motor engine of robot cart: power is 3.0, legal: -1 to 1", () -> motor.setPower(3));
         said("motor engine of robot cart: power is NaN, legal: -1 to 1", () -> motor.setPower(Double.NaN));
-        said("motor engine of robot cart: speed is 7.0, legal: -6 to 6 rad/s, which its wheels reach without load", () -> motor.setSpeed(7));
+        said("motor engine of robot cart: speed is 7.0, legal: -6 to 6 rad/s, which its wheels reach without load",
+            () -> motor.setSpeed(7));
         said("no motor is called \"motor\", legal: engine", () -> simulation.getMotor("motor"));
     }
 
@@ -154,18 +156,23 @@ public class MotorTest {
         SEARrobot robot = Worlds.cart("cart", MASS, RADIUS, 0.15, new double[] {0}, 0.2, 0, 0, 0);
         SEARrobot other = Worlds.cart("other", MASS, RADIUS, 0.15, new double[] {0}, 0.2, 2, 0, 0);
         Wheel left = robot.getWheels().get(0);
-        said("Motor \"m\": Wheel \"cartIdler\" has type 0, legal: a driven wheel (type 1)", () -> new Motor("m", robot.getWheels().get(2)));
+        said("Motor \"m\": Wheel \"cartIdler\" has type 0, legal: a driven wheel (type 1)",
+            () -> new Motor("m", robot.getWheels().get(2)));
         said("Motor \"m\": wheel is missing (None), legal: a driven wheel (type 1)", () -> new Motor("m", null));
-        said("Motor \"m\": stallTorque is -1, legal: a number from 0.000001 to 1000000 N m", () -> new Motor("m", left, -1, 5));
+        said("Motor \"m\": stallTorque is -1, legal: a number from 0.000001 to 1000000 N m",
+            () -> new Motor("m", left, -1, 5));
         Motor motor = new Motor("engine", left);
-        said("Motor \"m\": Wheel \"cartLeft0\" is turned by Motor \"engine\", legal: one motor per wheel; motor.addWheel(wheel) gives a motor several"
+        said("Motor \"m\": Wheel \"cartLeft0\" is turned by Motor \"engine\", legal: one motor per wheel; "
+            + "motor.addWheel(wheel) gives a motor several"
             + " wheels", () -> new Motor("m", left));
         robot.addComponent(motor);
-        said("Motor \"engine\": Wheel \"otherLeft0\" is a wheel of SEARrobot \"other\", legal: a wheel of SEARrobot \"cart\"",
+        said("Motor \"engine\": Wheel \"otherLeft0\" is a wheel of SEARrobot \"other\", legal: a wheel of "
+            + "SEARrobot \"cart\"",
             () -> motor.addWheel(other.getWheels().get(0)));
         other.addComponent(new Motor("wrong", robot.getWheels().get(1)));
         ProjectException problem = assertThrows(ProjectException.class, () -> Worlds.start(project));
-        assertTrue(problem.getMessage(), problem.getMessage().contains("wheel is \"cartRight0\", legal: a driven wheel (type 1) of the motor's"
+        assertTrue(problem.getMessage(), problem.getMessage()
+            .contains("wheel is \"cartRight0\", legal: a driven wheel (type 1) of the motor's"
             + " robot other: otherLeft0, otherRight0"));
     }
 

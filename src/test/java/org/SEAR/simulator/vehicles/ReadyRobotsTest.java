@@ -28,7 +28,8 @@ public class ReadyRobotsTest {
 
     private Simulation make(String template) throws Exception {
         ProjectEditor editor = new ProjectEditor(project.folder());
-        editor.apply(Map.of("do", "add", "type", "Floor", "name", "floor", "set", Map.of("length", "40", "width", "40")));
+        editor.apply(Map.of("do", "add", "type", "Floor", "name", "floor", "set",
+            Map.of("length", "40", "width", "40")));
         editor.apply(Map.of("do", "robot", "template", template, "name", "robot"));
         Simulation simulation = Simulation.of(Project.read(project.folder()), 1);
         assertEquals(template, "[]", simulation.snapshot().warnings.toString());
@@ -68,7 +69,8 @@ public class ReadyRobotsTest {
         Pose halted = robot.getPose();
         robot.drive(-SPEED, Double.POSITIVE_INFINITY);
         Worlds.run(simulation, 3);
-        double[] way = halted.rotateBack(robot.getPose().x - halted.x, robot.getPose().y - halted.y, robot.getPose().z - halted.z);
+        double[] way = halted.rotateBack(robot.getPose().x - halted.x, robot.getPose().y - halted.y,
+            robot.getPose().z - halted.z);
         assertEquals("backwards, and straight", 0, way[0], 0.03);
         assertEquals(-0.6, way[2], 0.05);
     }
@@ -110,7 +112,8 @@ public class ReadyRobotsTest {
         editor.apply(Map.of("do", "add", "type", "Floor", "name", "floor"));
         editor.apply(Map.of("do", "robot", "template", "chassis", "name", "robot"));
         Simulation simulation = Simulation.of(Project.read(project.folder()), 1);
-        assertEquals("[robot robot has no wheels and can't drive: robot.addWheel(Wheel(...)) adds one]", simulation.snapshot().warnings.toString());
+        assertEquals("[robot robot has no wheels and can't drive: robot.addWheel(Wheel(...)) adds one]",
+            simulation.snapshot().warnings.toString());
         Worlds.run(simulation, 2);
         Pose pose = simulation.getRobots().get(0).getPose();
         assertEquals("its underside is on the floor", 0.01, pose.y, 0.002);
@@ -135,7 +138,9 @@ public class ReadyRobotsTest {
         assertSteering(simulation, 12);
     }
 
-    /** Different wheel speeds steer a car to their circle; equal ones straighten its wheels, but manual steering stays. */
+    /**
+     * Different wheel speeds steer a car to their circle; equal ones straighten its wheels, but manual steering stays.
+     */
     @Test
     public void aCarSteersByWheelSpeeds() throws Exception {
         Simulation simulation = make("car");

@@ -34,7 +34,8 @@ public class ServoContactTest {
     }
 
     private static List<String> messages(Simulation simulation) {
-        return simulation.snapshot().warnings.stream().filter(text -> text.startsWith("servo ")).collect(Collectors.toList());
+        return simulation.snapshot().warnings.stream().filter(text -> text.startsWith("servo "))
+            .collect(Collectors.toList());
     }
 
     /**
@@ -53,7 +54,8 @@ public class ServoContactTest {
                 for (int side : new int[] {1, -1}) {
                     Box finger = Arm.box("finger" + side, 0.01, 0.12, 0.02, 0.01, side * 0.05, 0.12, 0.21);
                     finger.setFriction(1);
-                    shoulder.mount(Arm.on(crane, new Servo(side > 0 ? "left" : "right", side * 0.05, 0.12, 0.15), 400, torque, finger));
+                    shoulder.mount(Arm.on(crane, new Servo(side > 0 ? "left" : "right", side * 0.05, 0.12, 0.15), 400,
+                        torque, finger));
                 }
                 try (Simulation simulation = Worlds.start(project)) {
                     Worlds.run(simulation, 0.5);
@@ -66,13 +68,16 @@ public class ServoContactTest {
                     assertEquals(size + " m", closed, simulation.getServo("right").getAngle(), 1);
                     assertEquals("the cube lies where it did", 0.25, simulation.getPose("cube").z, 0.005);
                     String told = String.join("\n", messages(simulation));
-                    assertTrue(told, told.matches("(?s).*servo left of robot crane is blocked at -\\d+\\.\\d deg, on its way to -60\\.0 deg, by a"
-                        + " contact, as a gripper is by its object. If it should move on, give it more than its stallTorque of "
+                    assertTrue(told, told.matches("(?s).*servo left of robot crane is blocked at -\\d+\\.\\d deg, on "
+                        + "its way to -60\\.0 deg, by a"
+                        + " contact, as a gripper is by its object. If it should move on, give it more than its "
+                        + "stallTorque of "
                         + (torque < 1 ? "0.18" : "2") + " N m \\(left\\.setStallTorque\\(\\.\\.\\.\\)\\).*"));
                     simulation.getServo("shoulder").setAngle(-30);
                     Worlds.run(simulation, 6);
                     Pose cube = simulation.getPose("cube");
-                    assertEquals(size + " m, " + torque + " N m: " + cube, 0.12 + 0.2 * Math.sin(Math.toRadians(30)), cube.y, 0.01);
+                    assertEquals(size + " m, " + torque + " N m: " + cube, 0.12 + 0.2 * Math.sin(Math.toRadians(30)),
+                        cube.y, 0.01);
                     double[] up = simulation.getPose("crane").rotate(0, 1, 0);
                     assertEquals("the crane stands upright", 1, up[1], 1e-4);
                 }
@@ -86,7 +91,8 @@ public class ServoContactTest {
         double mass = 0.05;
         double lever = 0.2;
         SEARrobot crane = crane(10);
-        Arm.on(crane, new Servo("hinge", 0, 0.2, 0, 0, 0, -90), 60, 0.18, Arm.box("plank", 0.1, 0.3, 0.01, 0, 0, 0.2, 0.15));
+        Arm.on(crane, new Servo("hinge", 0, 0.2, 0, 0, 0, -90), 60, 0.18,
+            Arm.box("plank", 0.1, 0.3, 0.01, 0, 0, 0.2, 0.15));
         Box thing = Arm.box("thing", 0.04, 0.04, 0.04, mass, 0, 0.2251, lever);
         thing.setFriction(1);
         Simulation simulation = Worlds.start(project);
@@ -97,14 +103,16 @@ public class ServoContactTest {
         Worlds.run(simulation, 0.4);
         double expected = 60 * (1 - mass * GRAVITY * lever / 0.18) * 0.4;
         assertEquals(-expected, simulation.getServo("hinge").getAngle() - from, 0.1 * expected);
-        assertEquals("it lies on the plank still", lever, Math.hypot(simulation.getPose("thing").z, simulation.getPose("thing").y - 0.2), 0.02);
+        assertEquals("it lies on the plank still", lever,
+            Math.hypot(simulation.getPose("thing").z, simulation.getPose("thing").y - 0.2), 0.02);
     }
 
     /** An arm that can't push an obstacle stops there; neither the obstacle nor its robot moves away. */
     @Test
     public void aWeakArmStopsAtAHeavyObject() throws Exception {
         SEARrobot crane = crane(10);
-        Arm.on(crane, new Servo("hinge", 0, 0.2, 0.1), 400, 0.18, Arm.box("stick", 0.02, 0.3, 0.02, 0.02, 0, 0.2, 0.25));
+        Arm.on(crane, new Servo("hinge", 0, 0.2, 0.1), 400, 0.18,
+            Arm.box("stick", 0.02, 0.3, 0.02, 0.02, 0, 0.2, 0.25));
         Arm.box("block", 0.2, 0.2, 0.4, 40, 0.3, 0.2, 0.25);
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 1);

@@ -69,7 +69,8 @@ public class ServoTest {
         double slanted = (1.95 - simulation.getPose("ping").x) / Math.cos(Math.toRadians(30));
         assertEquals(slanted, distance(simulation, "ping"), 0.005);
         int index = robot.getComponents().indexOf(ping);
-        Pose shown = simulation.snapshot().robots.get(0).pose.times(simulation.snapshot().robots.get(0).parts.get(index));
+        Pose shown = simulation.snapshot().robots.get(0).pose.times(
+            simulation.snapshot().robots.get(0).parts.get(index));
         assertEquals(simulation.getPose("ping").toString(), shown.toString());
         simulation.reset();
         assertEquals(0, simulation.getServo("neck").getAngle(), 0);
@@ -109,7 +110,8 @@ public class ServoTest {
         simulation.getServo("pan").setAngle(90);
         turn(simulation, "tilt", 30);
         Pose body = simulation.getPose("roomba");
-        double[] expected = body.transform(0.2 * Math.cos(Math.toRadians(30)), 0.3 + 0.2 * Math.sin(Math.toRadians(30)), 0);
+        double[] expected = body.transform(0.2 * Math.cos(Math.toRadians(30)),
+            0.3 + 0.2 * Math.sin(Math.toRadians(30)), 0);
         Pose is = simulation.getPose("ping");
         assertEquals(expected[0], is.x, 1e-4);
         assertEquals(expected[1], is.y, 1e-4);
@@ -130,9 +132,11 @@ public class ServoTest {
         assertTrue("the thing is at " + moved, Math.hypot(moved.x - before, moved.z - 0.3) > 0.1);
         Hit hit = new Hit();
         Pose at = simulation.getPose("arm");
-        double down = simulation.getRobots().get(0).getTruth().scene().cast(at.x, 2, at.z, 0, -1, 0, 5, BeamScene.WORLD, hit);
+        double down = simulation.getRobots().get(0).getTruth().scene()
+            .cast(at.x, 2, at.z, 0, -1, 0, 5, BeamScene.WORLD, hit);
         assertEquals(at.y + 0.02, 2 - down, 1e-3);
-        double none = simulation.getRobots().get(0).getTruth().scene().cast(0, 2, 0.4, 0, -1, 0, 5, BeamScene.WORLD, hit);
+        double none = simulation.getRobots().get(0).getTruth().scene()
+            .cast(0, 2, 0.4, 0, -1, 0, 5, BeamScene.WORLD, hit);
         assertEquals("nothing is where the arm was", 2, none, 1e-3);
     }
 
@@ -144,7 +148,8 @@ public class ServoTest {
     public void aPushedObjectStaysInFrontOfTheArm() throws Exception {
         for (double speed : new double[] {60, 200, 400}) {
             SEARrobot robot = roomba();
-            Arm.on(robot, new Servo("shoulder", 0, 0.05, 0.1), speed, 5, Arm.box("stick", 0.02, 0.3, 0.02, 0.02, 0, 0.05, 0.25));
+            Arm.on(robot, new Servo("shoulder", 0, 0.05, 0.1), speed, 5,
+                Arm.box("stick", 0.02, 0.3, 0.02, 0.02, 0, 0.05, 0.25));
             Arm.box("thing", 0.1, 0.1, 0.2, 0.2, 0.25, 0.1, 0.2);
             try (Simulation simulation = Worlds.start(project)) {
                 Worlds.run(simulation, 1);
@@ -152,8 +157,10 @@ public class ServoTest {
                 for (int i = 0; i < 120; i++) {
                     simulation.step();
                     Pose arm = simulation.getPose("stick");
-                    double[] way = arm.rotateBack(simulation.getPose("thing").x - arm.x, 0, simulation.getPose("thing").z - arm.z);
-                    assertTrue(speed + " degrees a second: the thing's middle is " + way[0] + " m before the arm", way[0] > 0.04);
+                    double[] way = arm.rotateBack(simulation.getPose("thing").x - arm.x, 0,
+                        simulation.getPose("thing").z - arm.z);
+                    assertTrue(speed + " degrees a second: the thing's middle is " + way[0] + " m before the arm",
+                        way[0] > 0.04);
                 }
                 Pose moved = simulation.getPose("thing");
                 assertTrue(speed + " degrees a second: the thing is at " + moved, moved.z < 0.05);
@@ -165,7 +172,8 @@ public class ServoTest {
     @Test
     public void aSpoonThrowsABall() throws Exception {
         SEARrobot robot = roomba();
-        Arm.on(robot, new Servo("hinge", 0, 0.2, 0.1, 0, 0, -90), 700, 100, Arm.box("spoon", 0.2, 0.3, 0.01, 0.1, 0, 0.2, 0.25));
+        Arm.on(robot, new Servo("hinge", 0, 0.2, 0.1, 0, 0, -90), 700, 100,
+            Arm.box("spoon", 0.2, 0.3, 0.01, 0.1, 0, 0.2, 0.25));
         Sphere ball = new Sphere("ball", 0.03, 0.05);
         ball.setRollingFriction(0.1);
         ball.move(0, 0.36, 0.3);
@@ -202,7 +210,8 @@ public class ServoTest {
     @Test
     public void anObjectOnAPlateStaysAtItsDistance() throws Exception {
         SEARrobot robot = roomba();
-        Servo table = Arm.on(robot, new Servo("table", 0, 0.3, 0), 60, 5, Arm.box("plate", 0.8, 0.8, 0.02, 0.3, 0, 0.3, 0));
+        Servo table = Arm.on(robot, new Servo("table", 0, 0.3, 0), 60, 5,
+            Arm.box("plate", 0.8, 0.8, 0.02, 0.3, 0, 0.3, 0));
         table.setRange(-360, 360);
         Arm.box("thing", 0.03, 0.03, 0.01, 0.1, 0.3, 0.316, 0).setFriction(2);
         Simulation simulation = Worlds.start(project);
@@ -244,11 +253,15 @@ public class ServoTest {
         Distance ping = new Distance("ping");
         neck.mount(ping);
         neck.mount(second);
-        said("Servo \"second\": Distance \"ping\" is mounted on Servo \"neck\", legal: a part that no servo turns yet", () -> second.mount(ping));
-        said("Servo \"second\": Servo \"neck\" turns it, legal: a part that does not turn it", () -> second.mount(neck));
-        said("Servo \"neck\": Gyroscope \"gyro\" can't be mounted, legal: a shape, a light, another servo, or a sensor except motion sensors and GPS",
+        said("Servo \"second\": Distance \"ping\" is mounted on Servo \"neck\", legal: a part that no servo turns yet",
+            () -> second.mount(ping));
+        said("Servo \"second\": Servo \"neck\" turns it, legal: a part that does not turn it",
+            () -> second.mount(neck));
+        said("Servo \"neck\": Gyroscope \"gyro\" can't be mounted, legal: a shape, a light, another servo, or a sensor "
+            + "except motion sensors and GPS",
             () -> neck.mount(new Gyroscope("gyro")));
-        said("Servo \"neck\": part is missing (None), legal: a shape, a light, another servo, or a sensor except motion sensors and GPS",
+        said("Servo \"neck\": part is missing (None), legal: a shape, a light, another servo, or a sensor except "
+            + "motion sensors and GPS",
             () -> neck.mount(null));
         said("Servo \"neck\": minAngle is 20, legal: less than maxAngle, which is 10 deg", () -> neck.setRange(20, 10));
         robot.addComponent(neck);
@@ -256,13 +269,16 @@ public class ServoTest {
         robot.addComponent(second);
         Distance pong = new Distance("pong");
         other.addComponent(pong);
-        said("Servo \"neck\": Distance \"pong\" is a part of SEARrobot \"other\", legal: a part of SEARrobot \"roomba\"", () -> neck.mount(pong));
+        said("Servo \"neck\": Distance \"pong\" is a part of SEARrobot \"other\", legal: a part of "
+            + "SEARrobot \"roomba\"", () -> neck.mount(pong));
         Simulation simulation = Worlds.start(project);
-        said("servo neck of robot roomba: angle is 91.0, legal: -90 to 90 deg", () -> simulation.getServo("neck").setAngle(91));
+        said("servo neck of robot roomba: angle is 91.0, legal: -90 to 90 deg", () -> simulation.getServo("neck")
+            .setAngle(91));
         said("no servo is called \"nek\", legal: neck second", () -> simulation.getServo("nek"));
         second.mount(new Distance("loose"));
         ProjectException problem = assertThrows(ProjectException.class, () -> Worlds.start(project));
-        assertTrue(problem.getMessage(), problem.getMessage().contains("part is \"loose\", legal: the name of a component of the servo's robot"
+        assertTrue(problem.getMessage(), problem.getMessage()
+            .contains("part is \"loose\", legal: the name of a component of the servo's robot"
             + " roomba: a shape, a light, another servo, or a sensor except motion sensors and GPS"));
     }
 

@@ -49,7 +49,8 @@ public class ServoTorqueTest {
     }
 
     private static List<String> complaints(Simulation simulation) {
-        return simulation.snapshot().warnings.stream().filter(text -> text.startsWith("servo ")).collect(Collectors.toList());
+        return simulation.snapshot().warnings.stream().filter(text -> text.startsWith("servo "))
+            .collect(Collectors.toList());
     }
 
     @Test
@@ -101,7 +102,8 @@ public class ServoTorqueTest {
             double before = lift.getAngle();
             simulation.step();
             if (lift.getAngle() > degrees) {
-                return simulation.getTime() - Simulation.STEP * (lift.getAngle() - degrees) / (lift.getAngle() - before);
+                return simulation.getTime() - Simulation.STEP * (lift.getAngle() - degrees) / (
+                    lift.getAngle() - before);
             }
         }
         throw new AssertionError("it is at " + lift.getAngle());
@@ -109,7 +111,8 @@ public class ServoTorqueTest {
 
     /** Returns the integral of d(angle) / (fastest (1 - share cos(angle))) from level to an angle, seconds. */
     private static double lifting(double share, double degrees) {
-        return 2 / Math.sqrt(1 - share * share) * Math.atan(Math.sqrt((1 + share) / (1 - share)) * Math.tan(Math.toRadians(degrees) / 2))
+        return 2 / Math.sqrt(1 - share * share) * Math.atan(
+            Math.sqrt((1 + share) / (1 - share)) * Math.tan(Math.toRadians(degrees) / 2))
             / Math.toRadians(60);
     }
 
@@ -140,8 +143,10 @@ public class ServoTorqueTest {
         Worlds.run(simulation, 40);
         assertEquals("cos(60 degrees) = 1 / 2", -60, lift.getAngle(), SHARE * 60);
         assertEquals("and rests", 0, Worlds.physics(simulation).getBusyBodies());
-        assertEquals(List.of("servo lift of robot roomba is too weak to turn its load to 45.0 deg: at 0.0 deg the weight pulls with 0.360 N m,"
-            + " and its stallTorque is 0.18 N m. Give it more than 0.360 N m, the most it needs (lift.setStallTorque(...)), or mount less,"
+        assertEquals(List.of("servo lift of robot roomba is too weak to turn its load to 45.0 deg: at 0.0 deg the "
+            + "weight pulls with 0.360 N m,"
+            + " and its stallTorque is 0.18 N m. Give it more than 0.360 N m, the most it needs "
+            + "(lift.setStallTorque(...)), or mount less,"
             + " nearer to its axis"), complaints(simulation));
         simulation.reset();
         assertEquals(List.of(), complaints(simulation));
@@ -186,7 +191,8 @@ public class ServoTorqueTest {
         String text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
         assertTrue(text, text.contains("  <stallTorque>3</stallTorque>\n"));
         Files.write(file, text.replace("  <stallTorque>3</stallTorque>\n", "").getBytes(StandardCharsets.UTF_8));
-        Servo old = (Servo) Project.read(project.folder()).getRobots().get(0).getComponents().stream().filter(part -> part instanceof Servo)
+        Servo old = (Servo) Project.read(project.folder()).getRobots().get(0).getComponents().stream()
+            .filter(part -> part instanceof Servo)
             .findFirst().orElseThrow(AssertionError::new);
         assertEquals(TORQUE, old.getStallTorque(), 0);
     }

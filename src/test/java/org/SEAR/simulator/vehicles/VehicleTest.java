@@ -67,7 +67,8 @@ public class VehicleTest {
     private static SEARrobot car() {
         new Floor("floor", 60, 60);
         SEARrobot robot = chassis(4);
-        motor(robot, "engine", wheel(robot, "rearLeft", 1, TRACK / 2, -BASE / 2), wheel(robot, "rearRight", 1, -TRACK / 2, -BASE / 2));
+        motor(robot, "engine", wheel(robot, "rearLeft", 1, TRACK / 2, -BASE / 2),
+            wheel(robot, "rearRight", 1, -TRACK / 2, -BASE / 2));
         wheel(robot, "frontLeft", 2, TRACK / 2, BASE / 2).setSteering(30);
         wheel(robot, "frontRight", 2, -TRACK / 2, BASE / 2).setSteering(30);
         return robot;
@@ -87,7 +88,8 @@ public class VehicleTest {
                 Worlds.run(simulation, 1);
                 assertEquals(stopped.x, simulation.getPose("car").x, 1e-3);
                 assertEquals(stopped.z, simulation.getPose("car").z, 1e-3);
-                assertEquals(radius == 0 ? angle : Math.toDegrees(Math.atan(BASE / radius)), simulation.getRobots().get(0).getSteering(), 1e-9);
+                assertEquals(radius == 0 ? angle : Math.toDegrees(Math.atan(BASE / radius)), simulation.getRobots()
+                    .get(0).getSteering(), 1e-9);
             }
         }
     }
@@ -183,12 +185,15 @@ public class VehicleTest {
         simulation.getMotor("engine").setSpeed(8);
         double expected = BASE / Math.tan(Math.toRadians(15));
         assertEquals(expected, circle(simulation, "axle"), SHARE * expected);
-        said("robot car is steered by its servo steering: turn that servo instead", () -> simulation.getRobots().get(0).steer(3));
-        said("robot car can't turn by wheel speeds 0.2 and 0.3 m/s: its servo steering steers it. Turn that servo instead",
+        said("robot car is steered by its servo steering: turn that servo instead", () -> simulation.getRobots()
+            .get(0).steer(3));
+        said("robot car can't turn by wheel speeds 0.2 and 0.3 m/s: its servo steering steers it. Turn that "
+            + "servo instead",
             () -> DriveOrder.wheels(0.2, 0.3).getFirst(simulation.getRobots().get(0)));
         simulation.getRobots().get(0).getHardware().setWheelSpeeds(0.2, 0.3);
         simulation.step();
-        assertEquals("[robot car can't obey the command to drive on a circle, because its servo steering steers it: it drives where the servo points."
+        assertEquals("[robot car can't obey the command to drive on a circle, because its servo steering steers it: it "
+            + "drives where the servo points."
             + " Turn it with sear.setServo(\"steering\", degrees)]", simulation.snapshot().warnings.toString());
     }
 
@@ -239,7 +244,8 @@ public class VehicleTest {
         simulation.getRobots().get(0).drive(0.1, 0);
         Worlds.run(simulation, 4);
         double turned = heading(simulation, 2);
-        assertEquals("its axle points to the middle of the circle", -90 - Math.toDegrees(Math.asin(0.04 / 0.2)), turned, 1);
+        assertEquals("its axle points to the middle of the circle",
+            -90 - Math.toDegrees(Math.asin(0.04 / 0.2)), turned, 1);
         simulation.getRobots().get(0).drive(0, 0);
         Worlds.run(simulation, 1);
         double start = Math.tan(Math.toRadians(heading(simulation, 2)) / 2);
@@ -365,9 +371,11 @@ public class VehicleTest {
         said("Wheel \"caster\": rollers is 45, " + idler, () -> caster.setRollers(45));
         said("Wheel \"caster\": trail is -1, legal: a number from 0 to 10 m", () -> caster.setTrail(-1));
         Wheel driven = new Wheel("driven", RADIUS, 0.02);
-        said("Wheel \"driven\": trail is 0.1, legal: 0 for a wheel of type 1; an idler (type 0) can be a caster", () -> driven.setTrail(0.1));
+        said("Wheel \"driven\": trail is 0.1, legal: 0 for a wheel of type 1; an idler (type 0) can be a caster",
+            () -> driven.setTrail(0.1));
         said("Wheel \"driven\": steering is 90, legal: a number from 0.1 to 80 deg", () -> driven.setSteering(90));
-        said("Wheel \"driven\": steering is Wheel \"caster\", legal: a Servo, or the greatest angle", () -> driven.setSteering(caster));
+        said("Wheel \"driven\": steering is Wheel \"caster\", legal: a Servo, or the greatest angle",
+            () -> driven.setSteering(caster));
         driven.setSteering(30);
         said("Wheel \"driven\": rollers is 45, legal: none for a wheel that is steered", () -> driven.setRollers(45));
         SEARrobot robot = car();
@@ -381,11 +389,13 @@ public class VehicleTest {
         SEARrobot other = chassis(2);
         wheel(other, "left", 1, 0.1, 0);
         wheel(other, "right", 1, -0.1, 0).setSteering(20);
-        problem("right.steering is \"20\", legal: a steered wheel in front of or behind the axle of those that aren't steered");
+        problem("right.steering is \"20\", legal: a steered wheel in front of or behind the axle of those that "
+            + "aren't steered");
         SEARrobot plain = chassis(2);
         wheel(plain, "left", 1, 0.1, 0);
         Simulation without = Worlds.start(project);
-        said("robot car has no steered wheels: wheel.setSteering(30) makes one", () -> without.getRobots().get(0).steer(1));
+        said("robot car has no steered wheels: wheel.setSteering(30) makes one", () -> without.getRobots()
+            .get(0).steer(1));
     }
 
     private void problem(String message) {
@@ -407,7 +417,9 @@ public class VehicleTest {
         Simulation simulation = Worlds.start(project);
         Robot driven = simulation.getRobots().get(0);
         DriveOrder.wheels(0.2, 0.2).getFirst(driven);
-        said("robot car can't turn by wheel speeds 0.2 and 0.3 m/s: all its driven wheels are in the middle. Move them apart with"
-            + " wheel.move(x, y, z): x > 0 is left, x < 0 is right", () -> DriveOrder.wheels(0.2, 0.3).getFirst(driven));
+        said("robot car can't turn by wheel speeds 0.2 and 0.3 m/s: all its driven wheels are in the middle. Move "
+            + "them apart with"
+            + " wheel.move(x, y, z): x > 0 is left, x < 0 is right", () -> DriveOrder.wheels(0.2, 0.3)
+                .getFirst(driven));
     }
 }

@@ -28,7 +28,8 @@ public class WheelsOnThingsTest {
     private static final double THICK = 0.02;
     private static final double STILL = 1e-4;
     private static final int STEPS = 600;
-    private static final List<Function<String, SEARrobot>> READY = List.of(Robots::rover, Robots::car, Robots::fourWheeled, Robots::create);
+    private static final List<Function<String, SEARrobot>> READY =
+        List.of(Robots::rover, Robots::car, Robots::fourWheeled, Robots::create);
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -104,9 +105,12 @@ public class WheelsOnThingsTest {
                 String name = (i % 2 == 0 ? "a" : "b") + i / 2;
                 Body robot = Worlds.body(simulation, name);
                 robot.velocities(v);
-                assertEquals(name + " leaps", 0, Math.hypot(robot.getPose().x - before[i].x, robot.getPose().z - before[i].z), 0.2);
-                assertTrue(name + " is thrown: " + Math.hypot(Math.hypot(v[0], v[1]), v[2]) + " m/s", Math.hypot(Math.hypot(v[0], v[1]), v[2]) < 5);
-                assertTrue(name + " has sunk to " + lowest(robot) + " m in step " + step, lowest(robot) > (step < STEPS - 1 ? -0.045 : -1e-3));
+                assertEquals(name + " leaps", 0,
+                    Math.hypot(robot.getPose().x - before[i].x, robot.getPose().z - before[i].z), 0.2);
+                assertTrue(name + " is thrown: " + Math.hypot(Math.hypot(v[0], v[1]), v[2]) + " m/s",
+                    Math.hypot(Math.hypot(v[0], v[1]), v[2]) < 5);
+                assertTrue(name + " has sunk to " + lowest(robot) + " m in step " + step,
+                    lowest(robot) > (step < STEPS - 1 ? -0.045 : -1e-3));
             }
         }
     }
@@ -129,7 +133,8 @@ public class WheelsOnThingsTest {
         for (int i = 0; i < count; i++) {
             Body robot = Worlds.body(simulation, "robot" + i);
             Pose now = robot.getPose();
-            assertEquals("robot" + i, 0, Math.hypot(Math.hypot(now.x - before[i].x, now.y - before[i].y), now.z - before[i].z), STILL);
+            assertEquals("robot" + i, 0, Math.hypot(Math.hypot(now.x - before[i].x, now.y - before[i].y),
+                now.z - before[i].z), STILL);
             assertTrue("robot" + i + " has sunk to " + lowest(robot) + " m", lowest(robot) > -5e-4);
             turned += now.rotate(0, 1, 0)[1] < -0.99 ? 1 : 0;
         }
@@ -156,7 +161,8 @@ public class WheelsOnThingsTest {
         int upright = 0;
         for (int i = 0; i < count; i++) {
             Pose now = Worlds.body(simulation, "robot" + i).getPose();
-            assertEquals("robot" + i, 0, Math.hypot(Math.hypot(now.x - before[i].x, now.y - before[i].y), now.z - before[i].z), STILL);
+            assertEquals("robot" + i, 0, Math.hypot(Math.hypot(now.x - before[i].x, now.y - before[i].y),
+                now.z - before[i].z), STILL);
             upright += now.rotate(0, 0, 1)[1] > 0.9 ? 1 : 0;
         }
         assertTrue("only " + upright + " of " + count + " stand on their tails", upright >= 3);

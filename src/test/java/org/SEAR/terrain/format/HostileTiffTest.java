@@ -53,9 +53,12 @@ public class HostileTiffTest {
         refused(good().with(256, 1 << 30).with(257, 2), "ImageWidth is 1073741824, legal: 1 to 1000000");
         refused(good().with(256, 65536).with(257, 32768), "the number of");
         refused(good().with(257, 0), "ImageLength is 0");
-        refused(good().with(256, 1000000).with(257, 1000000).with(278, 1), "the number of values of StripOffsets is 1, legal: 1000000");
-        refused(good().with(322, 1000000).with(323, 1000000).with(324, 8).with(325, 24), "tile 0 is 6000000 bytes at 8, legal: inside the file");
-        refused(good().with(279, -1).with(259, 8), "the number of bytes of strip 0 is 4294967295, legal: 1 to 134217728");
+        refused(good().with(256, 1000000).with(257, 1000000).with(278, 1), "the number of values of StripOffsets is 1, "
+            + "legal: 1000000");
+        refused(good().with(322, 1000000).with(323, 1000000).with(324, 8).with(325, 24),
+            "tile 0 is 6000000 bytes at 8, legal: inside the file");
+        refused(good().with(279, -1).with(259, 8), "the number of bytes of strip 0 is 4294967295, legal: 1 "
+            + "to 134217728");
         refused(good().with(273, 100000), "strip 0 is 24 bytes at 100000, legal: inside the file");
         refused(good().with(278, 1), "the number of values of StripOffsets is 1, legal: 3");
     }
@@ -68,7 +71,8 @@ public class HostileTiffTest {
         refused(good().with(259, 34887), "Compression is 34887 (LERC)");
         refused(good().with(339, 6), "SampleFormat is 6 with 16 bits");
         refused(good().with(317, 3).with(259, 8), "Predictor is 3, legal: 1 or 2 for whole numbers");
-        refused(good().with(34735, new int[] {1, 1, 0, 1, 3072, 0, 1, 32767}), "the coordinate system is defined by user");
+        refused(good().with(34735, new int[] {1, 1, 0, 1, 3072, 0, 1, 32767}),
+            "the coordinate system is defined by user");
         refused(good().with(34735, new int[] {1, 1, 0, 1, 1024, 0, 1, 3}), "the coordinate system is geocentric");
         refused(good().with(34735, new int[] {1, 1, 0, 1, 4099, 0, 1, 9999}), "the unit of heights is EPSG 9999");
         refused(good().with(33550, new double[] {0, 0.001, 0}), "the place of the pixels");
@@ -99,9 +103,11 @@ public class HostileTiffTest {
             + "  <Item name=\"SCALE\" sample=\"0\" role=\"scale\">0.5</Item>\n</GDALMetadata>";
         assertEquals(103, read(good().with(42112, metadata).bytes())[5], 1e-6);
         refused(good().with(42112, metadata.replace("0.5", "half")), "GDAL's scale is \"half\", legal: a number");
-        String feet = metadata.replace("</GDALM", "  <Item name=\"UNITTYPE\" sample=\"0\" role=\"unittype\">ft</Item>\n</GDALM");
+        String feet = metadata.replace(
+            "</GDALM", "  <Item name=\"UNITTYPE\" sample=\"0\" role=\"unittype\">ft</Item>\n</GDALM");
         assertEquals(103 * 0.3048, read(good().with(42112, feet).bytes())[5], 1e-5);
-        refused(good().with(42112, feet.replace(">ft<", ">fathom<")), "GDAL's unit of heights is \"fathom\", legal: one of feet, foot, ft, m,");
+        refused(good().with(42112, feet.replace(">ft<", ">fathom<")), "GDAL's unit of heights is \"fathom\", legal: "
+            + "one of feet, foot, ft, m,");
     }
 
     @Test
@@ -109,7 +115,8 @@ public class HostileTiffTest {
         GeoTiff area = GeoTiff.open(MapBytes.of("a.tif", good().bytes()));
         assertEquals(8.0005, area.place.x0, 1e-12);
         assertEquals(46.9995, area.place.y0, 1e-12);
-        GeoTiff point = GeoTiff.open(MapBytes.of("a.tif", good().with(34735, new int[] {1, 1, 0, 2, 1025, 0, 1, 2, 2048, 0, 1, 4326}).bytes()));
+        GeoTiff point = GeoTiff.open(MapBytes.of(
+            "a.tif", good().with(34735, new int[] {1, 1, 0, 2, 1025, 0, 1, 2, 2048, 0, 1, 4326}).bytes()));
         assertEquals(8, point.place.x0, 1e-12);
         assertEquals(47, point.place.y0, 1e-12);
     }
@@ -117,7 +124,8 @@ public class HostileTiffTest {
     @Test
     public void aTransformationPlacesPixelsToo() throws IOException {
         double[] matrix = {0, 2, 0, 100, 3, 0, 0, 200, 0, 0, 0, 0, 0, 0, 0, 1};
-        GeoTiff map = GeoTiff.open(MapBytes.of("a.tif", good().with(33550, null).with(33922, null).with(34264, matrix).bytes()));
+        GeoTiff map = GeoTiff.open(MapBytes.of("a.tif", good().with(33550, null).with(33922, null)
+            .with(34264, matrix).bytes()));
         assertEquals(100 + 2 * 2.5, map.place.x(1, 2), 1e-12);
         assertEquals(200 + 3 * 1.5, map.place.y(1, 2), 1e-12);
         assertEquals(1, map.place.column(map.place.x(1, 2), map.place.y(1, 2)), 1e-12);

@@ -78,7 +78,8 @@ public class SrtmTileTest {
     @Test
     public void invalidTilesAreRejected() throws IOException {
         refused("N36W085.hgt", new byte[1000], "the tile's size is 1000 bytes, legal: 2884802 (1201 x 1201 posts");
-        refused("hills.hgt", tile(), "the file's name is hills.hgt, legal: the tile's south-west corner, such as N36W085.hgt");
+        refused("hills.hgt", tile(), "the file's name is hills.hgt, legal: the tile's south-west corner, such "
+            + "as N36W085.hgt");
         refused("N95E000.hgt", tile(), "the latitude in the file's name is 95, legal: -90 to 89");
         refused("N36W085.hgt.zip", zip("readme.txt", new byte[9]), "no .hgt among the first 16 files");
         refused("N36W085.hgt.zip", Arrays.copyOf(zip("N36W085.hgt", tile()), 3000), "the zip is broken");
@@ -87,7 +88,8 @@ public class SrtmTileTest {
 
     @Test
     public void aZipThatUnpacksToMoreThanATileIsRefusedBeforeItIsUnpacked() throws IOException {
-        refused("N36W085.hgt.zip", zip("N36W085.hgt", new byte[60_000_000]), "the size of N36W085.hgt in it is more than 25934402 bytes");
+        refused("N36W085.hgt.zip", zip("N36W085.hgt", new byte[60_000_000]), "the size of N36W085.hgt in it is more "
+            + "than 25934402 bytes");
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         try (ZipOutputStream zip = new ZipOutputStream(out)) {
             zip.putNextEntry(new ZipEntry("bomb"));

@@ -21,7 +21,8 @@ public final class TiffMaker {
     /** Makes an image of one uncompressed strip. */
     public TiffMaker(int columns, int rows, int bits, byte... pixels) {
         this.pixels = pixels;
-        with(256, columns).with(257, rows).with(258, bits).with(259, 1).with(262, 1).with(273, 8).with(277, 1).with(278, rows)
+        with(256, columns).with(257, rows).with(258, bits).with(259, 1).with(262, 1).with(273, 8).with(277, 1)
+            .with(278, rows)
             .with(279, pixels.length);
     }
 
@@ -60,7 +61,8 @@ public final class TiffMaker {
         int room = tags.values().stream().mapToInt(tag -> value(tag).length).sum();
         ByteBuffer out = ByteBuffer.allocate((1 << 16) + pixels.length + room).order(order);
         int directory = 8 + pixels.length;
-        out.put((order == ByteOrder.BIG_ENDIAN ? "MM" : "II").getBytes(StandardCharsets.US_ASCII)).putShort((short) 42).putInt(directory);
+        out.put((order == ByteOrder.BIG_ENDIAN ? "MM" : "II").getBytes(StandardCharsets.US_ASCII)).putShort((short) 42)
+            .putInt(directory);
         out.put(pixels).putShort((short) tags.size());
         int values = directory + 2 + 12 * tags.size() + 4;
         for (Map.Entry<Integer, Object> tag : tags.entrySet()) {

@@ -10,7 +10,8 @@ import org.junit.Test;
 
 /** Slopes, hill shading and colours of the ground. */
 public class ReliefTest {
-    private static final GroundPicture.Light NOON = new GroundPicture.Light(new float[] {0, 0, 0}, new float[] {1, 1, 1}, new HillShade(0, 90));
+    private static final GroundPicture.Light NOON = new GroundPicture.Light(new float[] {0, 0, 0},
+        new float[] {1, 1, 1}, new HillShade(0, 90));
 
     private interface Heights {
         double at(double x, double z);
@@ -57,13 +58,16 @@ public class ReliefTest {
     public void hillShadeOfAPlaneIsTheCosineBetweenSunAndNormal() {
         HillShade light = new HillShade(315, 45);
         assertEquals("level", Math.sqrt(0.5), light.at(0, 0), 1e-12);
-        assertEquals("45 degrees up to the south-east looks straight into the sun", 1, light.at(-Math.sqrt(0.5), Math.sqrt(0.5)), 1e-12);
-        assertEquals("45 degrees the other way looks along its light", 0, light.at(Math.sqrt(0.5), -Math.sqrt(0.5)), 1e-12);
+        assertEquals("45 degrees up to the south-east looks straight into the sun", 1,
+            light.at(-Math.sqrt(0.5), Math.sqrt(0.5)), 1e-12);
+        assertEquals("45 degrees the other way looks along its light", 0,
+            light.at(Math.sqrt(0.5), -Math.sqrt(0.5)), 1e-12);
         assertEquals("steeper ones are in the dark", 0, light.at(2, -2), 0);
         double[] normal = {-0.3, 1, 0.2};
         double[] sun = {0.5, Math.sqrt(0.5), -0.5};
         double length = Math.sqrt(0.09 + 1 + 0.04);
-        assertEquals((normal[0] * sun[0] + normal[1] * sun[1] + normal[2] * sun[2]) / length, light.at(0.3, -0.2), 1e-12);
+        assertEquals((normal[0] * sun[0] + normal[1] * sun[1] + normal[2] * sun[2]) / length,
+            light.at(0.3, -0.2), 1e-12);
     }
 
     @Test
@@ -78,14 +82,17 @@ public class ReliefTest {
 
     @Test
     public void highMountainsHaveSnowOnTopAndMeadowsBelowHillsHaveNone() {
-        GroundPicture alps = GroundPicture.landscape(new Relief(field(200, 200, 100, (x, z) -> 0.16 * x), 200, 1, 0), NOON, null);
+        GroundPicture alps = GroundPicture.landscape(new Relief(field(200, 200, 100, (x, z) -> 0.16 * x), 200, 1, 0),
+            NOON, null);
         int top = at(alps, 198, 100);
         int foot = at(alps, 3, 100);
         assertTrue("snow: " + Integer.toHexString(top), red(top) > 200 && blue(top) > 200);
         assertTrue("meadow: " + Integer.toHexString(foot), green(foot) > red(foot) && green(foot) > blue(foot) + 20);
-        GroundPicture hills = GroundPicture.landscape(new Relief(field(200, 200, 10, (x, z) -> 0.05 * x), 200, 1, 0), NOON, null);
+        GroundPicture hills = GroundPicture.landscape(new Relief(field(200, 200, 10, (x, z) -> 0.05 * x), 200, 1, 0),
+            NOON, null);
         for (int pixel : hills.pixels) {
-            assertTrue("green: " + Integer.toHexString(pixel), green(pixel) >= red(pixel) - 6 && green(pixel) > blue(pixel) + 10);
+            assertTrue("green: " + Integer.toHexString(pixel), green(pixel) >= red(pixel) - 6
+                && green(pixel) > blue(pixel) + 10);
         }
     }
 
@@ -101,7 +108,8 @@ public class ReliefTest {
     public void givenColoursCountAndWhereThereAreNoneTheGroundHasItsOwn() {
         GroundPicture.Colors western = (x, z) -> z < 500 ? 0xff0000ff : 0;
         Relief relief = new Relief(field(100, 100, 10, (x, z) -> 0), 100, 1, 0);
-        for (GroundPicture picture : new GroundPicture[] {GroundPicture.landscape(relief, NOON, western), GroundPicture.map(relief, western)}) {
+        for (GroundPicture picture : new GroundPicture[] {GroundPicture.landscape(relief, NOON, western),
+            GroundPicture.map(relief, western)}) {
             int given = at(picture, 50, 10);
             assertTrue(Integer.toHexString(given), blue(given) > 200 && red(given) < 10);
             int own = at(picture, 50, 90);

@@ -106,7 +106,8 @@ public class TurretInTheWindowTest {
         Materials materials = new Materials(manager, false, warning -> {
             throw new AssertionError(warning);
         });
-        return new WorldView(link.project(), new SceneBuilder(new ModelLoader(link.project().getAssets()), materials, warning -> {
+        return new WorldView(link.project(), new SceneBuilder(new ModelLoader(link.project().getAssets()), materials,
+            warning -> {
             throw new AssertionError(warning);
         }), link.beams(), materials);
     }

@@ -61,7 +61,8 @@ public class TilesTest {
         double[] area = {0};
         for (int tile = 0; tile < choice.count(); tile++) {
             int level = choice.level(tile);
-            int kind = TileIndices.kind(choice.coarser(tile, 0), choice.coarser(tile, 1), choice.coarser(tile, 2), choice.coarser(tile, 3));
+            int kind = TileIndices.kind(choice.coarser(tile, 0), choice.coarser(tile, 1), choice.coarser(tile, 2),
+                choice.coarser(tile, 3));
             short[] corners = TileIndices.triangles(kind);
             for (int i = 0; i < corners.length; i += 3) {
                 int[] posts = new int[3];
@@ -74,7 +75,8 @@ public class TilesTest {
                 }
             }
         }
-        assertEquals("the triangles together are as large as the field", (pyramid.field.rows - 1.0) * (pyramid.field.columns - 1), area[0], 1e-6);
+        assertEquals("the triangles together are as large as the field",
+            (pyramid.field.rows - 1.0) * (pyramid.field.columns - 1), area[0], 1e-6);
         return edges;
     }
 
@@ -104,7 +106,8 @@ public class TilesTest {
         for (Map.Entry<Long, Integer> edge : edges(pyramid, choice).entrySet()) {
             long from = edge.getKey() >> 32;
             long to = edge.getKey() & 0xffffffffL;
-            boolean level = from / columns == to / columns && (from / columns == 0 || from / columns == pyramid.field.rows - 1);
+            boolean level = from / columns == to / columns
+                && (from / columns == 0 || from / columns == pyramid.field.rows - 1);
             boolean upright = from % columns == to % columns && (from % columns == 0 || from % columns == columns - 1);
             holes += edge.getValue() != 0 && !level && !upright ? 1 : 0;
         }
@@ -183,7 +186,8 @@ public class TilesTest {
         int under = 0;
         for (int tile = 0; tile < choice.count(); tile++) {
             under += choice.distance(tile) < 2 && choice.isSeen(tile) ? 1 : 0;
-            assertFalse("a coarse tile underfoot", choice.distance(tile) < 2 && choice.isSeen(tile) && choice.level(tile) > 0);
+            assertFalse("a coarse tile underfoot", choice.distance(tile) < 2 && choice.isSeen(tile)
+                && choice.level(tile) > 0);
         }
         assertTrue(under > 0);
     }
@@ -199,17 +203,20 @@ public class TilesTest {
             float z = random.nextInt(20_000) - 10_000;
             float y = (float) field.height(x, z) + (place % 3 == 0 ? 60 : 1.5f);
             float yaw = random.nextFloat() * FastMath.TWO_PI;
-            Camera camera = camera(x, y, z, new Vector3f(x + 100 * FastMath.cos(yaw), y - 4, z + 100 * FastMath.sin(yaw)));
+            Camera camera = camera(x, y, z,
+                new Vector3f(x + 100 * FastMath.cos(yaw), y - 4, z + 100 * FastMath.sin(yaw)));
             TileChoice choice = new TileChoice(pyramid, 10_000);
             choice.choose(camera);
             least = Math.min(least, choice.seen());
             int met = 0;
             for (int beam = 0; beam < 3000; beam++) {
-                Vector3f end = camera.getWorldCoordinates(new Vector2f(random.nextInt(1024), random.nextInt(640)), 0.99f);
+                Vector3f end = camera.getWorldCoordinates(
+                    new Vector2f(random.nextInt(1024), random.nextInt(640)), 0.99f);
                 Vector3f at = meet(field, camera.getLocation(), end.subtract(camera.getLocation()).normalizeLocal());
                 if (at != null) {
                     met++;
-                    assertTrue("from " + camera.getLocation() + " ground at " + at + " is not drawn", isDrawn(pyramid, choice, at));
+                    assertTrue("from " + camera.getLocation() + " ground at " + at + " is not drawn",
+                        isDrawn(pyramid, choice, at));
                 }
             }
             assertTrue(met + " of 3000 beams from " + camera.getLocation() + " met the ground", met > 300);
@@ -252,7 +259,8 @@ public class TilesTest {
         FloatBuffer a = fine.places();
         FloatBuffer b = coarse.places();
         for (int i = 0; i < 3; i++) {
-            assertEquals("a common post", a.get(3 * (SIDE * 0 + TilePyramid.CELLS) + i), b.get(3 * (SIDE * TilePyramid.CELLS / 2) + i), 0);
+            assertEquals("a common post", a.get(3 * (SIDE * 0 + TilePyramid.CELLS) + i),
+                b.get(3 * (SIDE * TilePyramid.CELLS / 2) + i), 0);
         }
     }
 

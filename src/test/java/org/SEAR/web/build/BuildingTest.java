@@ -30,14 +30,16 @@ import org.openqa.selenium.interactions.Actions;
 public class BuildingTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
-    private static final String TYPES = "from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Floor, LIDAR, Robots, Sphere";
+    private static final String TYPES = "from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Floor, "
+        + "LIDAR, Robots, Sphere";
     /**
      * A floor with objects in the middle of its quarters, a tower on the north-eastern one, and others east of the
      * middle.
      */
     private static final String THINGS = String.join("\n",
         "Floor('floor1', 10, 10)",
-        "for name, x, z in ((1, 2, 2), (2, 2, -2), (3, -2, 2), (4, -2, -2)): Box('box%d' % name, 0.25, 0.25, 0.25).move(x, 0.125, z)",
+        "for name, x, z in ((1, 2, 2), (2, 2, -2), (3, -2, 2), (4, -2, -2)): Box('box%d' % name, 0.25, 0.25, "
+        + "0.25).move(x, 0.125, z)",
         "Cylinder('cylinder1', 0.1, 0.25).move(3, 0.125, 0)",
         "Cone('cone1', 0.1, 0.25).move(3, 0.125, 1)",
         "Sphere('sphere1', 0.1).move(3, 0.1, -1)",
@@ -65,9 +67,11 @@ public class BuildingTest {
 
     @Before
     public void beginWithAnEmptyProject() {
-        browser.until("no simulation", () -> tab.isTrue("service && !service.simulating && world.preview !== null && edits.grammar !== null"));
+        browser.until("no simulation",
+            () -> tab.isTrue("service && !service.simulating && world.preview !== null && edits.grammar !== null"));
         TABS.robotLab().run("sear.newProject()");
-        browser.until("an empty project", () -> tab.isTrue("world.shown() && !world.shown().objects.length && !world.shown().robots.length"));
+        browser.until("an empty project",
+            () -> tab.isTrue("world.shown() && !world.shown().objects.length && !world.shown().robots.length"));
     }
 
     @After
@@ -106,7 +110,8 @@ public class BuildingTest {
 
     @SuppressWarnings("unchecked")
     private double[] inSpace(double x, double y, double z) {
-        Map<String, Object> at = (Map<String, Object>) browser.scope(SearTab.ROOT, "view.scene().toScreen(" + x + ", " + y + ", " + z + ")");
+        Map<String, Object> at = (Map<String, Object>) browser.scope(SearTab.ROOT, "view.scene().toScreen(" + x + ", "
+            + y + ", " + z + ")");
         return new double[] {((Number) at.get("x")).doubleValue(), ((Number) at.get("y")).doubleValue()};
     }
 
@@ -116,8 +121,10 @@ public class BuildingTest {
     }
 
     private void waitForSelected(String object) {
-        browser.until(object + " selected", () -> tab.isTrue("edits.object && edits.object.object == '" + object + "'"));
-        browser.until(object + " in the view", () -> tab.isTrue("edits.selected == '" + object + "' && building.found() !== null"));
+        browser.until(object + " selected",
+            () -> tab.isTrue("edits.object && edits.object.object == '" + object + "'"));
+        browser.until(object + " in the view",
+            () -> tab.isTrue("edits.selected == '" + object + "' && building.found() !== null"));
     }
 
     private void placeOnMap(String type, double x, double z, String name) {
@@ -131,13 +138,15 @@ public class BuildingTest {
         WebElement input = browser.see(css);
         input.sendKeys(Keys.chord(Keys.CONTROL, "a"));
         input.sendKeys(value, Keys.ENTER);
-        browser.until(field + " to be " + value, () -> tab.isTrue("edits.object && edits.object.values." + field + " == '" + value + "'"));
+        browser.until(field + " to be " + value,
+            () -> tab.isTrue("edits.object && edits.object.values." + field + " == '" + value + "'"));
     }
 
     /** Makes a world by a script and returns when the page shows this number of objects and robots. */
     private void make(int things, int robots, String... parts) {
         TABS.robotLab().run(TYPES + "\nsear.newProject()\n" + String.join("\n", parts));
-        browser.until("what the script makes", () -> tab.isTrue("world.shown() && world.shown().objects.length == " + things
+        browser.until("what the script makes",
+            () -> tab.isTrue("world.shown() && world.shown().objects.length == " + things
             + " && world.shown().robots.length == " + robots));
     }
 
@@ -154,7 +163,8 @@ public class BuildingTest {
         build(".sear-map");
         browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope();"
             + "angular.extend(scope.view, {x: 0, z: 0, scale: 50, chosen: true}); scope.view.redraw()");
-        browser.until("all places in the view", () -> Math.abs(tab.toScreen(1, 0)[1] - tab.toScreen(0, 0)[1] + 50) < 0.1);
+        browser.until("all places in the view",
+            () -> Math.abs(tab.toScreen(1, 0)[1] - tab.toScreen(0, 0)[1] + 50) < 0.1);
     }
 
     /** Undoes all edits one by one. */
@@ -162,7 +172,8 @@ public class BuildingTest {
         while (tab.isTrue("edits.undoable !== null")) {
             Object last = browser.scope(SearTab.ROOT, "messages.list[0].id + ' ' + messages.list[0].times");
             browser.click(".sear-undo");
-            browser.until("an edit undone", () -> !last.equals(browser.scope(SearTab.ROOT, "messages.list[0].id + ' ' + messages.list[0].times")));
+            browser.until("an edit undone", () ->
+                !last.equals(browser.scope(SearTab.ROOT, "messages.list[0].id + ' ' + messages.list[0].times")));
         }
     }
 
@@ -182,7 +193,8 @@ public class BuildingTest {
         assertEquals(wanted, files());
         undoAll();
         assertEquals(Map.of(), files());
-        browser.until("an empty view", () -> tab.isTrue("!world.shown().objects.length && !world.shown().robots.length && edits.selected === null"));
+        browser.until("an empty view", () ->
+            tab.isTrue("!world.shown().objects.length && !world.shown().robots.length && edits.selected === null"));
     }
 
     @Test
@@ -251,16 +263,20 @@ public class BuildingTest {
     }
 
     /** Script that returns required cells of the image file that are empty or equal another cell. */
-    private static final String PICTURES = String.join("\n", "var done = arguments[0], kinds = angular.element(document.querySelector('.sear-main'))"
-        + ".scope().palette.groups().flatMap(group => group.kinds)", "var image = new Image()", "image.onload = () => {",
-        "    var pen = Object.assign(document.createElement('canvas'), {width: image.width, height: image.height}).getContext('2d')",
+    private static final String PICTURES =
+        String.join("\n", "var done = arguments[0], kinds = angular.element(document.querySelector('.sear-main'))"
+        + ".scope().palette.groups().flatMap(group => group.kinds)", "var image = new Image()",
+        "image.onload = () => {",
+        "    var pen = Object.assign(document.createElement('canvas'), {width: image.width, height: "
+        + "image.height}).getContext('2d')",
         "    pen.drawImage(image, 0, 0)",
         "    var seen = {}, wrong = []",
         "    kinds.forEach(kind => {",
         "        var at = kind.style['background-position'].split(' ').map(parseFloat)",
         "        var size = kind.style['background-size'].split(' ').map(parseFloat)",
         "        var cell = [100 * image.width / size[0], 100 * image.height / size[1]]",
-        "        var data = pen.getImageData(Math.round(at[0] / 100 * (image.width - cell[0])), Math.round(at[1] / 100 * (image.height - cell[1])),",
+        "        var data = pen.getImageData(Math.round(at[0] / 100 * (image.width - cell[0])), Math.round(at[1] / 100 "
+        + "* (image.height - cell[1])),",
         "            cell[0], cell[1]).data",
         "        var drawn = data.filter((value, i) => i % 4 === 3 && value > 128).length / cell[0] / cell[1]",
         "        if (cell[0] !== cell[1] || drawn < 0.05 || drawn > 0.9 || seen[at]) {",
@@ -273,9 +289,11 @@ public class BuildingTest {
         build(".sear-map");
         int count = browser.all(".sear-make .sear-symbol").size();
         assertTrue(String.valueOf(count), count >= 30);
-        browser.until("pictures", () -> browser.all(".sear-symbol").get(0).getCssValue("background-image").contains("palette.png"));
+        browser.until("pictures", () -> browser.all(".sear-symbol").get(0).getCssValue("background-image")
+            .contains("palette.png"));
         assertEquals(count + " pictures ", browser.driver().executeAsyncScript(PICTURES));
-        long bytes = Files.size(Paths.get(System.getProperty("sear.root", "."), "resources/resource/WebGui/app/service/js/sear/tiles/palette.png"));
+        long bytes = Files.size(Paths.get(System.getProperty("sear.root", "."),
+            "resources/resource/WebGui/app/service/js/sear/tiles/palette.png"));
         assertTrue(String.valueOf(bytes), bytes < 150_000);
     }
 
@@ -306,15 +324,18 @@ public class BuildingTest {
         buildOnTheMap();
         onMap(-2, -2).click().perform();
         waitForSelected("box4");
-        assertEquals(List.of("SIZE", "PLACE", "SETTINGS", "LOOK", "PHYSICS", "EARTH"), browser.texts(".sear-group > .sear-title"));
+        assertEquals(List.of("SIZE", "PLACE", "SETTINGS", "LOOK", "PHYSICS", "EARTH"),
+            browser.texts(".sear-group > .sear-title"));
         browser.seeText(".sear-about", "A box: length along x");
-        browser.script("arguments[0].value = '#00ff80'; arguments[0].dispatchEvent(new Event('change'))", browser.see(".sear-color"));
+        browser.script("arguments[0].value = '#00ff80'; arguments[0].dispatchEvent(new Event('change'))",
+            browser.see(".sear-color"));
         browser.until("its colour", () -> tab.isTrue("edits.object && edits.object.values.color == '#00ff80'"));
         WebElement seen = browser.see("[data-field='visibleToSensors'] input[type=checkbox]");
         assertTrue("as without a value", seen.isSelected());
         browser.script("arguments[0].scrollIntoView()", seen);
         seen.click();
-        browser.until("it is not seen", () -> tab.isTrue("edits.object && edits.object.values.visibleToSensors == 'false'"));
+        browser.until("it is not seen",
+            () -> tab.isTrue("edits.object && edits.object.values.visibleToSensors == 'false'"));
     }
 
     @Test
@@ -343,7 +364,8 @@ public class BuildingTest {
         WebElement view = boxWithHandles();
         Map<String, String> before = files();
         drag(view, onMapOf("x"), tab.toScreen(-1.275, -2));
-        browser.until("it is longer", () -> tab.isTrue("edits.object.values.length == '0.85' && edits.object.values.x == '-1.7'"));
+        browser.until("it is longer", () ->
+            tab.isTrue("edits.object.values.length == '0.85' && edits.object.values.x == '-1.7'"));
         browser.until("in the view, too", () -> Math.abs(place("x").get(0).doubleValue() + 1.275) < 1e-3);
         assertTrue("what one looks along has no handle", tab.isTrue("building.handle('y') === null"));
         undoAll();
@@ -365,7 +387,8 @@ public class BuildingTest {
         buildOnTheMap();
         onMap(0, 1).click().perform();
         waitForSelected("create2");
-        assertTrue("a robot can be turned, its parts have sizes", tab.isTrue("building.handle('x') === null && building.handle('turn') !== null"));
+        assertTrue("a robot can be turned, its parts have sizes",
+            tab.isTrue("building.handle('x') === null && building.handle('turn') !== null"));
     }
 
     /** Starts a robot with sensors and selects it on the map. */
@@ -385,7 +408,8 @@ public class BuildingTest {
         double x = tab.number("world.running.robots[0].pose[0]");
         drag(browser.see(".sear-view"), tab.toScreen(x, 1), tab.toScreen(x - 1, -1));
         browser.until("its new place in its file",
-            () -> tab.isTrue("edits.object.object == 'create2' && edits.object.values.z == '-1' && edits.object.values.x != '0'"));
+            () -> tab.isTrue("edits.object.object == 'create2' && edits.object.values.z == '-1' && "
+                + "edits.object.values.x != '0'"));
         double put = tab.number("1 * edits.object.values.x");
         assertEquals(x - 1, put, 0.03);
         browser.until("it stands there", () -> Math.abs(tab.number("world.running.robots[0].pose[2]") + 1) < 0.01
@@ -406,7 +430,8 @@ public class BuildingTest {
             && Math.abs(tab.number("world.running.robots[0].pose[2]") - 1.05) < 0.01);
         browser.see(".sear-view").sendKeys("[");
         browser.until("turned",
-            () -> tab.isTrue("edits.object.values.ry == '15'") && Math.abs(tab.number("world.running.robots[0].pose[4]") - 15) < 1);
+            () -> tab.isTrue("edits.object.values.ry == '15'")
+                && Math.abs(tab.number("world.running.robots[0].pose[4]") - 15) < 1);
         assertNothingWaitsForTheNextStart();
         browser.see(".sear-view").sendKeys(Keys.chord(Keys.CONTROL, "z"), Keys.chord(Keys.CONTROL, "z"));
         backWhereItWas();
@@ -419,17 +444,20 @@ public class BuildingTest {
     }
 
     private void backWhereItWas() {
-        browser.until("back where it was", () -> tab.isTrue("edits.object.values.z == '1' && edits.object.values.x == '0'")
+        browser.until("back where it was",
+            () -> tab.isTrue("edits.object.values.z == '1' && edits.object.values.x == '0'")
             && Math.abs(tab.number("world.running.robots[0].pose[2]") - 1) < 0.01);
     }
 
     @Test
     public void inSpaceTheMouseSelectsMovesSizesAndTurns() throws IOException {
-        TABS.robotLab().run("from org.SEAR.POJOs import Box, Floor, Robots\nFloor('floor', 10, 10)\nBox('crate', 1, 1, 1).move(0, 0.5, 0)\n"
+        TABS.robotLab().run("from org.SEAR.POJOs import Box, Floor, Robots\nFloor('floor', 10, 10)\nBox('crate', 1, 1, "
+            + "1).move(0, 0.5, 0)\n"
             + "Robots.create2('rosie').move(0, 0, 2)");
         browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
         build(".sear-space");
-        browser.until("all of it", () -> tab.isTrue("view.fitted && view.scene().objects[0].dressed && view.scene().objects[1].dressed"));
+        browser.until("all of it", () ->
+            tab.isTrue("view.fitted && view.scene().objects[0].dressed && view.scene().objects[1].dressed"));
         WebElement view = browser.see(".sear-scene");
         moveTo(view, inSpace(0, 0.1, 2)).click().perform();
         waitForSelected("rosie");
@@ -456,7 +484,8 @@ public class BuildingTest {
             Math.abs(place("x").get(0).doubleValue() - tab.number("1 * edits.object.values.x") - length / 2) < 1e-3);
         double[] handle = handle("turn");
         drag(handle, new double[] {handle[0] - 20, handle[1] - 60});
-        browser.until("it turned by 15 degrees or more", () -> tab.isTrue("edits.object.values.ry != '0' && edits.object.values.ry % 15 == 0"));
+        browser.until("it turned by 15 degrees or more",
+            () -> tab.isTrue("edits.object.values.ry != '0' && edits.object.values.ry % 15 == 0"));
         browser.see(".sear-scene").sendKeys(Keys.chord(Keys.CONTROL, "z"));
         browser.until("undone", () -> tab.isTrue("edits.object.values.ry == '0'"));
         picture("light");
@@ -492,12 +521,16 @@ public class BuildingTest {
         browser.until("its parts", () -> tab.isTrue("view.scene().robots[0].parts[0].dressed"));
         Dimension size = view.getSize();
         double[] side = inSpace(-0.07, 0.09, -0.1);
-        new Actions(browser.driver()).moveToElement(browser.see(".sear-palette [data-make='Distance']")).clickAndHold().moveToElement(view,
-            (int) Math.round(side[0]) - size.getWidth() / 2, (int) Math.round(side[1]) - size.getHeight() / 2).release().perform();
+        new Actions(browser.driver()).moveToElement(browser.see(".sear-palette [data-make='Distance']")).clickAndHold()
+            .moveToElement(view,
+            (int) Math.round(side[0]) - size.getWidth() / 2, (int) Math.round(side[1]) - size.getHeight() / 2)
+            .release().perform();
         waitForSelected("rover1/distance1");
-        assertTrue("it looks to the right, from the side", tab.isTrue("edits.object.values.ry == '-90' && edits.object.values.z == '-0.1'"));
+        assertTrue("it looks to the right, from the side",
+            tab.isTrue("edits.object.values.ry == '-90' && edits.object.values.z == '-0.1'"));
         assertEquals(-0.07, tab.number("1 * edits.object.values.x"), 1e-3);
-        browser.until("the sensor in the view", () -> tab.isTrue("view.scene().sensors.length == 1 && !!view.scene().sensors[0].marker"));
+        browser.until("the sensor in the view",
+            () -> tab.isTrue("view.scene().sensors.length == 1 && !!view.scene().sensors[0].marker"));
         drag(inSpace(-0.07, 0.068 + tab.number("1 * edits.object.values.y"), -0.1), inSpace(0, 0.113, -0.1));
         browser.until("on top", () -> tab.isTrue("edits.object.values.x == '0' && edits.object.values.z == '-0.1'"));
         assertEquals("on the surface", 0.045, tab.number("1 * edits.object.values.y"), 1e-3);
@@ -514,14 +547,18 @@ public class BuildingTest {
         moveTo(view, inSpace(0, 0.05, there)).click().perform();
         waitForSelected("rover1");
         drag(inSpace(0, 0.05, there), inSpace(0.2, 0.05, there - 0.3));
-        browser.until("it was put elsewhere", () -> tab.isTrue("edits.object.object == 'rover1' && edits.object.values.z != '0'"));
+        browser.until("it was put elsewhere",
+            () -> tab.isTrue("edits.object.object == 'rover1' && edits.object.values.z != '0'"));
         double put = tab.number("1 * edits.object.values.z");
         assertEquals(there - 0.3, put, 0.06);
         assertEquals("it stands on the ground", 0, tab.number("1 * edits.object.values.y"), 0.001);
-        browser.until("in the running world", () -> Math.abs(tab.number("world.running.robots[0].pose[2]") - put) < 0.01);
+        browser.until("in the running world",
+            () -> Math.abs(tab.number("world.running.robots[0].pose[2]") - put) < 0.01);
         browser.click(".sear-test-drive");
-        browser.until("no simulation, and a view as before", () -> tab.isTrue("service && !service.simulating && !view.follow"));
-        TABS.robotLab().run("sear.edit({'do': 'add', 'type': 'Box', 'name': 'mast', 'to': 'rover1', 'set': {'length': 0.04, 'width': 0.04,"
+        browser.until("no simulation, and a view as before",
+            () -> tab.isTrue("service && !service.simulating && !view.follow"));
+        TABS.robotLab().run("sear.edit({'do': 'add', 'type': 'Box', 'name': 'mast', 'to': 'rover1', 'set': {'length': "
+            + "0.04, 'width': 0.04,"
             + " 'height': 0.3, 'y': 0.2, 'z': -0.05, 'mass': 3}})");
         browser.seeText(".sear-balance .sear-wrong", "Warning: centre of mass at");
         picture("robot");
@@ -537,15 +574,18 @@ public class BuildingTest {
 
     /** Looks from a near camera at a point z metres to the east. */
     private void lookAt(WebElement view, double z) {
-        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); var orbit = scope.view.scene().orbit;"
-            + "orbit.target.set(0, 0, arguments[0]); orbit.distance = 0.9; orbit.azimuth = Math.PI; orbit.elevation = 0.6; scope.view.redraw()", z);
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); var orbit = "
+            + "scope.view.scene().orbit;"
+            + "orbit.target.set(0, 0, arguments[0]); orbit.distance = 0.9; orbit.azimuth = Math.PI; orbit.elevation = "
+                + "0.6; scope.view.redraw()", z);
         browser.until("a near view", () -> inSpace(0, 0, z + 0.1)[0] - inSpace(0, 0, z)[0] > 25
             && Math.abs(inSpace(0, 0, z)[0] - view.getSize().getWidth() / 2.0) < 2);
     }
 
     /** Saves a screenshot for visual checks. */
     private void picture(String theme) throws IOException {
-        browser.picture(Paths.get(System.getProperty("sear.root", "."), "build/reports/web/building-" + theme + ".png"));
+        browser.picture(Paths.get(System.getProperty("sear.root", "."), "build/reports/web/building-"
+            + theme + ".png"));
     }
 
     @SuppressWarnings("unchecked")
@@ -569,8 +609,10 @@ public class BuildingTest {
 
     private void drag(WebElement view, double[] from, double[] to) {
         Dimension size = view.getSize();
-        moveTo(view, from).clickAndHold().moveToElement(view, (int) Math.round((from[0] + to[0]) / 2) - size.getWidth() / 2,
-            (int) Math.round((from[1] + to[1]) / 2) - size.getHeight() / 2).moveToElement(view, (int) Math.round(to[0]) - size.getWidth() / 2,
+        moveTo(view, from).clickAndHold()
+            .moveToElement(view, (int) Math.round((from[0] + to[0]) / 2) - size.getWidth() / 2,
+            (int) Math.round((from[1] + to[1]) / 2) - size.getHeight() / 2)
+            .moveToElement(view, (int) Math.round(to[0]) - size.getWidth() / 2,
             (int) Math.round(to[1]) - size.getHeight() / 2).release().perform();
     }
 }

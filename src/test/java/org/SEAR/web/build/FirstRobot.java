@@ -30,7 +30,8 @@ import org.openqa.selenium.interactions.Actions;
  * </pre>
  */
 public final class FirstRobot implements AutoCloseable {
-    private static final Pattern STEP = Pattern.compile("<!-- (\\w+)(?: ((?:(?!-->).)*?))? -->|^`{3}(\\w+)\\n(.*?)^`{3}",
+    private static final Pattern STEP =
+        Pattern.compile("<!-- (\\w+)(?: ((?:(?!-->).)*?))? -->|^`{3}(\\w+)\\n(.*?)^`{3}",
         Pattern.DOTALL | Pattern.MULTILINE);
     private static final Pattern ADDRESS = Pattern.compile("http://localhost:\\d+/");
     private static final long PATIENCE_SECONDS = 240;
@@ -131,7 +132,8 @@ public final class FirstRobot implements AutoCloseable {
     }
 
     private Process start(List<String> command) throws IOException {
-        return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log().toFile()).start();
+        return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
+            .redirectOutput(log().toFile()).start();
     }
 
     private Path log() {
@@ -172,7 +174,8 @@ public final class FirstRobot implements AutoCloseable {
         String at = space ? "view.scene().toScreen(" + x + ", 0, " + z + ")" : "view.toScreen(" + x + ", " + z + ")";
         WebElement view = browser.see(space ? ".sear-scene" : ".sear-view");
         Dimension size = view.getSize();
-        new Actions(browser.driver()).moveToElement(view, (int) Math.round(browser.number(SearTab.ROOT, at + ".x")) - size.getWidth() / 2,
+        new Actions(browser.driver()).moveToElement(view, (int) Math.round(browser.number(SearTab.ROOT, at + ".x"))
+            - size.getWidth() / 2,
             (int) Math.round(browser.number(SearTab.ROOT, at + ".y")) - size.getHeight() / 2).click().perform();
     }
 }

@@ -20,7 +20,8 @@ import org.openqa.selenium.WebElement;
 public class InspectorTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
-    private static final String THINGS = String.join("\n", "from org.SEAR.POJOs import Box, Floor, Sphere", "Floor('floor', 10, 10)",
+    private static final String THINGS = String.join("\n", "from org.SEAR.POJOs import Box, Floor, Sphere",
+        "Floor('floor', 10, 10)",
         "Box('box', 0.25, 0.25, 0.25).move(2, 0.125, 2)", "Sphere('ball', 0.1).move(0, 0.1, 2)",
         "leaning = Box('leaning', 0.25, 0.25, 0.25)", "leaning.move(-2, 0.125, 2)", "leaning.rotate(20, 0, 0)");
     @Rule
@@ -32,7 +33,8 @@ public class InspectorTest {
     public void beginWithThings() {
         tab.stopAll();
         TABS.robotLab().run("sear.newProject()");
-        browser.until("an empty project", () -> tab.isTrue("world.shown() && world.isEmpty() && edits.grammar !== null"));
+        browser.until("an empty project",
+            () -> tab.isTrue("world.shown() && world.isEmpty() && edits.grammar !== null"));
         TABS.robotLab().run(THINGS);
         browser.until("the things", () -> tab.isTrue("world.shown().objects.length == 4"));
     }
@@ -103,14 +105,17 @@ public class InspectorTest {
         assertEquals(List.of(), browser.texts("[data-field='height'] .sear-wrong"));
         type("width", "0.5");       // by now a value from an earlier edit is set
         waitForValue("width", "0.5");
-        assertEquals("box 0.25 2", tab.text("edits.object.name + ' ' + edits.object.values.height + ' ' + edits.object.values.x"));
+        assertEquals("box 0.25 2", tab.text("edits.object.name + ' ' + edits.object.values.height + ' ' + "
+            + "edits.object.values.x"));
     }
 
     @Test
     public void thePaletteKnowsSynonyms() {
         browser.click(".sear-build");
-        String[][] words = {{"sonar", "Distance sensor"}, {"ultrasonic", "Distance sensor"}, {"wall", "Box"}, {"ball", "Sphere"},
-            {"ground", "Floor"}, {"encoder", "Odometer"}, {"gps", "GPS receiver"}, {"laser", "Laser scanner"}, {"robot", "Chassis"}};
+        String[][] words = {{"sonar", "Distance sensor"}, {"ultrasonic", "Distance sensor"}, {"wall", "Box"},
+            {"ball", "Sphere"},
+            {"ground", "Floor"}, {"encoder", "Odometer"}, {"gps", "GPS receiver"}, {"laser", "Laser scanner"},
+                {"robot", "Chassis"}};
         for (String[] one : words) {
             browser.type(".sear-sought", one[0]);
             browser.until(one[1] + " as a " + one[0], () -> browser.texts(".sear-make").contains(one[1])
@@ -125,10 +130,12 @@ public class InspectorTest {
         browser.click("[data-make='Cone']");
         WebElement middle = browser.see(".sear-middle");
         middle.sendKeys(Keys.ENTER);
-        browser.until("a cone", () -> tab.isTrue("edits.object && edits.object.type == 'Cone' && building.found() !== null"));
+        browser.until("a cone", () -> tab.isTrue(
+            "edits.object && edits.object.type == 'Cone' && building.found() !== null"));
         String before = tab.text("edits.object.values.z");
         WebElement focused = browser.driver().switchTo().activeElement();
-        assertTrue(focused.getAttribute("class"), List.of(focused.getAttribute("class").split(" ")).contains("sear-view"));
+        assertTrue(focused.getAttribute("class"), List.of(focused.getAttribute("class").split(" "))
+            .contains("sear-view"));
         focused.sendKeys(Keys.ARROW_RIGHT);
         browser.until("another place", () -> !tab.text("edits.object.values.z").equals(before));
     }

@@ -34,10 +34,13 @@ public class MeanwhileTest {
     public void selectACrate() {
         TABS.robotLab().run("sear.newProject()\nsear.edit({'do': 'add', 'type': 'Box', 'name': 'crate',"
             + " 'set': {'length': 1, 'width': 1, 'height': 1}})");
-        browser.until("the crate", () -> tab.isTrue("edits.grammar !== null && world.shown() && world.shown().objects.length == 1 && view.fitted"));
-        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); scope.view.setMode('map');"
+        browser.until("the crate", () -> tab.isTrue(
+            "edits.grammar !== null && world.shown() && world.shown().objects.length == 1 && view.fitted"));
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); "
+            + "scope.view.setMode('map');"
             + "scope.view.fitted = false; scope.view.redraw(); scope.edits.select('crate')");
-        browser.until("it is selected, on a map that was drawn", () -> tab.isTrue("view.fitted && edits.object && edits.object.object == 'crate'"
+        browser.until("it is selected, on a map that was drawn",
+            () -> tab.isTrue("view.fitted && edits.object && edits.object.object == 'crate'"
             + " && building.found() !== null"));
         browser.script("var view = angular.element(document.querySelector('.sear-main')).scope().view;"
             + "angular.extend(view, {x: 0, z: 0, scale: 50, chosen: true}); view.redraw()");
@@ -70,7 +73,8 @@ public class MeanwhileTest {
     }
 
     private void waitForX(String value) {
-        browser.until("x " + value, () -> value.equals(written("x")) && tab.isTrue("edits.object && edits.object.values.x == '" + value + "'"));
+        browser.until("x " + value, () -> value.equals(written("x"))
+            && tab.isTrue("edits.object && edits.object.values.x == '" + value + "'"));
     }
 
     @Test
@@ -118,9 +122,11 @@ public class MeanwhileTest {
             at(x, 0).clickAndHold().perform();
             at(x + 0.5, 0).perform();
             another("delete", "crate");
-            browser.seeText(".sear-last", "crate was deleted or renamed by another page or a script. Its last edit: delete crate");
+            browser.seeText(".sear-last", "crate was deleted or renamed by another page or a script. Its last edit: "
+                + "delete crate");
             at(1, 1).release().perform();
-            assertTrue("nothing was complained about", tab.isTrue("(messages.list | filter:{level: 'error'}).length == 0"));
+            assertTrue("nothing was complained about",
+                tab.isTrue("(messages.list | filter:{level: 'error'}).length == 0"));
             selectACrate();
         }
     }
@@ -129,29 +135,35 @@ public class MeanwhileTest {
     public void movesByKeysAreWrittenBeforeOtherActions() {
         WebElement view = browser.see(".sear-view");
         view.sendKeys(Keys.ARROW_UP, Keys.chord(Keys.CONTROL, "z"));
-        browser.until("that it was undone", () -> tab.isTrue("edits.redoable == 'move crate' && edits.undoable == 'add crate'"));
+        browser.until("that it was undone",
+            () -> tab.isTrue("edits.redoable == 'move crate' && edits.undoable == 'add crate'"));
         assertEquals("0", written("x"));
         view.sendKeys(Keys.ARROW_UP, Keys.chord(Keys.CONTROL, "d"));
         browser.until("a copy", () -> tab.isTrue("world.shown().objects.length == 2"));
         assertEquals("0.05", written("x"));
-        assertEquals("0.05", TABS.robotLab().call("sear", "getProjectObject", "crate1").get("values").get("x").asText());
+        assertEquals("0.05", TABS.robotLab().call("sear", "getProjectObject", "crate1").get("values")
+            .get("x").asText());
         browser.scope(SearTab.ROOT, "edits.select('crate')");
         browser.until("the crate again", () -> tab.isTrue("edits.object && edits.object.object == 'crate'"));
         view.sendKeys(Keys.ARROW_UP, "[", Keys.ESCAPE);
-        browser.until("nothing selected, and all of it written", () -> tab.isTrue("edits.selected === null") && "0.1".equals(written("x")));
+        browser.until("nothing selected, and all of it written", () -> tab.isTrue("edits.selected === null")
+            && "0.1".equals(written("x")));
         assertEquals("15", written("ry"));
     }
 
     @Test
     public void anUnansweredEditIsUndoneWithAMessageAndCanBeRepeated() {
-        browser.script("var msg = angular.element(document.querySelector('.sear-main')).scope().msg; msg.own = msg.send; msg.send = () => {}");
+        browser.script("var msg = angular.element(document.querySelector('.sear-main')).scope().msg; msg.own = "
+            + "msg.send; msg.send = () => {}");
         type("mass", "9", Keys.ENTER);
         at(0.3, 0.3).clickAndHold().perform();
         at(1.3, 0.3).release().perform();
         browser.seeText("[data-field='mass'] .sear-wrong", "no answer to an edit");
         browser.seeText(".sear-last", "no answer to an edit");
-        browser.until("it is shown where it is", () -> tab.number(CRATE + "[0]") == 0 && !tab.isTrue("building.isBusy()"));
-        browser.script("var msg = angular.element(document.querySelector('.sear-main')).scope().msg; msg.send = msg.own");
+        browser.until("it is shown where it is", () -> tab.number(CRATE + "[0]") == 0
+            && !tab.isTrue("building.isBusy()"));
+        browser.script("var msg = angular.element(document.querySelector('.sear-main')).scope().msg; "
+            + "msg.send = msg.own");
         type("mass", "9", Keys.ENTER);
         browser.until("the same again", () -> "9".equals(written("mass")));
     }

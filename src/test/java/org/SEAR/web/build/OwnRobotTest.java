@@ -30,7 +30,8 @@ public class OwnRobotTest {
     public void beginWithAnEmptyGround() {
         tab.stopAll();
         TABS.robotLab().run("sear.newProject()");
-        browser.until("an empty project", () -> tab.isTrue("world.shown() && world.isEmpty() && edits.grammar !== null"));
+        browser.until("an empty project",
+            () -> tab.isTrue("world.shown() && world.isEmpty() && edits.grammar !== null"));
         browser.click("[data-tile='build']");
         browser.click(".sear-map");
         browser.see(".sear-palette");
@@ -71,10 +72,12 @@ public class OwnRobotTest {
 
     @Test
     public void twoWheelsACasterAndTwoMotorsMakeARobotThatStandsAndDrives() {
-        browser.seeText(".sear-note", "the project is empty: choose an object in the palette, then click where to place it");
+        browser.seeText(".sear-note", "the project is empty: choose an object in the palette, then click "
+            + "where to place it");
         arm("Wheel");
         browser.click(".sear-middle");
-        browser.seeText(".sear-last", "a Wheel is a robot part: place a robot first, for example Chassis from the group Robots");
+        browser.seeText(".sear-last", "a Wheel is a robot part: place a robot first, for example Chassis from the "
+            + "group Robots");
         arm("chassis");
         clickMap(0, 0);
         waitForSelected("chassis1");
@@ -101,7 +104,8 @@ public class OwnRobotTest {
         browser.choose("[data-field='type'] select", "0 idler");
         browser.until("a caster", () -> tab.isTrue("edits.object.values.type == '0'"));
         arm("Motor");
-        assertEquals(List.of("the first without a motor", "wheel1", "wheel2"), browser.texts("#sear-armed-wheel option"));
+        assertEquals(List.of("the first without a motor", "wheel1", "wheel2"),
+            browser.texts("#sear-armed-wheel option"));
         clickMap(0, -0.05);
         waitForSelected("chassis1/motor1");
         assertEquals("wheel1", tab.text("edits.object.values.wheel[0]"));

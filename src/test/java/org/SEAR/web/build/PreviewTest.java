@@ -29,7 +29,8 @@ public class PreviewTest {
     private static final long PLANT = 0x6b8e23ffL;
     private static final String OBJECTS = "from org.SEAR.POJOs import Box, Floor\n";
     /** Counts the page's requests and the seconds since. */
-    private static final String SPY = "window.asks = 0; window.seconds = 0; setInterval(function() { window.seconds++ }, 1000);"
+    private static final String SPY = "window.asks = 0; window.seconds = 0; setInterval(function() { "
+        + "window.seconds++ }, 1000);"
         + "var send = WebSocket.prototype.send; WebSocket.prototype.send = function(text) {"
         + "if (text.indexOf('getPreview') >= 0) { window.asks++ } send.call(this, text) }";
     @Rule
@@ -45,7 +46,8 @@ public class PreviewTest {
 
     private void open(String example, String robot) {
         tab.openExample(example);
-        browser.until("the preview of " + robot, () -> tab.isTrue("world.preview.world.robots[0].name === '" + robot + "'"));
+        browser.until("the preview of " + robot,
+            () -> tab.isTrue("world.preview.world.robots[0].name === '" + robot + "'"));
     }
 
     private int index(String name) {
@@ -58,7 +60,8 @@ public class PreviewTest {
     }
 
     private double[] pose(String part) {
-        return new double[] {tab.number(part + ".pose[0]"), tab.number(part + ".pose[2]"), tab.number(part + ".pose[4]")};
+        return new double[] {tab.number(part + ".pose[0]"), tab.number(part + ".pose[2]"),
+            tab.number(part + ".pose[4]")};
     }
 
     private long pageNumber(String name) {
@@ -73,7 +76,8 @@ public class PreviewTest {
     @Test
     public void theProjectIsSeenFromAboveAsItWillStart() {
         open("office", "office Roomba");
-        browser.seeText(".sear-note", "Not running: the view shows the project before its start, by the button Start or sear.startSimulation()");
+        browser.seeText(".sear-note", "Not running: the view shows the project before its start, by the button Start "
+            + "or sear.startSimulation()");
         tab.waitForStatus("no simulation runs");
         browser.seeText(".sear-tree", "office Roomba robot");
         browser.click(".sear-beams");
@@ -82,7 +86,8 @@ public class PreviewTest {
         browser.until("a green tree", () -> tab.colour(at[0] + 0.05, at[1] + 0.05) == PLANT);
         assertNotEquals("a metre beside it", PLANT, tab.colour(at[0] - 1, at[1]));
         double[] start = pose("world.shown().robots[0]");
-        assertNotEquals("the robot is drawn", tab.colour(start[0] - 0.1, start[1] + 0.05), tab.colour(start[0] - 0.5, start[1] + 0.05));
+        assertNotEquals("the robot is drawn", tab.colour(start[0] - 0.1, start[1] + 0.05),
+            tab.colour(start[0] - 0.5, start[1] + 0.05));
         tab.start();
         browser.click(".sear-pause");
         browser.until("no note", () -> browser.see(".sear-note").getText().isEmpty());
@@ -99,8 +104,10 @@ public class PreviewTest {
         robotLab.call("sear", "newProject");
         browser.seeText(".sear-welcome", "Where do you want to begin?");
         assertFalse("nothing to start", browser.see(".sear-start").isEnabled());
-        robotLab.run(OBJECTS + "Floor('ground', 8, 8)\ncrate = Box('crate', 0.5, 0.5, 0.5, 0)\ncrate.move(1, 0.25, 2)\n");
-        browser.until("the crate", () -> index("crate") >= 0 && tab.number("world.shown().objects[" + index("crate") + "].pose[0]") == 1);
+        robotLab.run(OBJECTS + "Floor('ground', 8, 8)\ncrate = Box('crate', 0.5, 0.5, 0.5, "
+            + "0)\ncrate.move(1, 0.25, 2)\n");
+        browser.until("the crate", () -> index("crate") >= 0
+            && tab.number("world.shown().objects[" + index("crate") + "].pose[0]") == 1);
         browser.until("its picture", () -> tab.colour(1, 2) == BOX);
         robotLab.run("crate.move(-2, 0.25, -1)");
         browser.until("it at its new place", () -> tab.colour(-2, -1) == BOX);
@@ -117,7 +124,8 @@ public class PreviewTest {
     @Test
     public void aLongListIsShortenedUntilAllIsAskedFor() {
         robotLab.call("sear", "newProject");
-        robotLab.run(OBJECTS + "for i in range(130): Box('box %03d' % i, 0.5, 0.5, 0.5, 0).move(i % 12, 0.25, i / 12)\n");
+        robotLab.run(OBJECTS + "for i in range(130): Box('box %03d' % i, 0.5, 0.5, 0.5, 0).move(i % 12, "
+            + "0.25, i / 12)\n");
         browser.seeText(".sear-all", "and 30 more objects: list all");
         assertEquals(100, browser.all(".sear-tree > li").size());
         browser.click(".sear-all");
@@ -173,7 +181,8 @@ public class PreviewTest {
         browser.click(".sear-stop");
         tab.waitForStatus("no simulation runs");
         open("office", "office Roomba");
-        browser.until("another view", () -> tab.isTrue("view.fitted && !view.chosen") && tab.number("view.scale") != chosen);
+        browser.until("another view", () -> tab.isTrue("view.fitted && !view.chosen")
+            && tab.number("view.scale") != chosen);
         assertFalse(tab.isTrue("view.scale === " + fitted));
     }
 }

@@ -54,7 +54,8 @@ public class GpsTabTest {
     /** Waits for a new fix. */
     private void seeFix() {
         String before = browser.text(".gps-time");
-        browser.until("a new fix", () -> browser.text(".gps-fix").equals("GPS") && !browser.text(".gps-time").equals(before));
+        browser.until("a new fix", () -> browser.text(".gps-fix").equals("GPS") && !browser.text(".gps-time")
+            .equals(before));
     }
 
     /** Pauses the simulation and waits until the panel shows the last fix. */
@@ -113,7 +114,8 @@ public class GpsTabTest {
         connect();
         JsonNode start = robotLab.call("sear", "getPose", "receiver");
         robotLab.call("sear", "drive", 0.3, 1.0);
-        browser.until("a track of half a metre", () -> browser.number(PANEL, "track.length ? track[track.length - 1][0] : 0") > 0.5);
+        browser.until("a track of half a metre",
+            () -> browser.number(PANEL, "track.length ? track[track.length - 1][0] : 0") > 0.5);
         robotLab.call("sear", "drive", 0, STRAIGHT);
         seeFix();
         seeFix();
@@ -128,8 +130,10 @@ public class GpsTabTest {
             browser.number(PANEL, "track[track.length - 1][1]")), browser.text(".gps-offset"));
         double reach = browser.number(PANEL, "plot.reach");
         browser.seeText(".gps-scale", (int) reach + " m to the edge");
-        assertEquals(east / reach * EDGE, Double.parseDouble(browser.see(".gps-here").getAttribute("cx")), CLOSE * EDGE);
-        assertEquals(-north / reach * EDGE, Double.parseDouble(browser.see(".gps-here").getAttribute("cy")), CLOSE * EDGE);
+        assertEquals(east / reach * EDGE, Double.parseDouble(browser.see(".gps-here").getAttribute("cx")),
+            CLOSE * EDGE);
+        assertEquals(-north / reach * EDGE, Double.parseDouble(browser.see(".gps-here").getAttribute("cy")),
+            CLOSE * EDGE);
         String[] points = browser.all(".gps-track").get(0).getAttribute("points").trim().split(" ");
         assertEquals(browser.number(PANEL, "track.length"), points.length, 0);
         assertEquals("0.00,0.00", points[0].replace("-", ""));
@@ -145,7 +149,8 @@ public class GpsTabTest {
         browser.seeText(".gps-sentences", "$GPRMC");
         browser.seeText(".gps-sentences", "$GPVTG");
         JsonNode fix = lastFix();
-        String sentence = String.join(",", List.of(token(fix, 0), token(fix, 1), token(fix, 2), "N", token(fix, 4).substring(1), "W"));
+        String sentence = String.join(
+            ",", List.of(token(fix, 0), token(fix, 1), token(fix, 2), "N", token(fix, 4).substring(1), "W"));
         browser.seeText(".gps-sentences", sentence);
         browser.click(".gps-raw");
         browser.until("no sentences", () -> browser.all(".gps-sentences").isEmpty());

@@ -28,7 +28,8 @@ public class LidarModelsTabTest {
 
     @ClassRule
     public static final Tabs TABS = new Tabs(String.join("\n", DeviceWorld.SCRIPT,
-        "from org.SEAR.POJOs import LIDAR as Scanner",    // after a LIDAR service starts, Python has the service under the name LIDAR
+        // after a LIDAR service starts, Python has the service under the name LIDAR
+        "from org.SEAR.POJOs import LIDAR as Scanner",
         "Box('behind', 20, 0.2, 1, 0).move(0, 0.5, -2)",
         "for (number, model) in ((2, 'RPLIDAR-A1'), (3, 'URG-04LX')):",
         "    another = Scanner('another%d' % number)",
@@ -74,7 +75,8 @@ public class LidarModelsTabTest {
     public void aWholeCircleIsDrawnAllRound() {
         connect("RPLIDAR-A1", RPLIDAR);
         assertEquals("[115200]", options(".lidar-baud").toString());
-        assertTrue(options(".lidar-mode").toString(), options(".lidar-mode").containsAll(List.of("360° / 1°", "360° / 0.5°", "180° / 1°")));
+        assertTrue(options(".lidar-mode").toString(), options(".lidar-mode")
+            .containsAll(List.of("360° / 1°", "360° / 0.5°", "180° / 1°")));
         JsonNode scan = scan();
         browser.seeText(".lidar-summary", "360 values in mm, 359° in steps of 1°");
         assertEquals(Boolean.TRUE, browser.scope(PANEL, "geometry().full"));
@@ -110,7 +112,8 @@ public class LidarModelsTabTest {
         browser.seeText(".lidar-summary", "682 values in mm, 239.414° in steps of 0.352°");
         browser.choose(".lidar-mode", "180° / 1.05°");
         browser.seeText(".lidar-summary", "171 values in mm");
-        browser.until("the mode that the device has", () -> "180° / 1.05°".equals(browser.scope(PANEL, "form.mode.label")));
+        browser.until("the mode that the device has", () -> "180° / 1.05°"
+            .equals(browser.scope(PANEL, "form.mode.label")));
         browser.click(".lidar-stop");
         browser.until("the end of the stream", () -> browser.text(".lidar-status").equals("connected"));
     }

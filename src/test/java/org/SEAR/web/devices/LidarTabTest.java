@@ -94,10 +94,12 @@ public class LidarTabTest {
         String point = "point(geometry(), " + metres + ", " + degrees + ")";
         List<?> colour = (List<?>) browser.script(String.join("\n",
             "var ratio = window.devicePixelRatio || 1, pen = document.querySelector('.lidar-plot').getContext('2d')",
-            "return [].slice.call(pen.getImageData(Math.round(arguments[0] * ratio), Math.round(arguments[1] * ratio), 1, 1).data)"),
+            "return [].slice.call(pen.getImageData(Math.round(arguments[0] * ratio), Math.round(arguments[1] * "
+                + "ratio), 1, 1).data)"),
             browser.number(PANEL, point + ".x"), browser.number(PANEL, point + ".y"));
         int[] red = {217, 83, 79, 255};
-        return IntStream.range(0, red.length).allMatch(i -> Math.abs(((Number) colour.get(i)).intValue() - red[i]) <= ROUNDING);
+        return IntStream.range(0, red.length)
+            .allMatch(i -> Math.abs(((Number) colour.get(i)).intValue() - red[i]) <= ROUNDING);
     }
 
     @Test
@@ -115,9 +117,11 @@ public class LidarTabTest {
             double length = metres(scan, degrees);
             assertEquals(length, browser.number(PANEL, "scan.metres[" + beam(scan, degrees) + "]"), 0);
             String point = "point(geometry(), " + length + ", " + degrees + ")";
-            assertEquals(browser.number(PANEL, "geometry().x") + length / reach * radius * Math.cos(Math.toRadians(degrees)),
+            assertEquals(browser.number(PANEL, "geometry().x") + length / reach * radius * Math.cos(
+                Math.toRadians(degrees)),
                 browser.number(PANEL, point + ".x"), PIXEL);
-            assertEquals(browser.number(PANEL, "geometry().y") - length / reach * radius * Math.sin(Math.toRadians(degrees)),
+            assertEquals(browser.number(PANEL, "geometry().y") - length / reach * radius * Math.sin(
+                Math.toRadians(degrees)),
                 browser.number(PANEL, point + ".y"), PIXEL);
             browser.until("a dot at " + degrees, () -> isDotAt(length, degrees));
             assertFalse("a dot before the object at " + degrees, isDotAt(length * 0.8, degrees));
@@ -143,13 +147,15 @@ public class LidarTabTest {
         int ahead = beam(scan, 90);
         assertEquals("90 " + scan.get("raw").get(ahead).asInt() + " " + metres(scan, 90),
             browser.all(".lidar-values tbody tr").get(ahead).getText());
-        assertEquals("0 " + scan.get("raw").get(0).asInt() + " no return", browser.all(".lidar-values tbody tr").get(0).getText());
+        assertEquals("0 " + scan.get("raw").get(0).asInt() + " no return", browser.all(".lidar-values tbody tr").get(0)
+            .getText());
         browser.click(".lidar-csv");
         StringBuilder expected = new StringBuilder("angle_deg,raw_mm,metres\r\n");
         for (int i = 0; i < 181; i++) {
             JsonNode metres = scan.get("metres").get(i);
             expected.append(i).append(',').append(scan.get("raw").get(i).asInt()).append(',')
-                .append(metres.isNull() ? "" : browser.script("return String(arguments[0])", metres.asDouble())).append("\r\n");
+                .append(metres.isNull() ? "" : browser.script("return String(arguments[0])", metres.asDouble()))
+                .append("\r\n");
         }
         assertEquals(expected.toString(), Files.readString(browser.download("lidar-scan.csv")));
     }
@@ -166,7 +172,8 @@ public class LidarTabTest {
         browser.until("the end of the stream", () -> browser.text(".lidar-status").equals("connected"));
         int count = robotLab.call("lidar", "getScanCount").asInt();
         scan();
-        assertEquals("scans after the end of the stream: the one asked for", count + 1, robotLab.call("lidar", "getScanCount").asInt());
+        assertEquals("scans after the end of the stream: the one asked for", count + 1,
+            robotLab.call("lidar", "getScanCount").asInt());
     }
 
     @Test
@@ -258,9 +265,11 @@ public class LidarTabTest {
         JsonNode scan = scan();
         WebElement plot = browser.see(".lidar-plot");
         int x = (int) Math.round(browser.number(PANEL, "point(geometry(), 1, 60).x") - plot.getSize().getWidth() / 2.0);
-        int y = (int) Math.round(browser.number(PANEL, "point(geometry(), 1, 60).y") - plot.getSize().getHeight() / 2.0);
+        int y = (int) Math.round(browser.number(PANEL, "point(geometry(), 1, 60).y") - plot.getSize()
+            .getHeight() / 2.0);
         new Actions(browser.driver()).moveToElement(plot, x, y).perform();
-        browser.until("the beam under the mouse", () -> Math.abs(browser.number(PANEL, "beam === null ? -1 : beam") - 60) <= 1);
+        browser.until("the beam under the mouse",
+            () -> Math.abs(browser.number(PANEL, "beam === null ? -1 : beam") - 60) <= 1);
         new Actions(browser.driver()).moveToElement(browser.see(".lidar-single")).perform();
         browser.until("no beam", () -> browser.scope(PANEL, "beam") == null);
         plot.sendKeys(Keys.ARROW_LEFT);
@@ -282,7 +291,8 @@ public class LidarTabTest {
         browser.seeText(".lidar-message", "was closed");
         browser.until("the disconnected panel", () -> browser.text(".lidar-status").equals("not connected"));
         robotLab.call("sear", "startSimulation");
-        browser.until("a panel that has connected by itself", () -> browser.text(".lidar-status").startsWith("connected"));
+        browser.until("a panel that has connected by itself", () -> browser.text(".lidar-status")
+            .startsWith("connected"));
         scan();
         browser.click(".lidar-disconnect");
         browser.until("the disconnected panel", () -> browser.text(".lidar-status").equals("not connected"));

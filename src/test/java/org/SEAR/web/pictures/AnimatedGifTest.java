@@ -36,7 +36,8 @@ public class AnimatedGifTest {
     }
 
     private static String of(ImageReader reader, int index, String node, String attribute) throws Exception {
-        IIOMetadataNode root = (IIOMetadataNode) reader.getImageMetadata(index).getAsTree("javax_imageio_gif_image_1.0");
+        IIOMetadataNode root = (IIOMetadataNode) reader.getImageMetadata(index)
+            .getAsTree("javax_imageio_gif_image_1.0");
         return ((IIOMetadataNode) root.getElementsByTagName(node).item(0)).getAttribute(attribute);
     }
 

@@ -46,7 +46,8 @@ public class CameraTabTest {
         "rover.addComponent(large)");
     private static final String SCOPE = "angular.element(document.querySelector('.sear-main')).scope()";
     /** Counts further requests for pictures. */
-    private static final String COUNT = "var msg = " + SCOPE + ".msg, send = msg.send; window.asked = []; msg.send = function(method, name) {"
+    private static final String COUNT = "var msg = " + SCOPE + ".msg, send = msg.send; window.asked = []; msg.send = "
+        + "function(method, name) {"
         + " if (/Picture$/.test(method)) { window.asked.push(name) } return send.apply(msg, arguments) }";
 
     @Rule
@@ -84,8 +85,10 @@ public class CameraTabTest {
     /** Clicks a picture at fractions of its width and height. */
     private void click(String name, double across, double down) {
         WebElement picture = browser.see(eye(name) + ".sear-eye-picture");
-        browser.script("var box = arguments[0].querySelector('img').getBoundingClientRect(); arguments[0].dispatchEvent(new MouseEvent('click',"
-            + " {detail: 1, bubbles: true, clientX: box.left + arguments[1] * box.width, clientY: box.top + arguments[2] * box.height}))",
+        browser.script("var box = arguments[0].querySelector('img').getBoundingClientRect(); "
+            + "arguments[0].dispatchEvent(new MouseEvent('click',"
+            + " {detail: 1, bubbles: true, clientX: box.left + arguments[1] * box.width, clientY: box.top + "
+            + "arguments[2] * box.height}))",
             picture, across, down);
     }
 
@@ -117,7 +120,8 @@ public class CameraTabTest {
         waitForPicture("color");
         click("color", 0.51, 0.51);
         browser.until("its colour",
-            () -> browser.text(eye("color") + ".sear-eye-words").matches(".*: #[0-9a-f]{6}, (about )?(red|maroon|brown), [0-9.]+ m ahead"));
+            () -> browser.text(eye("color") + ".sear-eye-words")
+                .matches(".*: #[0-9a-f]{6}, (about )?(red|maroon|brown), [0-9.]+ m ahead"));
         browser.see(eye("color") + ".sear-cross");
         browser.see(eye("color") + ".sear-eye-picture").sendKeys(Keys.ESCAPE);
         browser.until("no mark", () -> browser.all(eye("color") + ".sear-cross").isEmpty());
@@ -132,7 +136,8 @@ public class CameraTabTest {
         double size = tab.number("cameras.seen({name: 'large'}).picture.length");
         assertTrue("a picture of the drawer has " + size + " characters", size < 40_000);
         double first = tab.number("cameras.seen({name: 'large'}).time");
-        browser.until("another one", () -> isInView("large") && tab.number("cameras.seen({name: 'large'}).time") > first);
+        browser.until("another one", () -> isInView("large")
+            && tab.number("cameras.seen({name: 'large'}).time") > first);
         browser.click(".sear-pause");
         browser.until("paused", () -> tab.isTrue("service.paused"));
         waitUntilQuiet();
@@ -169,10 +174,13 @@ public class CameraTabTest {
         waitForPicture("large");
         browser.click(eye("large") + ".sear-enlarge");
         WebElement over = browser.see(".sear-eye-large");
-        assertTrue("inside the view", Boolean.TRUE.equals(browser.script("var box = arguments[0].getBoundingClientRect(),"
-            + " view = document.querySelector('.sear-canvas').getBoundingClientRect(); return box.left > view.left && box.right < view.right"
+        assertTrue("inside the view", Boolean.TRUE.equals(
+            browser.script("var box = arguments[0].getBoundingClientRect(),"
+            + " view = document.querySelector('.sear-canvas').getBoundingClientRect(); return box.left > view.left && "
+            + "box.right < view.right"
             + " && box.top > view.top && box.bottom < view.bottom", over)));
-        browser.until("more pixels", () -> LARGE.equals(browser.script("return document.querySelector('.sear-eye-large img').naturalWidth")));
+        browser.until("more pixels", () ->
+            LARGE.equals(browser.script("return document.querySelector('.sear-eye-large img').naturalWidth")));
         browser.click(".sear-eye-close");
         browser.until("closed", () -> browser.all(".sear-eye-large").isEmpty());
     }
@@ -185,7 +193,8 @@ public class CameraTabTest {
         browser.until("its lines", () -> tab.isTrue("view.scene() && view.scene().sensors.length === 4"
             + " && view.scene().sensors[0].holder.children[0].type === 'LineSegments'"));
         assertTrue(tab.isTrue("view.scene().sensors[0].holder.visible"));
-        double[] corner = {tab.number("world.shown().sensors[0].eye.edge[0]"), tab.number("world.shown().sensors[0].eye.edge[2]")};
+        double[] corner = {tab.number("world.shown().sensors[0].eye.edge[0]"),
+            tab.number("world.shown().sensors[0].eye.edge[2]")};
         assertEquals("to the left by half of 60 degrees", Math.tan(Math.toRadians(30)) * corner[1], corner[0], 1e-6);
         browser.click(".sear-beams");
         browser.until("none", () -> tab.isTrue("!view.scene().sensors[0].holder.visible"));
@@ -215,7 +224,8 @@ public class CameraTabTest {
         assertEquals("at its start", 0, recordNumber("depth", "time"), 0);
         click("depth", 0.51, 0.51);
         browser.seeText(eye("depth") + ".sear-eye-words", ": 1.400 m ahead");
-        browser.script("var s = document.querySelector('.sear-slider'); s.value = s.max; s.dispatchEvent(new Event('input', {bubbles: true}));"
+        browser.script("var s = document.querySelector('.sear-slider'); s.value = s.max; s.dispatchEvent(new "
+            + "Event('input', {bubbles: true}));"
             + " s.dispatchEvent(new Event('change', {bubbles: true}))");
         browser.until("at its end", () -> recordNumber("depth", "time") == 2);
         browser.until("nearer", () -> browser.text(eye("depth") + ".sear-eye-words").contains(": 0.8"));

@@ -49,7 +49,8 @@ public class DrivingExamplesInTheTabsTest {
         robotLab.call("sear", "setLockStep", true);
         browser.script("localStorage.removeItem('python.draft.python')");
         TABS.open("sear");
-        browser.until("the list of examples", () -> browser.texts(".sear-script option").contains("obstacle avoidance"));
+        browser.until("the list of examples", () -> browser.texts(".sear-script option")
+            .contains("obstacle avoidance"));
         browser.choose(".sear-script", "obstacle avoidance");
         browser.click(".sear-run-script");
         tab.waitForRobot("office Roomba");
@@ -58,7 +59,8 @@ public class DrivingExamplesInTheTabsTest {
             tab.number("world.running.robots[0].pose[2]") - 1.8) < 0.2);
         assertTrue("no other is begun while one drives", !browser.see(".sear-run-script").isEnabled());
         tab.stopAll();
-        assertEquals("the project is called as what the script has opened", "office.sear", browser.see(".sear-path").getAttribute("value"));
+        assertEquals("the project is called as what the script has opened", "office.sear", browser.see(".sear-path")
+            .getAttribute("value"));
         browser.click("#tab-python");
         assertTrue("the script is there to be changed", new PythonTab(browser).text().startsWith("# "));
         assertEquals("obstacle_avoidance.py", browser.see(".python-file").getAttribute("value"));

@@ -54,13 +54,15 @@ public class FloorPictureTest {
         browser.until("an empty project", () -> tab.isTrue("world.shown() && world.isEmpty()"));
         paint(TABS.robotLab().file("SEARproject/assets/textures/quarters.png"));
         TABS.robotLab().run("floor = Floor('floor', 4, 2, 'textures/quarters.png')\n" + String.join("\n", more));
-        browser.until("the floor", () -> tab.isTrue("world.shown() && world.shown().objects.length == 1 && view.fitted"));
+        browser.until("the floor", () ->
+            tab.isTrue("world.shown() && world.shown().objects.length == 1 && view.fitted"));
     }
 
     private void see(int colour, double x, double z) {
         browser.until(String.format("%06x at %s, %s", colour, x, z), () -> {
             long seen = tab.colour(x, z) >> 8;
-            return IntStream.of(16, 8, 0).allMatch(shift -> Math.abs((seen >> shift & 0xff) - (colour >> shift & 0xff)) < TOLERANCE);
+            return IntStream.of(16, 8, 0).allMatch(shift -> Math.abs((seen >> shift & 0xff) - (colour >> shift & 0xff))
+                < TOLERANCE);
         });
     }
 

@@ -20,8 +20,10 @@ import org.openqa.selenium.Dimension;
 /** The panels at their widths: in MyRobotLab beside its list of services, on a whole page, on a telephone. */
 public class LayoutTest {
     @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\n"
-        + "sear.startSimulation()\nlidar = Runtime.start('lidar', 'LIDAR')\nlidar.connect('/dev/SEAR_LIDAR_01')\nlidar.singleScan()\n"
+    public static final Tabs TABS =
+        new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\n"
+        + "sear.startSimulation()\nlidar = Runtime.start('lidar', 'LIDAR')\nlidar.connect('/dev/SEAR_LIDAR_01')\n"
+        + "lidar.singleScan()\n"
         + "gps = Runtime.start('gps', 'GPS')\ngps.connect('/dev/SEAR_GPS_01')\n");
     private static final String[] SERVICES = {"sear", "lidar", "gps"};
     /**
@@ -30,7 +32,8 @@ public class LayoutTest {
      */
     private static final String WRAPPED = String.join("\n",
         "return [].filter.call(document.querySelectorAll(arguments[0] + ' .sear-row'), function(row) {",
-        "    var tallest = Math.max.apply(null, [].map.call(row.children, function(e) { return e.getBoundingClientRect().height }))",
+        "    var tallest = Math.max.apply(null, [].map.call(row.children, function(e) { return "
+        + "e.getBoundingClientRect().height }))",
         "    return row.getClientRects().length && row.getBoundingClientRect().height > tallest * 1.6",
         "}).map(function(row) { return row.textContent.trim().replace(/\\s+/g, ' ').substring(0, 60) })");
     /**
@@ -40,13 +43,15 @@ public class LayoutTest {
     private static final String CUT = String.join("\n",
         "var panel = document.querySelector(arguments[0]), right = panel.getBoundingClientRect().right + 1, cut = []",
         "panel.querySelectorAll('*').forEach(function(e) {",
-        "    if (e.getClientRects().length && e.getBoundingClientRect().right > right && !e.closest('svg, .sear-file, .sear-log')",
+        "    if (e.getClientRects().length && e.getBoundingClientRect().right > right && !e.closest('svg, "
+        + ".sear-file, .sear-log')",
         "        && !e.parentElement.closest('.ace_editor')) {",
         "        cut.push(e.outerHTML.substring(0, 100))",
         "    }",
         "})",
         "panel.querySelectorAll('.sear-tree').forEach(function(e) {",
-        "    if (e.scrollHeight > e.clientHeight + 1 || e.scrollWidth > e.clientWidth + 1) { cut.push('list of ' + e.scrollHeight) }",
+        "    if (e.scrollHeight > e.clientHeight + 1 || e.scrollWidth > e.clientWidth + 1) { cut.push('list of ' + "
+        + "e.scrollHeight) }",
         "})",
         "return cut");
     /** Script that returns the distance between the middles of each check box and its label, pixels. */
@@ -56,15 +61,18 @@ public class LayoutTest {
         "    return Math.abs(middle(box) - middle(box.closest('label')))",
         "})");
     /** Script that returns left, top, right and bottom of an element in the window, pixels. */
-    private static final String BOX = "var box = arguments[0].getBoundingClientRect(); return [box.left, box.top, box.right, box.bottom]";
+    private static final String BOX = "var box = arguments[0].getBoundingClientRect(); return [box.left, box.top, "
+        + "box.right, box.bottom]";
     /**
      * Script that returns the gaps between a panel and its service's area: left, right, and overlap with the header,
      * pixels.
      */
     private static final String GAPS = String.join("\n",
-        "var panel = document.querySelector(arguments[0]), box = panel.getBoundingClientRect(), area = panel.parentElement.getBoundingClientRect()",
+        "var panel = document.querySelector(arguments[0]), box = panel.getBoundingClientRect(), area = "
+        + "panel.parentElement.getBoundingClientRect()",
         "var header = panel.parentElement.querySelector('.tab-header').getBoundingClientRect()",
-        "return [Math.abs(box.left - area.left), Math.abs(box.right - area.right), Math.max(0, header.bottom - box.top)]");
+        "return [Math.abs(box.left - area.left), Math.abs(box.right - area.right), Math.max(0, "
+            + "header.bottom - box.top)]");
     /** Widths of windows, pixels. MyRobotLab's header floats from 992 on. */
     private static final int[] WIDTHS = {800, 1024, 1210, 1366, 1920};
     private static final int LAPTOP_WIDTH = 1280;
@@ -110,11 +118,13 @@ public class LayoutTest {
     @Test
     public void besideMyRobotLabsListOfServicesNoRowWrapsAndNothingIsCutOff() {
         open(1400, "layout=myrobotlab");
-        double width = ((Number) browser.script("return document.querySelector(arguments[0]).clientWidth", panel("sear"))).doubleValue();
+        double width = ((Number) browser.script("return document.querySelector(arguments[0]).clientWidth",
+            panel("sear"))).doubleValue();
         assertEquals("as wide as there", 1088, width, 1);
         assertTrue("below a header", browser.texts(".tab-name").contains("SEAR sear"));
         checkAll(true);
-        assertEquals("view and readings are side by side", true, browser.script("var view = document.querySelector('.sear-view')"
+        assertEquals("view and readings are side by side", true,
+            browser.script("var view = document.querySelector('.sear-view')"
             + ".getBoundingClientRect(), readings = document.querySelector('.sear-readings').getBoundingClientRect();"
             + "return readings.left > view.right && readings.top < view.bottom"));
         browser.seeText(".sear-tree", "body Cylinder");
@@ -168,7 +178,8 @@ public class LayoutTest {
     }
 
     private double[] box(String css) {
-        return ((List<?>) browser.script(BOX, browser.see(css))).stream().mapToDouble(number -> ((Number) number).doubleValue()).toArray();
+        return ((List<?>) browser.script(BOX, browser.see(css))).stream()
+            .mapToDouble(number -> ((Number) number).doubleValue()).toArray();
     }
 
     private void checkInWindow(int width, int height, String... all) {
@@ -181,9 +192,11 @@ public class LayoutTest {
     }
 
     private void checkNothingScrolls(String when) {
-        browser.until("a page that does not scroll, " + when, () -> ((Number) browser.script("return Math.max(document.documentElement.scrollHeight,"
+        browser.until("a page that does not scroll, " + when,
+            () -> ((Number) browser.script("return Math.max(document.documentElement.scrollHeight,"
             + " document.body.scrollHeight)")).intValue() <= LAPTOP_HEIGHT);
-        checkInWindow(LAPTOP_WIDTH, LAPTOP_HEIGHT, ".sear-fold-project", ".sear-start", ".sear-status", ".sear-stage canvas", ".sear-halt",
+        checkInWindow(LAPTOP_WIDTH, LAPTOP_HEIGHT, ".sear-fold-project", ".sear-start", ".sear-status",
+            ".sear-stage canvas", ".sear-halt",
             ".sear-plots");
     }
 
@@ -191,19 +204,22 @@ public class LayoutTest {
     public void onASmallLaptopThePageDoesNotScrollWhateverIsOpen() {
         openAt(LAPTOP_WIDTH, LAPTOP_HEIGHT);
         checkNothingScrolls("as it is opened");
-        checkInWindow(LAPTOP_WIDTH, LAPTOP_HEIGHT, ".sear-fold-world", ".sear-tree > li", ".sear-fold-inspector", ".sear-sensors tr");
+        checkInWindow(LAPTOP_WIDTH, LAPTOP_HEIGHT, ".sear-fold-world", ".sear-tree > li", ".sear-fold-inspector",
+            ".sear-sensors tr");
         double[] world = box(".sear-world");
         double[] view = box(".sear-stage canvas");
         double[] side = box(".sear-side");
         assertTrue("world, view, inspector from left to right", world[2] <= view[0] && view[2] <= side[0]);
-        assertTrue("two thirds of the page are the view " + Arrays.toString(view), view[2] - view[0] > LAPTOP_WIDTH * 0.64
+        assertTrue("two thirds of the page are the view " + Arrays.toString(view),
+            view[2] - view[0] > LAPTOP_WIDTH * 0.64
             && view[3] - view[1] > LAPTOP_HEIGHT * 0.66);
         browser.click(".sear-tree .btn-link");
         browser.see(".sear-inspector .sear-field");
         browser.click(".sear-build");
         browser.see(".sear-palette");
         checkNothingScrolls("while one builds");
-        for (String part : new String[] {".sear-fold-project", ".sear-plots", ".sear-fold-messages", ".sear-fold-scripts"}) {
+        for (String part : new String[] {".sear-fold-project", ".sear-plots", ".sear-fold-messages",
+            ".sear-fold-scripts"}) {
             browser.click(part);
         }
         browser.see(".sear-plot");
@@ -225,9 +241,11 @@ public class LayoutTest {
             assertEquals("true", browser.see(".sear-fold-" + part).getAttribute("aria-expanded"));
             browser.click(".sear-fold-" + part);
         }
-        browser.until("a wider view", () -> box(".sear-stage canvas")[2] - box(".sear-stage canvas")[0] > before[2] - before[0] + 400);
+        browser.until("a wider view", () -> box(".sear-stage canvas")[2] - box(".sear-stage canvas")[0] > before[2]
+            - before[0] + 400);
         openAgain();
-        browser.until("the view as wide", () -> box(".sear-stage canvas")[2] - box(".sear-stage canvas")[0] > before[2] - before[0] + 400);
+        browser.until("the view as wide", () -> box(".sear-stage canvas")[2] - box(".sear-stage canvas")[0] > before[2]
+            - before[0] + 400);
         assertEquals("false", browser.see(".sear-fold-world").getAttribute("aria-expanded"));
         assertTrue(browser.texts(".sear-tree").isEmpty());
         browser.click(".sear-fold-world");
@@ -242,13 +260,15 @@ public class LayoutTest {
 
     private void openAgain() {
         TABS.open("sear");
-        browser.until("the world", () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "world.shown() && world.shown().robots.length > 0")));
+        browser.until("the world", () -> Boolean.TRUE.equals(
+            browser.scope(SearTab.ROOT, "world.shown() && world.shown().robots.length > 0")));
     }
 
     @Test
     public void aTelephoneShowsViewAndDriveButtonsFirst() {
         openAt(PHONE_WIDTH, PHONE_HEIGHT);
-        checkInWindow(PHONE_WIDTH, PHONE_HEIGHT, ".sear-start", ".sear-stop", ".sear-status", ".sear-stage canvas", ".sear-left", ".sear-forward",
+        checkInWindow(PHONE_WIDTH, PHONE_HEIGHT, ".sear-start", ".sear-stop", ".sear-status", ".sear-stage canvas",
+            ".sear-left", ".sear-forward",
             ".sear-halt", ".sear-backward", ".sear-right");
         double[] view = box(".sear-stage canvas");
         assertTrue(Arrays.toString(view), view[2] - view[0] > 300 && view[3] - view[1] >= 240);

@@ -39,7 +39,8 @@ public class OwnSensorTabTest {
     public final TemporaryFolder temporary = new TemporaryFolder();
 
     private static int of(Browser browser, String property) {
-        return ((Number) browser.script("return document.querySelector(arguments[0])[arguments[1]]", EYE + ".sear-picture", property)).intValue();
+        return ((Number) browser.script("return document.querySelector(arguments[0])[arguments[1]]",
+            EYE + ".sear-picture", property)).intValue();
     }
 
     @Test
@@ -52,7 +53,8 @@ public class OwnSensorTabTest {
             browser.seeText(EYE + ".sear-reading", "20.0 to 34.0 degC");
             browser.seeText("[data-sensor='touch'] .sear-reading", "not pressed");
             browser.see(EYE + ".sear-picture");
-            browser.until("its 8 x 8 pixels", () -> of(browser, "naturalWidth") == 8 && of(browser, "naturalHeight") == 8);
+            browser.until("its 8 x 8 pixels", () -> of(browser, "naturalWidth") == 8
+                && of(browser, "naturalHeight") == 8);
             assertTrue("it is enlarged", of(browser, "clientWidth") >= 64);
             browser.click(".sear-plots");
             browser.until("its numbers to plot", () -> browser.all(".sear-add option").stream()

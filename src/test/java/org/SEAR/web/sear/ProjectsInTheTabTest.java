@@ -64,11 +64,13 @@ public class ProjectsInTheTabTest {
         tab.waitForRobot("maze Roomba");
         tab.start();
         browser.seeText(".sear-robots", "maze Roomba");
-        assertTrue(browser.all(".sear-main datalist option").stream().anyMatch(option -> "kept.sear".equals(option.getAttribute("value"))));
+        assertTrue(browser.all(".sear-main datalist option").stream()
+            .anyMatch(option -> "kept.sear".equals(option.getAttribute("value"))));
         for (String css : List.of(".sear-load", ".sear-new", ".sear-example")) {
             assertEquals("stop the simulation first", browser.see(css).getAttribute("title"));
         }
-        assertTrue("no project is opened while one runs", !browser.see(".sear-load").isEnabled() && !browser.see(".sear-example").isEnabled());
+        assertTrue("no project is opened while one runs", !browser.see(".sear-load").isEnabled()
+            && !browser.see(".sear-example").isEnabled());
     }
 
     /** Waits for the path in the field. */
@@ -103,7 +105,8 @@ public class ProjectsInTheTabTest {
         byte[] first = bytes("maze-2.sear");
         robotLab.run("from org.SEAR.POJOs import Box\nBox('one more', 1, 1, 1, 0)");
         browser.click(".sear-save");
-        browser.until("its own file is saved again without a question", () -> bytes("maze-2.sear").length != first.length);
+        browser.until("its own file is saved again without a question", () -> bytes("maze-2.sear").length
+            != first.length);
         browser.type(".sear-path", "maze");
         browser.click(".sear-save");
         browser.click(".sear-overwrite");
@@ -187,13 +190,15 @@ public class ProjectsInTheTabTest {
         browser.until("the project", () -> Files.exists(project("environment")));
         browser.click(".sear-check");
         browser.seeText(".sear-main .alert-info", "the project has no problems");
-        robotLab.run("sear.edit({'do': 'add', 'type': 'Box', 'name': 'mast', 'to': 'maze Roomba', 'set': {'y': 1, 'mass': 3, 'height': 0.3,"
+        robotLab.run("sear.edit({'do': 'add', 'type': 'Box', 'name': 'mast', 'to': 'maze Roomba', 'set': {'y': 1, "
+            + "'mass': 3, 'height': 0.3,"
             + " 'length': 0.04, 'width': 0.04}})");
         browser.click(".sear-check");
         browser.seeText(".sear-main .alert-info", "the project has no problems, but 1 warning");
         browser.seeText(".sear-main .alert-warning", "robot maze Roomba tips over");
         robotLab.run("sear.undo()");
-        Files.writeString(project("environment/bad.xml"), "<Box>\n<name>bad</name>\n<length>-1</length>\n<color>x</color>\n</Box>\n");
+        Files.writeString(project("environment/bad.xml"),
+            "<Box>\n<name>bad</name>\n<length>-1</length>\n<color>x</color>\n</Box>\n");
         browser.click(".sear-check");
         browser.seeText(".sear-problems tbody tr", "environment/bad.xml 3 length -1");
         TABS.open("sear");
@@ -258,7 +263,8 @@ public class ProjectsInTheTabTest {
         drop("nonsense.sear", noise(100));
         browser.see(".sear-main .alert-danger");
         browser.seeText(".sear-main .alert-danger", "nonsense.sear");
-        assertFalse(browser.text(".sear-main .alert-danger"), browser.text(".sear-main .alert-danger").contains("/tmp"));
+        assertFalse(browser.text(".sear-main .alert-danger"), browser.text(".sear-main .alert-danger")
+            .contains("/tmp"));
         browser.until("no upload", () -> tab.isTrue("project.transfer === null"));
         tab.waitForRobot("maze Roomba");
     }
@@ -268,7 +274,8 @@ public class ProjectsInTheTabTest {
         browser.script("var text = atob(arguments[1]); var bytes = new Uint8Array(text.length);"
             + "for (var i = 0; i < text.length; i++) { bytes[i] = text.charCodeAt(i) }"
             + "var data = new DataTransfer(); data.items.add(new File([bytes], arguments[0]));"
-            + "var event = function(type) { return new DragEvent(type, {dataTransfer: data, bubbles: true, cancelable: true}) };"
+            + "var event = function(type) { return new DragEvent(type, {dataTransfer: data, bubbles: true, "
+            + "cancelable: true}) };"
             + "arguments[2].dispatchEvent(event('dragover')); arguments[2].dispatchEvent(event('drop'))",
             name, Base64.getEncoder().encodeToString(content), browser.see(SearTab.ROOT));
     }
@@ -288,7 +295,8 @@ public class ProjectsInTheTabTest {
     public void aNewProjectIsEmptyAndTheOldOneIsKept() throws IOException {
         tab.openExample("maze");
         tab.waitForRobot("maze Roomba");
-        Files.writeString(project("environment/goal.xml"), "<!-- changed: untouched examples are not kept -->", StandardOpenOption.APPEND);
+        Files.writeString(project("environment/goal.xml"), "<!-- changed: untouched examples are not kept -->",
+            StandardOpenOption.APPEND);
         browser.click(".sear-new");
         browser.seeText(".sear-main .alert-info", "stored in");
         browser.until("no project", () -> Files.notExists(project("robot")));

@@ -77,7 +77,8 @@ public class RecordsTabTest {
         browser.until("the record", () -> tab.isTrue("replay.shown !== null && plot.names.length > 5"));
         assertEquals("at its start", 0, tab.number("world.shown().robots[0].pose[2]"), 0.01);
         browser.choose(".sear-other", "run1.searlog");
-        browser.until("speed and first sensor by themselves", () -> tab.isTrue("plot.lines.join() === 'roomba.speed,ping'"));
+        browser.until("speed and first sensor by themselves",
+            () -> tab.isTrue("plot.lines.join() === 'roomba.speed,ping'"));
         browser.click("[aria-label='Plot roomba.speed no more']");
         browser.choose(".sear-add", "roomba.z");
         browser.choose(".sear-add", "roomba.speed");
@@ -86,7 +87,8 @@ public class RecordsTabTest {
         assertEquals(0.2, plot("lines[3].values[plot.chart().lines[3].values.length - 1]"), 0.02);
         browser.until("all of it is drawn", () -> tab.isTrue("plot.chart().seen() !== null"));
         assertEquals(2, plot("seen()[1]"), 0.05);
-        assertEquals("an axis for each unit, with title and unit", List.of("simulated time (s)", "length (m)", "roomba.speed (m/s)"),
+        assertEquals("an axis for each unit, with title and unit",
+            List.of("simulated time (s)", "length (m)", "roomba.speed (m/s)"),
             browser.script("var chart = angular.element(document.querySelector('.sear-main')).scope().plot.chart();"
                 + "return chart.plot.axes.map(axis => axis.label)"));
         assertTrue("the other record in broken lines",
@@ -111,9 +113,11 @@ public class RecordsTabTest {
         assertTrue("as wide as the plot, with its lines' names", picture.getWidth() > 600 && picture.getHeight() > 250);
         browser.choose(".sear-replay-speed", "50 \u00d7");
         browser.click(".sear-play");
-        browser.until("played to its end", () -> tab.isTrue("!replay.shown.playing && replay.shown.index === replay.shown.times.length - 1"));
+        browser.until("played to its end",
+            () -> tab.isTrue("!replay.shown.playing && replay.shown.index === replay.shown.times.length - 1"));
         browser.click(".sear-end-replay");
-        browser.until("what is now", () -> tab.isTrue("replay.shown === null && world.shown().robots[0].pose[2] < 0.1"));
+        browser.until("what is now", () ->
+            tab.isTrue("replay.shown === null && world.shown().robots[0].pose[2] < 0.1"));
     }
 
     /** The run continues behind the replay, so that driving would be invisible. */
@@ -139,11 +143,14 @@ public class RecordsTabTest {
         TABS.robotLab().run(WORLD.replace("'roomba'", "'the vacuum cleaner of the living room upstairs'"));
         browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
         browser.click(".sear-plots");
-        browser.until("its speed", () -> tab.isTrue("plot.chart() && plot.chart().titles()[0].title.indexOf('the v') === 0"));
+        browser.until("its speed", () ->
+            tab.isTrue("plot.chart() && plot.chart().titles()[0].title.indexOf('the v') === 0"));
         String title = tab.text("plot.chart().titles()[0].title");
         assertTrue(title, title.endsWith("speed (m/s)") && title.contains("\u2026"));
-        assertTrue("it has room", Boolean.TRUE.equals(browser.script("var chart = angular.element(document.querySelector('.sear-main')).scope()"
-            + ".plot.chart(), pen = document.createElement('canvas').getContext('2d'); pen.font = '12px system-ui, sans-serif';"
+        assertTrue("it has room", Boolean.TRUE.equals(
+            browser.script("var chart = angular.element(document.querySelector('.sear-main')).scope()"
+            + ".plot.chart(), pen = document.createElement('canvas').getContext('2d'); pen.font = '12px system-ui, "
+            + "sans-serif';"
             + "return pen.measureText(chart.plot.axes[1].label).width < chart.size().height - 30")));
     }
 
@@ -193,7 +200,8 @@ public class RecordsTabTest {
 
     private void assertEnded(String how) {
         browser.until(how + " ends the replay", () -> tab.isTrue("replay.shown === null && world.instead === null"));
-        browser.until(how + " takes the words away", () -> browser.all(".sear-badge").stream().noneMatch(WebElement::isDisplayed));
+        browser.until(how + " takes the words away", () -> browser.all(".sear-badge").stream()
+            .noneMatch(WebElement::isDisplayed));
     }
 
     @Test
@@ -204,10 +212,12 @@ public class RecordsTabTest {
         assertFalse("there is nothing to share", browser.see(".sear-share").isEnabled());
         replay();
         film();
-        browser.script("angular.element(document.querySelector('.sear-main')).scope().replay.shown.world.objects[0].note = 'x'.repeat(24e6)");
+        browser.script("angular.element(document.querySelector('.sear-main')).scope()"
+            + ".replay.shown.world.objects[0].note = 'x'.repeat(24e6)");
         browser.click(".sear-share");
         browser.seeText(".sear-main .alert-danger", "MB, legal: at most 24 MB");
-        browser.script("delete angular.element(document.querySelector('.sear-main')).scope().replay.shown.world.objects[0].note");
+        browser.script("delete angular.element(document.querySelector('.sear-main')).scope()"
+            + ".replay.shown.world.objects[0].note");
         browser.click(".sear-share");
         Path page = browser.download("run3.html");
         Path film = browser.download("sear.webm");
@@ -216,8 +226,10 @@ public class RecordsTabTest {
             () -> Boolean.TRUE.equals(browser.script("return document.querySelector('video').videoWidth > 300")));
         browser.driver().get(page.toUri().toString());
         browser.until("the robot drives on its own", () -> inPlayer("robots[0].shown[2]") > 0.5);
-        assertEquals("in the shapes and pictures that it had", Boolean.TRUE, browser.script("return player.scene.objects.concat("
-            + "player.scene.robots[0].parts).every(item => item.dressed) && Object.keys(player.scene.looks.textures).length > 1"));
+        assertEquals("in the shapes and pictures that it had", Boolean.TRUE,
+            browser.script("return player.scene.objects.concat("
+            + "player.scene.robots[0].parts).every(item => item.dressed) && "
+                + "Object.keys(player.scene.looks.textures).length > 1"));
         assertBeamsAndWheels();
         browser.until("its lamp is lit", () -> inPlayer("robots[0].lights[0].bulb.material.color.r") > 0.9);
         browser.script("var slider = document.getElementById('slider'); slider.value = 0; slider.oninput()");
@@ -225,20 +237,24 @@ public class RecordsTabTest {
         browser.click("#play");
         browser.until("it drives again", () -> inPlayer("robots[0].shown[2]") > 0.3);
         assertEquals("nothing is fetched", 0L,
-            browser.script("return performance.getEntriesByType('resource').filter(one => /^http/.test(one.name)).length"));
+            browser.script("return performance.getEntriesByType('resource').filter(one => "
+                + "/^http/.test(one.name)).length"));
         TABS.open("sear");
     }
 
     /** Checks beams and wheels against the live view. */
     private void assertBeamsAndWheels() {
-        browser.until("its wheels turn", () -> inPlayer("robots[0].parts.filter(part => part.source.type === 'Wheel' && part.shown"
+        browser.until("its wheels turn",
+            () -> inPlayer("robots[0].parts.filter(part => part.source.type === 'Wheel' && part.shown"
             + " && Math.abs(part.shown[3]) > 0.01).length") > 1);
         String scanner = "sensors.filter(one => one.source.name.endsWith('scanner'))[0].";
         browser.until("a beam ends on the wall", () ->
             Math.abs(inPlayer(scanner + "source.ranges[90]") + inPlayer(scanner + "source.pose[2]") - 2.9) < 0.03);
-        assertTrue("with the others it is a fan", inPlayer(scanner + "fan.geometry.attributes.position.array.length") == 9 * 180);
+        assertTrue("with the others it is a fan", inPlayer(scanner + "fan.geometry.attributes.position.array.length")
+            == 9 * 180);
         browser.until("the laser's spot is on it",
-            () -> Math.abs(inPlayer("sensors.filter(one => one.source.name.endsWith('ping'))[0].hit.position.z") - 2.9) < 0.01);
+            () -> Math.abs(inPlayer("sensors.filter(one => one.source.name.endsWith('ping'))[0].hit.position.z")
+                - 2.9) < 0.01);
         assertEquals(1, inPlayer(scanner + "holder.visible ? 1 : 0"), 0);
         browser.click("#beams");
         browser.until("no beams", () -> inPlayer("sensors.filter(one => one.holder.visible).length") == 0);
@@ -252,7 +268,8 @@ public class RecordsTabTest {
         browser.choose(".sear-source", "run1.searlog");
         browser.seeText(".sear-badge", "Replay of run1.searlog");
         browser.click(".sear-share");
-        browser.seeText(".sear-main .alert-info", "without beams and wheel rotation: run1.searlog is of another project");
+        browser.seeText(".sear-main .alert-info", "without beams and wheel rotation: run1.searlog is of "
+            + "another project");
         browser.driver().get(browser.download("run1.html").toUri().toString());
         browser.until("the robot drives", () -> inPlayer("robots[0].shown[2]") > 0.1);
         assertFalse("there are none to be shown", browser.driver().findElement(By.id("beams")).isDisplayed());
@@ -260,7 +277,8 @@ public class RecordsTabTest {
     }
 
     private double inPlayer(String expression) {
-        return ((Number) browser.value(expression, () -> browser.script("return typeof player === 'undefined' || !player.scene.robots[0].shown ? null"
+        return ((Number) browser.value(expression,
+            () -> browser.script("return typeof player === 'undefined' || !player.scene.robots[0].shown ? null"
             + " : player.scene." + expression))).doubleValue();
     }
 
@@ -275,7 +293,8 @@ public class RecordsTabTest {
 
     private void assertRangesAreChosenByMouse() {
         WebElement over = browser.see(".sear-plot .u-over");
-        new Actions(browser.driver()).moveToElement(over).clickAndHold().moveByOffset(100, 0).moveByOffset(50, 0).release().perform();
+        new Actions(browser.driver()).moveToElement(over).clickAndHold().moveByOffset(100, 0).moveByOffset(50, 0)
+            .release().perform();
         browser.until("a part of it", () -> tab.isTrue("plot.chart().seen()[0] > 0.9 && plot.chart().seen()[1] < 1.6"));
         new Actions(browser.driver()).doubleClick(browser.see(".sear-plot .u-over")).perform();
         browser.until("all again", () -> tab.isTrue("plot.chart().range === null && plot.chart().seen()[0] < 0.1"));
@@ -297,9 +316,11 @@ public class RecordsTabTest {
         browser.until("a record is asked for", () -> tab.isTrue("service.recorded"));
         tab.start();
         browser.until("no hint", () -> browser.all(".sear-plot-hint").stream().noneMatch(WebElement::isDisplayed));
-        browser.until("points", () -> tab.isTrue("plot.chart() && plot.chart().lines.length == 2 && plot.chart().lines[1].values.length > 5"));
+        browser.until("points", () -> tab.isTrue(
+            "plot.chart() && plot.chart().lines.length == 2 && plot.chart().lines[1].values.length > 5"));
         browser.click(".sear-forward");
-        browser.until("it comes nearer", () -> tab.isTrue("plot.chart().lines[1].values[plot.chart().lines[1].values.length - 1]"
+        browser.until("it comes nearer",
+            () -> tab.isTrue("plot.chart().lines[1].values[plot.chart().lines[1].values.length - 1]"
             + " < plot.chart().lines[1].values[3] - 0.05"));
         browser.click(".sear-pause-plot");
         browser.until("held", () -> tab.isTrue("plot.paused !== null"));
@@ -312,7 +333,8 @@ public class RecordsTabTest {
     public void theProjectIsShownAsItsScript() {
         TABS.robotLab().run(WORLD);
         browser.click(".sear-show-script");
-        browser.until("the script", () -> tab.isTrue("script.shown && script.shown.text.indexOf('Box(\"wall\", 4, 0.2, 0.5, 0, 0, 0.25, 3)') > 0"));
+        browser.until("the script", () -> tab.isTrue("script.shown && script.shown.text.indexOf('Box(\"wall\", 4, 0.2, "
+            + "0.5, 0, 0, 0.25, 3)') > 0"));
         browser.click(".sear-close-script");
         browser.until("closed", () -> tab.isTrue("script.shown === null"));
     }

@@ -22,7 +22,8 @@ import org.openqa.selenium.Keys;
 /** The Python tab and the Serial tab of the embedded MyRobotLab with a simulated Roomba. */
 public class ScriptsAndPortsTest {
     @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\n"
+    public static final Tabs TABS =
+        new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\n"
         + "sear.startSimulation()\nRuntime.start('line', 'Serial')");
     @Rule
     public final TestRule page = TABS.page("python");
@@ -34,7 +35,8 @@ public class ScriptsAndPortsTest {
         python.replace(text);
     }
 
-    // ---- Python --------------------------------------------------------------------------------------------------------
+    // ---- Python
+    // --------------------------------------------------------------------------------------------------------
 
     @Test
     public void theConsoleShowsTheOutputOfAScript() {
@@ -74,10 +76,12 @@ public class ScriptsAndPortsTest {
         python.type("if True:", Keys.ENTER, "sear.");
         browser.until("the calls of the page scripting.md", () -> isOffered("drive(speed, radius)"));
         python.type("simSl");
-        browser.until("one is left", () -> browser.all(".ace_autocomplete .ace_line").size() == 1 && isOffered("simSleep(seconds)"));
+        browser.until("one is left", () -> browser.all(".ace_autocomplete .ace_line").size() == 1
+            && isOffered("simSleep(seconds)"));
         python.type(Keys.ENTER);
         python.type("0.25");
-        browser.until("typed over its parameter, and indented", () -> python.text().equals("if True:\n    sear.simSleep(0.25)"));
+        browser.until("typed over its parameter, and indented", () -> python.text()
+            .equals("if True:\n    sear.simSleep(0.25)"));
         code("eyes = Runtime.start('eyes', 'LIDAR')\n");
         python.type("eyes.single");
         browser.until("of a variable of the script, too", () -> isOffered("singleScan()"));
@@ -86,7 +90,8 @@ public class ScriptsAndPortsTest {
 
     /** Returns whether a call is offered; the typed part of its line is a separate element. */
     private boolean isOffered(String call) {
-        return browser.texts(".ace_autocomplete .ace_line").stream().anyMatch(line -> line.replace("\n", "").contains(call));
+        return browser.texts(".ace_autocomplete .ace_line").stream()
+            .anyMatch(line -> line.replace("\n", "").contains(call));
     }
 
     @Test
@@ -124,7 +129,8 @@ public class ScriptsAndPortsTest {
     public void unsavedTextOutlivesAReloadAndAMissingFile() {
         code("print 'not saved yet'");
         browser.seeText(".python-unsaved", "not saved");
-        browser.until("the text is kept", () -> String.valueOf(browser.script("return localStorage.getItem('python.draft.python')"))
+        browser.until("the text is kept",
+            () -> String.valueOf(browser.script("return localStorage.getItem('python.draft.python')"))
             .contains("not saved yet"));
         TABS.open("python");
         assertEquals("print 'not saved yet'", python.text());
@@ -166,7 +172,8 @@ public class ScriptsAndPortsTest {
         }
     }
 
-    // ---- Serial --------------------------------------------------------------------------------------------------------
+    // ---- Serial
+    // --------------------------------------------------------------------------------------------------------
 
     @Test
     public void bytesGoOutAndComeBackInHex() {
@@ -223,14 +230,17 @@ public class ScriptsAndPortsTest {
             robotLab.call("line", "disconnect");
         }
         browser.driver().get("about:blank");
-        browser.until("nobody listens without a page", () -> !isListenedTo("publishTX") && !isListenedTo("publishState"));
+        browser.until("nobody listens without a page", () -> !isListenedTo("publishTX")
+            && !isListenedTo("publishState"));
     }
 
     @Test
     public void serialPortsAndServicesWithoutPanelStandInTheMenu() {
-        browser.until("tabs of those with a panel", () -> List.of("sear SEAR", "python Python").equals(browser.texts(".shell-lists > .nav-tabs a")));
+        browser.until("tabs of those with a panel", () -> List.of("sear SEAR", "python Python")
+            .equals(browser.texts(".shell-lists > .nav-tabs a")));
         browser.click("#shell-more");
-        browser.until("all others", () -> List.of("runtime Runtime", "webgui WebGui").equals(browser.texts(".shell-bare a")));
+        browser.until("all others", () -> List.of("runtime Runtime", "webgui WebGui")
+            .equals(browser.texts(".shell-bare a")));
         List<String> ports = browser.texts(".shell-ports a");
         assertTrue(ports.toString(), ports.contains("line") && ports.contains("myLidar_LIDARsimulator_Serial_Service"));
     }
@@ -248,7 +258,8 @@ public class ScriptsAndPortsTest {
         browser.seeText(panel + ".roomba-mode", "full");
         browser.seeText(panel + "[data-sensor='Battery']", "mAh");
         browser.click(panel + ".roomba-forward");
-        browser.until("a way that it has driven", () -> browser.text(panel + "[data-sensor='Distance'] td + td").matches("[1-9]\\d* mm"));
+        browser.until("a way that it has driven", () -> browser.text(panel + "[data-sensor='Distance'] td + td")
+            .matches("[1-9]\\d* mm"));
         browser.click(panel + ".roomba-stop");
         browser.click(panel + ".roomba-disconnect");
         browser.see(panel + ".roomba-connect");

@@ -49,29 +49,37 @@ public class SearTabTest {
         tab.openExample("office");
         tab.start();
         tab.waitForStatus("running at ");
-        double[] before = {tab.number("world.running.robots[0].pose[0]"), tab.number("world.running.robots[0].pose[2]")};
+        double[] before = {tab.number("world.running.robots[0].pose[0]"),
+            tab.number("world.running.robots[0].pose[2]")};
         long robot = tab.colour(before[0] - 0.1, before[1] + 0.05);
         assertNotEquals("the robot is drawn where it stands", tab.colour(before[0] - 0.5, before[1] + 0.05), robot);
         browser.click(".sear-forward");
-        browser.until("half a metre to the north", () -> tab.number("world.running.robots[0].pose[0]") > before[0] + 0.5);
+        browser.until("half a metre to the north", () -> tab.number("world.running.robots[0].pose[0]")
+            > before[0] + 0.5);
         browser.click(".sear-halt");
         browser.until("the robot stands", () -> tab.number("world.running.robots[0].speed") == 0);
         double[] truth = pose("office Roomba");
-        browser.until("the pose in the tab is the robot's", () -> Math.abs(tab.number("world.running.robots[0].pose[0]") - truth[0]) < 0.001);
-        double[] now = tab.toScreen(tab.number("world.running.robots[0].pose[0]"), tab.number("world.running.robots[0].pose[2]"));
+        browser.until("the pose in the tab is the robot's",
+            () -> Math.abs(tab.number("world.running.robots[0].pose[0]") - truth[0]) < 0.001);
+        double[] now = tab.toScreen(tab.number("world.running.robots[0].pose[0]"),
+            tab.number("world.running.robots[0].pose[2]"));
         double[] expected = tab.toScreen(truth[0], truth[2]);
         assertEquals(expected[0], now[0], SearTab.NEAR);
         assertEquals(expected[1], now[1], SearTab.NEAR);
-        assertEquals("north is up", tab.toScreen(before[0], before[1])[1] - (truth[0] - before[0]) * tab.number("view.scale"), now[1], SearTab.NEAR);
-        assertEquals("east is to the right", now[0] + tab.number("view.scale"), tab.toScreen(truth[0], truth[2] + 1)[0], SearTab.NEAR);
-        browser.until("the robot is no longer drawn where it was", () -> tab.colour(before[0] - 0.1, before[1] + 0.05) != robot);
+        assertEquals("north is up", tab.toScreen(before[0], before[1])[1] - (truth[0] - before[0]) * tab.number(
+            "view.scale"), now[1], SearTab.NEAR);
+        assertEquals("east is to the right", now[0] + tab.number("view.scale"), tab.toScreen(truth[0], truth[2] + 1)[0],
+            SearTab.NEAR);
+        browser.until("the robot is no longer drawn where it was",
+            () -> tab.colour(before[0] - 0.1, before[1] + 0.05) != robot);
         assertTrue("its path is kept", tab.number("world.running.robots[0].path.length") > 10);
         browser.click(".sear-stop");
         tab.waitForStatus("no simulation runs");
     }
 
     private boolean isCircleNamed() {
-        return Boolean.TRUE.equals(browser.script("return angular.element(document.querySelector('.sear-main')).scope().messages.list"
+        return Boolean.TRUE.equals(browser.script(
+            "return angular.element(document.querySelector('.sear-main')).scope().messages.list"
             + ".some(function(message) { return message.text.indexOf('circle') >= 0 })"));
     }
 
@@ -113,7 +121,8 @@ public class SearTabTest {
             + "Sphere('ball', 0.5, 0, 1, 0.5, -1)\nSphere('egg', 0.5, 0, -2, 0.5, 1).scale(1, 1, 2)\n");
         tab.start();
         browser.seeText(".sear-tree", "ball Sphere");
-        browser.until("the ball", () -> tab.colour(1, -1) == BALL && tab.colour(1.4, -1) == BALL && tab.colour(1, -0.6) == BALL);
+        browser.until("the ball", () -> tab.colour(1, -1) == BALL && tab.colour(1.4, -1) == BALL
+            && tab.colour(1, -0.6) == BALL);
         assertNotEquals("beside the ball", BALL, tab.colour(1.42, -0.58));
         assertEquals("the end of the egg", BALL, tab.colour(-2, 1.9));
         assertNotEquals("beside the egg", BALL, tab.colour(-1.4, 1));
@@ -127,7 +136,8 @@ public class SearTabTest {
         tab.waitForStatus("paused");
         double paused = robotLab.call("sear", "getTime").asDouble();
         browser.click(".sear-step");
-        browser.until("a step of 1/60 s", () -> Math.abs(robotLab.call("sear", "getTime").asDouble() - paused - 1 / 60.0) < 1e-6);
+        browser.until("a step of 1/60 s",
+            () -> Math.abs(robotLab.call("sear", "getTime").asDouble() - paused - 1 / 60.0) < 1e-6);
         tab.waitForStatus("paused at ");
         browser.click(".sear-resume");
         tab.waitForStatus("running at ");
@@ -139,7 +149,8 @@ public class SearTabTest {
         browser.choose(".sear-speed", "5 ×");
         browser.until("five times real time", () -> tab.number("world.running.speed") > 1.5);
         TABS.open("sear");
-        browser.until("a page that comes later shows the speed", () -> "5".equals(browser.see(".sear-speed").getAttribute("value")));
+        browser.until("a page that comes later shows the speed",
+            () -> "5".equals(browser.see(".sear-speed").getAttribute("value")));
     }
 
     @Test
@@ -207,7 +218,8 @@ public class SearTabTest {
         key(Keys.ARROW_RIGHT, false);
         browser.script("var cross = []; for (var i = 0; i < 17; i++) { cross.push({pressed: false}) }"
             + "window.pad = {axes: [0, -1], buttons: cross};"
-            + "Object.defineProperty(navigator, 'getGamepads', {configurable: true, value: function() { return [null, window.pad] }})");
+            + "Object.defineProperty(navigator, 'getGamepads', {configurable: true, value: function() { return [null, "
+                + "window.pad] }})");
         browser.until("the stick's speed", () -> tab.number("world.running.robots[0].speed") > 0.3);
         browser.script("window.pad.axes = [0.1, 0.05]");
         untilItStands();
@@ -222,23 +234,27 @@ public class SearTabTest {
     public void withShiftTheMouseDragsLooseObjects() {
         robotLab.run("from org.SEAR.POJOs import Box, Floor\nsear.newProject()\nFloor('floor', 10, 10)\n"
             + "Box('crate', 0.5, 0.5, 0.5, 2).move(1, 0.25, -1)\nBox('wall', 0.5, 0.5, 0.5, 0).move(-1, 0.25, -1)\n");
-        browser.until("the world", () -> tab.isTrue("world.shown() && (world.shown().objects | filter:{name: 'crate'}).length == 1"
+        browser.until("the world", () ->
+            tab.isTrue("world.shown() && (world.shown().objects | filter:{name: 'crate'}).length == 1"
             + " && world.shown().objects.length == 3 && !world.shown().robots.length"));
         assertFalse("there is nothing to drive", tab.isTrue("run.whyNoDrive() === ''"));
         tab.start();
         String crate = "(world.running.objects | filter:{name: 'crate'})[0].pose";
         dragWithShift(1, -1, 1, 1, () -> browser.until("pulled to the east", () -> tab.number(crate + "[2]") > 0.7
             && browser.all(".sear-spring").stream().anyMatch(WebElement::isDisplayed)));
-        browser.until("the spring is gone", () -> browser.all(".sear-spring").stream().noneMatch(WebElement::isDisplayed));
+        browser.until("the spring is gone", () -> browser.all(".sear-spring").stream()
+            .noneMatch(WebElement::isDisplayed));
         browser.until("it rests", () -> robotLab.call("sear", "getPose", "crate").get(1).asDouble() < 0.26);
         double x = tab.number("view.x");
-        dragWithShift(-1, -1, 0, -1, () -> browser.until("what is fixed stays, and the view moves", () -> tab.number("view.x") < x - 0.5));
+        dragWithShift(-1, -1, 0, -1, () -> browser.until("what is fixed stays, and the view moves",
+            () -> tab.number("view.x") < x - 0.5));
         browser.click(".sear-fit");
         dragWithShift(1, tab.number(crate + "[2]"), 1, -1, () -> {
             browser.until("pulled to the west", () -> tab.number(crate + "[2]") < 0);
             TABS.open("sear");
         });
-        browser.until("the page that went away holds it no longer", () -> robotLab.call("sear", "getPose", "crate").get(1).asDouble() < 0.26);
+        browser.until("the page that went away holds it no longer", () -> robotLab.call("sear", "getPose", "crate")
+            .get(1).asDouble() < 0.26);
     }
 
     private void dragWithShift(double x, double z, double toX, double toZ, Runnable meanwhile) {
@@ -247,7 +263,8 @@ public class SearTabTest {
         double[] to = tab.toScreen(toX, toZ);
         int width = view.getSize().width / 2;
         int height = view.getSize().height / 2;
-        new Actions(browser.driver()).keyDown(Keys.SHIFT).moveToElement(view, (int) from[0] - width, (int) from[1] - height).clickAndHold()
+        new Actions(browser.driver()).keyDown(Keys.SHIFT)
+            .moveToElement(view, (int) from[0] - width, (int) from[1] - height).clickAndHold()
             .moveByOffset((int) (to[0] - from[0]) / 2, (int) (to[1] - from[1]) / 2)
             .moveByOffset((int) (to[0] - from[0]) / 2, (int) (to[1] - from[1]) / 2).perform();
         try {
@@ -371,9 +388,11 @@ public class SearTabTest {
     /** The square at a beam's end marks a hit; a beam without a hit has none. */
     @Test
     public void aSonarThatMeetsNothingHasNoHit() {
-        robotLab.run("from org.SEAR.POJOs import Box, Cylinder, Distance, Dynamics, Floor, SEARrobot, Wheel\nsear.newProject()\n"
+        robotLab.run("from org.SEAR.POJOs import Box, Cylinder, Distance, Dynamics, Floor, SEARrobot, "
+            + "Wheel\nsear.newProject()\n"
             + "Floor('floor', 20, 20, False)\nwall = Box('wall', 4, 0.2, 1, 0)\nwall.move(0, 0.5, 2)\n"
-            + "robot = SEARrobot('bot')\nrobot.addComponent(Dynamics('d', 4, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, 0, 0, 0, 0))\n"
+            + "robot = SEARrobot('bot')\nrobot.addComponent(Dynamics('d', 4, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, "
+            + "0, 0, 0, 0))\n"
             + "robot.addComponent(Cylinder('body', 0.17, 0.08, 4))\n"
             + "for i, x, z in ((0, 0, 0.16), (1, -0.16, 0), (1, 0.16, 0), (0, 0, -0.16)):\n"
             + "    robot.addWheel(Wheel('w%d' % (x * 100 + z * 10), 0.0381, 0.03, i, x, 0, z))\n"
@@ -381,9 +400,11 @@ public class SearTabTest {
             + "robot.addComponent(Distance('behind', 'PING)))', 0, 0.1, -0.15, 0, 180, 0))\n");
         tab.start();
         browser.seeText(".sear-sensors tr[data-sensor='behind'] .sear-reading", "nothing within 3 m");
-        String ahead = "world.running.sensors[0].name === 'ahead' ? world.running.sensors[0] : world.running.sensors[1]";
+        String ahead = "world.running.sensors[0].name === 'ahead' ? world.running.sensors[0] : "
+            + "world.running.sensors[1]";
         assertEquals(2 - 0.1, tab.number("(" + ahead + ").hit[2]"), 0.01);
-        String behind = "world.running.sensors[0].name === 'ahead' ? world.running.sensors[1] : world.running.sensors[0]";
+        String behind = "world.running.sensors[0].name === 'ahead' ? world.running.sensors[1] : "
+            + "world.running.sensors[0]";
         assertTrue(tab.isTrue("(" + behind + ").hit === null"));
         assertNotEquals("no square at the end of the beam that met nothing", 0xd9534fffL, tab.colour(0, -0.15 - 3));
         double z = tab.number("(" + ahead + ").hit[2]");
@@ -396,16 +417,20 @@ public class SearTabTest {
         tab.openExample("sensors");
         tab.start();
         String readings = String.join("\n", browser.texts(".sear-reading"));
-        for (String pattern : new String[] {"-?\\d+\\.\\d deg", "-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}, -?\\d+\\.\\d{3} m/s2",
-            "-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}, -?\\d+\\.\\d{3} rad/s", "-?\\d+\\.\\d{7}, -?\\d+\\.\\d{7} deg, -?\\d+\\.\\d\\d m"}) {
-            assertTrue(pattern + " in\n" + readings, Pattern.compile("^" + pattern + "$", Pattern.MULTILINE).matcher(readings).find());
+        for (String pattern : new String[] {"-?\\d+\\.\\d deg",
+            "-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}, -?\\d+\\.\\d{3} m/s2",
+            "-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}, -?\\d+\\.\\d{3} rad/s", "-?\\d+\\.\\d{7}, -?\\d+\\.\\d{7} deg, "
+                + "-?\\d+\\.\\d\\d m"}) {
+            assertTrue(pattern + " in\n" + readings, Pattern.compile("^" + pattern + "$", Pattern.MULTILINE)
+                .matcher(readings).find());
         }
     }
 
     private static final String PING = "robot.addComponent(Distance('ping', 'PING)))', 0, 0.1, 0.15, 0, 0, 0))\n";
 
     private static String robot(String name, double x) {
-        return "robot = SEARrobot('" + name + "')\nrobot.addComponent(Dynamics('drive', 4, 60, 0.3, 0.4, 10000, 0.1, " + x
+        return "robot = SEARrobot('" + name + "')\nrobot.addComponent(Dynamics('drive', 4, 60, 0.3, 0.4, "
+            + "10000, 0.1, " + x
             + ", 0.1, 0, 0, 0, 0))\nrobot.addComponent(Cylinder('body', 0.17, 0.08, 4))\n"
             + "for i, x, z in ((0, 0, 0.16), (1, -0.16, 0), (1, 0.16, 0), (0, 0, -0.16)):\n"
             + "    robot.addWheel(Wheel('w%d' % (x * 100 + z * 10), 0.0381, 0.03, i, x, 0, z))\n";
@@ -413,7 +438,8 @@ public class SearTabTest {
 
     @Test
     public void oneOfSeveralRobotsIsChosenToDriveAndFollow() {
-        robotLab.run("from org.SEAR.POJOs import Cylinder, Distance, Dynamics, Floor, SEARrobot, Wheel\nsear.newProject()\n"
+        robotLab.run("from org.SEAR.POJOs import Cylinder, Distance, Dynamics, Floor, SEARrobot, "
+            + "Wheel\nsear.newProject()\n"
             + "Floor('floor', 20, 20, False)\n" + robot("anna", 0) + PING + robot("bert", 2) + PING);
         tab.start();
         int bert = tab.isTrue("world.running.robots[0].name === 'bert'") ? 0 : 1;
@@ -424,11 +450,13 @@ public class SearTabTest {
         browser.click(".sear-forward");
         browser.until("bert drives", () -> tab.number(driven + ".speed") > 0.1);
         assertEquals("anna stands", 0, tab.number(other + ".speed"), 0.01);
-        browser.until("the view follows bert", () -> tab.isTrue("view.x === " + driven + ".pose[0] && view.z === " + driven + ".pose[2]"));
+        browser.until("the view follows bert",
+            () -> tab.isTrue("view.x === " + driven + ".pose[0] && view.z === " + driven + ".pose[2]"));
         browser.choose(".sear-robot", "anna");
         browser.see(".sear-view").sendKeys("j");
         browser.until("anna drives backward", () -> tab.number(other + ".speed") < -0.1);
-        browser.until("the view follows anna", () -> tab.isTrue("view.x === " + other + ".pose[0] && view.z === " + other + ".pose[2]"));
+        browser.until("the view follows anna",
+            () -> tab.isTrue("view.x === " + other + ".pose[0] && view.z === " + other + ".pose[2]"));
         assertTrue("and bert goes on", tab.number(driven + ".speed") > 0.1);
         for (String sensor : new String[] {"anna/ping", "bert/ping"}) {
             browser.seeText("[data-sensor='" + sensor + "']", sensor + " Distance");
@@ -441,8 +469,10 @@ public class SearTabTest {
     @Test
     public void aPageThatOpensLaterHasTheWholeWorldAndKeepsUp() {
         robotLab.call("sear", "newProject");
-        robotLab.run("from org.SEAR.POJOs import Box, Cylinder, Dynamics, Floor, SEARrobot, Wheel\nFloor('floor', 20, 20, False)\n"
-            + "faller = Box('faller', 0.3, 0.3, 0.3, 1)\nfaller.move(3, 1, 3)\nwall = Box('wall', 1, 1, 1, 0)\nwall.move(-3, 0.5, 0)\n"
+        robotLab.run("from org.SEAR.POJOs import Box, Cylinder, Dynamics, Floor, SEARrobot, Wheel\nFloor('floor', 20, "
+            + "20, False)\n"
+            + "faller = Box('faller', 0.3, 0.3, 0.3, 1)\nfaller.move(3, 1, 3)\nwall = Box('wall', 1, 1, 1, "
+            + "0)\nwall.move(-3, 0.5, 0)\n"
             + robot("anna", 0));
         tab.start();
         browser.until("the box has fallen", () -> robotLab.call("sear", "getPose", "faller").get(1).asDouble() < 0.16);
@@ -450,25 +480,29 @@ public class SearTabTest {
         TABS.open("sear");
         browser.until("the world", () -> tab.isTrue("world.running.objects.length === 3"));
         double height = robotLab.call("sear", "getPose", "faller").get(1).asDouble();
-        assertEquals("it lies where it fell", height, tab.number("(world.running.objects | filter:{name: 'faller'})[0].pose[1]"), 0.001);
+        assertEquals("it lies where it fell", height,
+            tab.number("(world.running.objects | filter:{name: 'faller'})[0].pose[1]"), 0.001);
         double before = tab.number("world.running.robots[0].pose[2]");
         browser.until("the robot drives on", () -> tab.number("world.running.robots[0].pose[2]") > before + 0.1);
         assertTrue("its path grows", tab.number("world.running.robots[0].path.length") > 3);
         double time = tab.time();
         browser.script("angular.element(document.querySelector('.sear-main')).scope().world.running.number -= 2");
         tab.waitForTime(time + 0.3);
-        browser.until("a page that has missed something asks for the whole", () -> Math.abs(tab.number("world.running.robots[0].pose[2]")
+        browser.until("a page that has missed something asks for the whole",
+            () -> Math.abs(tab.number("world.running.robots[0].pose[2]")
             - robotLab.call("sear", "getPose", "anna").get(2).asDouble()) < 0.2);
     }
 
     @Test
     public void aPageOpenedLaterKnowsObjectsThatFellOutOfTheWorld() {
         robotLab.call("sear", "newProject");
-        robotLab.run("from org.SEAR.POJOs import Box, Floor\nFloor('floor', 2, 2)\nlost = Box('lost', 0.3, 0.3, 0.3, 1)\nlost.move(3, 1, 3)\n");
+        robotLab.run("from org.SEAR.POJOs import Box, Floor\nFloor('floor', 2, 2)\nlost = Box('lost', 0.3, 0.3, 0.3, "
+            + "1)\nlost.move(3, 1, 3)\n");
         tab.start();
         browser.until("the box has fallen", () -> robotLab.call("sear", "getPose", "lost").get(1).asDouble() < -12);
         TABS.open("sear");
-        browser.until("the warning", () -> tab.isTrue("(messages.list | filter:{text: 'lost has fallen out of the world'}).length === 1"));
+        browser.until("the warning", () ->
+            tab.isTrue("(messages.list | filter:{text: 'lost has fallen out of the world'}).length === 1"));
     }
 
     @Test
@@ -490,7 +524,8 @@ public class SearTabTest {
         browser.until("fitted", () -> Math.abs(tab.number("view.scale") - scale) < 1e-6);
         browser.click(".sear-follow");
         browser.until("the robot in the middle",
-            () -> tab.isTrue("view.x === world.running.robots[0].pose[0] && view.z === world.running.robots[0].pose[2]"));
+            () -> tab.isTrue("view.x === world.running.robots[0].pose[0] && view.z === "
+                + "world.running.robots[0].pose[2]"));
         assertFalse(tab.isTrue("view.scale === 0"));
     }
 }

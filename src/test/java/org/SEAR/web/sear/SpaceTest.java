@@ -63,8 +63,10 @@ public class SpaceTest {
         TABS.robotLab().run(WORLD);
         browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
         browser.click(".sear-space");
-        browser.until("all of it", () -> Boolean.TRUE.equals(inScene("Object.keys(scene.looks.wanted).length === 0 && scene.robots.length === 1"
-            + " && scene.objects.concat(scene.robots[0].parts).every(function(item) { return item.dressed && item.holder.visible })")));
+        browser.until("all of it", () -> Boolean.TRUE.equals(
+            inScene("Object.keys(scene.looks.wanted).length === 0 && scene.robots.length === 1"
+            + " && scene.objects.concat(scene.robots[0].parts).every(function(item) { return item.dressed && "
+                + "item.holder.visible })")));
         browser.until("a view that will not turn by itself to show all", () -> tab.isTrue("view.fitted"));
     }
 
@@ -97,7 +99,8 @@ public class SpaceTest {
     private String pointedAt(double[] place) {
         WebElement view = browser.see(".sear-scene");
         Dimension size = view.getSize();
-        new Actions(browser.driver()).moveToElement(view, (int) place[0] - size.getWidth() / 2, (int) place[1] - size.getHeight() / 2).perform();
+        new Actions(browser.driver()).moveToElement(view, (int) place[0] - size.getWidth() / 2,
+            (int) place[1] - size.getHeight() / 2).perform();
         return browser.text(".sear-pointed");
     }
 
@@ -124,14 +127,19 @@ public class SpaceTest {
         double before = ((Number) inScene("scene.robots[0].parts[1].holder.quaternion.x")).doubleValue();
         double wide = number("scene.canvas.clientWidth");
         browser.click(".sear-forward");
-        browser.until("at most a pixel for each of the page, while it moves", () -> number("scene.canvas.width") <= wide);
+        browser.until("at most a pixel for each of the page, while it moves",
+            () -> number("scene.canvas.width") <= wide);
         browser.until("the robot half a metre ahead", () -> tab.number("world.running.robots[0].pose[2]") > 0.5);
         browser.click(".sear-halt");
         browser.until("the robot stands, in the view, too", () -> tab.number("world.running.robots[0].speed") == 0
-            && Math.abs(number("scene.robots[0].holder.position.z") - tab.number("world.running.robots[0].pose[2]")) < 0.002);
-        assertNotEquals("the first wheel has turned", before, ((Number) inScene("scene.robots[0].parts[1].holder.quaternion.x")).doubleValue(), 1e-3);
-        assertEquals("the camera's target", tab.number("world.running.robots[0].pose[2]"), number("scene.orbit.target.z"), 0.002);
-        assertTrue("beams that met something", ((Number) inScene("[].filter.call(scene.sensors[0].fan.geometry.attributes.position.array,"
+            && Math.abs(number("scene.robots[0].holder.position.z") - tab.number("world.running.robots[0].pose[2]"))
+                < 0.002);
+        assertNotEquals("the first wheel has turned", before,
+            ((Number) inScene("scene.robots[0].parts[1].holder.quaternion.x")).doubleValue(), 1e-3);
+        assertEquals("the camera's target", tab.number("world.running.robots[0].pose[2]"),
+            number("scene.orbit.target.z"), 0.002);
+        assertTrue("beams that met something",
+            ((Number) inScene("[].filter.call(scene.sensors[0].fan.geometry.attributes.position.array,"
             + " function(value) { return value !== 0 }).length")).intValue() > 50);
         browser.until("more pixels of what rests", () -> number("scene.canvas.width") > wide);
         browser.click(".sear-follow");
@@ -140,15 +148,18 @@ public class SpaceTest {
     @Test
     public void aLightIsDarkThenLitAndABumperIsFree() {
         browser.seeText("[data-led=lamp]", "lamp: 0 %");
-        assertEquals("dark", 0.2, ((Number) inScene("scene.robots[0].lights[0].bulb.material.color.g")).doubleValue(), 1e-6);
+        assertEquals("dark", 0.2, ((Number) inScene("scene.robots[0].lights[0].bulb.material.color.g"))
+            .doubleValue(), 1e-6);
         tab.start();
         TABS.robotLab().run("sear.setLed('lamp', 0.5)");
         browser.seeText("[data-led=lamp]", "lamp: 50 %");
-        browser.until("lit", () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].bulb.material.color.g")).doubleValue() - 0.6) < 1e-6);
+        browser.until("lit", () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].bulb.material.color.g"))
+            .doubleValue() - 0.6) < 1e-6);
         assertEquals(0.2, ((Number) inScene("scene.robots[0].lights[0].holder.position.y")).doubleValue(), 1e-6);
         TABS.robotLab().run("sear.setServo('neck', 90)");
         browser.until("turned to the left",
-            () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].holder.position.x")).doubleValue() - 0.1) < 1e-3);
+            () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].holder.position.x")).doubleValue()
+                - 0.1) < 1e-3);
         browser.seeText("[data-sensor=bumper] .sear-reading", "not pressed");
     }
 
@@ -160,9 +171,11 @@ public class SpaceTest {
         new Actions(browser.driver()).moveToElement(view).clickAndHold().moveByOffset(100, 0).release().perform();
         browser.until("a turned view", () -> Math.abs(number("scene.orbit.azimuth") - azimuth - 0.8) < 1e-6);
         assertEquals(target[0], number("scene.orbit.target.x"), 0);
-        new Actions(browser.driver()).keyDown(Keys.SHIFT).moveToElement(view).clickAndHold().moveByOffset(0, 60).release().keyUp(Keys.SHIFT)
+        new Actions(browser.driver()).keyDown(Keys.SHIFT).moveToElement(view).clickAndHold().moveByOffset(0, 60)
+            .release().keyUp(Keys.SHIFT)
             .perform();
-        browser.until("a moved view", () -> Math.hypot(number("scene.orbit.target.x") - target[0], number("scene.orbit.target.z") - target[1]) > 0.1);
+        browser.until("a moved view", () -> Math.hypot(number("scene.orbit.target.x") - target[0],
+            number("scene.orbit.target.z") - target[1]) > 0.1);
         double distance = number("scene.orbit.distance");
         view.sendKeys("+");
         browser.until("a nearer view", () -> Math.abs(number("scene.orbit.distance") - distance / 1.3) < 1e-6);
@@ -192,9 +205,11 @@ public class SpaceTest {
         WebElement view = browser.see(".sear-scene");
         double elevation = number("scene.orbit.elevation");
         new Actions(browser.driver()).moveToElement(view).clickAndHold().moveByOffset(0, -250).release().perform();
-        browser.until("a flat view", () -> number("scene.orbit.elevation") < elevation - 0.3 && number("scene.camera.position.y") < 0.1);
+        browser.until("a flat view", () -> number("scene.orbit.elevation") < elevation - 0.3
+            && number("scene.camera.position.y") < 0.1);
         assertTrue("above the floor", number("scene.camera.position.y") > 0);
-        new Actions(browser.driver()).keyDown(Keys.SHIFT).moveToElement(view).clickAndHold().moveByOffset(0, -200).release().keyUp(Keys.SHIFT)
+        new Actions(browser.driver()).keyDown(Keys.SHIFT).moveToElement(view).clickAndHold().moveByOffset(0, -200)
+            .release().keyUp(Keys.SHIFT)
             .perform();
         assertTrue("moved down, too", number("scene.position().y") > 0);
     }
@@ -209,12 +224,14 @@ public class SpaceTest {
         double[] left = place(2, 0.15, 2);
         assertTrue("+x, north, is on the left of who looks east", left[0] < ahead[0] - 100);
         browser.scope(SearTab.ROOT, "edits.select('roomba/scanner')");
-        browser.until("the lines around what it sees", () -> Boolean.TRUE.equals(inScene("scene.handles && scene.handles.eye.visible")));
+        browser.until("the lines around what it sees",
+            () -> Boolean.TRUE.equals(inScene("scene.handles && scene.handles.eye.visible")));
         String corner = "scene.handles.eye.localToWorld(new THREE.Vector3(-1, 1, 1)).project(scene.camera)";
         browser.until("their end in the view's corner",
             () -> Math.abs(number(corner + ".x") - 1) < 0.01 && Math.abs(number(corner + ".y") - 1) < 0.01);
         browser.scope(SearTab.ROOT, "edits.select('roomba/body')");
-        browser.until("no such lines of what is no sensor", () -> Boolean.TRUE.equals(inScene("!scene.handles.eye.visible")));
+        browser.until("no such lines of what is no sensor",
+            () -> Boolean.TRUE.equals(inScene("!scene.handles.eye.visible")));
         browser.scope(SearTab.ROOT, "edits.select(null)");
         browser.choose(".sear-eye", "from outside");
         browser.until("the camera outside", () -> number("scene.camera.position.y") > 1);
@@ -238,7 +255,8 @@ public class SpaceTest {
     @Test
     public void withoutWebGlThePageReportsItAndShowsTheMap() {
         browser.script("HTMLCanvasElement.prototype.getContext = (function(original) { return function(kind) {"
-            + " return kind.indexOf('webgl') >= 0 ? null : original.apply(this, arguments) } })(HTMLCanvasElement.prototype.getContext)");
+            + " return kind.indexOf('webgl') >= 0 ? null : original.apply(this, arguments) } "
+                + "})(HTMLCanvasElement.prototype.getContext)");
         browser.click(".sear-map");
         browser.click(".sear-space");
         browser.seeText(".sear-pointed", "This browser has no WebGL and shows only the map");
@@ -246,7 +264,8 @@ public class SpaceTest {
     }
 
     private long told() {
-        return ((Number) browser.script("var now = angular.element(document.querySelector('.sear-main')).scope().world.running;"
+        return ((Number) browser.script(
+            "var now = angular.element(document.querySelector('.sear-main')).scope().world.running;"
             + "return now ? now.number : 0")).longValue();
     }
 
@@ -274,7 +293,8 @@ public class SpaceTest {
     @Test
     public void withoutGpuMovingScenesHaveFewerPixels() {
         assertEquals(true, inScene("scene.byProcessor && scene.renderer.shadowMap.type === THREE.BasicShadowMap"));
-        assertEquals("what moves, by the time that pictures take; what rests, in a small view and in a large one", "0.5 0.5 1 1 1.5 1",
+        assertEquals("what moves, by the time that pictures take; what rests, in a small view and in a large one",
+            "0.5 0.5 1 1 1.5 1",
             inScene("[200, 24, 15, 24].map(millis => { for (var i = 0; i < 99; i++) { scene.took(millis) }"
                 + "return scene.ratio(1000, true, Date.now()) })"
                 + ".concat([1000, 9e6].map(area => scene.ratio(area, false, scene.movedAt + 1000))).join(' ')"));

@@ -30,7 +30,8 @@ public class StatusLineTest {
     public void beginWithABox() {
         tab.stopAll();
         TABS.robotLab().run("sear.newProject()");
-        browser.until("an empty project", () -> tab.isTrue("world.shown() && world.shown().objects.length == 0 && edits.grammar !== null"));
+        browser.until("an empty project",
+            () -> tab.isTrue("world.shown() && world.shown().objects.length == 0 && edits.grammar !== null"));
         TABS.robotLab().run("from org.SEAR.POJOs import Box\nBox('crate', 1, 1, 1)");
         browser.until("the crate", () -> tab.isTrue("world.shown().objects.length == 1"));
     }

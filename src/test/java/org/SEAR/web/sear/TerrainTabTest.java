@@ -24,8 +24,10 @@ import org.openqa.selenium.interactions.Actions;
  */
 public class TerrainTabTest {
     private static final String WORLD = "from org.SEAR.POJOs import Box, Terrain\nsear.newProject()\n"
-        + "Terrain('land', 'terrain/jacksboro.tif').setArea(36.485, -84.2308, 2000, 2000)\nBox('box', 40, 40, 20, 0).placeAt(-500, 500)\n";
-    private static final Pattern POINTED = Pattern.compile("here (-?[\\d.]+) m, (-?[\\d.]+) m above the geoid at (-?[\\d.]+)°, (-?[\\d.]+)°");
+        + "Terrain('land', 'terrain/jacksboro.tif').setArea(36.485, -84.2308, 2000, 2000)\nBox('box', 40, 40, 20, "
+        + "0).placeAt(-500, 500)\n";
+    private static final Pattern POINTED =
+        Pattern.compile("here (-?[\\d.]+) m, (-?[\\d.]+) m above the geoid at (-?[\\d.]+)°, (-?[\\d.]+)°");
     @ClassRule
     public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
     @Rule
@@ -39,13 +41,15 @@ public class TerrainTabTest {
         tab.stopAll();
         robotLab.run(WORLD);
         browser.until("the ground",
-            () -> tab.isTrue("ground.terrain !== null && ground.terrain.picture.complete && ground.terrain.words(0, 0) !== ''"));
+            () -> tab.isTrue("ground.terrain !== null && ground.terrain.picture.complete && "
+                + "ground.terrain.words(0, 0) !== ''"));
         whole();
     }
 
     /** Makes the view show two kilometres. */
     private void whole() {
-        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); scope.view.x = scope.view.z = 0; "
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); scope.view.x = "
+            + "scope.view.z = 0; "
             + "scope.view.scale = 0.2; scope.view.chosen = scope.view.fitted = true; scope.view.redraw()");
     }
 
@@ -58,10 +62,12 @@ public class TerrainTabTest {
         double[] at = tab.toScreen(x, z);
         new Actions(browser.driver()).moveToElement(view, (int) Math.round(at[0] - view.getSize().width / 2.0),
             (int) Math.round(at[1] - view.getSize().height / 2.0)).perform();
-        browser.until("words under the pointer", () -> POINTED.matcher(browser.see(".sear-pointed").getText()).matches());
+        browser.until("words under the pointer", () -> POINTED.matcher(browser.see(".sear-pointed").getText())
+            .matches());
         Matcher words = POINTED.matcher(browser.see(".sear-pointed").getText());
         assertTrue(words.matches());
-        return new double[] {Double.parseDouble(words.group(1)), Double.parseDouble(words.group(2)), Double.parseDouble(words.group(3)),
+        return new double[] {Double.parseDouble(words.group(1)), Double.parseDouble(words.group(2)),
+            Double.parseDouble(words.group(3)),
             Double.parseDouble(words.group(4))};
     }
 

@@ -91,8 +91,10 @@ public class TourTest {
     private void seeInThePalette(String make) {
         browser.until(make + " in sight", () -> Boolean.TRUE.equals(browser.script(
             "var thing = document.querySelector('[data-make=\"' + arguments[0] + '\"].sear-marked');"
-            + "var inside = thing && thing.closest('.sear-inside').getBoundingClientRect(), at = thing && thing.getBoundingClientRect();"
-            + "return Boolean(thing) && at.top >= inside.top && at.bottom <= inside.bottom && at.bottom <= window.innerHeight", make)));
+            + "var inside = thing && thing.closest('.sear-inside').getBoundingClientRect(), at = thing && "
+            + "thing.getBoundingClientRect();"
+            + "return Boolean(thing) && at.top >= inside.top && at.bottom <= inside.bottom && at.bottom <= "
+                + "window.innerHeight", make)));
     }
 
     @Test
@@ -122,7 +124,8 @@ public class TourTest {
         onMap(view, 0.5, -1.5).click().perform();
         browser.seeText(".driver-popover-description", "That box is not in the rover's way. Drag it");
         assertEquals("still the same step", 5, tab.number("tour.step"), 0);
-        browser.until("a box that can be dragged", () -> tab.isTrue("edits.object && edits.object.type == 'Box' && building.found() !== null"));
+        browser.until("a box that can be dragged",
+            () -> tab.isTrue("edits.object && edits.object.type == 'Box' && building.found() !== null"));
         onMap(view, 0.5, -1.5).clickAndHold().perform();
         onMap(view, 0, 0.5).perform();
         onMap(view, 0, 1).release().perform();
@@ -144,7 +147,8 @@ public class TourTest {
         browser.until("the end of the tour", () -> tab.isTrue("tour.step === null"));
         browser.click("[data-make='rover']");
         browser.click(".sear-middle");
-        browser.until("a rover on its floor", () -> tab.isTrue("world.shown().robots.length == 1 && world.shown().objects.length == 1"));
+        browser.until("a rover on its floor",
+            () -> tab.isTrue("world.shown().robots.length == 1 && world.shown().objects.length == 1"));
         browser.until("the axis on the floor, too", () -> has(tab.colour(1.2, 0), 24, 8));
         browser.click(".sear-build");
         browser.until("no axis where nobody builds", () -> !has(tab.colour(1.2, 0), 24, 8));

@@ -13,7 +13,8 @@ public class JythonStartTest {
     public static void main(String[] none) {
         Runtime.getRuntime().addShutdownHook(new Thread(() -> {
             JythonStart.begin();
-            Thread.getAllStackTraces().keySet().stream().filter(thread -> thread.getName().equals("jython start")).forEach(thread -> {
+            Thread.getAllStackTraces().keySet().stream().filter(thread -> thread.getName().equals("jython start"))
+                .forEach(thread -> {
                 try {
                     thread.join();
                 } catch (InterruptedException e) {
@@ -25,7 +26,8 @@ public class JythonStartTest {
 
     @Test
     public void theEndOfTheProgramIsNoError() throws Exception {
-        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:TieredStopAtLevel=1", "-cp",
+        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-XX:TieredStopAtLevel=1", "-cp",
             System.getProperty("java.class.path"), JythonStartTest.class.getName()).redirectErrorStream(true).start();
         assertEquals("", new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
         assertEquals(0, process.waitFor());

@@ -17,9 +17,11 @@ public class ScriptThreadsTest {
     private static final int MANY = 50;
     private static final long PATIENCE_MILLIS = TimeUnit.MINUTES.toMillis(10);
     /** Python evaluates this condition on each new thread before the thread's own code. */
-    private static final String LATE = String.join("\n", "import threading", "class Late(object):", "    def __nonzero__(self):",
+    private static final String LATE = String.join("\n", "import threading", "class Late(object):",
+        "    def __nonzero__(self):",
         "        gate.await()", "        return False", "threading.settrace(Late())", "ran = []", "");
-    private static final String START = String.join("\n", "threads = [threading.Thread(target=ran.append, args=(i,)) for i in range(" + MANY + ")]",
+    private static final String START =
+        String.join("\n", "threads = [threading.Thread(target=ran.append, args=(i,)) for i in range(" + MANY + ")]",
         "for one in threads: one.start()", "");
 
     private final CountDownLatch gate = new CountDownLatch(1);
@@ -66,7 +68,8 @@ public class ScriptThreadsTest {
 
     @Test
     public void aThreadThatCanNotStartIsNotWaitedFor() throws InterruptedException {
-        run("import threading\none = threading.Thread(target=len, args=('',))\none.start()\none.join()\ntry:\n    one.start()\n"
+        run("import threading\none = threading.Thread(target=len, args=('',))\none.start()\none.join()\ntry:\n    "
+            + "one.start()\n"
             + "    raise ValueError('started twice')\nexcept RuntimeError:\n    pass\n");
         assertTrue(engine.finishThreads(PATIENCE_MILLIS));
     }

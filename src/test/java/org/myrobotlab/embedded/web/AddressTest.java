@@ -44,7 +44,8 @@ public class AddressTest {
             assertTrue(name, names.has(name, reached));
         }
         String own = InetAddress.getLocalHost().getHostName();
-        for (String name : List.of("localhost", "localhost:8902", "evil.example:8901", "", ":8901", own + ":8901", "192.168.1.5:8901",
+        for (String name : List.of("localhost", "localhost:8902", "evil.example:8901", "", ":8901", own + ":8901",
+            "192.168.1.5:8901",
             "localhost.:8901", "127.0.0.1:8901:8901", "[::1]evil:8901")) {
             assertFalse(name, names.has(name, reached));
         }
@@ -57,11 +58,13 @@ public class AddressTest {
         assertFalse(open.isLoopback());
         Address.Names names = open.names(PORT);
         InetAddress reached = number("192.168.1.5");
-        for (String name : List.of("192.168.1.5:8901", InetAddress.getLocalHost().getHostName() + ":8901", "localhost:8901")) {
+        for (String name : List.of("192.168.1.5:8901", InetAddress.getLocalHost().getHostName() + ":8901",
+            "localhost:8901")) {
             assertTrue(name, names.has(name, reached));
         }
         assertTrue(names.has("[fe80::1]:8901", number("fe80::1")));
-        for (String name : List.of("192.168.1.6:8901", "192.168.1.5", "evil.example:8901", "1.168.1.5.evil.example:8901", "[evil]:8901")) {
+        for (String name : List.of("192.168.1.6:8901", "192.168.1.5", "evil.example:8901",
+            "1.168.1.5.evil.example:8901", "[evil]:8901")) {
             assertFalse(name, names.has(name, reached));
         }
         assertTrue(open.url(PORT), open.url(PORT).matches("http://[^/]+:8901") && !open.url(PORT).contains("0.0.0.0"));
@@ -80,7 +83,8 @@ public class AddressTest {
         Address ported = Address.listen("0.0.0.0", "http://teacher:{port}/");
         assertEquals("http://teacher:8901", ported.url(PORT));
         assertTrue(ported.names(PORT).has("teacher:8901", reached));
-        for (String wrong : List.of("teacher", "ftp://teacher", "http://teacher/path", "http://me@teacher", "http://teacher?x", "http://",
+        for (String wrong : List.of("teacher", "ftp://teacher", "http://teacher/path", "http://me@teacher",
+            "http://teacher?x", "http://",
             "http://a b")) {
             assertThrows(wrong, IllegalArgumentException.class, () -> Address.listen(null, wrong));
         }
@@ -92,7 +96,8 @@ public class AddressTest {
         Address.listen("0.0.0.0", null);
         int port = FreePort.find();
         IOException refused = assertThrows(IOException.class, () -> new WebServer(port, List.of(), new Hub("hub")));
-        assertEquals("other computers could reach this server without a token: the server does not start", refused.getMessage());
+        assertEquals("other computers could reach this server without a token: the server does not start",
+            refused.getMessage());
         new ServerSocket(port).close();
         Token.require();
         new WebServer(port, List.of(), new Hub("hub")).stop();
@@ -104,7 +109,8 @@ public class AddressTest {
     @Test
     public void aTokenOfAFileIsLongAndPrivate() throws Exception {
         Path file = folder.getRoot().toPath().resolve("token");
-        for (String wrong : List.of("", "fifteen-letters", "with a space in it", "sixteen-letters-\u00e4", "x".repeat(201))) {
+        for (String wrong : List.of("", "fifteen-letters", "with a space in it", "sixteen-letters-\u00e4",
+            "x".repeat(201))) {
             Token.writePrivate(file, wrong + "\n");
             assertThrows(wrong, IllegalArgumentException.class, () -> Token.require(file));
         }

@@ -31,11 +31,15 @@ public class HostileExchangesFuzzTest {
     private static final int SHORT = 300;
     private static final int LONG = 70_000;
     private static final String[] METHODS = {"GET", "POST", "PUT", "get", "OPTIONS", "CONNECT", "\0", "G ET"};
-    private static final String[] PATHS = {"/", "/api/service/talker/tick", "/api/messages", "/api/service", "//", "/..%2f..%2fetc/passwd", "/%00",
+    private static final String[] PATHS = {"/", "/api/service/talker/tick", "/api/messages", "/api/service", "//",
+        "/..%2f..%2fetc/passwd", "/%00",
         "*", "http://localhost/", "/webjars/three.js/../", "/service/js/SEARGui.js"};
-    private static final String[] HEADERS = {"Content-Type: application/json", "Content-Length: 3", "Content-Length: -1",
-        "Content-Length: 99999999999", "Transfer-Encoding: chunked", "Expect: 100-continue", "Connection: Upgrade", "Upgrade: websocket",
-        "Upgrade: h2c", "Sec-WebSocket-Version: 13", "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==", "Origin: null", "Host: evil.example",
+    private static final String[] HEADERS = {"Content-Type: application/json", "Content-Length: 3",
+        "Content-Length: -1",
+        "Content-Length: 99999999999", "Transfer-Encoding: chunked", "Expect: 100-continue", "Connection: Upgrade",
+        "Upgrade: websocket",
+        "Upgrade: h2c", "Sec-WebSocket-Version: 13", "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==", "Origin: null",
+        "Host: evil.example",
         ": nothing", "Range: bytes=0-0,5-1", "Cookie: " + "c".repeat(9000)};
 
     @Rule
@@ -76,7 +80,8 @@ public class HostileExchangesFuzzTest {
         for (int i = 0; i < frames; i++) {
             byte[] frame = Server.frame(random.nextInt(256), text(random));
             if (random.nextInt(4) == 0) {
-                frame[1 + random.nextInt(Math.min(13, frame.length - 1))] = (byte) random.nextInt(256);    // its length or mask
+                // its length or mask
+                frame[1 + random.nextInt(Math.min(13, frame.length - 1))] = (byte) random.nextInt(256);
             }
             sendSome(page, frame, random);
         }
@@ -93,8 +98,10 @@ public class HostileExchangesFuzzTest {
     }
 
     private Socket request(Random random) throws IOException {
-        StringBuilder text = new StringBuilder(METHODS[random.nextInt(METHODS.length)]).append(' ').append(PATHS[random.nextInt(PATHS.length)])
-            .append(" HTTP/1.").append(random.nextInt(3)).append("\r\nHost: localhost:").append(server.port()).append("\r\n");
+        StringBuilder text = new StringBuilder(METHODS[random.nextInt(METHODS.length)]).append(' ')
+            .append(PATHS[random.nextInt(PATHS.length)])
+            .append(" HTTP/1.").append(random.nextInt(3)).append("\r\nHost: localhost:").append(server.port())
+            .append("\r\n");
         for (int i = random.nextInt(HEADERS.length); i > 0; i--) {
             text.append(HEADERS[random.nextInt(HEADERS.length)]).append(random.nextInt(20) == 0 ? "\n" : "\r\n");
         }

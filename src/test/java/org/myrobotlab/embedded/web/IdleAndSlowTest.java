@@ -61,7 +61,8 @@ public class IdleAndSlowTest {
         for (int i = 0; i < IDLE; i++) {
             Socket one = server.begin("GET /api/service/talker/getName", "");
             open.add(one);
-            assertEquals("HTTP/1.1 200", new String(one.getInputStream().readNBytes("HTTP/1.1 200".length()), StandardCharsets.US_ASCII));
+            assertEquals("HTTP/1.1 200", new String(one.getInputStream().readNBytes("HTTP/1.1 200".length()),
+                StandardCharsets.US_ASCII));
         }
         server.servesOthers();
     }
@@ -111,7 +112,8 @@ public class IdleAndSlowTest {
         List<Socket> pages = new ArrayList<>();
         for (int i = 0; i < MANY; i++) {
             Socket page = page();
-            page.getOutputStream().write(Server.frame(TEXT, bytes(CALL.replace("getName\"", "longText\",\"data\":[" + LENGTH + "]"))));
+            page.getOutputStream().write(Server.frame(
+                TEXT, bytes(CALL.replace("getName\"", "longText\",\"data\":[" + LENGTH + "]"))));
             pages.add(page);
         }
         server.talker().awaiting(MANY);
@@ -164,7 +166,8 @@ public class IdleAndSlowTest {
     @Test
     public void halfClosedConnections() throws Exception {
         for (int i = 0; i < IDLE; i++) {
-            Socket one = i % 3 == 0 ? page() : i % 3 == 1 ? server.connect() : server.begin("POST /api/service/talker/tick", "[", "Content-Length: 2",
+            Socket one = i % 3 == 0 ? page() : i % 3 == 1 ? server.connect()
+                : server.begin("POST /api/service/talker/tick", "[", "Content-Length: 2",
                 "Content-Type: application/json");
             open.add(one);
             if (i % 2 == 0) {
@@ -200,7 +203,8 @@ public class IdleAndSlowTest {
         try (Socket one = server.connect()) {
             one.setTcpNoDelay(true);
             for (int i = 0; i < calls; i++) {
-                Server.send(one, server.head("POST /api/service/talker/getName", "Content-Type: application/json", "Content-Length: 2") + "\r\n");
+                Server.send(one, server.head("POST /api/service/talker/getName", "Content-Type: application/json",
+                    "Content-Length: 2") + "\r\n");
                 spin(pauses.nextInt(100_000));
                 Server.send(one, "[");
                 spin(pauses.nextInt(100_000));

@@ -58,11 +58,13 @@ public class LoginTest {
             assertEquals("; Path=/; HttpOnly; SameSite=Strict", cookie.group(2));
             assertTrue(cookie.group(1), cookie.group(1).startsWith("sear-" + server.port() + "="));
             assertFalse("the token is nowhere in it", entered.contains(server.token().text()));
-            assertTrue(entered, entered.contains("Referrer-Policy: no-referrer") && entered.contains("Cache-Control: no-store"));
+            assertTrue(entered, entered.contains("Referrer-Policy: no-referrer")
+                && entered.contains("Cache-Control: no-store"));
         }
         String cookie = cookie(link(HERE, server.token().text()));
         assertEquals(200, server.status("GET /", "", cookie));
-        assertEquals(200, server.status("GET /mrl.js", "", "Cookie: a=b; " + cookie.substring("Cookie: ".length()) + "; c=d"));
+        assertEquals(200, server.status("GET /mrl.js", "", "Cookie: a=b; " + cookie.substring("Cookie: ".length())
+            + "; c=d"));
         assertEquals(200, server.status("POST /api/service/talker/tick", "[]", JSON, cookie, "Origin: " + own()));
         assertEquals("tick", server.talker().heard.take());
         try (Socket page = server.webSocket("/api/messages", "Origin: " + own(), cookie)) {
@@ -75,10 +77,13 @@ public class LoginTest {
     public void peopleGetTheLoginFormAndProgramsAnError() throws Exception {
         String asked = server.response(HERE, "GET /", "", HTML);
         assertEquals(401, status(asked));
-        assertTrue(asked, asked.contains("<form method=\"post\" action=\"/login\"") && asked.contains("role=\"alert\"></p>"));
+        assertTrue(asked, asked.contains("<form method=\"post\" action=\"/login\"")
+            && asked.contains("role=\"alert\"></p>"));
         assertTrue(asked, asked.contains("Content-Security-Policy: default-src 'none'"));
-        assertTrue(server.response(HERE, "GET /api/service", "", HTML).endsWith("send it in the header Authorization: Bearer TOKEN\n"));
-        for (String wrong : new String[] {link(HERE, "wrong"), form(HERE, "wrong"), link(HERE, ""), form(HERE, "%"), form(HERE, "%ff%00")}) {
+        assertTrue(server.response(HERE, "GET /api/service", "", HTML)
+            .endsWith("send it in the header Authorization: Bearer TOKEN\n"));
+        for (String wrong : new String[] {link(HERE, "wrong"), form(HERE, "wrong"), link(HERE, ""), form(HERE, "%"),
+            form(HERE, "%ff%00")}) {
             assertEquals(401, status(wrong));
             assertTrue(wrong, wrong.contains("This is not the token of this server."));
             assertFalse(wrong, wrong.contains("Set-Cookie"));
@@ -87,11 +92,16 @@ public class LoginTest {
 
     @Test
     public void withoutTheCookieNoPathLeadsIn() throws Exception {
-        for (String path : new String[] {"/", "/index.html", "/mrl.js", "/webjars/jquery/jquery.min.js", "/service/views/SEARGui.html", "//", "/./",
-            "/%2e/", "/login", "/login/../", "/login/", "/login;x", "/LOGIN", "/login%00", "/login/../api/service", "/%6cogin", "/api",
-            "/api/service", "//api//service", "/%61pi/service", "/api/service;token=" + server.token().text(), "/resource/..%2f..%2fetc/passwd",
-            "/../../etc/passwd", own() + "/", own() + "/api/service", "/?Token=" + server.token().text(), "/?token=a&token=" + server.token().text(),
-            "/?x=token=" + server.token().text(), "/index.html?token=" + server.token().text(), "/api/service?token=" + server.token().text()}) {
+        for (String path : new String[] {"/", "/index.html", "/mrl.js", "/webjars/jquery/jquery.min.js",
+            "/service/views/SEARGui.html", "//", "/./",
+            "/%2e/", "/login", "/login/../", "/login/", "/login;x", "/LOGIN", "/login%00", "/login/../api/service",
+            "/%6cogin", "/api",
+            "/api/service", "//api//service", "/%61pi/service", "/api/service;token=" + server.token().text(),
+            "/resource/..%2f..%2fetc/passwd",
+            "/../../etc/passwd", own() + "/", own() + "/api/service", "/?Token=" + server.token().text(),
+            "/?token=a&token=" + server.token().text(),
+            "/?x=token=" + server.token().text(), "/index.html?token=" + server.token().text(), "/api/service?token="
+                + server.token().text()}) {
             assertNotEquals(path, 200, server.status("GET " + path, "", HTML));
         }
         assertEquals(401, server.status("POST /api/service/talker/tick?token=" + server.token().text(), "[]", JSON));
@@ -105,8 +115,10 @@ public class LoginTest {
         String name = "sear-" + server.port();
         String right = cookie(link(HERE, server.token().text()));
         String value = right.substring(right.indexOf('=') + 1);
-        for (String wrong : new String[] {name + "=" + server.token().text(), name + "=", name, "sear=" + value, "=" + value,
-            "sear-" + (server.port() + 1) + "=" + value, name + "=" + server.token().cookie("sear-" + (server.port() + 1) + " " + HERE),
+        for (String wrong : new String[] {name + "=" + server.token().text(), name + "=", name, "sear=" + value,
+            "=" + value,
+            "sear-" + (server.port() + 1) + "=" + value, name + "=" + server.token()
+            .cookie("sear-" + (server.port() + 1) + " " + HERE),
             name + "=" + value + "x", name + "=\"" + value + "\""}) {
             assertEquals(wrong, 401, server.status("GET /", "", "Cookie: " + wrong));
             assertNull(server.webSocket("/api/messages", "Origin: " + own(), "Cookie: " + wrong));
@@ -123,7 +135,8 @@ public class LoginTest {
         String neighbour = "Origin: http://localhost:" + (server.port() + 1);
         assertEquals(403, server.status("POST /api/service/talker/tick", "[]", JSON, cookie, neighbour));
         assertEquals(403, server.status("GET /", "", cookie, neighbour));
-        assertEquals("what a form of a neighbour's page sends", 415, server.status("POST /api/service/talker/tick", "[]", FORM, cookie));
+        assertEquals("what a form of a neighbour's page sends", 415,
+            server.status("POST /api/service/talker/tick", "[]", FORM, cookie));
         assertNull(server.webSocket("/api/messages", neighbour, cookie));
         assertEquals(403, server.status("POST /login", "token=" + server.token().text(), FORM, neighbour));
         assertEquals(0, server.talker().heard.size());

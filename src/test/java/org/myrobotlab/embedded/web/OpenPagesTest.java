@@ -125,7 +125,8 @@ public class OpenPagesTest {
         WebServer server = new WebServer(port, List.of(), hub);
         XnioWorker stopping = Xnio.getInstance(OpenPagesTest.class.getClassLoader()).createWorker(OptionMap.EMPTY);
         try (ByteBufferPool buffers = new DefaultByteBufferPool(false, 1024)) {
-            WebSocketChannel page = WebSocketClient.connectionBuilder(stopping, buffers, URI.create("ws://127.0.0.1:" + port + "/api/messages"))
+            WebSocketChannel page = WebSocketClient.connectionBuilder(
+                stopping, buffers, URI.create("ws://127.0.0.1:" + port + "/api/messages"))
                 .setClientNegotiation(new WebSocketClientNegotiation(List.of(), List.of()) {
                     @Override
                     public void beforeRequest(Map<String, List<String>> headers) {

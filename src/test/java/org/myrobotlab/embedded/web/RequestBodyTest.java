@@ -31,7 +31,8 @@ public class RequestBodyTest {
     @Before
     public void start() throws IOException {
         port = FreePort.find();
-        server = Undertow.builder().addHttpListener(port, "127.0.0.1", exchange -> RequestBody.receive(exchange, this::take)).build();
+        server = Undertow.builder().addHttpListener(
+            port, "127.0.0.1", exchange -> RequestBody.receive(exchange, this::take)).build();
         server.start();
     }
 
@@ -42,7 +43,8 @@ public class RequestBodyTest {
 
     private void take(HttpServerExchange exchange, String body) {
         bodies.add(body);
-        callers.add(Arrays.stream(Thread.currentThread().getStackTrace()).map(StackTraceElement::getClassName).collect(Collectors.toList()));
+        callers.add(Arrays.stream(Thread.currentThread().getStackTrace()).map(StackTraceElement::getClassName)
+            .collect(Collectors.toList()));
         exchange.endExchange();
     }
 
@@ -59,7 +61,8 @@ public class RequestBodyTest {
                 assertEquals(body, bodies.poll(PATIENCE_SECONDS, TimeUnit.SECONDS));
                 List<String> caller = callers.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
                 assertNotNull(caller);
-                assertEquals(List.of(), caller.stream().filter(name -> name.contains("Receiver")).collect(Collectors.toList()));
+                assertEquals(List.of(), caller.stream().filter(name -> name.contains("Receiver"))
+                    .collect(Collectors.toList()));
                 assertEquals("", Server.body(socket.getInputStream()));
             }
         }

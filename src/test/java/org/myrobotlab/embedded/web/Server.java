@@ -103,7 +103,8 @@ final class Server extends ExternalResource {
     String response(String from, String request, String body, String... headers) throws IOException {
         try (Socket socket = connect(from)) {
             byte[] bytes = body.getBytes(StandardCharsets.UTF_8);
-            send(socket, head(request, headers) + "Connection: close\r\nContent-Length: " + bytes.length + "\r\n\r\n" + body);
+            send(socket, head(request, headers) + "Connection: close\r\nContent-Length: " + bytes.length
+                + "\r\n\r\n" + body);
             return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         }
     }
@@ -125,7 +126,8 @@ final class Server extends ExternalResource {
     int status(String request, String body, String... headers) throws IOException {
         try (Socket socket = connect()) {
             byte[] bytes = body.getBytes(StandardCharsets.UTF_8);
-            send(socket, head(request, headers) + "Connection: close\r\nContent-Length: " + bytes.length + "\r\n\r\n" + body);
+            send(socket, head(request, headers) + "Connection: close\r\nContent-Length: " + bytes.length
+                + "\r\n\r\n" + body);
             return Integer.parseInt(line(socket.getInputStream()).split(" ")[1]);
         }
     }
@@ -143,7 +145,8 @@ final class Server extends ExternalResource {
      */
     Socket webSocket(String path, String... headers) throws IOException {
         Socket socket = connect();
-        send(socket, head("GET " + path, headers) + "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+        send(socket, head("GET " + path, headers) + "Connection: Upgrade\r\nUpgrade: "
+            + "websocket\r\nSec-WebSocket-Version: 13\r\n"
             + "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
         boolean isOpen = line(socket.getInputStream()).startsWith("HTTP/1.1 101");
         if (!isOpen) {

@@ -58,7 +58,8 @@ public class SilentPagesTest {
     /** Answers a ping as an open page does; the error of its call shows that the server has received it. */
     private static void answer(Socket page) throws IOException {
         page.getOutputStream().write(Server.frame(PONG));
-        page.getOutputStream().write(Server.frame(TEXT, "{\"id\":1,\"name\":\"nobody\",\"method\":\"x\"}".getBytes(StandardCharsets.UTF_8)));
+        page.getOutputStream().write(Server.frame(TEXT, "{\"id\":1,\"name\":\"nobody\",\"method\":\"x\"}"
+            .getBytes(StandardCharsets.UTF_8)));
         assertTrue(Server.answer(page).contains("there is no service nobody"));
     }
 

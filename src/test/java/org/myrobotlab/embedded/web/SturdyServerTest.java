@@ -57,7 +57,8 @@ public class SturdyServerTest {
     public void slowBodiesDoNotBlockOthers() throws Exception {
         for (int i = 0; i < MANY; i++) {
             open.add(server.begin("POST /api/service/talker/publishNumber", "[", JSON, "Content-Length: 3"));
-            open.add(server.begin("POST /api/service/talker/publishNumber", "1\r\n[\r\n", JSON, "Transfer-Encoding: chunked"));
+            open.add(server.begin("POST /api/service/talker/publishNumber", "1\r\n[\r\n", JSON,
+                "Transfer-Encoding: chunked"));
         }
         server.servesOthers();
         Socket slow = open.get(0);
@@ -81,7 +82,8 @@ public class SturdyServerTest {
     @Test
     public void clientsThatNeverReadDoNotBlockOthers() throws Exception {
         for (int i = 0; i < MANY; i++) {
-            open.add(server.begin("POST /api/service/talker/longText", "[" + 8 * MEGABYTE + "]", JSON, "Content-Length: 9"));
+            open.add(server.begin("POST /api/service/talker/longText", "[" + 8 * MEGABYTE + "]", JSON,
+                "Content-Length: 9"));
         }
         server.talker().awaiting(MANY);
         server.servesOthers();
@@ -96,7 +98,8 @@ public class SturdyServerTest {
             try {
                 while (true) {
                     page.getOutputStream().write(Server.frame(TEXT,
-                        ("{\"id\":1,\"name\":\"talker\",\"method\":\"longText\",\"data\":[" + MEGABYTE + "]}").getBytes(StandardCharsets.UTF_8)));
+                        ("{\"id\":1,\"name\":\"talker\",\"method\":\"longText\",\"data\":[" + MEGABYTE + "]}")
+                            .getBytes(StandardCharsets.UTF_8)));
                 }
             } catch (IOException e) {
                 closed.countDown();
@@ -204,7 +207,8 @@ public class SturdyServerTest {
                 page.getOutputStream().write(Server.frame(TEXT, new byte[17 * MEGABYTE]));
                 page.getInputStream().readAllBytes();
             } catch (SocketException e) {
-                assertTrue(e.getMessage(), e.getMessage().contains("reset") || e.getMessage().contains("Broken pipe"));    // closed amid the message
+                // closed amid the message
+                assertTrue(e.getMessage(), e.getMessage().contains("reset") || e.getMessage().contains("Broken pipe"));
             }
             server.servesOthers();
         }
@@ -222,7 +226,8 @@ public class SturdyServerTest {
         }
         Socket page = server.webSocket();
         open.add(page);
-        page.getOutputStream().write(Server.frame(TEXT, "{\"id\":1,\"name\":\"talker\",\"method\":\"getName\"}".getBytes(StandardCharsets.UTF_8)));
+        page.getOutputStream().write(Server.frame(TEXT, "{\"id\":1,\"name\":\"talker\",\"method\":\"getName\"}"
+            .getBytes(StandardCharsets.UTF_8)));
         assertEquals("{\"id\":1,\"answer\":\"talker\"}", Server.answer(page));
     }
 
@@ -255,7 +260,8 @@ public class SturdyServerTest {
 
     @Test
     public void incompleteRequestsAreClosedForOthers() throws Exception {
-        String[] requests = {server.head("GET /", "Content-Length: 9"), server.head("GET /", "Host: elsewhere", "Content-Length: 9"),
+        String[] requests = {server.head("GET /", "Content-Length: 9"),
+            server.head("GET /", "Host: elsewhere", "Content-Length: 9"),
             server.head("POST /api/service/talker/tick", JSON, "Content-Length: 9")};
         long start = System.nanoTime();
         for (int i = 0; i < 2 * MOST_CONNECTIONS + MANY; i++) {
@@ -285,7 +291,8 @@ public class SturdyServerTest {
             open.add(server.connect());
         }
         server.servesOthers();
-        page.getOutputStream().write(Server.frame(TEXT, "{\"id\":1,\"name\":\"talker\",\"method\":\"getName\"}".getBytes(StandardCharsets.UTF_8)));
+        page.getOutputStream().write(Server.frame(TEXT, "{\"id\":1,\"name\":\"talker\",\"method\":\"getName\"}"
+            .getBytes(StandardCharsets.UTF_8)));
         assertEquals("{\"id\":1,\"answer\":\"talker\"}", Server.answer(page));
     }
 
@@ -293,7 +300,8 @@ public class SturdyServerTest {
     public void controlFramesAndMissingEndsOfMessagesAreHandled() throws Exception {
         Socket page = server.webSocket();
         open.add(page);
-        page.getOutputStream().write(Server.frame(FRAGMENT, "{\"id\":1,\"name\":\"talker\",".getBytes(StandardCharsets.UTF_8)));
+        page.getOutputStream().write(Server.frame(FRAGMENT, "{\"id\":1,\"name\":\"talker\","
+            .getBytes(StandardCharsets.UTF_8)));
         page.getOutputStream().write(Server.frame(PONG));
         page.getOutputStream().write(Server.frame(LAST, "\"method\":\"getName\"}".getBytes(StandardCharsets.UTF_8)));
         assertEquals("{\"id\":1,\"answer\":\"talker\"}", Server.answer(page));
@@ -307,20 +315,24 @@ public class SturdyServerTest {
         Socket page = server.webSocket();
         open.add(page);
         String nested = "[".repeat(60_000) + "]".repeat(60_000);
-        String[][] cases = {{"null", "not JSON for Map: null"}, {"7", "not JSON for Map"}, {nested, "nested more than 500 levels"},
+        String[][] cases = {{"null", "not JSON for Map: null"}, {"7", "not JSON for Map"},
+            {nested, "nested more than 500 levels"},
             {"{\"a\":" + nested + "}", "nested more than 500 levels"},
             {"{\"id\":" + DIGITS + "}", "number of more than 1000 digits"}, {"{}", "name of a message is null"},
-            {"{\"name\":7,\"method\":\"tick\"}", "name of a message is 7, legal: a string"}, {"{\"subscribe\":\"talker\"}", "topic of a"},
+            {"{\"name\":7,\"method\":\"tick\"}", "name of a message is 7, legal: a string"},
+            {"{\"subscribe\":\"talker\"}", "topic of a"},
             {"{\"name\":\"talker\",\"method\":\"tick\",\"data\":5}", "data of a message is not a list"}};
         for (String[] one : cases) {
             page.getOutputStream().write(Server.frame(TEXT, one[0].getBytes(StandardCharsets.UTF_8)));
             String answer = Server.answer(page);
-            assertTrue(one[0].substring(0, Math.min(30, one[0].length())) + " " + answer, answer.contains("\"error\"") && answer.contains(one[1]));
+            assertTrue(one[0].substring(0, Math.min(30, one[0].length())) + " " + answer, answer.contains("\"error\"")
+                && answer.contains(one[1]));
         }
         assertEquals(404, server.status("POST /api/service/talker/half", "null", JSON));
         assertEquals(404, server.status("POST /api/service/talker/half", nested, JSON));
         assertEquals(404, server.status("POST /api/service/talker/half", "{\"a\":1}", JSON));
-        assertEquals("a number that takes minutes to read", 404, server.status("POST /api/service/talker/half", "[" + DIGITS + "]", JSON));
+        assertEquals("a number that takes minutes to read", 404,
+            server.status("POST /api/service/talker/half", "[" + DIGITS + "]", JSON));
         server.servesOthers();
     }
 

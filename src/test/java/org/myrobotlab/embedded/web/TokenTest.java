@@ -47,7 +47,8 @@ public class TokenTest {
         String origin = "Origin: http://localhost:" + server.port();
         assertNull(server.webSocket("/api/messages", origin));
         assertNull(server.webSocket("/api/messages?token=wrong", origin));
-        assertNull("a token in an address gets into logs", server.webSocket("/api/messages?token=" + server.token().text(), origin));
+        assertNull("a token in an address gets into logs",
+            server.webSocket("/api/messages?token=" + server.token().text(), origin));
         String bearer = "Authorization: Bearer " + server.token().text();
         try (Socket page = server.webSocket("/api/messages", origin, bearer)) {
             assertNotNull(page);

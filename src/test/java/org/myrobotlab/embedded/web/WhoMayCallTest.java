@@ -43,7 +43,8 @@ public class WhoMayCallTest {
     public void programsAndOwnPagesCallByPostWithJson() throws Exception {
         assertEquals(200, post(JSON));
         ticked();
-        assertEquals(200, post(JSON + "; charset=utf-8", "Origin: " + own(), "Sec-Fetch-Site: same-origin", "Sec-Fetch-Mode: cors"));
+        assertEquals(200, post(JSON + "; charset=utf-8", "Origin: " + own(), "Sec-Fetch-Site: same-origin",
+            "Sec-Fetch-Mode: cors"));
         ticked();
         String byNumber = "127.0.0.1:" + server.port();
         assertEquals(200, post(JSON, "Host: " + byNumber, "Origin: http://" + byNumber));
@@ -53,7 +54,8 @@ public class WhoMayCallTest {
     @Test
     public void formsAndBeaconsCannotCall() throws Exception {
         assertEquals(415, post());
-        for (String type : new String[] {"application/x-www-form-urlencoded", "multipart/form-data; boundary=x", "text/plain",
+        for (String type : new String[] {"application/x-www-form-urlencoded", "multipart/form-data; boundary=x",
+            "text/plain",
             "text/plain; a=application/json", "application/jsonp", ""}) {
             assertEquals(type, 415, post("Content-Type: " + type));
         }
@@ -77,10 +79,13 @@ public class WhoMayCallTest {
         for (String site : new String[] {"none", "cross-site", "same-site"}) {
             assertEquals(site, 403, post(JSON, "Sec-Fetch-Site: " + site));
             assertEquals(site, 403, server.status("GET /api/service", "", "Sec-Fetch-Site: " + site));
-            assertNotEquals(site, 200, server.status("POST //api//service/talker/tick", "[]", JSON, "Sec-Fetch-Site: " + site));
+            assertNotEquals(site, 200, server.status("POST //api//service/talker/tick", "[]", JSON,
+                "Sec-Fetch-Site: " + site));
         }
-        assertEquals(403, server.status("GET /api/service", "", "Sec-Fetch-Site: same-origin", "Sec-Fetch-Mode: navigate"));
-        assertEquals("links to the pages work", 200, server.status("GET /", "", "Sec-Fetch-Site: cross-site", "Sec-Fetch-Mode: navigate"));
+        assertEquals(403, server.status("GET /api/service", "", "Sec-Fetch-Site: same-origin",
+            "Sec-Fetch-Mode: navigate"));
+        assertEquals("links to the pages work", 200,
+            server.status("GET /", "", "Sec-Fetch-Site: cross-site", "Sec-Fetch-Mode: navigate"));
     }
 
     @Test
@@ -104,8 +109,10 @@ public class WhoMayCallTest {
 
     @Test
     public void allOtherMethodsAreRefused() throws Exception {
-        for (String method : new String[] {"PUT", "DELETE", "HEAD", "TRACE", "OPTIONS", "PATCH", "CONNECT", "BREW", "post", "Get"}) {
-            for (String path : new String[] {TICK, "/api/service", "/", "/webjars/jquery/jquery.min.js", "/api/messages"}) {
+        for (String method : new String[] {"PUT", "DELETE", "HEAD", "TRACE", "OPTIONS", "PATCH", "CONNECT", "BREW",
+            "post", "Get"}) {
+            for (String path : new String[] {TICK, "/api/service", "/", "/webjars/jquery/jquery.min.js",
+                "/api/messages"}) {
                 assertEquals(method + " " + path, 405, server.status(method + " " + path, "[]", JSON));
             }
         }

@@ -90,7 +90,8 @@ public class MachineDelaysTest {
     /** @param seed of the delays; 0 for none */
     private String run(int seed, Path record) throws Exception {
         Path script = temporary.newFile("delays" + seed + ".py").toPath();
-        Files.write(script, ("seed = " + seed + "\nrecord = '" + record + "'\n" + SCRIPT).getBytes(StandardCharsets.UTF_8));
+        Files.write(script, ("seed = " + seed + "\nrecord = '" + record + "'\n" + SCRIPT)
+            .getBytes(StandardCharsets.UTF_8));
         assertTrue(python.execFile(script.toString()));
         for (String name : new String[] {"delayedLidar", "delayedLine", "sear"}) {
             Runtime.releaseService(name);
@@ -106,7 +107,8 @@ public class MachineDelaysTest {
         for (int seed = 1; seed <= 2; seed++) {
             Path other = temporary.getRoot().toPath().resolve("run" + seed + ".searlog");
             assertEquals("delays of seed " + seed, seen, run(seed, other));
-            assertArrayEquals("record with delays of seed " + seed, Files.readAllBytes(record), Files.readAllBytes(other));
+            assertArrayEquals("record with delays of seed " + seed, Files.readAllBytes(record),
+                Files.readAllBytes(other));
         }
     }
 }

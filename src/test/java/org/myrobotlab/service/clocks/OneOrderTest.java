@@ -40,7 +40,8 @@ public class OneOrderTest {
 
     @After
     public void release() {
-        for (String name : new String[] {"firstScanner", "secondScanner", "receiver", "board", "firstWheels", "secondWheels", "sear", "python"}) {
+        for (String name : new String[] {"firstScanner", "secondScanner", "receiver", "board", "firstWheels",
+            "secondWheels", "sear", "python"}) {
             Runtime.releaseService(name);
         }
         System.clearProperty("sear.project");

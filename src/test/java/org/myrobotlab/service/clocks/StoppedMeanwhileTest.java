@@ -105,7 +105,8 @@ public class StoppedMeanwhileTest {
                 sear.startSimulation();
                 letItRun();
                 sights.drainPermits();
-                assertTrue("all look while it stops", sights.tryAcquire(2 * PANELS, PATIENCE_SECONDS, TimeUnit.SECONDS));
+                assertTrue("all look while it stops",
+                    sights.tryAcquire(2 * PANELS, PATIENCE_SECONDS, TimeUnit.SECONDS));
                 sear.stopSimulation();
             }
             isDone.set(true);

@@ -70,7 +70,8 @@ public class WindowClockTest {
         long now = System.nanoTime();
         watcher.join();
         double real = (now - withoutWindow.get()) / NANOS;
-        assertTrue(simulated + " s are simulated, the window is there for " + real + " s at most", simulated <= real + Simulation.STEP);
+        assertTrue(simulated + " s are simulated, the window is there for " + real + " s at most", simulated <= real
+            + Simulation.STEP);
         sear.simSleep(0.2);
         assertTrue("time goes on", sear.getTime() > simulated);
     }

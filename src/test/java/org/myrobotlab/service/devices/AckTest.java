@@ -160,7 +160,8 @@ public class AckTest {
     public void openingThePortReturnsTheBoardInfoWithTheSameBytesEachTime() throws Exception {
         Map<Double, String> first = connect();
         assertEquals(first, connect());
-        assertTrue("and a second later again", first.get(first.keySet().stream().reduce(0.0, Math::max)).contains(INFO));
+        assertTrue("and a second later again", first.get(first.keySet().stream().reduce(0.0, Math::max))
+            .contains(INFO));
     }
 
     @Test(timeout = 120_000)

@@ -86,9 +86,11 @@ public class AttitudePortsTest {
         int number = sear.exportTcp(IMU_PORT, 0);
         try (Socket program = new Socket(InetAddress.getLoopbackAddress(), number)) {
             double[] angles = angles(program);
-            double[] expected = Arrays.stream(sear.getReading("razor").toString().split(",")).mapToDouble(Double::parseDouble).toArray();
+            double[] expected = Arrays.stream(sear.getReading("razor").toString().split(","))
+                .mapToDouble(Double::parseDouble).toArray();
             assertArrayEquals(expected, angles, 0.02);
-            assertEquals("as the compass", 0, Math.IEEEremainder(sear.getCompassResult("north") - angles[0], 360), 0.02);
+            assertEquals("as the compass", 0, Math.IEEEremainder(sear.getCompassResult("north") - angles[0],
+                360), 0.02);
             sear.power("razor", false);
             sear.simSleep(0.5);
             sear.power("razor", true);

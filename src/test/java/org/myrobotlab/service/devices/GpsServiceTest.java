@@ -31,8 +31,10 @@ import org.myrobotlab.service.Serial;
 /** The GPS service with a receiver that sends recordings of real ones. */
 public class GpsServiceTest {
     private static final String PORT = "/dev/test_gps";
-    private static final String SOUTH_CAROLINA = Nmea.sentence("GPGGA,120000.000,3336.6000,N,08051.8999,W,1,8,1.0,182.5,M,-33.0,M,,");
-    private static final String NO_FIX = "$GPGGA,235946.005,8960.000000,N,00000.000000,E,0,0,,137.000,M,13.000,M,,*49\r\n";
+    private static final String SOUTH_CAROLINA =
+        Nmea.sentence("GPGGA,120000.000,3336.6000,N,08051.8999,W,1,8,1.0,182.5,M,-33.0,M,,");
+    private static final String NO_FIX = "$GPGGA,235946.005,8960.000000,N,00000.000000,E,0,0,,137.000,M,"
+        + "13.000,M,,*49\r\n";
 
     private FarEnd receiver;
     private GPS gps;
@@ -58,7 +60,8 @@ public class GpsServiceTest {
     }
 
     private static void assertPosition(double[] expected, Object position, double tolerance) {
-        assertArrayEquals(expected, Arrays.stream((Double[]) position).mapToDouble(Double::doubleValue).toArray(), tolerance);
+        assertArrayEquals(expected, Arrays.stream((Double[]) position).mapToDouble(Double::doubleValue)
+            .toArray(), tolerance);
     }
 
     @Test
@@ -113,12 +116,15 @@ public class GpsServiceTest {
     @Test
     public void fencesAndDistancesNeedNoReceiver() {
         assertTrue(gps.checkInside(gps.setPointGeoFence(33.61, -80.865, 50), 33.6104, -80.865));
-        assertFalse(gps.checkInside(gps.setPointGeoFence(gps.setPoint(33.61, -80.865), 50), gps.setPoint(33.6106, -80.865)));
-        assertTrue(gps.checkInside(gps.setPolygonGeoFence(Arrays.asList(gps.setPoint(0, 0), gps.setPoint(10, 0), gps.setPoint(0, 10))), 1, 1));
+        assertFalse(gps.checkInside(gps.setPointGeoFence(gps.setPoint(33.61, -80.865), 50),
+            gps.setPoint(33.6106, -80.865)));
+        assertTrue(gps.checkInside(gps.setPolygonGeoFence(
+            Arrays.asList(gps.setPoint(0, 0), gps.setPoint(10, 0), gps.setPoint(0, 10))), 1, 1));
         assertEquals(111319.49, gps.calculateDistance(0, 10, 0, 11), 0.01);
         assertEquals(111319.49, gps.calculateDistance(gps.setPoint(0, 10), gps.setPoint(0, 11)), 0.01);
         assertEquals("the second point is None, legal: one of setPoint",
-            assertThrows(IllegalArgumentException.class, () -> gps.calculateDistance(gps.setPoint(0, 0), null)).getMessage());
+            assertThrows(IllegalArgumentException.class, () -> gps.calculateDistance(gps.setPoint(0, 0), null))
+                .getMessage());
         assertThrows(IllegalArgumentException.class, () -> gps.checkInside(null, 1, 1));
         assertThrows(IllegalArgumentException.class, () -> gps.convertNMEAToDegrees(null));
         assertEquals(-80.865, gps.convertNMEAToDegrees("-08051.9000"), 1e-9);
@@ -130,7 +136,8 @@ public class GpsServiceTest {
     public void aNewConnectionKnowsNothingOfTheFormer() throws Exception {
         gps.addListener("publishSentence", "positions", "onValue");
         gps.connect(PORT);
-        say("$GPGGA,1*00\r\n" + Nmea.sentence("PMTK705,AXN_1.30,0000,20090609,") + Nmea.sentence("GPZDA,071500,04,05,2026,00,00") + SOUTH_CAROLINA);
+        say("$GPGGA,1*00\r\n" + Nmea.sentence("PMTK705,AXN_1.30,0000,20090609,")
+            + Nmea.sentence("GPZDA,071500,04,05,2026,00,00") + SOUTH_CAROLINA);
         heard.await(3);
         assertTrue(heard.awaitStatus("has a fix"));
         assertEquals("MT3329", gps.getConfig().model);
@@ -147,7 +154,8 @@ public class GpsServiceTest {
         heard.await(4);
         String query = FarEnd.hex("$PMTK605*31\r\n".getBytes(StandardCharsets.US_ASCII));
         int queries = 0;
-        for (int pieces = 2; pieces <= 3 && queries < 2; pieces++) {    // commands sent in short succession may arrive in one piece
+        // commands sent in short succession may arrive in one piece
+        for (int pieces = 2; pieces <= 3 && queries < 2; pieces++) {
             queries = String.join(" ", receiver.await(pieces)).split(query, -1).length - 1;
         }
         assertEquals("the firmware is queried at each connection", 2, queries);
@@ -189,7 +197,8 @@ public class GpsServiceTest {
             assertEquals("the command is \"" + body + "\"" + legal,
                 assertThrows(IllegalArgumentException.class, () -> gps.sendCommand(body)).getMessage());
         }
-        assertEquals("the command is null" + legal, assertThrows(IllegalArgumentException.class, () -> gps.sendCommand(null)).getMessage());
+        assertEquals("the command is null" + legal,
+            assertThrows(IllegalArgumentException.class, () -> gps.sendCommand(null)).getMessage());
     }
 
     @Test
@@ -204,7 +213,8 @@ public class GpsServiceTest {
     public void theBaudRateIsSetWithTheReceiversOwnCommand() throws Exception {
         gps.connect(PORT, 38400);
         gps.setBaud(9600);
-        assertEquals(FarEnd.hex("$PMTK251,9600*17\r\n".getBytes(StandardCharsets.US_ASCII)), String.join(" ", receiver.await(1)));
+        assertEquals(FarEnd.hex("$PMTK251,9600*17\r\n".getBytes(StandardCharsets.US_ASCII)),
+            String.join(" ", receiver.await(1)));
         assertEquals(9600, gps.getConfig().baud);
     }
 
@@ -213,7 +223,8 @@ public class GpsServiceTest {
         gps.addListener("publishSentence", "positions", "onValue");
         gps.connect(PORT);
         say(SOUTH_CAROLINA);
-        assertEquals(FarEnd.hex("$PMTK605*31\r\n".getBytes(StandardCharsets.US_ASCII)), String.join(" ", receiver.await(1)));
+        assertEquals(FarEnd.hex("$PMTK605*31\r\n".getBytes(StandardCharsets.US_ASCII)),
+            String.join(" ", receiver.await(1)));
         say(Nmea.sentence("PMTK705,AXN_1.30,0000,20090609,"));
         heard.await(2);
         assertEquals("AXN_1.30", gps.getFirmware());
@@ -300,7 +311,8 @@ public class GpsServiceTest {
         gps.sendUbx("06 01 01 07 01");
         assertEquals("B5 62 06 01 03 00 01 07 01 13 51", receiver.await(3).get(2));
         gps.setBaud(115200);
-        assertEquals("B5 62 06 00 14 00 01 00 00 00 D0 08 00 00 00 C2 01 00 07 00 03 00 00 00 00 00 C0 7E", receiver.await(4).get(3));
+        assertEquals("B5 62 06 00 14 00 01 00 00 00 D0 08 00 00 00 C2 01 00 07 00 03 00 00 00 00 00 C0 7E",
+            receiver.await(4).get(3));
         receiver.send(Bytes.bytes("B5 62 05 00 02 00 06 8A 97 BC"));
         assertTrue(heard.awaitStatus("warn: testGps refused a command: message 06 8A"));
         byte[] version = Arrays.copyOf("EXT CORE 3.01 (107900)".getBytes(StandardCharsets.US_ASCII), 40);
@@ -315,9 +327,11 @@ public class GpsServiceTest {
     public void theRateIsSetWithTheReceiversOwnCommand() throws Exception {
         gps.connect(PORT);
         gps.setRate(5);
-        assertEquals(FarEnd.hex("$PMTK220,200*2C\r\n".getBytes(StandardCharsets.US_ASCII)), String.join(" ", receiver.await(1)));
+        assertEquals(FarEnd.hex("$PMTK220,200*2C\r\n".getBytes(StandardCharsets.US_ASCII)),
+            String.join(" ", receiver.await(1)));
         assertEquals("GPS rate is 20.0 Hz, legal for FV-M8: 0.1 to 5.0", refusal(() -> gps.setRate(20)));
-        assertTrue(refusal(() -> gps.sendUbx("06 0")).startsWith("UBX message is \"06 0\", legal: class, number and payload"));
+        assertTrue(refusal(() -> gps.sendUbx("06 0"))
+            .startsWith("UBX message is \"06 0\", legal: class, number and payload"));
         gps.setModel("NMEA");
         assertTrue(refusal(() -> gps.setRate(1)).contains("model NMEA takes no commands"));
     }

@@ -80,7 +80,8 @@ public class LidarModelsTest {
         long count = lidar.getScanCount();
         sear.simSleep(1);
         assertEquals(count, lidar.getScanCount());
-        assertTrue(heard.getStatuses().toString(), heard.getStatuses().stream().noneMatch(status -> status.toString().contains("error")));
+        assertTrue(heard.getStatuses().toString(), heard.getStatuses().stream()
+            .noneMatch(status -> status.toString().contains("error")));
     }
 
     private static double ahead(RangeScan scan) {
@@ -141,7 +142,8 @@ public class LidarModelsTest {
             fail("too wide");
         } catch (IllegalArgumentException e) {
             assertTrue(e.getMessage(),
-                e.getMessage().startsWith("scan mode is spread 270, resolution 0.25, legal: spread 1 to 240, resolution 0.35"));
+                e.getMessage().startsWith("scan mode is spread 270, resolution 0.25, legal: spread 1 to 240, "
+                    + "resolution 0.35"));
         }
     }
 
@@ -183,7 +185,8 @@ public class LidarModelsTest {
             lidar.setScanMode(361, 1);
             fail("more than a circle");
         } catch (IllegalArgumentException e) {
-            assertEquals("scan mode is spread 361, resolution 1.0, legal: spread 1 to 360, resolution 1 (standard) or 0.5 (express)", e.getMessage());
+            assertEquals("scan mode is spread 361, resolution 1.0, legal: spread 1 to 360, resolution 1 (standard) or "
+                + "0.5 (express)", e.getMessage());
         }
     }
 
@@ -197,7 +200,8 @@ public class LidarModelsTest {
             lidar.setModel("LMS200");
             fail("changed");
         } catch (IllegalStateException e) {
-            assertEquals("modelLidar is connected to a URG-04LX: disconnect() before setModel(\"LMS200\")", e.getMessage());
+            assertEquals("modelLidar is connected to a URG-04LX: disconnect() before setModel(\"LMS200\")",
+                e.getMessage());
         }
         try {
             lidar.setModel("URG");
@@ -209,7 +213,8 @@ public class LidarModelsTest {
             lidar.setBaud(9600);
             fail("no such rate");
         } catch (IllegalArgumentException e) {
-            assertEquals("LIDAR baud rate is 9600, legal: 19200, 38400, 57600, 115200, 250000, 500000, 750000", e.getMessage());
+            assertEquals("LIDAR baud rate is 9600, legal: 19200, 38400, 57600, 115200, 250000, 500000, 750000",
+                e.getMessage());
         }
         lidar.disconnect();
         lidar.setModel("LMS200");

@@ -27,8 +27,10 @@ import org.myrobotlab.service.lidar.RangeScan;
 @Category(Slow.class)
 public class LidarServiceTest {
     private static final String PORT = "/dev/test_lidar";
-    private static final String CONFIGURATION = "02 80 24 00 F4 00 00 70 00 00 00 01 00 00 02 02" + " 00".repeat(21) + " 02 00 10 3C FB";
-    private static final String CM_WRITTEN = "02 80 25 00 F7 01 00 00 70 00 00 00 00 00 00 02 02" + " 00".repeat(21) + " 02 00 10 65 1A";
+    private static final String CONFIGURATION = "02 80 24 00 F4 00 00 70 00 00 00 01 00 00 02 02" + " 00".repeat(21)
+        + " 02 00 10 3C FB";
+    private static final String CM_WRITTEN = "02 80 25 00 F7 01 00 00 70 00 00 00 00 00 00 02 02" + " 00".repeat(21)
+        + " 02 00 10 65 1A";
     private static final String STATUS = status("25", "8A 56");
     private static final String MODE_TAKEN = "06 02 80 03 00 A0 00 10 16 0A";
     private static final String SCAN = "06 02 80 0E 00 B0 05 40 00 00 01 00 E8 83 F7 1F FF 1F 10 D4 58";
@@ -52,7 +54,8 @@ public class LidarServiceTest {
 
     /** Returns the status of a device with 180 degrees by 0.5 in an operating mode. */
     private static String status(String mode, String crc) {
-        return "06 02 80 9A 00 B1" + " 00".repeat(7) + " " + mode + " 00".repeat(98) + " B4 00 32 00" + " 00".repeat(11) + " 01" + " 00".repeat(30)
+        return "06 02 80 9A 00 B1" + " 00".repeat(7) + " " + mode + " 00".repeat(98) + " B4 00 32 00" + " 00".repeat(11)
+            + " 01" + " 00".repeat(30)
             + " 10 " + crc;
     }
 
@@ -128,7 +131,8 @@ public class LidarServiceTest {
     public void theUnitIsSetThroughInstallationMode() throws Exception {
         answers.put("02 00 0A 00 20 00 53 49 43 4B 5F 4C 4D 53 BE C5", MODE_TAKEN);
         answers.put("02 00 02 00 20 25 35 08", MODE_TAKEN);
-        answers.put("02 00 23 00 77 00 00 70 00 00 00 00 00 00 02 02" + " 00".repeat(21) + " 02 00 41 B8", "06 " + CM_WRITTEN);
+        answers.put("02 00 23 00 77 00 00 70 00 00 00 00 00 00 02 02" + " 00".repeat(21) + " 02 00 41 B8",
+            "06 " + CM_WRITTEN);
         lidar.connect(PORT);
         lidar.setToCM();
         assertEquals("02 00 02 00 20 25 35 08", device.await(6).get(5));
@@ -265,7 +269,8 @@ public class LidarServiceTest {
             lidar.connect("/dev/nothing_here");
             fail("connected to nothing");
         } catch (IOException e) {
-            assertTrue(e.getMessage(), e.getMessage().matches("testLidar can't connect to port \"/dev/nothing_here\": .*; available ports: .*"
+            assertTrue(e.getMessage(), e.getMessage()
+                .matches("testLidar can't connect to port \"/dev/nothing_here\": .*; available ports: .*"
                 + PORT + ".*"));
             assertFalse(e.getMessage(), e.getMessage().matches(".*available ports: .*nothing_here.*"));
         }

@@ -79,7 +79,8 @@ public class OutdoorLidarTest {
         readsWhatTheScriptCallAnswers("LMS200", "mm", 0.00051, 8.182);
     }
 
-    private void readsWhatTheScriptCallAnswers(String model, String unit, double tolerance, double farthest) throws Exception {
+    private void readsWhatTheScriptCallAnswers(String model, String unit, double tolerance, double farthest)
+        throws Exception {
         org.myrobotlab.service.LIDAR lidar = connect(model);
         lidar.singleScan();
         sear.simSleep(3);

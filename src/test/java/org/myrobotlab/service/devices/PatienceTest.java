@@ -117,7 +117,8 @@ public class PatienceTest {
         lidar.addListener("publishLidarData", "python", "hangingScan");
         lidar.singleScan();
         sear.simSleep(1);
-        assertTrue(heard.awaitStatus("warn: a callback has been busy for more than 5 s: lock-step waits for it, 60 s at most"));
+        assertTrue(heard.awaitStatus("warn: a callback has been busy for more than 5 s: lock-step waits for it, "
+            + "60 s at most"));
         assertTrue(heard.awaitStatus("warn: a callback has been busy for more than 60 s: lock-step continues"));
         assertEquals("[]", String.valueOf(python.get("seen")));
         hang.countDown();

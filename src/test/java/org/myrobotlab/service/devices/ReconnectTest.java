@@ -96,7 +96,8 @@ public class ReconnectTest {
         lidar.singleScan();
         do {
             sear.simSleep(1); // by the clock the bytes also take real time
-        } while ((lidar.getScanCount() == scans || gps.getSentenceCount() == sentences) && System.nanoTime() < deadline);
+        } while ((lidar.getScanCount() == scans || gps.getSentenceCount() == sentences)
+            && System.nanoTime() < deadline);
         assertTrue(lidar.isConnected() && gps.isConnected());
         assertEquals("scans; said: " + heard.getStatuses(), scans + 1, lidar.getScanCount());
         assertTrue(gps.getSentenceCount() > sentences);
@@ -119,7 +120,8 @@ public class ReconnectTest {
         gps.addListener("publishStatus", "backStatus", "onStatus");
         saveReleaseAndLoad();
         assertFalse(lidar.isConnected() || gps.isConnected());
-        assertTrue(heard.awaitStatus("there is no port " + TestWorld.LIDAR_PORT + ": backLidar connects to it as soon as a simulation has it"));
+        assertTrue(heard.awaitStatus("there is no port " + TestWorld.LIDAR_PORT + ": backLidar connects to it as soon "
+            + "as a simulation has it"));
         assertTrue(heard.awaitStatus("there is no port " + TestWorld.GPS_PORT + ": backGps connects to it"));
         for (String peer : new String[] {"backLidar.serial", "backGps.serial"}) {
             assertNull(peer + " leaves that to them", Runtime.getService(peer).getLastError());
@@ -217,7 +219,8 @@ public class ReconnectTest {
             lidar = other;
             assertBothMeasure();
             lidar = first;
-            assertThrows("who has connected by a call stays", IOException.class, () -> lidar.connect(TestWorld.LIDAR_PORT, 38400));
+            assertThrows("who has connected by a call stays", IOException.class,
+                () -> lidar.connect(TestWorld.LIDAR_PORT, 38400));
             Runtime.releaseService("otherLidar");
             Runtime.releaseService("otherSerial");
             Runtime.releaseService("backSerial");

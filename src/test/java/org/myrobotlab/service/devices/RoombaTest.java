@@ -103,7 +103,8 @@ public class RoombaTest {
         roomba.disconnect();
         Roomba other = (Roomba) Runtime.start("other", "Roomba");
         other.goForward();
-        assertEquals("is not connected: call connect(port) first, then write Runtime.getService(\"serial\").connect(\"PORT\", 57600, 8, 1, 0)",
+        assertEquals("is not connected: call connect(port) first, then write "
+            + "Runtime.getService(\"serial\").connect(\"PORT\", 57600, 8, 1, 0)",
             other.getLastError().key);
     }
 }

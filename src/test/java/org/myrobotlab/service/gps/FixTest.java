@@ -67,7 +67,8 @@ public class FixTest {
         assertEquals(33.61, fix.latitude, 1e-9);
         assertEquals(-80.864998, fix.longitude, 1e-6);
         assertEquals(182.5, fix.altitude, 0);
-        assertEquals("-3336.6000", FixSentences.read("$GPGGA,1,3336.6000,S,08051.8999,E,1,8,1.0,182.5,M,-33.0,M,,*00").tokens[2]);
+        assertEquals("-3336.6000", FixSentences.read(
+            "$GPGGA,1,3336.6000,S,08051.8999,E,1,8,1.0,182.5,M,-33.0,M,,*00").tokens[2]);
     }
 
     @Test
@@ -104,7 +105,8 @@ public class FixTest {
         assertPosition(33.61, -80.865, null, 2, read("GPGGA,071500,3336.6,N,08051.9,W,2,,1.4,,M,,M"));
         assertNull(read("GPGGA,071500,3336.6,N,08051.9,W,2,,1.4,,M,,M").satellites);
         assertEquals("GGA has 12 fields, legal: 13 or more",
-            assertThrows(IllegalArgumentException.class, () -> read("GPGGA,071500,3336.6,N,08051.9,W,2,7,1.4,,M,")).getMessage());
+            assertThrows(IllegalArgumentException.class, () -> read("GPGGA,071500,3336.6,N,08051.9,W,2,7,1.4,,M,"))
+                .getMessage());
     }
 
     @Test
@@ -118,7 +120,8 @@ public class FixTest {
     @Test
     public void allTalkersAreRead() {
         for (String talker : new String[] {"GP", "GN", "GL", "GA", "GB", "BD", "QZ", "GI", "II", "IN"}) {
-            assertPosition(-8.5, 115.25, 12.5, 1, read(talker + "GGA,235959.99,0830.0000,S,11515.0000,E,1,05,2.0,12.5,M,,M,,"));
+            assertPosition(-8.5, 115.25, 12.5, 1,
+                read(talker + "GGA,235959.99,0830.0000,S,11515.0000,E,1,05,2.0,12.5,M,,M,,"));
         }
         assertNull("proprietary", read("PXGGA,235959.99,0830.0000,S,11515.0000,E,1,05,2.0,12.5,M,,M,,"));
     }
@@ -129,7 +132,8 @@ public class FixTest {
         assertPosition(-8.5, -115.25, null, 2, fix);
         assertEquals("101010.50", fix.utc);
         assertNull(fix.satellites);
-        assertEquals("[$GPRMC, 101010.50, -0830.0000, S, -11515.0000, W, 2, , , , M, , M, , ]", Arrays.toString(fix.tokens));
+        assertEquals("[$GPRMC, 101010.50, -0830.0000, S, -11515.0000, W, 2, , , , M, , M, , ]",
+            Arrays.toString(fix.tokens));
         assertPosition(8.5, 115.25, null, 1, read("GPRMC,101010,A,0830.0,N,11515.0,E,,"));
         assertFalse("warning", read("GPRMC,101010,V,0830.0,N,11515.0,E,,,010226,,,N").hasFix());
         assertFalse("mode N", read("GPRMC,101010,A,0830.0,N,11515.0,E,,,010226,,,N").hasFix());

@@ -78,7 +78,8 @@ public class GeoFenceTest {
     public void illegalValuesAreNamed() {
         assertEquals("latitude is 91.0, legal: -90.0 to 90.0 degrees", refusal(() -> at(91, 0)));
         assertEquals("longitude is NaN, legal: -180.0 to 180.0 degrees", refusal(() -> at(0, Double.NaN)));
-        assertEquals("radius of a geofence is -1.0, legal: a number above 0, in metres", refusal(() -> new CircleFence(at(0, 0), -1)));
+        assertEquals("radius of a geofence is -1.0, legal: a number above 0, in metres",
+            refusal(() -> new CircleFence(at(0, 0), -1)));
         assertTrue(refusal(() -> new CircleFence(null, 1)).startsWith("the centre of a geofence is None, legal: "));
         assertEquals("a geofence has 2 corners, legal: 3 or more", refusal(() -> polygon(0, 0, 1, 1)));
         assertEquals("a geofence has 0 corners, legal: 3 or more", refusal(() -> new PolygonFence(null)));

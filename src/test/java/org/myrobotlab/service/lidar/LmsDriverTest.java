@@ -71,11 +71,13 @@ public class LmsDriverTest {
     }
 
     private void askScan() {
-        driver.ask(new LmsRequest("a scan", LmsCommand.SCAN, () -> LmsCommand.SCAN.request().add(1), 813, 1, reply -> answers.add("scan")));
+        driver.ask(new LmsRequest("a scan", LmsCommand.SCAN, () -> LmsCommand.SCAN.request().add(1), 813, 1,
+            reply -> answers.add("scan")));
     }
 
     private void askMode() {
-        driver.ask(new LmsRequest("streaming", LmsCommand.MODE, () -> LmsCommand.MODE.request().add(OperatingMode.STREAM_ALL), 9, 3,
+        driver.ask(new LmsRequest("streaming", LmsCommand.MODE, () -> LmsCommand.MODE.request()
+            .add(OperatingMode.STREAM_ALL), 9, 3,
             reply -> answers.add("mode")));
     }
 

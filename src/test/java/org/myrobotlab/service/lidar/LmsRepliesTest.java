@@ -76,7 +76,8 @@ public class LmsRepliesTest {
         for (MeasuringMode mode : MeasuringMode.values()) {
             int nothing = mode.getNothingHit();
             Telegram telegram = new Telegram(Telegram.FROM_DEVICE,
-                LmsCommand.SCAN.reply().word(CountWord.whole(2, 1).toWord()).word(nothing).word(1234).add(StatusByte.OK).toBytes());
+                LmsCommand.SCAN.reply().word(CountWord.whole(2, 1).toWord()).word(nothing).word(1234).add(StatusByte.OK)
+                    .toBytes());
             RangeScan scan = LmsReplies.scan(telegram, mode, 1, 0);
             assertNull(mode.name(), scan.metres[0]);
             assertEquals(1.234, scan.metres[1], 1e-12);

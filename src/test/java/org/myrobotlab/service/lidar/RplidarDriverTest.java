@@ -26,7 +26,8 @@ public class RplidarDriverTest {
     private final FakeLine line = new FakeLine(115200);
     private final List<RangeScan> scans = new ArrayList<>();
     private final List<String> answers = new ArrayList<>();
-    private final RplidarDriver driver = new RplidarDriver(line, line, new int[] {115200}, turn -> scans.add(RplidarTurn.scan(turn, 360, 0)));
+    private final RplidarDriver driver = new RplidarDriver(line, line, new int[] {115200},
+        turn -> scans.add(RplidarTurn.scan(turn, 360, 0)));
 
     private void ask(RplidarCommand command, boolean wholeTurn) {
         driver.ask(new RplidarRequest(command.name(), command, wholeTurn, 1, bytes -> answers.add(command.name())));

@@ -18,10 +18,12 @@ import org.junit.Test;
 public class ScipDriverTest {
     private final FakeLine line = new FakeLine(19200);
     private final List<String> answers = new ArrayList<>();
-    private final ScipDriver driver = new ScipDriver(line, line, new int[] {19200, 115200}, scan -> answers.add("scan of " + scan.values(3).length));
+    private final ScipDriver driver = new ScipDriver(line, line, new int[] {19200, 115200},
+        scan -> answers.add("scan of " + scan.values(3).length));
 
     private void ask(String command) {
-        driver.ask(new ScipRequest(command, "", command, 20, 1, reply -> answers.add(reply.getEcho() + " " + reply.getStatus())));
+        driver.ask(new ScipRequest(command, "", command, 20, 1,
+            reply -> answers.add(reply.getEcho() + " " + reply.getStatus())));
     }
 
     private static byte[] bytes(String text) {
@@ -33,7 +35,8 @@ public class ScipDriverTest {
         ask("BM");
         ask("QT");
         assertEquals(1, line.sent.size());
-        driver.receive(new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(5).values(new int[] {1000}, Encoding.LONG).toBytes());
+        driver.receive(new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(5)
+            .values(new int[] {1000}, Encoding.LONG).toBytes());
         driver.receive(bytes("BM|02R||"));
         driver.receive(bytes("QT|00P||"));
         assertEquals("[scan of 1, BM 02, QT 00]", answers.toString());
@@ -48,7 +51,8 @@ public class ScipDriverTest {
         driver.receive(bytes("QT|00Q||"));
         line.pass(30, driver::tick);
         assertEquals(4, line.sent.size());
-        assertEquals("[no answer to QT after 3 tries at 19200 baud: is the LIDAR switched on, and is this its port and baud rate?]",
+        assertEquals("[no answer to QT after 3 tries at 19200 baud: is the LIDAR switched on, and is this its port "
+            + "and baud rate?]",
             line.errors.toString());
     }
 
@@ -68,14 +72,17 @@ public class ScipDriverTest {
         driver.receive(bytes("MD0384038401000|99b||"));
         assertEquals("[scan of 0]", answers.toString());
         answers.clear();
-        driver.receive(new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(5).values(new int[] {1000}, Encoding.SHORT).toBytes());
-        assertEquals("[the LIDAR sent an invalid reply to MD0384038401000: 2 characters of values of 3 each]", line.errors.toString());
+        driver.receive(new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(5)
+            .values(new int[] {1000}, Encoding.SHORT).toBytes());
+        assertEquals("[the LIDAR sent an invalid reply to MD0384038401000: 2 characters of values of 3 each]",
+            line.errors.toString());
     }
 
     @Test
     public void afterAnyBytesTheNextCommandIsAnswered() {
         Random random = new Random(Fuzz.SEED);
-        byte[] scan = new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(5).values(new int[] {1000}, Encoding.LONG).toBytes();
+        byte[] scan = new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(5)
+            .values(new int[] {1000}, Encoding.LONG).toBytes();
         byte[][] pieces = {scan, bytes("QT|00P||"), bytes("||"), bytes("MD|99b|"), bytes("|00P|")};
         byte[] block = new byte[1000];
         for (int done = 0; done < Fuzz.BYTES; done += block.length) {

@@ -90,8 +90,10 @@ public class LifeTest {
     /** Runs in a separate process, because MyRobotLab's shutdown may end it. */
     @Test
     public void shutDownWithAServerForOtherProgramsOpen() throws Exception {
-        Process process = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-Dsear.headless=true", "-Dsear.speed=1", "-cp",
-            System.getProperty("java.class.path"), ShutDownProbe.class.getName(), temporary.newFolder().getPath()).redirectErrorStream(true).start();
+        Process process = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-Dsear.headless=true",
+            "-Dsear.speed=1", "-cp",
+            System.getProperty("java.class.path"), ShutDownProbe.class.getName(), temporary.newFolder().getPath())
+            .redirectErrorStream(true).start();
         StringBuilder log = new StringBuilder();
         try (BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream()))) {
             int number = Integer.parseInt(lineThatBegins(ShutDownProbe.LISTENS, lines, log));

@@ -51,7 +51,8 @@ public class MissingLibraryTest {
         }
         assertTrue(jar + " is not on the class path anyway", there);
         path.add(LibraryProbe.class.getProtectionDomain().getCodeSource().getLocation());
-        try (URLClassLoader loader = new URLClassLoader(path.toArray(new URL[0]), ClassLoader.getPlatformClassLoader())) {
+        try (URLClassLoader loader = new URLClassLoader(path.toArray(new URL[0]),
+            ClassLoader.getPlatformClassLoader())) {
             ClassLoader before = Thread.currentThread().getContextClassLoader();
             Thread.currentThread().setContextClassLoader(loader);
             try {
@@ -67,8 +68,10 @@ public class MissingLibraryTest {
         List<?> heard = runWithout(jar);
         String all = heard.toString();
         assertTrue(all, heard.get(0).toString().startsWith("thrown: ") && all.contains("error: "));
-        for (String part : new String[] {type, "a library is missing or broken", "run \"sear install\" for this MyRobotLab again", "libraries/jar"}) {
-            assertTrue(part + " in " + all, heard.stream().skip(1).anyMatch(status -> status.toString().contains(part)));
+        for (String part : new String[] {type, "a library is missing or broken",
+            "run \"sear install\" for this MyRobotLab again", "libraries/jar"}) {
+            assertTrue(part + " in " + all, heard.stream().skip(1)
+                .anyMatch(status -> status.toString().contains(part)));
         }
         TestWorld.assertNoThreads();
     }

@@ -72,14 +72,16 @@ public class WindowLifeTest {
 
     private static List<String> threads() {
         List<String> names = new ArrayList<>(TestWorld.threads());
-        Thread.getAllStackTraces().keySet().stream().map(Thread::getName).filter(name -> name.startsWith("jME3")).forEach(names::add);
+        Thread.getAllStackTraces().keySet().stream().map(Thread::getName).filter(name -> name.startsWith("jME3"))
+            .forEach(names::add);
         return names;
     }
 
     private static void until(String what, BooleanSupplier condition) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
         while (!condition.getAsBoolean()) {
-            assertTrue("not within " + PATIENCE + " s: " + what + "; threads " + threads() + ", windows " + windows(), System.nanoTime() < end);
+            assertTrue("not within " + PATIENCE + " s: " + what + "; threads " + threads() + ", windows " + windows(),
+                System.nanoTime() < end);
             LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(20));
         }
     }
@@ -134,7 +136,8 @@ public class WindowLifeTest {
         Thread script = new Thread(() -> python.exec("driven = 0\nwhile True:\n  sear.drive(0.2, 1)\n  driven += 1\n"));
         python.exec("sear = Runtime.getService('sear')");
         script.start();
-        until("the script drives", () -> python.get("driven") instanceof Number && ((Number) python.get("driven")).intValue() > 10);
+        until("the script drives", () -> python.get("driven") instanceof Number && ((Number) python.get("driven"))
+            .intValue() > 10);
         sear.pause();
         Runtime.releaseService("sear");
         script.join(TimeUnit.SECONDS.toMillis(PATIENCE));

@@ -46,9 +46,11 @@ public class PanelFilesTest {
     @Test
     public void everyExampleProjectIsOfferedInTheTab() throws IOException {
         PanelFiles.install(root());
-        try (DirectoryStream<Path> examples = Files.newDirectoryStream(Paths.get(System.getProperty("sear.root", "."), "examples"), "*.sear")) {
+        try (DirectoryStream<Path> examples = Files.newDirectoryStream(
+            Paths.get(System.getProperty("sear.root", "."), "examples"), "*.sear")) {
             for (Path example : examples) {
-                assertArrayEquals(Files.readAllBytes(example), Files.readAllBytes(root().resolve("SEAR").resolve(example.getFileName())));
+                assertArrayEquals(Files.readAllBytes(example),
+                    Files.readAllBytes(root().resolve("SEAR").resolve(example.getFileName())));
             }
         }
     }
@@ -88,7 +90,8 @@ public class PanelFilesTest {
         installed();
         Files.writeString(root().resolve("WebGui/older.js"), "older");
         Files.writeString(root().resolve("WebGui/changed.js"), "mine");
-        Files.writeString(root().resolve(RECORD), "WebGui/older.js=" + sha256("older") + "\nWebGui/changed.js=" + sha256("older") + "\n");
+        Files.writeString(root().resolve(RECORD), "WebGui/older.js=" + sha256("older") + "\nWebGui/changed.js="
+            + sha256("older") + "\n");
         installed();
         assertFalse(Files.exists(root().resolve("WebGui/older.js")));
         assertEquals("mine", Files.readString(root().resolve("WebGui/changed.js")));
@@ -112,7 +115,8 @@ public class PanelFilesTest {
     private static String sha256(String text) {
         try {
             StringBuilder hex = new StringBuilder();
-            for (byte b : java.security.MessageDigest.getInstance("SHA-256").digest(text.getBytes(java.nio.charset.StandardCharsets.UTF_8))) {
+            for (byte b : java.security.MessageDigest.getInstance("SHA-256")
+                .digest(text.getBytes(java.nio.charset.StandardCharsets.UTF_8))) {
                 hex.append(String.format("%02x", b));
             }
             return hex.toString();

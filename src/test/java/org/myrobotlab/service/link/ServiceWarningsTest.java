@@ -34,8 +34,10 @@ public class ServiceWarningsTest {
         ServiceWarnings.publish((Service<?>) service, "%d crates lie in the way", 3);
         System.setErr(console);
         assertTrue(service.awaitStatus("warn: 3 crates lie in the way"));
-        List<String> lines = log.toString(StandardCharsets.UTF_8).lines().filter(line -> line.contains("3 crates lie")).collect(Collectors.toList());
+        List<String> lines = log.toString(StandardCharsets.UTF_8).lines().filter(line -> line.contains("3 crates lie"))
+            .collect(Collectors.toList());
         assertEquals(log.toString(StandardCharsets.UTF_8), 1, lines.size());
-        assertTrue(lines.get(0), lines.get(0).contains("WARN") && lines.get(0).endsWith("warned: 3 crates lie in the way"));
+        assertTrue(lines.get(0), lines.get(0).contains("WARN") && lines.get(0)
+            .endsWith("warned: 3 crates lie in the way"));
     }
 }

@@ -31,7 +31,8 @@ public class JupyterTest {
     private static final Path NOTEBOOK = ROOT.resolve("examples/python3/first_steps.ipynb");
     private static final String LIBRARIES = System.getProperty("sear.python3");
     private static final String JUPYTER = System.getProperty("sear.jupyter");
-    private static final String HOME = System.getProperty("sear.home.built", ROOT.resolve("build/install/sear").toString());
+    private static final String HOME = System.getProperty("sear.home.built", ROOT.resolve("build/install/sear")
+        .toString());
     private static final long PATIENCE_MINUTES = 10;
     private static final String SVG = "image/svg+xml";
 
@@ -44,7 +45,8 @@ public class JupyterTest {
         File output = temporary.newFile();
         List<String> command = new ArrayList<>(List.of("python3"));
         command.addAll(List.of(words));
-        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output);
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
+            .redirectOutput(output);
         List<String> modules = new ArrayList<>(packages);
         modules.add(ROOT.resolve("python/src").toString());
         modules.add(LIBRARIES);
@@ -54,7 +56,8 @@ public class JupyterTest {
         builder.environment().put("JUPYTER_PREFER_ENV_PATH", "0");
         Process process = builder.start();
         try {
-            assertTrue("it has not ended:\n" + Files.readString(output.toPath()), process.waitFor(PATIENCE_MINUTES, TimeUnit.MINUTES));
+            assertTrue("it has not ended:\n" + Files.readString(output.toPath()),
+                process.waitFor(PATIENCE_MINUTES, TimeUnit.MINUTES));
         } finally {
             process.descendants().forEach(ProcessHandle::destroyForcibly);
             process.destroyForcibly();
@@ -84,7 +87,8 @@ public class JupyterTest {
     @Test
     public void theNotebookReproducesItsOutputs() throws Exception {
         Path result = temporary.getRoot().toPath().resolve("result.ipynb");
-        run(List.of(JUPYTER), SCRIPTS.resolve("run_notebook.py").toString(), NOTEBOOK.toString(), temporary.newFolder().toString(),
+        run(List.of(JUPYTER), SCRIPTS.resolve("run_notebook.py").toString(), NOTEBOOK.toString(), temporary.newFolder()
+            .toString(),
             result.toString(), "2");
         List<JsonNode> there = outputs(NOTEBOOK);
         List<JsonNode> now = outputs(result);
@@ -101,13 +105,15 @@ public class JupyterTest {
         }
         assertEquals("two plans, a scan, a picture, two plots", 6, pictures);
         String all = now.toString();
-        assertTrue(all, all.contains("rover 0\u00b0") && all.contains("scanner: 181 beams, the nearest 1.13 m, straight ahead"));
+        assertTrue(all, all.contains("rover 0\u00b0")
+            && all.contains("scanner: 181 beams, the nearest 1.13 m, straight ahead"));
     }
 
     @Test
     public void anInterruptAbortsAWait() throws Exception {
         String said = run(List.of(JUPYTER), SCRIPTS.resolve("interrupted.py").toString());
-        for (String wait : List.of("simSleep(1000000) at speed max", "step(10000000) at speed max", "simSleep(1000000) at speed 5",
+        for (String wait : List.of("simSleep(1000000) at speed max", "step(10000000) at speed max",
+            "simSleep(1000000) at speed 5",
                 "time.sleep(1000000) at speed 5")) {
             assertTrue(said, said.contains(wait + " was interrupted\n"));
         }
@@ -127,7 +133,8 @@ public class JupyterTest {
         List<String> blocks = DocBlock.of("docs/notebooks.md", "python3");
         assertEquals(1, blocks.size());
         Path script = Files.writeString(temporary.newFile().toPath(), blocks.get(0)
-            + "import os\nassert os.path.getsize('plan.svg') and os.path.getsize('plan.png') and os.path.getsize('run.png')\n");
+            + "import os\nassert os.path.getsize('plan.svg') and os.path.getsize('plan.png') and "
+                + "os.path.getsize('run.png')\n");
         run(List.of(), script.toString());
     }
 }

@@ -28,7 +28,8 @@ import org.junit.rules.TemporaryFolder;
 public class Python3PackageTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final String LIBRARIES = System.getProperty("sear.python3");
-    private static final String HOME = System.getProperty("sear.home.built", ROOT.resolve("build/install/sear").toString());
+    private static final String HOME = System.getProperty("sear.home.built", ROOT.resolve("build/install/sear")
+        .toString());
     private static final long PATIENCE_MINUTES = 10;
 
     @Rule
@@ -43,7 +44,8 @@ public class Python3PackageTest {
         Path folder = temporary.newFolder().toPath();
         Files.createSymbolicLink(folder.resolve("examples"), ROOT.resolve("examples"));
         File output = temporary.newFile();
-        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output);
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
+            .redirectOutput(output);
         builder.environment().put("PYTHONPATH", String.join(File.pathSeparator, modules));
         builder.environment().put("SEAR_HOME", HOME);
         builder.environment().put("MPLBACKEND", "agg");
@@ -64,7 +66,8 @@ public class Python3PackageTest {
         List<String> modules = new ArrayList<>(List.of(libraries));
         modules.add(ROOT.resolve("python/src").toString());
         modules.add(LIBRARIES);
-        return run(List.of("python3", "-c", "import sear; sear.start(headless=True, speed='max'); from sear.__main__ import main; "
+        return run(List.of("python3", "-c", "import sear; sear.start(headless=True, speed='max'); from sear.__main__ "
+            + "import main; "
             + "import sys; sys.exit(main(sys.argv[1:]))", script.toString()), modules.toArray(new String[0]));
     }
 
@@ -95,8 +98,10 @@ public class Python3PackageTest {
 
     @Test
     public void itStartsFromTheClassArchive() throws Exception {
-        String classes = run(List.of("python3", "-c", "import os; os.environ['JAVA_OPTS'] += ' -Xlog:class+load'; import sear; "
-            + "sear.start(headless=True, speed='max'); sear.Runtime.start('sear', 'SEAR')"), ROOT.resolve("python/src").toString(), LIBRARIES);
+        String classes = run(List.of("python3", "-c", "import os; os.environ['JAVA_OPTS'] += ' -Xlog:class+load'; "
+            + "import sear; "
+            + "sear.start(headless=True, speed='max'); sear.Runtime.start('sear', 'SEAR')"), ROOT.resolve("python/src")
+                .toString(), LIBRARIES);
         assertTrue(classes, classes.contains(" org.myrobotlab.service.SEAR source: shared objects file"));
     }
 
@@ -117,7 +122,8 @@ public class Python3PackageTest {
     @Test
     public void everyExampleIsPython3() throws Exception {
         try (Stream<Path> files = Files.walk(ROOT.resolve("examples"))) {
-            List<String> scripts = files.filter(file -> file.toString().endsWith(".py")).map(Path::toString).sorted().collect(Collectors.toList());
+            List<String> scripts = files.filter(file -> file.toString().endsWith(".py")).map(Path::toString).sorted()
+                .collect(Collectors.toList());
             assertTrue(scripts.toString(), scripts.size() > 20);
             List<String> command = new ArrayList<>(List.of("python3", "-c",
                 "import sys\nfor one in sys.argv[1:]: compile(open(one, 'rb').read(), one, 'exec')"));
@@ -147,7 +153,8 @@ public class Python3PackageTest {
             + "def run(options):\n"
             + "    return subprocess.run([sys.executable, '-c', other % options], stderr=subprocess.PIPE, text=True)\n"
             + "refused = run('')\n"
-            + "assert refused.returncode == 1 and 'in use by process %d (' % os.getpid() in refused.stderr, refused.stderr\n"
+            + "assert refused.returncode == 1 and 'in use by process %d (' % os.getpid() in refused.stderr, "
+            + "refused.stderr\n"
             + "made = run(', project=\"elsewhere\"')\n"
             + "assert made.returncode == 0 and os.listdir('elsewhere/environment') == ['other.xml'], made.stderr\n"
             + "assert os.listdir('SEARproject/environment') == ['ground.xml']\n"));
@@ -166,10 +173,13 @@ public class Python3PackageTest {
         assertEquals(1, blocks.size());
         Path home = temporary.newFolder().toPath();
         Path program = Files.writeString(temporary.newFile().toPath(),
-            DocBlock.of("docs/python3.md", "python3").get(3).replace("connect()", "connect(int(__import__('sys').argv[1]))"));
-        Path script = Files.writeString(temporary.newFile().toPath(), blocks.get(0).replace("startPython3()", "startPython3(0)")
+            DocBlock.of("docs/python3.md", "python3").get(3)
+                .replace("connect()", "connect(int(__import__('sys').argv[1]))"));
+        Path script = Files.writeString(temporary.newFile().toPath(), blocks.get(0)
+            .replace("startPython3()", "startPython3(0)")
             + "import os, subprocess\nassert sear.startPython3() == port\n"
-            + "files = os.listdir(" + quoted(home.resolve(".sear")) + ")\nassert files == ['gateway-%d' % port], files\n"
+            + "files = os.listdir(" + quoted(home.resolve(".sear")) + ")\nassert files == ['gateway-%d' % "
+            + "port], files\n"
             + "assert os.stat(" + quoted(home.resolve(".sear")) + " + '/' + files[0]).st_mode & 0o077 == 0\n"
             + "print subprocess.check_output(['python3', " + quoted(program) + ", str(port)]).strip()\n"
             + "sear.stopPython3()\nassert os.listdir(" + quoted(home.resolve(".sear")) + ") == []\n"
@@ -190,11 +200,14 @@ public class Python3PackageTest {
 
     @Test
     public void anErrorEndsAScriptWithItsLineAndStatus() throws Exception {
-        Path script = Files.writeString(temporary.newFile().toPath(), "#!/usr/bin/env python3\nsear = Runtime.start('sear', 'SEAR')\n"
+        Path script = Files.writeString(temporary.newFile().toPath(),
+            "#!/usr/bin/env python3\nsear = Runtime.start('sear', 'SEAR')\n"
             + "print('begun')\nsear.getTime()\n");
         String said = run(1, sear(script), LIBRARIES);
-        assertEquals("begun\nTraceback (most recent call last):\n  File \"" + script + "\", line 4, in <module>\n    sear.getTime()\n"
-            + "sear.IllegalStateException: no simulation runs: startSimulation() first\n", said.replaceAll("(?m)^ *[\\^~]+\n", ""));
+        assertEquals("begun\nTraceback (most recent call last):\n  File \"" + script + "\", line 4, in <module>\n    "
+            + "sear.getTime()\n"
+            + "sear.IllegalStateException: no simulation runs: startSimulation() first\n",
+                said.replaceAll("(?m)^ *[\\^~]+\n", ""));
         Files.writeString(script, "#!/usr/bin/env python3\nimport sys\nsys.exit(7)\n");
         run(7, sear(script), LIBRARIES);
         String missing = run(1, sear(script));
@@ -205,13 +218,15 @@ public class Python3PackageTest {
     @Test
     public void theEditorRunsPython3AndStopsIt() throws Exception {
         Path script = Files.writeString(temporary.newFile().toPath(), String.join("\n",
-            "import os, time", "from java.lang import Thread", "run = getattr(python, 'exec')", "first = '#!/usr/bin/env python3\\n'",
+            "import os, time", "from java.lang import Thread", "run = getattr(python, 'exec')",
+            "first = '#!/usr/bin/env python3\\n'",
             "print run(first + 'print(f\"{1 + 1} by Python 3\")')",
             "print run(first + 'raise ValueError(\"so\")')",
             "print run(first + 'import time\\nopen(\"begun.txt\", \"w\").close()\\nwhile True: time.sleep(1)', False)",
             "while not os.path.exists('begun.txt'): time.sleep(0.01)",
             "print python.stop()",
-            "while [one for one in Thread.getAllStackTraces().keySet() if one.getName() == 'python_script']: time.sleep(0.01)",
+            "while [one for one in Thread.getAllStackTraces().keySet() if one.getName() == 'python_script']: "
+            + "time.sleep(0.01)",
             "print 'stopped'"));
         String said = run(sear(script), LIBRARIES);
         assertTrue(said, said.startsWith("2 by Python 3\nTrue\n"));
@@ -253,13 +268,16 @@ public class Python3PackageTest {
         assertEquals(2, commands.size());
         Path script = Files.writeString(sources.resolve("plot.py"), DocBlock.of("docs/python3.md", "python3").get(0)
             + "import sys\nassert sys.modules['sear'].__file__.startswith(sys.prefix), sys.modules['sear']\n");
-        run(List.of("sh", "-e", "-c", "cd " + sources + "\nexport PIP_QUIET=1 PIP_DISABLE_PIP_VERSION_CHECK=1\nunset SEAR_HOME\n"
-            + String.join("\n", commands) + "\nln -s " + ROOT.resolve("examples") + " .\nvenv/bin/python " + script + "\ntest -s scan.png"));
+        run(List.of("sh", "-e", "-c", "cd " + sources
+            + "\nexport PIP_QUIET=1 PIP_DISABLE_PIP_VERSION_CHECK=1\nunset SEAR_HOME\n"
+            + String.join("\n", commands) + "\nln -s " + ROOT.resolve("examples") + " .\nvenv/bin/python " + script
+                + "\ntest -s scan.png"));
     }
 
     private static void copy(Path from, Path to) throws IOException {
         try (Stream<Path> files = Files.walk(from)) {
-            for (Path file : files.filter(one -> !from.relativize(one).startsWith("build") && !one.toString().contains("egg-info")
+            for (Path file : files.filter(one -> !from.relativize(one).startsWith("build") && !one.toString()
+                .contains("egg-info")
                     && !one.toString().contains("__pycache__")).collect(Collectors.toList())) {
                 Files.copy(file, to.resolve(from.relativize(file).toString()));
             }

@@ -26,13 +26,16 @@ import org.junit.Test;
  */
 public class CallbackNamesTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
-    private static final Pattern LISTENER = Pattern.compile("(\\w+)\\.addListener\\([\"'](\\w+)[\"'],\\s*[^,]+,\\s*[\"'](\\w+)[\"']");
+    private static final Pattern LISTENER =
+        Pattern.compile("(\\w+)\\.addListener\\([\"'](\\w+)[\"'],\\s*[^,]+,\\s*[\"'](\\w+)[\"']");
     private static final Pattern ANY_LISTENER = Pattern.compile("\\.addListener\\(|(?<!msg)\\.subscribe\\(");
-    private static final Pattern SERVICE = Pattern.compile("(\\w+) = Runtime\\.(?:start|createAndStart)\\(\"([^\"]+)\"");
+    private static final Pattern SERVICE =
+        Pattern.compile("(\\w+) = Runtime\\.(?:start|createAndStart)\\(\"([^\"]+)\"");
     private static final Pattern CODE_BLOCK = Pattern.compile("```python\n(.*?)```", Pattern.DOTALL);
     private static final Pattern JAVADOC = Pattern.compile("<pre>\n(.*?)</pre>", Pattern.DOTALL);
     /** Listings printed with the callback {@code input} in the dissertation. */
-    private static final List<String> PRINTED_WITH_INPUT = Arrays.asList("scripts/listing05.py", "scripts/listing06.py");
+    private static final List<String> PRINTED_WITH_INPUT =
+        Arrays.asList("scripts/listing05.py", "scripts/listing06.py");
 
     /** All code that adds listeners or may do so, by file. */
     private final Map<String, String> code = new TreeMap<>();
@@ -70,8 +73,10 @@ public class CallbackNamesTest {
     private void add(String where, String ending, Pattern part) throws IOException {
         try (Stream<Path> files = Files.walk(ROOT.resolve(where))) {
             for (Path file : files.filter(each -> each.toString().endsWith(ending)).collect(Collectors.toList())) {
-                String parts = part.matcher(Files.readString(file)).results().map(found -> found.group(1)).collect(Collectors.joining("\n"));
-                code.put(ROOT.relativize(file).toString().replace('\\', '/'), parts.replaceAll("(?m)(?<!['\"])#.*$", ""));
+                String parts = part.matcher(Files.readString(file)).results().map(found -> found.group(1))
+                    .collect(Collectors.joining("\n"));
+                code.put(ROOT.relativize(file).toString().replace('\\', '/'),
+                    parts.replaceAll("(?m)(?<!['\"])#.*$", ""));
             }
         }
     }
@@ -79,7 +84,8 @@ public class CallbackNamesTest {
     private void addListeners(String file, String text) {
         Matcher call = LISTENER.matcher(text);
         while (call.find()) {
-            listeners.add(new Listener(file, serviceOf(call.group(1), text.substring(0, call.start())) + "." + call.group(2), call.group(3)));
+            listeners.add(new Listener(file, serviceOf(call.group(1), text.substring(0, call.start())) + "."
+                + call.group(2), call.group(3)));
         }
     }
 
@@ -97,7 +103,8 @@ public class CallbackNamesTest {
     public void everyListenerIsSeen() {
         long calls = code.values().stream().flatMap(text -> ANY_LISTENER.matcher(text).results()).count();
         assertEquals(listeners.toString(), calls, listeners.size());
-        for (String file : new String[] {"README.md", "docs/scripting.md", "scripts/demo.py", "scripts/listing08.py", "scripts/listing10.py",
+        for (String file : new String[] {"README.md", "docs/scripting.md", "scripts/demo.py", "scripts/listing08.py",
+            "scripts/listing10.py",
             "resources/templates/controller.py", "resources/templates/userCode.py", "resources/resource/LIDAR/LIDAR.py",
             "resources/resource/GPS/GPS.py", "src/main/java/org/myrobotlab/service/LIDAR.java"}) {
             assertTrue(file + " is not in " + listeners, listeners.stream().anyMatch(one -> one.file.equals(file)));
@@ -108,7 +115,8 @@ public class CallbackNamesTest {
     public void noTwoListenersShareACallback() {
         List<String> shared = new ArrayList<>();
         for (Listener one : listeners) {
-            listeners.stream().filter(other -> other != one && other.callback.equals(one.callback) && !isPrinted(one, other))
+            listeners.stream().filter(other -> other != one && other.callback.equals(one.callback)
+                && !isPrinted(one, other))
                 .forEach(other -> shared.add(one + ", and " + other));
         }
         assertEquals("[]", shared.toString());
@@ -125,7 +133,8 @@ public class CallbackNamesTest {
     public void noPublisherCallsTwo() {
         List<String> twice = new ArrayList<>();
         for (Listener one : listeners) {
-            listeners.stream().filter(other -> other.publisher.equals(one.publisher) && !other.callback.equals(one.callback))
+            listeners.stream().filter(other -> other.publisher.equals(one.publisher)
+                && !other.callback.equals(one.callback))
                 .forEach(other -> twice.add(one + ", and " + other));
         }
         assertEquals("[]", twice.toString());
@@ -136,7 +145,8 @@ public class CallbackNamesTest {
     public void callbackNamesAreUnique() {
         List<String> taken = new ArrayList<>();
         for (Listener one : listeners) {
-            Pattern own = Pattern.compile("(?m)^\\s*((def|class)\\s+NAME\\b|NAME\\s*=)|\\bas NAME\\b".replace("NAME", one.callback));
+            Pattern own = Pattern.compile("(?m)^\\s*((def|class)\\s+NAME\\b|NAME\\s*=)|\\bas NAME\\b"
+                .replace("NAME", one.callback));
             code.forEach((file, text) -> {
                 boolean printed = one.callback.equals("input") && PRINTED_WITH_INPUT.contains(file);
                 if (!file.equals(one.file) && !printed && own.matcher(text).find()) {
@@ -150,10 +160,12 @@ public class CallbackNamesTest {
     @Test
     public void listingsThatUseInputStateItInTheirFirstLines() throws IOException {
         for (String file : PRINTED_WITH_INPUT) {
-            String head = Files.readAllLines(ROOT.resolve(file)).stream().takeWhile(line -> line.startsWith("#")).collect(Collectors.joining(" "));
+            String head = Files.readAllLines(ROOT.resolve(file)).stream().takeWhile(line -> line.startsWith("#"))
+                .collect(Collectors.joining(" "));
             assertTrue(head, head.contains("keeps its name input"));
         }
-        assertEquals(PRINTED_WITH_INPUT, listeners.stream().filter(one -> one.callback.equals("input")).map(one -> one.file)
+        assertEquals(PRINTED_WITH_INPUT, listeners.stream().filter(one -> one.callback.equals("input"))
+            .map(one -> one.file)
             .distinct().collect(Collectors.toList()));
     }
 }

@@ -57,7 +57,8 @@ public class ClockTrapTest {
     public void aSleepWithoutSimulatedTimeIsReportedOnce() throws Exception {
         sear.setLockStep(true);
         sear.startSimulation();
-        assertTrue(python.exec(String.format(SLEEP, "heard.getStatuses().toString().count(\"by the computer's clock\")")));
+        assertTrue(python.exec(String.format(
+            SLEEP, "heard.getStatuses().toString().count(\"by the computer's clock\")")));
         assertEquals(1, warnings());
         assertTrue(python.exec("from java.util.concurrent import TimeUnit\nTimeUnit.MILLISECONDS.sleep(700)"));
         assertEquals(1, warnings());
@@ -68,9 +69,11 @@ public class ClockTrapTest {
         sear.setLockStep(true);
         sear.startSimulation();
         assertTrue(String.valueOf(python.getLastError()), python.exec("import time\nend = time.time() + 60\n"
-            + "while sear.getTime() < 5 and not heard.getStatuses().toString().count('busy at') and time.time() < end:\n    pass\n"));
+            + "while sear.getTime() < 5 and not heard.getStatuses().toString().count('busy at') and time.time() < "
+                + "end:\n    pass\n"));
         String said = heard.getStatuses().stream().filter(one -> one.contains("busy at")).findFirst().orElse("nothing");
-        assertTrue(said, said.contains("simulated time has stood still for 2 s while the script is busy at line 3 of <script>")
+        assertTrue(said, said.contains("simulated time has stood still for 2 s while the script is busy at line "
+            + "3 of <script>")
             || said.contains("busy at line 4 of <script>"));
         assertTrue(said, said.contains("sear.simSleep(seconds)"));
     }

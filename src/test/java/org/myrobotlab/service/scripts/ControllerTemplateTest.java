@@ -22,7 +22,8 @@ import org.myrobotlab.service.Serial;
 /** The controller template answers as in the chips' data sheets and loses no request. */
 @Category(Slow.class)
 public class ControllerTemplateTest {
-    private static final Path TEMPLATE = Paths.get(System.getProperty("sear.root", "."), "resources/templates/controller.py");
+    private static final Path TEMPLATE = Paths.get(System.getProperty("sear.root", "."),
+        "resources/templates/controller.py");
     private static final String USER_PORT = "/dev/user_CONTROLLER_01";
 
     private Python python;

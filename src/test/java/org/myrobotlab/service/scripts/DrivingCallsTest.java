@@ -119,7 +119,8 @@ public class DrivingCallsTest {
         assertArrayEquals(sear.getLidarResult("scanner"), (float[]) sear.getReading("scanner"), 0);
         assertArrayEquals(sear.getGpsResult("receiver"), (double[]) sear.getReading("receiver"), 0);
         assertEquals(sear.getAccelResult("accel"), sear.getReading("accel"));
-        String[][] units = {{"ping", "m"}, {"scanner", "m"}, {"receiver", "deg, deg, m"}, {"compass", "deg"}, {"accel", "m/s2"}, {"gyro", "rad/s"}};
+        String[][] units = {{"ping", "m"}, {"scanner", "m"}, {"receiver", "deg, deg, m"}, {"compass", "deg"},
+            {"accel", "m/s2"}, {"gyro", "rad/s"}};
         for (String[] unit : units) {
             assertEquals(unit[0], unit[1], sear.getSensorUnit(unit[0]));
         }
@@ -131,10 +132,14 @@ public class DrivingCallsTest {
 
     @Test
     public void illegalArgumentsAreReportedWithTheLegalRange() {
-        assertEquals("driveStraight: speed is NaN, legal: -100.0 to 100.0 m/s", refused(() -> sear.driveStraight(Double.NaN)));
-        assertEquals("spin: speed is 1.0E9, legal: -3600.0 to 3600.0 degrees per second", refused(() -> sear.spin(1e9)));
-        assertEquals("setWheelSpeeds: right is -101.0, legal: -100.0 to 100.0 m/s", refused(() -> sear.setWheelSpeeds(0, -101)));
-        assertEquals("drive: radius is NaN, legal: metres, + to the left, 0 or infinity", refused(() -> sear.drive(1, Double.NaN)));
+        assertEquals("driveStraight: speed is NaN, legal: -100.0 to 100.0 m/s",
+            refused(() -> sear.driveStraight(Double.NaN)));
+        assertEquals("spin: speed is 1.0E9, legal: -3600.0 to 3600.0 degrees per second",
+            refused(() -> sear.spin(1e9)));
+        assertEquals("setWheelSpeeds: right is -101.0, legal: -100.0 to 100.0 m/s",
+            refused(() -> sear.setWheelSpeeds(0, -101)));
+        assertEquals("drive: radius is NaN, legal: metres, + to the left, 0 or infinity",
+            refused(() -> sear.drive(1, Double.NaN)));
         assertEquals("there is no robot \"rover\"; robots: roomba", refused(() -> sear.spin("rover", 10)));
         assertTrue(refused(() -> sear.getReading("pong")).contains("ping"));
         assertTrue(refused(() -> sear.getSensorUnit("pong")).contains("ping"));

@@ -59,7 +59,8 @@ public class EditCallsTest {
         assertEquals("add box1", sear.getEdits().get("undo"));
         String refusal = assertThrows(IllegalStateException.class,
             () -> sear.edit(Map.of("do", "set", "object", "box1", "set", Map.of("mass", -1)))).getMessage();
-        assertEquals("environment/box1.xml: mass is \"-1\", legal: 0, or a number from 0.000001 to 1000000 kg", refusal);
+        assertEquals("environment/box1.xml: mass is \"-1\", legal: 0, or a number from 0.000001 "
+            + "to 1000000 kg", refusal);
         assertEquals("1", ((Map<?, ?>) sear.getProjectObject("box1").get("values")).get("x"));
         assertTrue(sear.getProjectObject("box7").get("gone").toString().contains("box7"));
     }
@@ -79,7 +80,8 @@ public class EditCallsTest {
     @Test
     public void panelsGetErrorsAsAnswers() throws Exception {
         Edits edits = new Edits();
-        Map<String, Object> answer = edits.attempt(Map.of("do", "set", "object", "wall", "set", Map.of("mass", "heavy"), "page", "a"));
+        Map<String, Object> answer = edits.attempt(
+            Map.of("do", "set", "object", "wall", "set", Map.of("mass", "heavy"), "page", "a"));
         assertEquals(false, answer.get("done"));
         assertEquals("a", answer.get("page"));
         Problem problem = (Problem) ((List<?>) answer.get("problems")).get(0);
@@ -101,7 +103,8 @@ public class EditCallsTest {
         assertNull(sear.undo().get("note"));
         sear.simSleep(0.1);
         assertEquals(TestWorld.WALL - 0.15, sear.getDistanceResult("ping"), 0.02);
-        assertNull(sear.edit(Map.of("do", "set", "object", "roomba/drive", "set", Map.of("x", 3, "ry", 90))).get("note"));
+        assertNull(sear.edit(Map.of("do", "set", "object", "roomba/drive", "set", Map.of("x", 3, "ry", 90)))
+            .get("note"));
         sear.simSleep(0.5);
         assertEquals(3, sear.getPose("roomba")[0], 0.01);
         assertEquals("a simulation runs: this takes effect at its next start",
@@ -119,14 +122,17 @@ public class EditCallsTest {
         assertNull(sear.edit(Map.of("do", "set", "object", "roomba/drive", "set", Map.of("ry", 90))).get("note"));
         sear.simSleep(0.5);
         double height = sear.getPose("roomba")[1];
-        double start = Double.parseDouble(String.valueOf(((Map<?, ?>) sear.getProjectObject("roomba").get("values")).get("y")));
-        assertNull(sear.edit(Map.of("do", "set", "object", "roomba", "stand", true, "set", Map.of("x", 1))).get("note"));
+        double start = Double.parseDouble(
+            String.valueOf(((Map<?, ?>) sear.getProjectObject("roomba").get("values")).get("y")));
+        assertNull(sear.edit(Map.of("do", "set", "object", "roomba", "stand", true, "set", Map.of("x", 1)))
+            .get("note"));
         sear.simSleep(0.5);
         assertEquals(1, sear.getPose("roomba")[0], 0.01);
         assertEquals(height, sear.getPose("roomba")[1], 0.01);
         Map<?, ?> values = (Map<?, ?>) sear.getProjectObject("roomba").get("values");
         assertEquals("it has the height that it had", start, Double.parseDouble(String.valueOf(values.get("y"))), 0);
-        assertNull(sear.edit(Map.of("do", "set", "object", "roomba", "stand", true, "set", Map.of("x", "3", "z", "-3"))).get("note"));
+        assertNull(sear.edit(Map.of("do", "set", "object", "roomba", "stand", true, "set", Map.of("x", "3", "z", "-3")))
+            .get("note"));
         sear.simSleep(0.5);
         assertEquals(-3, sear.getPose("roomba")[2], 0.01);
         assertEquals("on the step", height + 0.3, sear.getPose("roomba")[1], 0.01);

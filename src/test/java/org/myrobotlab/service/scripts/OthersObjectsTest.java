@@ -19,7 +19,8 @@ import org.myrobotlab.service.TestWorld;
 public class OthersObjectsTest {
     private static final String BUILD = "from org.SEAR.POJOs import Box\nsear = Runtime.start('othersSear', 'SEAR')\n";
     private static final String START = "Box('mine', 1, 1, 1, 0).move(9, 0.5, 9)\nsear.startSimulation()\n";
-    private static final String NAMED = "in the project, but not made by this script: \"floor\", \"wall\", \"roomba\" (from";
+    private static final String NAMED = "in the project, but not made by this script: \"floor\", \"wall\", "
+        + "\"roomba\" (from";
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
@@ -64,7 +65,8 @@ public class OthersObjectsTest {
     @Test
     public void namesOfAnotherProjectDoNotCount() throws Exception {
         String other = "'" + temporary.getRoot().toPath().resolve("other.sear") + "'";
-        python.execAndWait(BUILD + "from org.SEAR.POJOs import Robots\nsear.newProject()\nRobots.create2('first')\nsear.saveProject(" + other
+        python.execAndWait(BUILD + "from org.SEAR.POJOs import Robots\nsear.newProject()\nRobots.create2('first')\n"
+            + "sear.saveProject(" + other
             + ")\nsear.loadProject(" + other + ")\nRobots.create2('second')\nsear.info('that was all')\n");
         assertTrue(heard.getStatuses().toString(), heard.awaitStatus("that was all"));
         assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().contains("made already"));

@@ -67,16 +67,20 @@ public class RecordCallsTest {
         assertEquals(result.toString(), true, result.get("same"));
         assertEquals(3.0, (Double) result.get("seconds"), 0.02);
         String ports = result.get("ports").toString();
-        assertTrue(ports, ports.matches("(?s).*drive at " + TestWorld.ROOMBA_PORT + "=[1-9][0-9]{2,} bytes, the same.*"));
+        assertTrue(ports, ports.matches("(?s).*drive at " + TestWorld.ROOMBA_PORT
+            + "=[1-9][0-9]{2,} bytes, the same.*"));
         assertTrue(sear.getRecordNames(file).contains("roomba.heading"));
-        assertEquals("the ending may be left out, as in recordRun", sear.getRecordNames(file), sear.getRecordNames(record));
+        assertEquals("the ending may be left out, as in recordRun", sear.getRecordNames(file),
+            sear.getRecordNames(record));
         sear.saveRecordPlot(record, List.of("roomba.z"), record + ".svg");
         Map<String, Object> values = sear.getRecordValues(file, List.of("roomba.z", "ping"));
-        assertEquals(((double[]) values.get("times")).length, ((List<?>) ((List<?>) values.get("values")).get(1)).size());
+        assertEquals(((double[]) values.get("times")).length,
+            ((List<?>) ((List<?>) values.get("values")).get(1)).size());
         Path csv = temporary.getRoot().toPath().resolve("run.csv");
         sear.saveRecordCsv(file, List.of("roomba.z", "ping"), csv.toString());
         assertEquals("time (s),roomba.z,ping", Files.readAllLines(csv).get(0));
-        assertTrue(assertThrows(RuntimeException.class, () -> sear.saveRecordCsv(file, List.of("ping"), null)).getMessage().contains("run.csv"));
+        assertTrue(assertThrows(RuntimeException.class, () -> sear.saveRecordCsv(file, List.of("ping"), null))
+            .getMessage().contains("run.csv"));
         Map<String, Object> frames = sear.getRecordFrames(file);
         assertEquals(List.of("roomba"), frames.get("robots"));
         List<?> words = (List<?>) frames.get("words");
@@ -91,11 +95,14 @@ public class RecordCallsTest {
         sear.startSimulation();
         sear.simSleep(0.5);
         sear.recordRun(record);
-        assertTrue(assertThrows(IllegalStateException.class, () -> sear.recordRun(record)).getMessage().contains("is being written to"));
+        assertTrue(assertThrows(IllegalStateException.class, () -> sear.recordRun(record)).getMessage()
+            .contains("is being written to"));
         sear.simSleep(0.5);
         assertEquals(0.5, sear.endRecord(), 0.02);
-        assertTrue(assertThrows(IllegalStateException.class, sear::endRecord).getMessage().contains("no record is being written"));
-        String said = assertThrows(IllegalStateException.class, () -> sear.rerunRecord(record + ".searlog")).getMessage();
+        assertTrue(assertThrows(IllegalStateException.class, sear::endRecord).getMessage()
+            .contains("no record is being written"));
+        String said = assertThrows(IllegalStateException.class, () -> sear.rerunRecord(record + ".searlog"))
+            .getMessage();
         assertTrue(said, said.contains("can't be run again: begin the record before the start, or after reset()"));
         sear.reset();
         sear.recordRun(record);
@@ -117,15 +124,18 @@ public class RecordCallsTest {
             Thread.yield();    // a thread of its own writes the record
         }
         Map<String, Object> frames = sear.getRecordFrames(file);
-        assertEquals(Map.of("whole", false, "written", true), Map.of("whole", frames.get("whole"), "written", frames.get("written")));
-        assertTrue(heard.getStatuses().toString(), heard.awaitStatus(file + " is still being written: SEAR reads it up to its latest event"));
+        assertEquals(Map.of("whole", false, "written", true),
+            Map.of("whole", frames.get("whole"), "written", frames.get("written")));
+        assertTrue(heard.getStatuses().toString(),
+            heard.awaitStatus(file + " is still being written: SEAR reads it up to its latest event"));
         sear.stopSimulation();
         assertEquals(true, sear.getRecordFrames(file).get("whole"));
         Path cut = temporary.getRoot().toPath().resolve("cut.searlog");
         byte[] bytes = Files.readAllBytes(Path.of(file));
         Files.write(cut, Arrays.copyOf(bytes, bytes.length - 1));
         frames = sear.getRecordFrames(cut.toString());
-        assertEquals(Map.of("whole", false, "written", false), Map.of("whole", frames.get("whole"), "written", frames.get("written")));
+        assertEquals(Map.of("whole", false, "written", false),
+            Map.of("whole", frames.get("whole"), "written", frames.get("written")));
         assertEquals(true, sear.rerunRecord(cut.toString()).get("same"));
         assertTrue(heard.getStatuses().toString(), heard.awaitStatus(cut + " was cut off, by a crash or a full disk"));
     }
@@ -136,7 +146,8 @@ public class RecordCallsTest {
         Files.writeString(other, "no record");
         String said = assertThrows(IllegalStateException.class, () -> sear.recordRun(other.toString())).getMessage();
         assertTrue(said, said.contains("exists and is no record of a run"));
-        said = assertThrows(IllegalStateException.class, () -> sear.recordRun(temporary.getRoot() + "/none/run")).getMessage();
+        said = assertThrows(IllegalStateException.class, () -> sear.recordRun(temporary.getRoot() + "/none/run"))
+            .getMessage();
         assertTrue(said, said.contains("there is no folder"));
         said = assertThrows(IllegalStateException.class, () -> sear.rerunRecord(other.toString())).getMessage();
         assertTrue(said, said.contains("it does not begin with \"SEARLOG1\""));

@@ -24,11 +24,13 @@ import org.junit.Test;
 /** Scripts that users copy use only features that also work in the real MyRobotLab. */
 public class ScriptTrapsTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
-    private static final Pattern LISTENER = Pattern.compile("(\\w+)\\.addListener\\(\"(\\w+)\",\\s*[^,]+,\\s*\"(\\w+)\"");
+    private static final Pattern LISTENER =
+        Pattern.compile("(\\w+)\\.addListener\\(\"(\\w+)\",\\s*[^,]+,\\s*\"(\\w+)\"");
 
     private static List<Path> scripts() throws IOException {
         List<Path> scripts = new ArrayList<>();
-        for (String folder : new String[] {"scripts", "examples", "examples/drive", "resources/templates", "resources/resource/SEAR",
+        for (String folder : new String[] {"scripts", "examples", "examples/drive", "resources/templates",
+            "resources/resource/SEAR",
             "resources/resource/LIDAR", "resources/resource/GPS"}) {
             try (DirectoryStream<Path> files = Files.newDirectoryStream(ROOT.resolve(folder), "*.py")) {
                 files.forEach(scripts::add);

@@ -81,7 +81,8 @@ public class OpencvExamplesTest {
     private String run(String program, String... more) throws Exception {
         List<String> commands = DocBlock.commands("docs/cameras.md", "python3 examples/python3/" + program);
         assertEquals(1, commands.size());
-        List<String> arguments = new ArrayList<>(List.of(ROOT.resolve(commands.get(0).split(" ")[1]).toString(), "--fast", "--server", server()));
+        List<String> arguments = new ArrayList<>(
+            List.of(ROOT.resolve(commands.get(0).split(" ")[1]).toString(), "--fast", "--server", server()));
         arguments.addAll(Arrays.asList(more));
         Process process = start(Path.of(System.getProperty("sear.opencv")), arguments);
         String text = String.join("\n", programs.read(process, PATIENCE));
@@ -109,7 +110,8 @@ public class OpencvExamplesTest {
     public void everyProgramIsTriedHere() throws IOException {
         try (Stream<Path> files = Files.list(EXAMPLES)) {
             assertEquals("learn_wall_follower.py is looked at by GymnasiumTest, maze_sweep.py by SweepTest",
-                List.of("docking.py", "learn_wall_follower.py", "maze_sweep.py", "opencv_lines.py", "robotlab.py", "simulated.py"),
+                List.of("docking.py", "learn_wall_follower.py", "maze_sweep.py", "opencv_lines.py", "robotlab.py",
+                    "simulated.py"),
                 files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".py")).sorted()
                     .collect(Collectors.toList()));
         }
@@ -127,7 +129,8 @@ public class OpencvExamplesTest {
         double[] told = numbers(text, "Followed the line for ([0-9.]+) m: it was lost in (\\d+) of (\\d+) pictures");
         assertEquals(text, 0, told[1], 0.02 * told[2]);
         assertTrue(Files.size(picture) > 0);
-        JsonNode values = robotLab.call("sear", "getRecordValues", "lines.searlog", List.of("follower.x", "follower.z")).get("values");
+        JsonNode values = robotLab.call("sear", "getRecordValues", "lines.searlog", List.of("follower.x", "follower.z"))
+            .get("values");
         double turned = 0;
         double before = Double.NaN;
         for (int i = 0; i < values.get(0).size(); i++) {
@@ -142,7 +145,8 @@ public class OpencvExamplesTest {
     }
 
     private static void assertDocked(String text) {
-        double[] told = numbers(text, "Docked: ([0-9.]+) m before the dock, ([0-9.]+) m beside its middle, turned by ([0-9.]+) degrees");
+        double[] told = numbers(text, "Docked: ([0-9.]+) m before the dock, ([0-9.]+) m beside its middle, turned by "
+            + "([0-9.]+) degrees");
         JsonNode pose = robotLab.call("sear", "getPose", "docker");
         double gap = DOCK_X - pose.get(0).asDouble() - FRONT;
         assertEquals(text, 0.04, gap, 0.02);
@@ -154,7 +158,8 @@ public class OpencvExamplesTest {
         assertEquals("what it measured: " + text, Math.abs(turn), told[2], 0.3);
         assertEquals("what it measured: " + text, Math.abs(beside), told[1], 0.003);
         robotLab.run("sear.simSleep(0.5)");
-        assertEquals("it stands", pose.get(0).asDouble(), robotLab.call("sear", "getPose", "docker").get(0).asDouble(), 0.001);
+        assertEquals("it stands", pose.get(0).asDouble(), robotLab.call("sear", "getPose", "docker").get(0)
+            .asDouble(), 0.001);
     }
 
     @Test
@@ -165,8 +170,10 @@ public class OpencvExamplesTest {
     /** Drives the robot to the other side of the dock first. */
     @Test
     public void theRobotDocksFromAnotherPlaceInARunningSimulation() throws Exception {
-        robotLab.run("sear.loadProject('examples/dock.sear')\nsear.startSimulation()\nsear.setLockStep(True)\nsear.simSleep(0.5)\n"
-            + "sear.driveStraight(-0.5)\nsear.simSleep(5)\nsear.driveStraight(0)\nsear.simSleep(1)\nsear.setLockStep(False)");
+        robotLab.run("sear.loadProject('examples/dock.sear')\nsear.startSimulation()\nsear.setLockStep(True)\n"
+            + "sear.simSleep(0.5)\n"
+            + "sear.driveStraight(-0.5)\nsear.simSleep(5)\nsear.driveStraight(0)\nsear.simSleep(1)\n"
+                + "sear.setLockStep(False)");
         assertTrue("on the other side", robotLab.call("sear", "getPose", "docker").get(2).asDouble() < -1);
         assertDocked(run("docking.py", "--running"));
     }

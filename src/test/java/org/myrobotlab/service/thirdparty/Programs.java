@@ -38,7 +38,8 @@ final class Programs {
 
     Process start(ProcessBuilder builder) throws IOException {
         builder.environment().merge("PATH", "/usr/sbin:/sbin", (path, more) -> path + File.pathSeparator + more);
-        Process process = builder.redirectErrorStream(true).redirectOutput(folder.newFile()).directory(folder.getRoot()).start();
+        Process process = builder.redirectErrorStream(true).redirectOutput(folder.newFile())
+            .directory(folder.getRoot()).start();
         processes.add(process);
         outputs.add(builder.redirectOutput().file());
         return process;
@@ -48,7 +49,8 @@ final class Programs {
     List<String> read(Process process, int seconds) throws Exception {
         process.waitFor(seconds, TimeUnit.SECONDS);
         File file = outputs.get(processes.indexOf(process));
-        return Arrays.stream(new String(Files.readAllBytes(file.toPath()), StandardCharsets.ISO_8859_1).split("\r?\n|\r"))
+        return Arrays.stream(new String(Files.readAllBytes(file.toPath()), StandardCharsets.ISO_8859_1)
+            .split("\r?\n|\r"))
             .collect(Collectors.toList());
     }
 
@@ -102,7 +104,8 @@ final class Programs {
     /** Returns the only file that matches and contains none of the words. */
     Path only(String glob, List<String> output, String... without) throws IOException {
         Path file = find(glob, without);
-        assertNotNull("there is no " + glob + " in " + Arrays.toString(folder.getRoot().list()) + "\n" + String.join("\n", output), file);
+        assertNotNull("there is no " + glob + " in " + Arrays.toString(folder.getRoot().list()) + "\n"
+            + String.join("\n", output), file);
         return file;
     }
 
@@ -123,7 +126,8 @@ final class Programs {
             forget("*LASER*.txt");
             lines = grab(config, starting, seconds, output);
         }
-        assertTrue("only " + lines.size() + " scans in " + SECONDS + " s: " + String.join("\n", output), lines.size() > SECONDS);
+        assertTrue("only " + lines.size() + " scans in " + SECONDS + " s: " + String.join("\n", output),
+            lines.size() > SECONDS);
         return lines.stream().skip(1).map(line -> line.trim().split("\\s+")).collect(Collectors.toList());
     }
 
@@ -158,7 +162,8 @@ final class Programs {
         assertTrue("rawlog-grabber ends at a key", grabber.waitFor(60, TimeUnit.SECONDS));
         output.addAll(read(grabber, 0));
         Path log = only("log*.rawlog", output);
-        run(new ProcessBuilder("rawlog-edit", "--export-2d-scans-txt", "-i", log.getFileName().toString(), "--out-dir", "."), output);
+        run(new ProcessBuilder("rawlog-edit", "--export-2d-scans-txt", "-i", log.getFileName().toString(), "--out-dir",
+            "."), output);
         Path scans = find("*LASER*.txt", "times");
         return scans == null ? List.of() : Files.readAllLines(scans);
     }

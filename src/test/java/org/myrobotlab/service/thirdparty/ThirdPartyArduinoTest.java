@@ -98,7 +98,8 @@ public class ThirdPartyArduinoTest extends WithPrograms {
         for (int i = 0; i < 2; i++) {
             double before = volts();
             double from = sear.getPose("rover")[2];
-            List<String> output = programs.run(python("pyfirmata2_drive.py", port, Programs.SECONDS), new ArrayList<>());
+            List<String> output = programs.run(python("pyfirmata2_drive.py", port, Programs.SECONDS),
+                new ArrayList<>());
             assertEquals(output.toString(), 4, output.size());
             assertEquals("StandardFirmata.ino 2.5", output.get(0));
             assertEquals(before, Double.parseDouble(output.get(1)), STEP);
@@ -124,10 +125,13 @@ public class ThirdPartyArduinoTest extends WithPrograms {
      */
     private static void assertValues(List<String> lines) {
         List<int[]> seconds = lines.stream().filter(line -> line.matches("\\d+ s .*"))
-            .map(line -> Arrays.stream(line.replace(" s", "").split(" ")).mapToInt(Integer::parseInt).toArray()).collect(Collectors.toList());
+            .map(line -> Arrays.stream(line.replace(" s", "").split(" ")).mapToInt(Integer::parseInt).toArray())
+            .collect(Collectors.toList());
         assertEquals(lines.toString(), Programs.SECONDS, seconds.size());
-        assertTrue(lines.toString(), seconds.stream().mapToInt(second -> second[1]).sum() >= VALUES_A_SECOND * Programs.SECONDS);
-        IntSummaryStatistics least = seconds.stream().filter(second -> second[1] > 0).mapToInt(second -> second[2]).summaryStatistics();
+        assertTrue(lines.toString(), seconds.stream().mapToInt(second -> second[1])
+            .sum() >= VALUES_A_SECOND * Programs.SECONDS);
+        IntSummaryStatistics least = seconds.stream().filter(second -> second[1] > 0).mapToInt(second -> second[2])
+            .summaryStatistics();
         IntSummaryStatistics greatest = seconds.stream().mapToInt(second -> second[3]).summaryStatistics();
         assertTrue(lines.toString(), greatest.getMax() - least.getMin() > SEEN);
         assertEquals("done", lines.get(lines.size() - 1));
@@ -141,7 +145,8 @@ public class ThirdPartyArduinoTest extends WithPrograms {
     }
 
     private ProcessBuilder node(int port, int seconds) {
-        ProcessBuilder node = new ProcessBuilder("node", SCRIPTS.resolve("johnny_five_drive.js").toString(), Integer.toString(port),
+        ProcessBuilder node = new ProcessBuilder("node", SCRIPTS.resolve("johnny_five_drive.js").toString(),
+            Integer.toString(port),
             Integer.toString(seconds));
         node.environment().put("NODE_PATH", System.getProperty("sear.johnnyFive"));
         return node;

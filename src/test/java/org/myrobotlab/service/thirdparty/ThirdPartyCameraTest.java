@@ -84,7 +84,8 @@ public class ThirdPartyCameraTest extends WithPrograms {
         int plain = sear.exportCamera("eye", 0);
         int esp32 = sear.exportCamera("eye", 0, "ESP32-CAM");
         int octoPi = sear.exportCamera("eye", 0, "OctoPi");
-        for (String url : new String[] {local(plain, "/stream.mjpg"), local(esp32 + 1, "/stream"), local(octoPi, "/?action=stream")}) {
+        for (String url : new String[] {local(plain, "/stream.mjpg"), local(esp32 + 1, "/stream"),
+            local(octoPi, "/?action=stream")}) {
             List<String> output = programs.run(looking("opencv_stream.py", url, PICTURES), new ArrayList<>());
             assertTrue(output.toString(), output.get(0).matches("\\d+\\.\\d+.*"));
             assertSeen(output, 2, -1);
@@ -105,7 +106,8 @@ public class ThirdPartyCameraTest extends WithPrograms {
     @Test
     public void ffmpegReadsIt() throws Exception {
         int port = sear.exportCamera("eye", 0);
-        assertSeen(programs.run(looking("ffmpeg_stream.py", local(port, "/stream.mjpg"), PICTURES), new ArrayList<>()), 0, 1);
+        assertSeen(programs.run(looking("ffmpeg_stream.py", local(port, "/stream.mjpg"), PICTURES), new ArrayList<>()),
+            0, 1);
     }
 
     @Test

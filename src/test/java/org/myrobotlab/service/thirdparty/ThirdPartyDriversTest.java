@@ -103,7 +103,8 @@ public class ThirdPartyDriversTest extends WithPrograms {
         String program = DocBlock.of("docs/other-programs.md", "python3").get(0);
         assertTrue(program, program.contains("\"/dev/pts/1\", 57600"));
         Path file = folder.newFile("page.py").toPath();
-        Files.writeString(file, program.replace("/dev/pts/1", sear.exportPort("/dev/SEAR_Robot_01")).replace("57600", "115200"));
+        Files.writeString(file, program.replace("/dev/pts/1", sear.exportPort("/dev/SEAR_Robot_01"))
+            .replace("57600", "115200"));
         List<String> output = run(file.toString());
         assertTrue(output.toString(), output.get(0).matches("\\(\\d+,\\)"));
         sear.simSleep(1);
@@ -165,14 +166,17 @@ public class ThirdPartyDriversTest extends WithPrograms {
         String port = sear.exportPort("/dev/SEAR_GPS_01", link);
         assertEquals(link, port);
         int number = FreePort.find();
-        programs.start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpsd -N -n -b"), "/dev/pts/3",
+        programs.start(new ProcessBuilder(
+            words(DocBlock.commands("docs/other-programs.md", "gpsd -N -n -b"), "/dev/pts/3",
             "-S " + number + " " + port)));
         String fix = null;
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS + 40);
         while (fix == null && System.nanoTime() < deadline) {
-            Process pipe = programs.start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpspipe "), "localhost",
+            Process pipe = programs.start(
+                new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpspipe "), "localhost",
                 "-n 12 localhost:" + number)));
-            fix = programs.read(pipe, 20).stream().filter(line -> line.matches(".*\"class\":\"TPV\".*\"mode\":[23].*\"lat\":.*")).findFirst()
+            fix = programs.read(pipe, 20).stream()
+                .filter(line -> line.matches(".*\"class\":\"TPV\".*\"mode\":[23].*\"lat\":.*")).findFirst()
                 .orElse(null);
         }
         assertTrue("no fix", fix != null);

@@ -69,16 +69,19 @@ public class ThirdPartyEnduranceTest extends WithPrograms {
             for (Process driver : new Process[] {robot, receiver, scanner}) {
                 driver.destroyForcibly().waitFor();
             }
-            sear.power("receiver", false);      // the killed driver left it at another rate without NMEA; a user would press its button
+            // the killed driver left it at another rate without NMEA; a user would press its button
+            sear.power("receiver", false);
             sear.power("receiver", true);
         }
         Process robot = programs.start(python("pycreate2_drive.py", sear.exportPort(ROBOT), Programs.SECONDS));
-        Process receiver = programs.start(python("pyubx2_read.py", sear.exportPort(RECEIVER), SOLUTIONS_A_SECOND * Programs.SECONDS));
+        Process receiver = programs.start(
+            python("pyubx2_read.py", sear.exportPort(RECEIVER), SOLUTIONS_A_SECOND * Programs.SECONDS));
         List<String[]> scans = programs.grabScans(grabber("log"), STARTING, 2 * Programs.SECONDS);
         scans.forEach(line -> assertEquals(1 + 2 * VALUES, line.length));
         assertTrue("only " + scans.size() + " scans", scans.size() >= Programs.SECONDS * 5);
         List<String> driven = programs.read(robot, Programs.PATIENCE);
-        assertEquals(String.join("\n", driven.subList(Math.max(0, driven.size() - 5), driven.size())), 0, robot.waitFor());
+        assertEquals(String.join("\n", driven.subList(Math.max(0, driven.size() - 5), driven.size())), 0,
+            robot.waitFor());
         List<String> solved = programs.read(receiver, Programs.PATIENCE);
         assertEquals(solved.get(solved.size() - 1), 0, receiver.waitFor());
         assertEquals(2 + SOLUTIONS_A_SECOND * Programs.SECONDS, solved.size());

@@ -56,7 +56,8 @@ public class ThirdPartyGpsTest extends WithPrograms {
         while ((fix == null || !ubx) && System.nanoTime() < deadline) {
             Process pipe = programs.start(new ProcessBuilder("gpspipe", "-w", "-n", "12", "localhost:" + number));
             output.addAll(programs.read(pipe, 20));
-            ubx |= output.stream().anyMatch(line -> line.contains("\"driver\":\"u-blox\"") && line.contains("PROTVER=18"));
+            ubx |= output.stream().anyMatch(line -> line.contains("\"driver\":\"u-blox\"")
+                && line.contains("PROTVER=18"));
             fix = ubx ? output.stream().filter(ThirdPartyGpsTest::isUbxFix).findFirst().orElse(null) : null;
         }
         assertTrue("gpsd ended: " + programs.read(daemon, 0), daemon.isAlive());
@@ -75,7 +76,8 @@ public class ThirdPartyGpsTest extends WithPrograms {
 
     @Test
     public void pyubx2SetsUpTheReceiverAndReadsItsSolutions() throws Exception {
-        List<String> output = programs.run(python("pyubx2_read.py", sear.exportPort(PORT), 5 * Programs.SECONDS), new ArrayList<>());
+        List<String> output = programs.run(python("pyubx2_read.py", sear.exportPort(PORT), 5 * Programs.SECONDS),
+            new ArrayList<>());
         assertEquals("EXT CORE 3.01 (107900)", output.get(0));
         assertEquals("12", output.get(1));
         assertEquals(2 + 5 * Programs.SECONDS, output.size());

@@ -59,7 +59,8 @@ public class ThirdPartyLidarsTest extends WithPrograms {
     }
 
     private void mrptReadsCentimetres(String spread, String hundredths) throws Exception {
-        Path config = grabber("sick-mrpt.ini", "log", "@PORT@", sear.exportPort(PORT), "@BAUD@", "38400", "mm_mode = 1", "mm_mode = 0", "FOV = 180",
+        Path config = grabber("sick-mrpt.ini", "log", "@PORT@", sear.exportPort(PORT), "@BAUD@", "38400", "mm_mode = 1",
+            "mm_mode = 0", "FOV = 180",
             "FOV = " + spread, "resolution = 50", "resolution = " + hundredths);
         compare(programs.grabScans(config, 15, Programs.SECONDS), sear.getLidarResult("scanner"), 80, 0.0101);
     }
@@ -90,7 +91,8 @@ public class ThirdPartyLidarsTest extends WithPrograms {
     /** If an answer takes more than 40 ms, as on a busy computer, this driver logs a scan without values. */
     private static List<String[]> inTime(List<String[]> lines) {
         List<String[]> full = lines.stream().filter(line -> line.length > 1).collect(Collectors.toList());
-        System.out.println("MRPT's driver logged " + full.size() + " scans, and " + (lines.size() - full.size()) + " without values");
+        System.out.println("MRPT's driver logged " + full.size() + " scans, and " + (lines.size() - full.size())
+            + " without values");
         assertTrue("only " + full.size() + " of " + lines.size() + " scans in time", full.size() > Programs.SECONDS);
         return full;
     }

@@ -140,7 +140,8 @@ public class ThirdPartyScannersTest extends WithPrograms {
     /** Runs an unchanged driver at a pseudo-terminal by {@code sear modem-lines}, because it sets DTR. */
     private List<String> withModemLines(String script, String... arguments) throws Exception {
         String asOnThePage = DocBlock.commands("docs/other-programs.md", "sear modem-lines").get(0)
-            .replace("my.py", SCRIPTS.resolve(script).toString()).replace("/dev/pts/3", sear.exportPort(ScannedRoom.PORT));
+            .replace("my.py", SCRIPTS.resolve(script).toString())
+            .replace("/dev/pts/3", sear.exportPort(ScannedRoom.PORT));
         List<String> command = SearProcess.command();
         command.addAll(Arrays.asList(asOnThePage.split(" ")).subList(1, asOnThePage.split(" ").length));
         command.addAll(List.of(arguments));
@@ -171,7 +172,8 @@ public class ThirdPartyScannersTest extends WithPrograms {
             int even = (int) Math.round(Double.parseDouble(each.split(":")[0]));
             double metres = Double.parseDouble(each.split(":")[1]) / 1000;
             degrees.add(even);
-            boolean near = Math.abs(beam(expected, even) - metres) < 0.0007 || Math.abs(beam(expected, even + 1) - metres) < 0.0007;
+            boolean near = Math.abs(beam(expected, even) - metres) < 0.0007
+                || Math.abs(beam(expected, even + 1) - metres) < 0.0007;
             assertTrue(each + " of " + beam(expected, even) + ", " + beam(expected, even + 1), even % 2 == 0 && near);
         }
         assertTrue(degrees.toString(), degrees.size() > 45);

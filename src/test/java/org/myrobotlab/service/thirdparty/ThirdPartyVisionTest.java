@@ -160,7 +160,8 @@ public class ThirdPartyVisionTest {
         control.session().simSleep(0.5);
         control.session().pause();
         String picture = save("eye");
-        List<String> output = python("opencv_markers.py", List.of(picture, "" + focalLength(1280), "639.5", "359.5", "" + SIZE, "DICT_4X4_50",
+        List<String> output = python("opencv_markers.py",
+            List.of(picture, "" + focalLength(1280), "639.5", "359.5", "" + SIZE, "DICT_4X4_50",
             "APRILTAG_36h11"));
         assertEquals(output.toString(), 2, output.size());
         Pose eye = cameras.look("eye").getPose();
@@ -173,7 +174,8 @@ public class ThirdPartyVisionTest {
         assertTrue(line, line.startsWith(name + " "));
         double[] found = numbers(line, 2);
         double[] place = eye.rotateBack(marker.x - eye.x, marker.y - eye.y, marker.z - eye.z);
-        double off = Math.sqrt(Math.pow(found[9] + place[0], 2) + Math.pow(found[10] + place[1], 2) + Math.pow(found[11] - place[2], 2));
+        double off = Math.sqrt(Math.pow(found[9] + place[0], 2) + Math.pow(found[10] + place[1], 2)
+            + Math.pow(found[11] - place[2], 2));
         assertTrue(line + " is " + off + " m off " + Arrays.toString(place), off < 0.01);
         double trace = 0;
         for (int axis = 0; axis < 3; axis++) {

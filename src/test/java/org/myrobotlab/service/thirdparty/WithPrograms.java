@@ -26,7 +26,8 @@ import org.myrobotlab.service.SEAR;
  */
 abstract class WithPrograms {
     /** Folder of programs that use third-party drivers, and of their configurations. */
-    static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("src/test/drivers");
+    static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath()
+        .resolve("src/test/drivers");
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();

@@ -93,7 +93,8 @@ final class AnimatedGif {
         return metadata;
     }
 
-    private void writeChange(ImageWriter writer, IndexColorModel model, byte[] before, byte[] now, int time) throws IOException {
+    private void writeChange(ImageWriter writer, IndexColorModel model, byte[] before, byte[] now, int time)
+        throws IOException {
         Rectangle part = changed(before, now);
         BufferedImage image = new BufferedImage(part.width, part.height, BufferedImage.TYPE_BYTE_INDEXED, model);
         for (int y = 0; y < part.height; y++) {

@@ -84,7 +84,8 @@ final class GifColors {
     }
 
     private static int length(List<Integer> box, int color) {
-        return box.stream().mapToInt(cell -> level(cell, color)).max().orElse(0) - box.stream().mapToInt(cell -> level(cell, color)).min().orElse(0);
+        return box.stream().mapToInt(cell -> level(cell, color)).max().orElse(0) - box.stream()
+            .mapToInt(cell -> level(cell, color)).min().orElse(0);
     }
 
     private static int longest(List<Integer> box) {

@@ -18,7 +18,8 @@ import org.SEAR.protocol.ubx.UbxFrame;
 
 /**
  * Tool that compares positions with those of gpsd in its regression logs, which are not part of SEAR:
- * {@code ./gradlew gpsdLogs -PgpsdLogs=gpsd/test/daemon}. gpsd may leave out the first or last moment of a log while it learns the receiver's cycle.
+ * {@code ./gradlew gpsdLogs -PgpsdLogs=gpsd/test/daemon}. gpsd may leave out the first or last moment of a log while it
+ * learns the receiver's cycle.
  */
 public final class GpsdLogs {
     private static final Pattern VALUE = Pattern.compile("\"(time|lat|lon)\":\"?([^,\"}]*)");
@@ -33,7 +34,8 @@ public final class GpsdLogs {
 
     static {
         String cut = "gpsd leaves out a moment at which it has not found the end of the cycle";
-        for (String log : "ais-nmea bt451 gp-320fw-2019-04-06-overflow rst39 tn204 ublox-lea-5h ublox-lea-m8f ublox-zed-f9t-rtcm3".split(" ")) {
+        for (String log : List.of("ais-nmea", "bt451", "gp-320fw-2019-04-06-overflow", "rst39", "tn204", "ublox-lea-5h",
+            "ublox-lea-m8f", "ublox-zed-f9t-rtcm3")) {
             DIFFERENT.put(log, cut);
         }
         DIFFERENT.put("bundg_zeus_9", "GLL and GGA of one second differ; gpsd reports both, SEAR takes GGA");
@@ -49,7 +51,8 @@ public final class GpsdLogs {
         DIFFERENT.put("quectel-l76k-dual", "CASIC messages");
         DIFFERENT.put("tcp-torture", "marks for pauses inside the sentences of the log");
         DIFFERENT.put("tr737A+", "gpsd takes one GGA with quality 0");
-        DIFFERENT.put("ublox-glo", "gpsd takes NAV-PVT without the flag gnssFixOK, for which u-blox' GGA has quality 0");
+        DIFFERENT.put("ublox-glo", "gpsd takes NAV-PVT without the flag gnssFixOK, for which u-blox' GGA "
+            + "has quality 0");
         DIFFERENT.put("ublox-neo-m8l", "HNR-PVT");
         DIFFERENT.put("ublox-neo-m8u-hnr", "HNR-PVT");
     }
@@ -65,7 +68,8 @@ public final class GpsdLogs {
 
         /** @param utc hhmmss.sss; null if unknown */
         Place(String utc, double latitude, double longitude) {
-            time = utc == null ? null : Integer.parseInt(utc.substring(0, 2)) * 3600 + Integer.parseInt(utc.substring(2, 4)) * 60
+            time = utc == null ? null : Integer.parseInt(utc.substring(0, 2)) * 3600
+                + Integer.parseInt(utc.substring(2, 4)) * 60
                 + Double.parseDouble(utc.substring(4));
             this.latitude = latitude;
             this.longitude = longitude;
@@ -145,7 +149,8 @@ public final class GpsdLogs {
     public static void main(String[] folder) throws IOException {
         List<Path> logs;
         try (Stream<Path> files = Files.list(Path.of(folder[0]))) {
-            logs = files.filter(file -> file.toString().endsWith(".log") && Files.exists(Path.of(file + ".chk"))).sorted()
+            logs = files.filter(file -> file.toString().endsWith(".log") && Files.exists(Path.of(file + ".chk")))
+                .sorted()
                 .collect(Collectors.toList());
         }
         List<String> different = new ArrayList<>();
@@ -162,12 +167,14 @@ public final class GpsdLogs {
             } else if (isEnd(missing, gpsd, false) && isEnd(extra, sear, true)) {
                 equal += sear.isEmpty() ? 0 : 1;
             } else {
-                System.out.printf(Locale.ROOT, "%s: gpsd %d, of these missing %d %s; SEAR %d, of these not in gpsd's %d %s; %s%n", name, gpsd.size(),
+                System.out.printf(Locale.ROOT, "%s: gpsd %d, of these missing %d %s; SEAR %d, of these not in "
+                    + "gpsd's %d %s; %s%n", name, gpsd.size(),
                     missing.size(), first(missing), sear.size(), extra.size(), first(extra), DIFFERENT.get(name));
                 different.add(name);
             }
         }
-        System.out.printf("%d logs: %d equal, %d different, %d only in other protocols, the rest without positions%n", logs.size(), equal,
+        System.out.printf("%d logs: %d equal, %d different, %d only in other protocols, the rest without positions%n",
+            logs.size(), equal,
             different.size(), other);
         different.removeAll(DIFFERENT.keySet());
         if (equal == 0 || !different.isEmpty()) {

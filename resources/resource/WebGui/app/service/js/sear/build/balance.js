@@ -39,7 +39,8 @@ function lineOf(points, ink) {
     points.forEach(point => {
         shape.vertices.push(new THREE.Vector3(point[0], point[1] + ABOVE, point[2]))
     })
-    const line = new THREE.Line(shape, new THREE.LineBasicMaterial({color: ink, depthTest: false, transparent: true, linewidth: 2}))
+    const line = new THREE.Line(shape,
+        new THREE.LineBasicMaterial({color: ink, depthTest: false, transparent: true, linewidth: 2}))
     line.renderOrder = 11
     return line
 }

@@ -13,7 +13,8 @@ const TURN = 15               // degrees
 const SMALLEST = 0.05         // minimum of a snapped size, metres
 const NEAR = 10               // pixels on the map: pick radius of a selected object without a shape or below others
 const PAUSE_MILLIS = 400      // key presses within this time form one edit
-const ARROWS = {ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 0, 1], ArrowDown: [0, 0, -1], PageUp: [0, 1, 0], PageDown: [0, -1, 0]}
+const ARROWS = {ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 0, 1], ArrowDown: [0, 0, -1],
+    PageUp: [0, 1, 0], PageDown: [0, -1, 0]}
 const AXES = ['x', 'y', 'z']
 
 /** The build controls of one panel. */
@@ -31,8 +32,8 @@ export class Building {
         this.grip = null        // where the mouse button went down
         this.keyed = null       // movement by keys that is not sent yet
         this.asked = 0          // number of edits without an answer
-        // Pose shown until the service answers, whatever the running simulation reports. Fields: object, pose; drawn, the
-        // pose set last; truth, the object's pose from the service.
+        // Pose shown until the service answers, whatever the running simulation reports. Fields: object, pose; drawn,
+        // the pose set last; truth, the object's pose from the service.
         this.held = null
 
         edits.changed.hear(() => {
@@ -55,7 +56,8 @@ export class Building {
         return this.pointer.ray(x, y, this.drag.from[1] + 1)
     }
 
-    // ---- what is shown -----------------------------------------------------------------------------------------------------------------
+    // ---- what is shown
+    // -----------------------------------------------------------------------------------------------------------------
     decorate(scene, seen) {
         const selected = this.found()
         handles.showAids(scene, seen, this.view.building)
@@ -80,7 +82,8 @@ export class Building {
 
     spots(selected) {
         const scene = this.pointer.scene()
-        return handles.spots(selected, this.extent(selected), selected.object.type ? handles.sizesOf(this.edits.typeOf(selected.object.type)) : {},
+        return handles.spots(selected, this.extent(selected), selected.object.type
+            ? handles.sizesOf(this.edits.typeOf(selected.object.type)) : {},
             scene ? handles.inSpace(scene, selected) : handles.above(this.view.scale))
     }
 
@@ -91,7 +94,8 @@ export class Building {
         return spot ? handles.placed(selected, spot) : null
     }
 
-    // ---- moving ------------------------------------------------------------------------------------------------------------------------
+    // ---- moving
+    // -----------------------------------------------------------------------------------------------------------------
     /** Returns the start of a movement: object, values, start (pose), place (see places.of). */
     begun(selected) {
         this.hold()
@@ -186,10 +190,12 @@ export class Building {
 
     /** Whether the object at a pixel is the selected one. */
     isAt(selected, under, x, y) {
-        if (under && under.who && (under.who.address === this.edits.selected || under.who.robot === this.edits.selected)) {
+        if (under && under.who && (under.who.address === this.edits.selected
+            || under.who.robot === this.edits.selected)) {
             return true
         }
-        const pixel = this.pointer.scene() || !selected.robot ? null : this.view.toScreen(selected.pose[0], selected.pose[2])
+        const pixel = this.pointer.scene() || !selected.robot
+            ? null : this.view.toScreen(selected.pose[0], selected.pose[2])
         return Boolean(pixel) && Math.abs(pixel.x - x) < NEAR && Math.abs(pixel.y - y) < NEAR
     }
 
@@ -248,7 +254,8 @@ export class Building {
         if (!under || under.robot !== selected.robot.name || !under.normal) {
             return false
         }
-        this.drag.set = mounted(under, this.edits.typeOf(this.edits.object.type), free, this.palette.snapped.bind(this.palette))
+        this.drag.set = mounted(under, this.edits.typeOf(this.edits.object.type), free,
+            this.palette.snapped.bind(this.palette))
         this.showMoved(this.drag.start, AXES.map((axis, i) => Number(this.drag.set[axis]) - this.drag.place.at[i]),
             this.drag.set.ry === undefined ? 0 : Number(this.drag.set.ry) - this.drag.place.ry)
         return true
@@ -280,7 +287,8 @@ export class Building {
         const along = pointing.alongAxis(this.ray(x, y), this.drag.from, geometry.rotate(this.drag.pose, unit))
         const old = Number(values[what.name])
         const wanted = old + along / scale
-        const value = this.palette.snap && !free ? Math.max(SMALLEST, this.palette.snapped(wanted, false)) : Math.max(1e-3, wanted)
+        const value = this.palette.snap && !free ? Math.max(SMALLEST, this.palette.snapped(wanted, false)) : Math.max(
+        1e-3, wanted)
         const grown = (value - old) * scale
         this.drag.set = {}
         this.drag.set[what.name] = places.plain(value)
@@ -313,7 +321,8 @@ export class Building {
         this.picture.repaint()
     }
 
-    // ---- clicks ------------------------------------------------------------------------------------------------------------------------
+    // ---- clicks
+    // -----------------------------------------------------------------------------------------------------------------
     click(event, x, y) {
         const under = this.pointer.at(x, y)
         if (this.palette.armed) {
@@ -380,7 +389,8 @@ export class Building {
             beforeunload: () => this.sendKeyed()}, true)
     }
 
-    // ---- keys --------------------------------------------------------------------------------------------------------------------------
+    // ---- keys
+    // -----------------------------------------------------------------------------------------------------------------
     /** Maps an arrow key to the world axis nearest to its direction as seen. */
     direction(arrow) {
         const scene = this.pointer.scene()
@@ -407,7 +417,8 @@ export class Building {
     nudge(arrow, fine) {
         const selected = this.found()
         if (selected && this.edits.object) {
-            this.byKey(selected, pointing.back(selected.parent, this.direction(arrow)).map(way => way * (fine ? STEP / 5 : STEP)), 0)
+            this.byKey(selected, pointing.back(selected.parent, this.direction(arrow))
+                .map(way => way * (fine ? STEP / 5 : STEP)), 0)
         }
     }
 

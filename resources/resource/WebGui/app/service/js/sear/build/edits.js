@@ -15,7 +15,8 @@ export class Edits {
         this.view = view
         this.picture = picture
         this.msg = panel.msg
-        this.page = Math.random().toString(36).slice(2) // distinguishes answers to this page from answers to other pages
+        // distinguishes answers to this page from answers to other pages
+        this.page = Math.random().toString(36).slice(2)
         this.sent = 0
         this.waiting = {}       // edits of this page without an answer, by number: edit, answered(answer)
         this.others = ''        // latest edit of another page or a script since the selected object was last seen
@@ -65,7 +66,8 @@ export class Edits {
 
     /** Returns what this page has set in an object, without an answer yet. */
     unanswered(object) {
-        return Object.values(this.waiting).map(one => one.edit).filter(edit => edit['do'] === 'set' && edit.object === object)
+        return Object.values(this.waiting).map(one => one.edit)
+            .filter(edit => edit['do'] === 'set' && edit.object === object)
             .reduce((all, edit) => Object.assign(all, edit.set), {})
     }
 
@@ -95,7 +97,8 @@ export class Edits {
     /** Returns why an edit failed, as one text. */
     refusal(answer) {
         return answer.reason || answer.problems.map(problem => problem.file + ': '
-            + (problem.field ? problem.field + ' is "' + problem.value + '"' : problem.value) + ', legal: ' + problem.legal).join('\n')
+            + (problem.field ? problem.field + ' is "' + problem.value + '"' : problem.value) + ', legal: '
+                + problem.legal).join('\n')
     }
 
     onEdit(answer) {
@@ -132,7 +135,8 @@ export class Edits {
 
     takeBack(kind, said) {
         this.edit({'do': kind}, answer => {
-            this.messages.say(answer.done ? 'info' : 'error', answer.done ? said + ': ' + answer.words : this.refusal(answer))
+            this.messages.say(answer.done ? 'info' : 'error', answer.done ? said + ': '
+                + answer.words : this.refusal(answer))
             if (!answer.done) {
                 this.msg.send('getEdits')
             }
@@ -147,7 +151,8 @@ export class Edits {
         this.takeBack('redo', 'redone')
     }
 
-    // ---- what is selected --------------------------------------------------------------------------------------------------------------
+    // ---- what is selected
+    // --------------------------------------------------------------------------------------------------------------
     /** Selects an object. @param address see selected; null for none */
     select(address) {
         if (this.selected !== address) {
@@ -174,7 +179,8 @@ export class Edits {
         }
         if (object.gone) {
             if (this.others) {
-                this.messages.say('warn', this.selected + ' was deleted or renamed by another page or a script. Its last edit: ' + this.others)
+                this.messages.say('warn', this.selected + ' was deleted or renamed by another page or a script. '
+                    + 'Its last edit: ' + this.others)
             }
             this.select(null)
             return
@@ -198,7 +204,8 @@ export class Edits {
         return this.grammar && this.grammar.types.filter(type => type.type === name)[0] || null
     }
 
-    // ---- edits of what is selected -----------------------------------------------------------------------------------------------------
+    // ---- edits of what is selected
+    // -----------------------------------------------------------------------------------------------------
     selectAfter(answer) {
         this.sayRefusal(answer)
         if (answer.done && answer.object) {
@@ -231,14 +238,17 @@ export class Edits {
 
     /** Renames the selection. @param refused takes the answer if the name is invalid */
     rename(name, refused) {
-        this.edit({'do': 'rename', object: this.selected, name}, answer => answer.done ? this.selectAfter(answer) : refused(answer))
+        this.edit({'do': 'rename', object: this.selected, name}, answer => answer.done
+            ? this.selectAfter(answer) : refused(answer))
     }
 
     mount(robot) {
         if (robot) {
-            this.edit({'do': 'mount', object: this.selected, to: robot, set: {x: '0', y: '0.1', z: '0'}}, answer => this.selectAfter(answer))
+            this.edit({'do': 'mount', object: this.selected, to: robot, set: {x: '0', y: '0.1', z: '0'}},
+                answer => this.selectAfter(answer))
         } else {
-            this.edit({'do': 'unmount', object: this.selected, set: {x: '0', y: '0.5', z: '0'}}, answer => this.selectAfter(answer))
+            this.edit({'do': 'unmount', object: this.selected, set: {x: '0', y: '0.5', z: '0'}},
+                answer => this.selectAfter(answer))
         }
     }
 }

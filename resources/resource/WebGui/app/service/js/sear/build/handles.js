@@ -66,7 +66,8 @@ export function placed(found, spot) {
     return [found.pose[0] + at[0], found.pose[1] + at[1], found.pose[2] + at[2]]
 }
 
-// ---- on the map ------------------------------------------------------------------------------------------------------------------------
+// ---- on the map
+// ---------------------------------------------------------------------------------------------------------------------
 /** Returns the map's eye, for a scale in pixels per metre. */
 export function above(scale) {
     return {away: ABOVE / scale, along: [0, -1, 0]}
@@ -125,7 +126,8 @@ export function pickOnMap(found, all, at, x, y) {
     return nearest
 }
 
-// ---- in space --------------------------------------------------------------------------------------------------------------------------
+// ---- in space
+// ---------------------------------------------------------------------------------------------------------------------
 /** Returns the 3D view's eye. */
 export function inSpace(scene, found) {
     const from = scene.camera.position
@@ -140,7 +142,8 @@ function lines(points, color) {
         shape.vertices.push(new THREE.Vector3(point[0], point[1], point[2]))
     })
     const material = new THREE.LineBasicMaterial({color})
-    return THREE.LineSegments ? new THREE.LineSegments(shape, material) : new THREE.Line(shape, material, THREE.LinePieces)
+    return THREE.LineSegments ? new THREE.LineSegments(shape, material) : new THREE.Line(
+    shape, material, THREE.LinePieces)
 }
 /** Returns the twelve edges of a unit cube. */
 function edges() {
@@ -178,8 +181,10 @@ function make(scene) {
     group.add(group.eye)
     group.knobs = {}
     HANDLES.forEach(one => {
-        const shape = one[0] === 'turn' ? new THREE.CylinderGeometry(DISC, DISC, 0.5, 20) : new THREE.BoxGeometry(CUBE, CUBE, CUBE)
-        const knob = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({color: one[1], depthTest: false, transparent: true}))
+        const shape = one[0] === 'turn' ? new THREE.CylinderGeometry(DISC, DISC, 0.5, 20) : new THREE.BoxGeometry(
+            CUBE, CUBE, CUBE)
+        const knob = new THREE.Mesh(shape,
+            new THREE.MeshBasicMaterial({color: one[1], depthTest: false, transparent: true}))
         knob.renderOrder = 10
         knob.handle = one[0]
         group.knobs[one[0]] = knob
@@ -261,7 +266,8 @@ export function showAids(scene, world, building) {
         const item = scene.sensors[k]
         if (building && item && !item.marker) {
             item.marker = new THREE.Object3D()
-            const ball = new THREE.Mesh(new THREE.SphereGeometry(MARKER, 12, 8), new THREE.MeshLambertMaterial({color: FRAME}))
+            const ball = new THREE.Mesh(new THREE.SphereGeometry(MARKER, 12, 8),
+                new THREE.MeshLambertMaterial({color: FRAME}))
             ball.named = sensor
             item.marker.add(ball)
             scene.scene.add(item.marker)

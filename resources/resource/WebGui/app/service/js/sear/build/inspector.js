@@ -20,7 +20,8 @@ const GROUPS = [
 const OWN = 'Settings'
 // Numbers with a decimal comma or a unit, and each unit's factor to SEAR's unit.
 const WRITTEN = /^([+-]?\d*[.,]?\d+)\s*([a-z°]*)$/i
-const UNITS = {m: {mm: 0.001, cm: 0.01, dm: 0.1, m: 1, km: 1000}, kg: {g: 0.001, kg: 1, t: 1000}, deg: {deg: 1, '°': 1}}
+const UNITS = {m: {mm: 0.001, cm: 0.01, dm: 0.1, m: 1, km: 1000}, kg: {g: 0.001, kg: 1, t: 1000},
+    deg: {deg: 1, '°': 1}}
 
 /** The inspector of one panel. */
 export class Inspector {
@@ -54,7 +55,8 @@ export class Inspector {
                 this.refused = ''
                 this.nameError = ''
                 this.rows = type.parameters.filter(parameter => parameter.name !== 'name'
-                    && (type.kind !== 'robot' || PARTS.indexOf(parameter.name) < 0)).map(parameter => this.rowOf(parameter))
+                    && (type.kind !== 'robot' || PARTS.indexOf(parameter.name) < 0))
+                    .map(parameter => this.rowOf(parameter))
                 this.groups = this.grouped(this.rows)
             }
             this.rows.forEach(row => {
@@ -73,7 +75,8 @@ export class Inspector {
             return found ? found[0] : OWN
         }
         const isScale = row => /^scale/.test(row.p.name) ? 1 : 0      // rarely used
-        return GROUPS.map(group => ({name: group[0], rows: rows.filter(row => nameOf(row) === group[0]).sort((a, b) => isScale(a) - isScale(b))}))
+        return GROUPS.map(group => ({name: group[0], rows: rows.filter(row => nameOf(row) === group[0])
+            .sort((a, b) => isScale(a) - isScale(b))}))
             .filter(group => group.rows.length)
     }
 
@@ -102,28 +105,33 @@ export class Inspector {
         const fields = row.p.parameters || [row.p]
         return fields.map(parameter => {
             const text = row.p.parameters ? (value || {})[parameter.name] : value
-            return {p: parameter, text: text === undefined || text === null ? parameter.initial || parameter['default'] : text}
+            return {p: parameter, text: text === undefined || text === null ? parameter.initial
+                || parameter['default'] : text}
         })
     }
 
     /** Whether the user is typing there, and has neither pressed Enter nor left the field. */
     isTyped(row) {
         const field = document.activeElement
-        const model = field && field.closest('[data-field="' + row.p.name + '"] input.form-control') && angular.element(field).controller('ngModel')
-        return Boolean(model) && field.value.trim() !== (model.$isEmpty(model.$modelValue) ? '' : String(model.$modelValue))
+        const model = field && field.closest('[data-field="' + row.p.name + '"] input.form-control')
+        && angular.element(field).controller('ngModel')
+        return Boolean(model) && field.value.trim() !== (model.$isEmpty(model.$modelValue)
+            ? '' : String(model.$modelValue))
     }
 
     fill(row, value) {
         row.behind = row.filled && !this.same(row.was, value) && this.isTyped(row)
         if (row.behind || this.same(row.was, value) && row.filled) {
-            return              // keeps text being typed; if another page has set the value meanwhile, the service rejects it
+            // keeps text being typed; if another page has set the value meanwhile, the service rejects it
+            return
         }
         row.filled = true
         row.was = value === undefined ? '' : value
         if (!row.refused) {
             row.error = ''
         }
-        row.refused = false     // another page's new value comes together with the reason why this page could not set its own
+        // another page's new value comes together with the reason why this page could not set its own
+        row.refused = false
         if (row.p.list) {
             row.entries = (value || []).map(one => this.entryOf(row, one))
         } else {
@@ -136,7 +144,8 @@ export class Inspector {
             return []
         }
         const names = (robot.values.component || []).concat((robot.values.wheel || []).map(wheel => wheel.name))
-        return names.map(name => ({object: this.edits.address(robot.name, name), name: name.slice(name.indexOf('/') + 1)}))
+        return names.map(name => ({object: this.edits.address(robot.name, name),
+            name: name.slice(name.indexOf('/') + 1)}))
     }
 
     robotNames() {
@@ -144,7 +153,8 @@ export class Inspector {
         return seen ? seen.robots.map(robot => robot.name) : []
     }
 
-    // ---- changes -----------------------------------------------------------------------------------------------------------------------
+    // ---- changes
+    // -----------------------------------------------------------------------------------------------------------------
     valueIn(row) {
         return !row.entries ? row.text : row.entries.map(entry => {
             if (!row.p.parameters) {
@@ -175,7 +185,8 @@ export class Inspector {
         const size = sizesOf(this.edits.typeOf(type)).y || (type === 'Sphere' ? {name: 'radius', share: 0.5} : null)
         const grown = Number(value) - Number(row.was)
         const leans = ['rx', 'rz'].some(angle => Number(values[angle]) % 360)
-        if (!size || size.name !== row.p.name || !row.was || !grown || values.y === undefined || leans || values.onGround === 'true'
+        if (!size || size.name !== row.p.name || !row.was || !grown || values.y === undefined || leans
+            || values.onGround === 'true'
             || values.placeLatitude !== undefined) {
             return set
         }
@@ -218,7 +229,8 @@ export class Inspector {
             if (problem.field.split(/[.#]/)[0] === row.p.name) {
                 row.error += (row.error ? '; ' : '') + (problem.field === row.p.name ? '' : problem.field + ' ') + text
             } else {
-                other.push((problem.field ? problem.field + ' is "' + problem.value + '", ' : problem.value + ', ') + text)
+                other.push((problem.field ? problem.field + ' is "' + problem.value + '", ' : problem.value
+                    + ', ') + text)
             }
         })
         if (!answer.problems.length || other.length && !row.error) {
@@ -234,7 +246,8 @@ export class Inspector {
 
     /** Escape restores a field's value and clears the parameter's error. */
     key(event) {
-        const model = event.key === 'Escape' && event.target.matches('input.form-control') && angular.element(event.target).controller('ngModel')
+        const model = event.key === 'Escape' && event.target.matches('input.form-control')
+            && angular.element(event.target).controller('ngModel')
         if (!model) {
             return
         }
@@ -262,7 +275,8 @@ export class Inspector {
 
     /** Returns the choices of a field for a driven wheel's name, including its current value. */
     choices(field) {
-        const wheels = field.p.names === 'Wheel' && this.edits.object ? drivenWheels(this.world.shown(), this.edits.object.robot) : []
+        const wheels = field.p.names === 'Wheel' && this.edits.object
+            ? drivenWheels(this.world.shown(), this.edits.object.robot) : []
         return !wheels.length || !field.text || wheels.indexOf(field.text) >= 0 ? wheels : wheels.concat(field.text)
     }
 
@@ -310,7 +324,8 @@ export class Inspector {
 
     /** Returns a parameter's meaning, valid values and default. */
     docOf(parameter) {
-        return parameter.doc + '. Legal: ' + parameter.legal + (parameter['default'] ? '. Default: ' + parameter['default'] : '') + '.'
+        return parameter.doc + '. Legal: ' + parameter.legal
+            + (parameter['default'] ? '. Default: ' + parameter['default'] : '') + '.'
     }
 
     /**

@@ -9,23 +9,35 @@ const BOARDS = ['Arduino', 'Led']
 const PICTURES = new URL('../tiles/palette.png', import.meta.url)
 export const COLUMNS = 8
 const WORDS = {
-    Box: 'Box', Cylinder: 'Cylinder', Cone: 'Cone', Sphere: 'Sphere', Terrain: 'Terrain', Floor: 'Floor', Model: '3D model',
-    roomba400: 'Roomba 400', create: 'Create', create2: 'Create 2', rover: 'Rover', fourWheeled: 'Four wheels', car: 'Car', Wheel: 'Wheel',
-    Motor: 'Motor', Servo: 'Servo', Dynamics: 'Mass and springs', Distance: 'Distance sensor', LIDAR: 'Laser scanner', GPS: 'GPS receiver',
-    Compass: 'Compass', Accelerometer: 'Accelerometer', Gyroscope: 'Gyroscope', Odometer: 'Odometer', IMU: 'Motion unit (IMU)',
-    LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)', chassis: 'Chassis',
+    Box: 'Box', Cylinder: 'Cylinder', Cone: 'Cone', Sphere: 'Sphere', Terrain: 'Terrain', Floor: 'Floor',
+        Model: '3D model',
+    roomba400: 'Roomba 400', create: 'Create', create2: 'Create 2', rover: 'Rover', fourWheeled: 'Four wheels',
+    car: 'Car', Wheel: 'Wheel',
+    Motor: 'Motor', Servo: 'Servo', Dynamics: 'Mass and springs', Distance: 'Distance sensor', LIDAR: 'Laser scanner',
+    GPS: 'GPS receiver',
+    Compass: 'Compass', Accelerometer: 'Accelerometer', Gyroscope: 'Gyroscope', Odometer: 'Odometer',
+    IMU: 'Motion unit (IMU)',
+    LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)',
+    chassis: 'Chassis',
     Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture'
 }
 // Other search words.
 const ALSO = {
-    Box: 'wall cube block crate obstacle', Cylinder: 'pole pillar can tube', Cone: 'pylon', Sphere: 'ball', Terrain: 'ground hill mountain landscape',
-    Floor: 'ground plane line', Model: 'mesh stl obj', roomba400: 'vacuum cleaner irobot', create: 'irobot', create2: 'irobot roomba',
-    rover: 'two wheels', car: 'vehicle steered', Wheel: 'caster tyre tire', Motor: 'encoder engine drive', Servo: 'joint arm steering',
-    Dynamics: 'weight suspension', Distance: 'sonar ultrasonic ultrasound infrared range eye', LIDAR: 'lidar rangefinder', GPS: 'position satellite',
-    Compass: 'magnetometer heading', Accelerometer: 'tilt', Gyroscope: 'gyro rotation', Odometer: 'encoder way', IMU: 'gyro orientation',
-    LineSensor: 'infrared reflectance', ColorSensor: 'color', Bumper: 'touch contact switch', Arduino: 'board microcontroller', Led: 'lamp',
+    Box: 'wall cube block crate obstacle', Cylinder: 'pole pillar can tube', Cone: 'pylon', Sphere: 'ball',
+        Terrain: 'ground hill mountain landscape',
+    Floor: 'ground plane line', Model: 'mesh stl obj', roomba400: 'vacuum cleaner irobot', create: 'irobot',
+    create2: 'irobot roomba',
+    rover: 'two wheels', car: 'vehicle steered', Wheel: 'caster tyre tire', Motor: 'encoder engine drive',
+    Servo: 'joint arm steering',
+    Dynamics: 'weight suspension', Distance: 'sonar ultrasonic ultrasound infrared range eye',
+    LIDAR: 'lidar rangefinder', GPS: 'position satellite',
+    Compass: 'magnetometer heading', Accelerometer: 'tilt', Gyroscope: 'gyro rotation', Odometer: 'encoder way',
+    IMU: 'gyro orientation',
+    LineSensor: 'infrared reflectance', ColorSensor: 'color', Bumper: 'touch contact switch',
+    Arduino: 'board microcontroller', Led: 'lamp',
     chassis: 'own empty body base', Camera: 'eye picture depth infrared thermal webcam kinect',
-    Marker: 'aruco apriltag tag fiducial code', Chessboard: 'calibration checkerboard pattern', Picture: 'image poster sign photo'
+    Marker: 'aruco apriltag tag fiducial code', Chessboard: 'calibration checkerboard pattern',
+    Picture: 'image poster sign photo'
 }
 const ALSO_ROBOTS = 'robot'
 export const PICTURED = Object.keys(WORDS)
@@ -37,7 +49,8 @@ function styleOf(name) {
     const i = PICTURED.indexOf(name)
     const rows = Math.ceil(PICTURED.length / COLUMNS)
     return {'background-image': 'url("' + PICTURES + '")', 'background-size': COLUMNS * 100 + '% ' + rows * 100 + '%',
-        'background-position': i % COLUMNS / (COLUMNS - 1) * 100 + '% ' + Math.floor(i / COLUMNS) / (rows - 1) * 100 + '%'}
+        'background-position': i % COLUMNS / (COLUMNS - 1) * 100 + '% ' + Math.floor(i / COLUMNS) / (rows - 1)
+            * 100 + '%'}
 }
 /** Splits a camel-case name into words, for kinds not listed here: thermalGrid becomes "Thermal grid". */
 function words(name) {
@@ -45,8 +58,10 @@ function words(name) {
     return apart.charAt(0).toUpperCase() + apart.slice(1).replace(/ [A-Z](?=[a-z])/g, start => start.toLowerCase())
 }
 function kind(name, group, more) {
-    return Object.assign({make: name, group, word: WORDS[name] || words(name), style: styleOf(WORDS[name] ? name : OTHER[group]),
-        sought: [WORDS[name] || words(name), name, ALSO[name] || '', group === 'Robots' ? ALSO_ROBOTS : ''].join(' ').toLowerCase()}, more)
+    return Object.assign({make: name, group, word: WORDS[name] || words(name),
+        style: styleOf(WORDS[name] ? name : OTHER[group]),
+        sought: [WORDS[name] || words(name), name, ALSO[name] || '', group === 'Robots' ? ALSO_ROBOTS : ''].join(' ')
+            .toLowerCase()}, more)
 }
 
 /** Returns the entry of a type of the grammar. */
@@ -55,6 +70,7 @@ export function ofType(type) {
 }
 /** Returns the entry of a whole robot. */
 export function ofTemplate(name) {
-    return kind(name, 'Robots', {template: name, doc: name === 'chassis' ? 'an empty body for your own robot: add wheels and motors'
+    return kind(name, 'Robots', {template: name, doc: name === 'chassis' ? 'an empty body for your own robot: add '
+        + 'wheels and motors'
         : 'a complete robot that drives'})
 }

@@ -10,7 +10,8 @@ const TILT = '-20'            // degrees about x, upwards: SEAR's widest beam th
 /** Returns the edit that makes a robot; in a world without ground it also adds a floor. */
 export function withGround(edit, world) {
     const ground = world && world.objects.some(object => object.type === 'Floor' || object.ground || object.terrain)
-    return ground ? edit : {'do': 'all', edits: [{'do': 'add', type: 'Floor', set: {length: FLOOR, width: FLOOR}}, edit]}
+    return ground ? edit : {'do': 'all',
+        edits: [{'do': 'add', type: 'Floor', set: {length: FLOOR, width: FLOOR}}, edit]}
 }
 /**
  * Returns the mounting position of a robot's part at a point of its body, snapped along the surface only. A part with

@@ -41,7 +41,8 @@ export class Palette {
             return this.shownGroups
         }
         this.made = {grammar: this.edits.grammar, sought: this.sought}
-        const all = !this.edits.grammar ? [] : this.edits.grammar.types.filter(type => type.kind !== 'robot').map(making.ofType)
+        const all = !this.edits.grammar ? [] : this.edits.grammar.types.filter(type => type.kind !== 'robot')
+            .map(making.ofType)
             .concat(this.edits.grammar.templates.map(making.ofTemplate))
         const wanted = this.sought.trim().toLowerCase()
         this.kinds = all.filter(kind => kind.sought.indexOf(wanted) >= 0)
@@ -167,7 +168,8 @@ export class Palette {
         if (this.isForRobots()) {
             const robot = at.robot || this.view.robot
             if (!robot) {
-                this.messages.say('error', 'a ' + armed.name + ' is a robot part: place a robot first, for example Chassis from the group Robots')
+                this.messages.say('error', 'a ' + armed.name + ' is a robot part: place a robot first, for example '
+                    + 'Chassis from the group Robots')
                 return
             }
             edit.to = robot
@@ -177,7 +179,8 @@ export class Palette {
             }
             if (armed.name === 'Wheel') {
                 Object.assign(edit.set, besideBody(this.world.shown(), robot, at.robot && !anywhere ? at.local : null,
-                    {radius: this.initial(armed.type, 'radius'), width: this.initial(armed.type, 'width')}, value => this.snapped(value, free)))
+                    {radius: this.initial(armed.type, 'radius'), width: this.initial(armed.type, 'width')},
+                        value => this.snapped(value, free)))
             } else if (at.robot) {
                 Object.assign(edit.set, mounted(at, armed.type, free, this.snapped.bind(this)))
             } else {
@@ -230,9 +233,11 @@ export class Palette {
         return top && top.robot === name ? top : null
     }
 
-    // ---- from the palette into the view ------------------------------------------------------------------------------------------------
+    // ---- from the palette into the view
+    // ------------------------------------------------------------------------------------------------
     grab(event) {
-        this.carried = event.target.closest && event.button === 0 ? event.target.closest('.sear-palette [data-make]') : null
+        this.carried = event.target.closest && event.button === 0
+            ? event.target.closest('.sear-palette [data-make]') : null
     }
 
     /** Stops the views from turning during a drag from the palette. */

@@ -45,8 +45,10 @@ function between(a, b) {
 export function of(selected, values, live) {
     const headed = values.placeHeading !== undefined
     const onEarth = values.placeLatitude !== undefined
-    const place = {at: numbers(values, AXES), ry: headed ? NORTH - Number(values.placeHeading) : Number(values.ry) || 0, strayed: {}, headed,
-        onEarth, onGround: onEarth || values.onGround === 'true', moves: Boolean(selected && !selected.robot && live), stands: false}
+    const place = {at: numbers(values, AXES), ry: headed ? NORTH - Number(values.placeHeading) : Number(values.ry) || 0,
+        strayed: {}, headed,
+        onEarth, onGround: onEarth || values.onGround === 'true', moves: Boolean(selected && !selected.robot && live),
+            stands: false}
     if (place.moves) {
         (selected.object.parts ? robot : thing)(place, selected.object, values)
     } else if (selected && onEarth) {
@@ -83,7 +85,8 @@ function robot(place, object) {
     const now = geometry.frame(object.pose)
     const turned = wrapped(heading(now) - heading(start))
     const ry = wrapped(place.headed ? heading(now) : object.written[4] + turned)
-    const apart = geometry.rotate(geometry.frame([0, 0, 0, 0, turned, 0]), AXES.map((axis, i) => place.onGround ? 0 : object.written[i] - start[i]))
+    const apart = geometry.rotate(geometry.frame([0, 0, 0, 0, turned, 0]),
+        AXES.map((axis, i) => place.onGround ? 0 : object.written[i] - start[i]))
     place.stands = true
     stray(place, apart.map((value, i) => value + now[i]))
     if (Math.abs(wrapped(ry - place.ry)) > TURNED) {

@@ -14,7 +14,8 @@ export class Pointer {
     /** Returns the ground point [x, z] of a pixel of the map. */
     onMap(x, y) {
         const shown = this.canvas()
-        return [this.view.x - (y - shown.clientHeight / 2) / this.view.scale, this.view.z + (x - shown.clientWidth / 2) / this.view.scale]
+        return [this.view.x - (y - shown.clientHeight / 2) / this.view.scale, this.view.z
+            + (x - shown.clientWidth / 2) / this.view.scale]
     }
 
     /** Returns the 3D view; null while it is hidden. */
@@ -56,6 +57,7 @@ export class Pointer {
 
     middle() {
         const shown = this.canvas()
-        return this.at(shown.clientWidth / 2, shown.clientHeight / 2) || {who: null, point: [0, 0, 0], ground: false, robot: null, local: null}
+        return this.at(shown.clientWidth / 2, shown.clientHeight / 2)
+        || {who: null, point: [0, 0, 0], ground: false, robot: null, local: null}
     }
 }

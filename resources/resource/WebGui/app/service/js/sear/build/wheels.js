@@ -32,7 +32,8 @@ export function wheelToTurn(world, robot) {
 /** Returns the height of the ground below a robot, in the world; null where none is found. */
 function ground(world, robot) {
     const pose = robot.pose
-    const below = world.objects.filter(object => !object.ground && object.$shape && contains(object.$shape.outline, pose[0], pose[2])).map(top)
+    const below = world.objects.filter(object => !object.ground && object.$shape
+        && contains(object.$shape.outline, pose[0], pose[2])).map(top)
         .filter(height => height < pose[1] && height > pose[1] - FARTHEST)
     return below.length ? Math.max.apply(null, below) : null
 }
@@ -67,7 +68,8 @@ export function besideBody(world, name, near, size, snapped) {
         return at
     }
     function isFree(at) {
-        return robot.parts.filter(isWheel).every(wheel => Math.hypot(wheel.pose[0] - at[0], wheel.pose[2] - at[2]) > 2 * size.radius)
+        return robot.parts.filter(isWheel)
+            .every(wheel => Math.hypot(wheel.pose[0] - at[0], wheel.pose[2] - at[2]) > 2 * size.radius)
     }
     let at
     if (near) {

@@ -42,8 +42,10 @@ class GpsPanel {
         $scope.longitude = LONGITUDE
         $scope.altitude = ALTITUDE
 
-        panel.offer(this, ['bauds', 'offset', 'token', 'hasFix', 'quality', 'time', 'chooseModel', 'connect', 'clearTrack'])
-        panel.hear(['publishGGAData', 'publishGPS', 'publishSentence', 'publishStatus', 'getSentenceCount'], ['getPortNames', 'getLastFix'],
+        panel.offer(this, ['bauds', 'offset', 'token', 'hasFix', 'quality', 'time', 'chooseModel', 'connect',
+            'clearTrack'])
+        panel.hear(['publishGGAData', 'publishGPS', 'publishSentence', 'publishStatus', 'getSentenceCount'],
+            ['getPortNames', 'getLastFix'],
             Object.assign({
                 onState: service => this.onState(service),
                 onGGAData: tokens => {
@@ -113,7 +115,8 @@ class GpsPanel {
     }
 
     quality() {
-        return this.$scope.tokens ? QUALITIES[this.$scope.tokens[QUALITY] || 0] || 'quality ' + this.$scope.tokens[QUALITY] : '–'
+        return this.$scope.tokens ? QUALITIES[this.$scope.tokens[QUALITY] || 0]
+            || 'quality ' + this.$scope.tokens[QUALITY] : '–'
     }
 
     time() {

@@ -8,7 +8,8 @@ const EQUATOR_DEGREE = 111412.84
 /** Returns a position's offset [east, north] from another one, metres. Positions are [latitude, longitude], degrees. */
 export function metresBetween(start, position) {
     const latitude = start[0] * Math.PI / 180
-    const north = (position[0] - start[0]) * (METRES_PER_DEGREE - 559.82 * Math.cos(2 * latitude) + 1.175 * Math.cos(4 * latitude))
+    const north = (position[0] - start[0]) * (METRES_PER_DEGREE - 559.82 * Math.cos(2 * latitude)
+        + 1.175 * Math.cos(4 * latitude))
     const turn = position[1] - start[1]
     const shorter = turn > 180 ? turn - 360 : turn < -180 ? turn + 360 : turn
     return [shorter * (EQUATOR_DEGREE * Math.cos(latitude) - 93.5 * Math.cos(3 * latitude)), north]
@@ -31,7 +32,8 @@ export function plotOf(track) {
     const reach = Math.ceil(farthest / step) * step
     return {
         reach,
-        points: track.map(point => (point[0] / reach * HALF).toFixed(2) + ',' + (-point[1] / reach * HALF).toFixed(2)).join(' '),
+        points: track.map(point => (point[0] / reach * HALF).toFixed(2) + ',' + (-point[1] / reach * HALF)
+            .toFixed(2)).join(' '),
         last: track[track.length - 1].map((metres, axis) => (axis ? -1 : 1) * metres / reach * HALF)
     }
 }

@@ -10,7 +10,8 @@ import {saveText} from '../shared/words.js'
 
 const RATE_MILLIS = 3000
 const TABLE_MILLIS = 300
-const KEY_STEPS = {ArrowLeft: 1, ArrowRight: -1, ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10, Home: -Infinity, End: Infinity}
+const KEY_STEPS = {ArrowLeft: 1, ArrowRight: -1, ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10, Home: -Infinity,
+    End: Infinity}
 const SAME_RESOLUTION = 0.1   // relative tolerance: devices with their own steps report a slightly different resolution
 
 /** One panel. The scope has its state. */
@@ -54,7 +55,8 @@ class LidarPanel {
         }, () => this.draw())
 
         $scope.point = plot.point
-        this.panel.offer(this, ['connect', 'setModel', 'setBaud', 'setMode', 'geometry', 'hover', 'choose', 'key', 'beamText', 'showTable',
+        this.panel.offer(this, ['connect', 'setModel', 'setBaud', 'setMode', 'geometry', 'hover', 'choose', 'key',
+            'beamText', 'showTable',
             'download', 'redraw'])
         this.panel.hear(['publishScan', 'publishStatus'], ['getPortNames', 'getModels', 'getLastScan'], Object.assign({
             onState: service => {
@@ -102,7 +104,8 @@ class LidarPanel {
             this.$scope.known = model
             this.$scope.bauds = model.bauds
             this.$scope.centimetres = model.centimetres
-            this.$scope.modes = model.modes.map(mode => ({label: mode[0] + '° / ' + mode[1] + '°', spread: mode[0], resolution: mode[1]}))
+            this.$scope.modes = model.modes.map(
+            mode => ({label: mode[0] + '° / ' + mode[1] + '°', spread: mode[0], resolution: mode[1]}))
         }
     }
 
@@ -117,7 +120,8 @@ class LidarPanel {
         while (this.arrivals[0] < now - RATE_MILLIS) {
             this.arrivals.shift()
         }
-        this.$scope.rate = this.arrivals.length > 1 && now > this.arrivals[0] ? (this.arrivals.length - 1) * 1000 / (now - this.arrivals[0]) : 0
+        this.$scope.rate = this.arrivals.length > 1 && now > this.arrivals[0] ? (this.arrivals.length - 1) * 1000 / (
+            now - this.arrivals[0]) : 0
         return this.showScan(scan)
     }
 
@@ -153,7 +157,8 @@ class LidarPanel {
         this.msg.send('setScanMode', this.wanted.mode.spread, this.wanted.mode.resolution)
     }
 
-    // ---- the plot --------------------------------------------------------------------------------------------------------------------------
+    // ---- the plot
+    // -----------------------------------------------------------------------------------------------------------------
     canvas() {
         return this.panel.element('plot')
     }
@@ -168,11 +173,13 @@ class LidarPanel {
     draw() {
         const element = this.canvas()
         if (element && element.clientWidth) {
-            plot.draw(penOf(element), this.geometry(), window.getComputedStyle(element).color, this.$scope.scan, this.$scope.beam)
+            plot.draw(penOf(element), this.geometry(), window.getComputedStyle(element).color, this.$scope.scan,
+                this.$scope.beam)
         }
     }
 
-    // ---- one beam: under the mouse, or chosen with the keys --------------------------------------------------------------------------------
+    // ---- one beam: under the mouse, or chosen with the keys
+    // --------------------------------------------------------------------------------
     hover(event) {
         if (this.$scope.scan) {
             this.choose(plot.beamAt(this.geometry(), this.$scope.scan, event.offsetX, event.offsetY))
@@ -189,7 +196,8 @@ class LidarPanel {
         if (step && this.$scope.scan) {
             event.preventDefault()
             const last = this.$scope.scan.angles.length - 1
-            const from = this.$scope.beam === null ? Math.round(last / 2) - (isFinite(step) ? step : 0) : this.$scope.beam
+            const from = this.$scope.beam === null ? Math.round(last / 2)
+            - (isFinite(step) ? step : 0) : this.$scope.beam
             this.choose(Math.max(0, Math.min(last, from + step)))
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Polar plot of a scan: sensor at the bottom centre, 0 degrees to the right, 90 degrees ahead. Pure functions of scan
-// and geometry: x and y of the sensor, radius (all pixels), reach (metres at that radius), full (whether it is a circle).
+// and geometry: x and y of the sensor, radius (all pixels), reach (metres at that radius), full (whether it is a
+// circle).
 const MARGIN = 28             // pixels above and below the plot
 const SIDE = 42               // pixels beside the plot, for the labels of 0 and 180 degrees
 const LABEL = 40              // pixels for a ring's label
@@ -51,7 +52,8 @@ export function beamAt(geometry, scan, x, y) {
 /** Describes a beam. @param i its index */
 export function beamText(scan, i) {
     const metres = scan.metres[i]
-    return scan.angles[i] + '°: ' + (metres === null ? 'no return (' + scan.raw[i] + ')' : metres + ' m (' + scan.raw[i] + ' ' + scan.unit + ')')
+    return scan.angles[i] + '°: ' + (metres === null ? 'no return (' + scan.raw[i] + ')' : metres + ' m (' + scan.raw[i]
+        + ' ' + scan.unit + ')')
 }
 
 /** Returns the beams of a scan as table rows. */
@@ -108,7 +110,8 @@ function drawGrid(pen, geometry, colour, inCentimetres) {
     pen.textAlign = 'center'
     const labelled = step * scale < LABEL ? 2 * step : step
     for (let ring = labelled; ring <= geometry.reach + NEARLY; ring += labelled) {
-        pen.fillText(inCentimetres ? Math.round(ring * 100) + ' cm' : ring + ' m', geometry.x + ring * scale, geometry.y + 14)
+        pen.fillText(inCentimetres ? Math.round(ring * 100) + ' cm' : ring + ' m', geometry.x + ring * scale,
+            geometry.y + 14)
     }
     for (let degrees = 0; degrees <= last; degrees += ANGLE_STEP) {
         const end = point(geometry, geometry.reach * (1 + 14 / geometry.radius), degrees)

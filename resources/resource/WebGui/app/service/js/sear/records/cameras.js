@@ -20,7 +20,8 @@ export class Cameras {
         this.shown = Object.create(null) // by name of the camera: last answer of the running world
         this.kept = Object.create(null) // by name of the camera: last answer of the shown record
         this.marks = Object.create(null) // by name: the pixel whose value is shown, {column, row, style}
-        this.questions = Object.create(null) // by name: last request, {key, asked: when, rest: time of the next allowed request, awaited}
+        // by name: last request, {key, asked: when, rest: time of the next allowed request, awaited}
+        this.questions = Object.create(null)
         this.plotted = () => []
         this.large = ''         // name of the camera shown over the view
         world.news.hear(() => this.forget())
@@ -29,7 +30,8 @@ export class Cameras {
         panel.scope.$on('$destroy', () => {
             $interval.cancel(looks)
         })
-        this.handlers = {onCameraPicture: sent => this.onCameraPicture(sent), onRecordPicture: sent => this.onRecordPicture(sent)}
+        this.handlers = {onCameraPicture: sent => this.onCameraPicture(sent), onRecordPicture: sent =>
+            this.onRecordPicture(sent)}
     }
 
     /** Sets the source of plotted names. @param lines returns the names plotted of the running world */
@@ -59,7 +61,8 @@ export class Cameras {
     /** Returns the width of the large picture, which fits between the other elements over the view. */
     largeSize(sensor) {
         const canvas = this.picture.canvas()
-        const room = canvas ? Math.min(0.46 * canvas.clientWidth, (canvas.clientHeight - AROUND) * sensor.eye.width / sensor.eye.height, LARGE) : 0
+        const room = canvas ? Math.min(0.46 * canvas.clientWidth, (canvas.clientHeight - AROUND) * sensor.eye.width
+            / sensor.eye.height, LARGE) : 0
         return {width: Math.max(SMALLEST, Math.round(room)) + 'px'}
     }
 
@@ -78,10 +81,13 @@ export class Cameras {
         return this.replay.shown ? this.replay.shown.pictures.indexOf(sensor.name) >= 0 : this.panel.isSimulating()
     }
 
-    // ---- a pixel ---------------------------------------------------------------------------------------------------------------------
+    // ---- a pixel
+    // -----------------------------------------------------------------------------------------------------------------
     mark(sensor, column, row) {
-        const at = {column: Math.max(0, Math.min(sensor.eye.width - 1, column)), row: Math.max(0, Math.min(sensor.eye.height - 1, row))}
-        at.style = {left: 100 * (at.column + 0.5) / sensor.eye.width + '%', top: 100 * (at.row + 0.5) / sensor.eye.height + '%'}
+        const at = {column: Math.max(0, Math.min(sensor.eye.width - 1, column)),
+            row: Math.max(0, Math.min(sensor.eye.height - 1, row))}
+        at.style = {left: 100 * (at.column + 0.5) / sensor.eye.width + '%',
+            top: 100 * (at.row + 0.5) / sensor.eye.height + '%'}
         this.marks[sensor.name] = at
         this.look()
     }
@@ -102,7 +108,8 @@ export class Cameras {
         if (event.key === 'Escape') {
             delete this.marks[sensor.name]
         } else if (step && at) {
-            this.mark(sensor, at.column + step[0] * (event.shiftKey ? 10 : 1), at.row + step[1] * (event.shiftKey ? 10 : 1))
+            this.mark(sensor, at.column + step[0] * (event.shiftKey ? 10 : 1),
+                at.row + step[1] * (event.shiftKey ? 10 : 1))
             event.preventDefault()
         }
     }
@@ -121,12 +128,14 @@ export class Cameras {
         return at ? 'column ' + at.column + ', row ' + at.row + ': ' + words : ''
     }
 
-    // ---- asking ----------------------------------------------------------------------------------------------------------------------
+    // ---- asking
+    // -----------------------------------------------------------------------------------------------------------------
     isSeen(element) {
         const box = element.getBoundingClientRect()
         const around = element.closest('.sear-inside')
         const within = around ? around.getBoundingClientRect() : {top: 0, bottom: window.innerHeight}
-        return box.height > 0 && box.bottom > Math.max(0, within.top) && box.top < Math.min(window.innerHeight, within.bottom)
+        return box.height > 0 && box.bottom > Math.max(0, within.top)
+            && box.top < Math.min(window.innerHeight, within.bottom)
     }
 
     /** Returns the picture size in pixels of each visible camera, by name. */
@@ -138,7 +147,8 @@ export class Cameras {
         }
         workspace.querySelectorAll('[data-eye]').forEach(element => {
             if (this.isSeen(element)) {
-                sizes[element.dataset.eye] = Math.max(sizes[element.dataset.eye] || 0, element.dataset.large ? LARGE : SMALL)
+                sizes[element.dataset.eye] = Math.max(sizes[element.dataset.eye] || 0, element.dataset.large
+                    ? LARGE : SMALL)
             }
         })
         const lines = this.replay.shown ? [] : this.plotted()

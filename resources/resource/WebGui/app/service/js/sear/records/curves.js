@@ -47,7 +47,8 @@ export class Curves {
         this.lines = lines
         this.marked = marked
         this.ink = window.getComputedStyle(this.box).color
-        const kind = JSON.stringify([this.ink, this.titles()].concat(lines.map(line => [line.name, line.source, line.unit, line.color])))
+        const kind = JSON.stringify([this.ink, this.titles()]
+            .concat(lines.map(line => [line.name, line.source, line.unit, line.color])))
         if (this.plot && this.kind !== kind) {
             this.plot.destroy()
             this.plot = null
@@ -56,7 +57,8 @@ export class Curves {
         const data = this.data()
         if (!this.plot) {
             this.plot = new uPlot(this.options(), data, this.box)
-            this.plot.ctx.canvas.setAttribute('aria-label', 'Lines of ' + (lines.map(line => line.name).join(', ') || 'nothing'))
+            this.plot.ctx.canvas.setAttribute(
+            'aria-label', 'Lines of ' + (lines.map(line => line.name).join(', ') || 'nothing'))
             this.listen(this.plot.over)
         } else {
             this.resize()
@@ -71,7 +73,8 @@ export class Curves {
         const room = this.size().height - LOWER
         pen.font = FONT
         return lines.map(line => line.unit).filter((unit, i, all) => all.indexOf(unit) === i).map(unit => {
-            const names = lines.filter(line => line.unit === unit).map(line => line.name).filter((name, i, all) => all.indexOf(name) === i)
+            const names = lines.filter(line => line.unit === unit).map(line => line.name)
+                .filter((name, i, all) => all.indexOf(name) === i)
             return {unit, title: titleWithin(names, unit, room, text => pen.measureText(text).width)}
         })
     }
@@ -88,8 +91,8 @@ export class Curves {
     }
 
     /**
-     * Returns the data for uPlot. Lines with the same times share them. null is a gap, but not where only other lines have
-     * points.
+     * Returns the data for uPlot. Lines with the same times share them. null is a gap, but not where only other lines
+     * have points.
      */
     data() {
         const tables = []
@@ -114,7 +117,8 @@ export class Curves {
         }))
     }
 
-    // ---- appearance ------------------------------------------------------------------------------------------------------------------------
+    // ---- appearance
+    // -----------------------------------------------------------------------------------------------------------------
     options() {
         const scales = {x: {time: false, range: (u, from, to) => this.rangeOf(from, to)}}
         const axis = more => Object.assign({stroke: this.ink, font: FONT, labelFont: FONT, labelSize: 16, labelGap: 0,
@@ -130,7 +134,8 @@ export class Curves {
             legend: {show: false},
             scales,
             axes,
-            series: [{}].concat(this.lines.map(line => ({label: line.name, scale: 'in ' + line.unit, stroke: line.color, width: 1.5,
+            series: [{}].concat(this.lines.map(
+                line => ({label: line.name, scale: 'in ' + line.unit, stroke: line.color, width: 1.5,
                 dash: line.dashed ? [6, 4] : undefined, points: {show: false}}))),
             cursor: {y: false, points: {show: false}, drag: {x: true, y: false, setScale: false, dist: DRAG},
                 bind: {dblclick: () => () => this.look(null)}},
@@ -156,7 +161,8 @@ export class Curves {
         }
     }
 
-    // ---- the range -------------------------------------------------------------------------------------------------------------------------
+    // ---- the range
+    // -----------------------------------------------------------------------------------------------------------------
     /** Shows a range. @param range seconds; null for all */
     look(range) {
         this.range = range
@@ -189,7 +195,8 @@ export class Curves {
         }, {passive: false})
     }
 
-    // ---- the picture -----------------------------------------------------------------------------------------------------------------------
+    // ---- the picture
+    // -----------------------------------------------------------------------------------------------------------------
     /** Returns a picture of the plot with a legend. @param paper its background colour @return a canvas */
     picture(paper) {
         const drawn = this.plot.ctx.canvas
@@ -214,7 +221,8 @@ export class Curves {
             pen.lineTo(edge + 30 * ratio, y)
             pen.stroke()
             pen.fillStyle = this.ink
-            pen.fillText(line.name + (line.unit ? ' (' + line.unit + ')' : '') + (line.source ? ', ' + line.source : ''), edge + 38 * ratio, y)
+            pen.fillText(line.name + (line.unit ? ' (' + line.unit + ')' : '')
+                + (line.source ? ', ' + line.source : ''), edge + 38 * ratio, y)
         })
         pen.drawImage(drawn, edge, 2 * edge + this.lines.length * row)
         return canvas

@@ -155,7 +155,8 @@ export class Plot {
         this.draw()
     }
 
-    // ---- live --------------------------------------------------------------------------------------------------------------------------
+    // ---- live
+    // -----------------------------------------------------------------------------------------------------------------
     /** Adds a sample after each message of the running world. */
     sample() {
         const state = this.world.running
@@ -192,7 +193,8 @@ export class Plot {
         this.draw()
     }
 
-    // ---- drawing -----------------------------------------------------------------------------------------------------------------------
+    // ---- drawing
+    // -----------------------------------------------------------------------------------------------------------------
     linesToDraw() {
         const shown = []
         this.lines.forEach((name, i) => {
@@ -205,7 +207,8 @@ export class Plot {
             [this.source, this.other].forEach((path, k) => {
                 const data = path && this.fetched[path + '\n' + name]
                 if (data && (k === 0 || path !== this.source)) {
-                    shown.push({name, unit, source: path, times: data.times, values: data.values, color, dashed: k === 1})
+                    shown.push({name, unit, source: path, times: data.times, values: data.values, color,
+                        dashed: k === 1})
                 }
             })
         })
@@ -251,7 +254,8 @@ export class Plot {
         if (this.lines.length && !this.curves.isEmpty()) {
             return ''
         }
-        return !this.lines.length ? 'Choose a value above to plot it' : this.source || this.world.running ? 'No values yet'
+        return !this.lines.length ? 'Choose a value above to plot it' : this.source || this.world.running
+            ? 'No values yet'
             : 'Start the simulation, or choose a record, to plot its values'
     }
 

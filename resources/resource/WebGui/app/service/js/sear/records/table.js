@@ -36,9 +36,11 @@ export function csv(lines) {
             columns.push({name: 'time (s)' + (line.source ? ' ' + line.source : ''), values: line.times})
         }
         columns.times = line.times
-        columns.push({name: line.name + (line.unit ? ' (' + line.unit + ')' : '') + (line.source ? ' ' + line.source : ''), values: line.values})
+        columns.push({name: line.name + (line.unit ? ' (' + line.unit + ')' : '')
+            + (line.source ? ' ' + line.source : ''), values: line.values})
     })
-    const rows = [columns.map(column => /[",\n]/.test(column.name) ? '"' + column.name.replace(/"/g, '""') + '"' : column.name).join(',')]
+    const rows = [columns.map(column =>
+        /[",\n]/.test(column.name) ? '"' + column.name.replace(/"/g, '""') + '"' : column.name).join(',')]
     const count = Math.max.apply(null, columns.map(column => column.values.length).concat(0))
     function cell(column) {
         return isNumber(column.values[rows.length - 1]) ? column.values[rows.length - 1] : ''

@@ -5,11 +5,13 @@ import {frame, rotate} from '../shared/geometry.js'
 const PARTS = {x: 'm', y: 'm', z: 'm', heading: 'deg', speed: 'm/s', turnRate: 'rad/s'}
 const ENDINGS = [[/ (speed|left|right) wanted$/, 'm/s'], [/ radius wanted$/, 'm'], [/ (received|sent)$/, 'bytes']]
 /** Quantity of each unit, for axis titles. */
-const QUANTITIES = {'m': 'length', 'm/s': 'speed', 'deg': 'angle', 'rad/s': 'turning', 'm/s2': 'acceleration', 'bytes': 'serial port'}
+const QUANTITIES = {'m': 'length', 'm/s': 'speed', 'deg': 'angle', 'rad/s': 'turning', 'm/s2': 'acceleration',
+    'bytes': 'serial port'}
 
 /** Returns all values of a world by name. */
 export function valuesOf(world) {
-    const values = Object.create(null)    // a sensor may be named like a member of every object, for example constructor
+    // a sensor may be named like a member of every object, for example constructor
+    const values = Object.create(null)
     world.robots.forEach(robot => {
         const ahead = rotate(frame(robot.pose), [0, 0, 1])
         values[robot.name + '.x'] = robot.pose[0]
@@ -68,5 +70,6 @@ export function titleWithin(names, unit, room, length) {
 export function firstOf(world, names) {
     const robot = world && world.robots[0]
     const sensor = robot && world.sensors.filter(one => one.robot === robot.name && one.names.length)[0]
-    return [robot && robot.name + '.speed', sensor && sensor.name + sensor.names[0]].filter(name => names.indexOf(name) >= 0)
+    return [robot && robot.name + '.speed', sensor && sensor.name + sensor.names[0]]
+    .filter(name => names.indexOf(name) >= 0)
 }

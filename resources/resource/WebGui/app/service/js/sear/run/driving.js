@@ -4,7 +4,8 @@ const SPEED = 0.2             // m/s with keys, as with the buttons
 const FASTEST = 0.4           // m/s with a gamepad stick at its end
 const DEAD = 0.15             // dead zone of a stick
 const LOOK_MILLIS = 50        // polling interval of gamepads
-const KEYS = {w: [1, 0], s: [-1, 0], a: [0, 1], d: [0, -1], arrowup: [1, 0], arrowdown: [-1, 0], arrowleft: [0, 1], arrowright: [0, -1]}
+const KEYS = {w: [1, 0], s: [-1, 0], a: [0, 1], d: [0, -1], arrowup: [1, 0], arrowdown: [-1, 0], arrowleft: [0, 1],
+    arrowright: [0, -1]}
 const PAD = {12: [1, 0], 13: [-1, 0], 14: [0, 1], 15: [0, -1]}    // buttons of the D-pad
 
 function sum(ways) {
@@ -32,13 +33,15 @@ export class Driving {
             this.held = {}
             this.padded = false
         })
-        panel.scope.$watch(() => Boolean(world.instead), instead => instead && this.letGo())     // stops driving during a replay
+        // stops driving during a replay
+        panel.scope.$watch(() => Boolean(world.instead), instead => instead && this.letGo())
     }
 
     /** Sends changed drive calls. @param way forward and left, -1 to 1 @param most m/s at 1 */
     go(way, most) {
         const calls = this.run.orders(way, most)
-        calls.filter((call, i) => String(call) !== String(this.last[i])).forEach(call => this.panel.msg.send.apply(this.panel.msg, call))
+        calls.filter((call, i) => String(call) !== String(this.last[i]))
+        .forEach(call => this.panel.msg.send.apply(this.panel.msg, call))
         this.last = calls
     }
 
@@ -58,7 +61,8 @@ export class Driving {
         }
     }
 
-    // ---- keys --------------------------------------------------------------------------------------------------------------------------
+    // ---- keys
+    // -----------------------------------------------------------------------------------------------------------------
     /** While building, arrow keys move the selection, except in a test drive. */
     isBuilding(key) {
         return key.length > 1 && this.view.building && this.edits.selected && !this.run.testing
@@ -67,7 +71,8 @@ export class Driving {
     /** Handles a key. @return whether it was a drive key */
     key(event) {
         const key = (event.key || '').toLowerCase()
-        if (!KEYS[key] || !this.canDrive() || this.isBuilding(key) || event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) {
+        if (!KEYS[key] || !this.canDrive() || this.isBuilding(key) || event.ctrlKey || event.altKey || event.metaKey
+            || event.shiftKey) {
             return false
         }
         event.preventDefault()
@@ -89,7 +94,8 @@ export class Driving {
         }
     }
 
-    // ---- gamepads ----------------------------------------------------------------------------------------------------------------------
+    // ---- gamepads
+    // -----------------------------------------------------------------------------------------------------------------
     look() {
         if (!this.canDrive() || !this.picture.width() || document.hidden || !navigator.getGamepads) {
             return

@@ -14,7 +14,8 @@ export class Hand {
         this.world = world
         this.view = view
         this.pointer = pointer
-        this.held = null        // name, from: point taken, grip: the same in its own frame, way, normal of the mouse's plane
+        // name, from: point taken, grip: the same in its own frame, way, normal of the mouse's plane
+        this.held = null
         this.spring = null      // drawn line
         world.told.hear(running => {
             if (this.held && running) {
@@ -32,19 +33,22 @@ export class Hand {
     /** Returns the viewing direction. */
     ahead() {
         const canvas = this.pointer.canvas()
-        return this.pointer.scene() ? ray(this.pointer.scene(), canvas.clientWidth / 2, canvas.clientHeight / 2).along : null
+        return this.pointer.scene() ? ray(this.pointer.scene(), canvas.clientWidth / 2,
+            canvas.clientHeight / 2).along : null
     }
 
     take(event) {
         const p = this.pointer.position(event)
         const canPull = this.panel.isSimulating() && this.world.running && !this.world.instead && !this.view.building
-        const under = event.button === 0 && event.shiftKey && canPull && event.target === this.pointer.canvas() ? this.pointer.at(p[0], p[1]) : null
+        const under = event.button === 0 && event.shiftKey && canPull && event.target === this.pointer.canvas()
+        ? this.pointer.at(p[0], p[1]) : null
         const name = under && this.nameOf(under.who)
         const body = name && find(this.world.running, name)
         if (!body) {
             return
         }
-        this.held = {name, from: under.point, grip: local(body.pose, under.point), way: [0, 0, 0], sent: 0, at: p, normal: this.ahead()}
+        this.held = {name, from: under.point, grip: local(body.pose, under.point), way: [0, 0, 0], sent: 0, at: p,
+            normal: this.ahead()}
         event.stopImmediatePropagation()
         event.preventDefault()
         this.pointer.canvas().focus()
@@ -69,7 +73,8 @@ export class Hand {
         }
         this.held.at = this.pointer.position(event)
         const [x, y] = this.held.at
-        const to = this.pointer.scene() ? onPlane(ray(this.pointer.scene(), x, y), this.held.from, this.held.normal) : this.onMap()
+        const to = this.pointer.scene() ? onPlane(ray(this.pointer.scene(), x, y), this.held.from,
+            this.held.normal) : this.onMap()
         if (to) {
             this.held.way = to.map((value, i) => value - this.held.from[i])
         }
@@ -94,7 +99,8 @@ export class Hand {
         }
     }
 
-    // ---- drawing ---------------------------------------------------------------------------------------------------------------------------
+    // ---- drawing
+    // -----------------------------------------------------------------------------------------------------------------
     makeSpring() {
         const space = 'http://www.w3.org/2000/svg'
         const svg = document.createElementNS(space, 'svg')
@@ -114,7 +120,8 @@ export class Hand {
         if (body) {
             const turned = geometry.rotate(body.pose, this.held.grip)
             const grip = [0, 1, 2].map(i => body.pose[i] + turned[i])
-            const seen = this.pointer.scene() ? this.pointer.scene().toScreen(grip[0], grip[1], grip[2]) : this.view.toScreen(grip[0], grip[2])
+            const seen = this.pointer.scene() ? this.pointer.scene()
+            .toScreen(grip[0], grip[1], grip[2]) : this.view.toScreen(grip[0], grip[2])
             const ends = {x1: seen.x, y1: seen.y, x2: this.held.at[0], y2: this.held.at[1]}
             Object.keys(ends).forEach(name => this.spring.setAttribute(name, ends[name]))
         }

@@ -31,9 +31,12 @@ import {Welcome} from './welcome.js'
 import {World} from '../world/world.js'
 import {count} from '../shared/words.js'
 
-const TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'checkProject', 'getBundle',
-    'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate', 'startSimulation', 'stopSimulation',
-    'publishEdit', 'getProjectObject', 'getScript', 'getExampleScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames',
+const TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview',
+    'checkProject', 'getBundle',
+    'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate',
+    'startSimulation', 'stopSimulation',
+    'publishEdit', 'getProjectObject', 'getScript', 'getExampleScript', 'recordRun', 'endRecord', 'getRecords',
+    'getRecordFrames',
     'getRecordMotion', 'getRecordValues', 'getCameraPicture', 'getRecordPicture']
 const ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits']
 const LOOK_MILLIS = 1000      // interval at which a page that shows the project asks for changes
@@ -73,7 +76,8 @@ class SearPanel {
 
         this.panel = panel
         this.picture = picture
-        this.parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout, records, replay, plot,
+        this.parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout,
+            records, replay, plot,
             cameras, project, script, run, video, share, tour, welcome}
         this.listening = [hand, pointed, building, project, badge, driving]
         this.keyed = [driving, building, view, run]
@@ -107,7 +111,8 @@ class SearPanel {
         const all = problems.all()
         const listed = all.length > 1 && text.indexOf(all[0].file) === 0
         if (text) {
-            messages.say(status.level, listed ? 'the project has ' + count(all.length, 'problem') + ', listed below' : text)
+            messages.say(status.level, listed ? 'the project has ' + count(all.length, 'problem')
+                + ', listed below' : text)
         }
     }
 
@@ -134,7 +139,8 @@ class SearPanel {
                 this.panel.timeout(() => messages.settle(last), SETTLED_MILLIS)
             }
         })
-        this.panel.scope.$watch(() => layout.isFolded('messages') ? 0 : messages.unread, unread => unread && messages.read())
+        this.panel.scope.$watch(() => layout.isFolded('messages') ? 0 : messages.unread, unread => unread
+            && messages.read())
     }
 
     /** Subscribes all parts to the service. */

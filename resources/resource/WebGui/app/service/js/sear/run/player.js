@@ -44,7 +44,8 @@ class Player {
             this.goOn()
         }
         this.scene.show(this.world, this.terrain, element('beams').checked)
-        this.scene.draw(-1, element('follow').checked ? 0 : -1, window.matchMedia('(prefers-color-scheme: dark)').matches)
+        this.scene.draw(-1, element('follow').checked ? 0 : -1,
+            window.matchMedia('(prefers-color-scheme: dark)').matches)
         if (this.began) {
             this.repaint()
         }
@@ -65,7 +66,8 @@ class Player {
             this.motion.show(this.world.time)
         }
         element('slider').value = index
-        element('time').textContent = record.times[index].toFixed(2) + ' s of ' + record.times[this.last].toFixed(2) + ' s'
+        element('time').textContent = record.times[index].toFixed(2) + ' s of ' + record.times[this.last]
+        .toFixed(2) + ' s'
         this.repaint()
     }
 
@@ -125,7 +127,8 @@ class Player {
         }
         view.onpointermove = event => {
             if (grip && event.buttons) {
-                this.scene[event.buttons !== 1 || event.shiftKey ? 'pan' : 'turn'](event.clientX - grip.x, event.clientY - grip.y)
+                this.scene[event.buttons !== 1 || event.shiftKey ? 'pan' : 'turn'](event.clientX - grip.x,
+                    event.clientY - grip.y)
                 grip = {x: event.clientX, y: event.clientY}
                 this.repaint()
             }
@@ -142,7 +145,8 @@ class Player {
         const area = geometry.area(geometry.shapesOf(this.world))
         if (area) {
             const robot = this.world.robots[0]
-            this.scene.fit({x: area.x, y: robot ? robot.pose[1] : 0, z: area.z, size: area.size}, geometry.corners(this.world.objects))
+            this.scene.fit({x: area.x, y: robot ? robot.pose[1] : 0, z: area.z, size: area.size},
+                geometry.corners(this.world.objects))
         }
     }
 }

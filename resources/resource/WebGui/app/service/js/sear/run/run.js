@@ -38,7 +38,8 @@ export class Run {
             }
             if (simulating && this.driving) {
                 picture.canvas().focus()
-                messages.say('info', 'drive ' + view.robot + ': W or arrow up forward, S back, A left, D right, Enter back to the start')
+                messages.say('info', 'drive ' + view.robot + ': W or arrow up forward, S back, A left, D right, Enter '
+                    + 'back to the start')
             }
             this.driving = this.driving && !simulating && Boolean(this.pending)
             this.testing = this.testing && (simulating || this.driving)
@@ -83,7 +84,8 @@ export class Run {
 
     key(event) {
         const way = KEYS[(event.key || '').toLowerCase()]
-        if (way && this.panel.isSimulating() && !this.world.instead && !event.ctrlKey && !event.altKey && !event.metaKey) {
+        if (way && this.panel.isSimulating() && !this.world.instead && !event.ctrlKey && !event.altKey
+            && !event.metaKey) {
             this.drive(way)
             event.preventDefault()
         }
@@ -96,17 +98,20 @@ export class Run {
     }
 
     statusText() {
-        return this.pending || (!this.panel.isSimulating() ? 'no simulation runs' : this.$scope.service.paused ? 'paused' :
+        return this.pending || (!this.panel.isSimulating() ? 'no simulation runs' : this.$scope.service.paused
+            ? 'paused' :
             this.world.waiting ? 'time waits for a script' : 'running')
     }
 
     /** Continues the status text. A separate element, because screen readers announce status changes. */
     timeText() {
         const state = this.pending ? null : this.world.running
-        return state ? ' at ' + state.time.toFixed(2) + ' s' + (state.speed ? ', ' + state.speed.toFixed(1) + ' × real time' : '') : ''
+        return state ? ' at ' + state.time.toFixed(2) + ' s'
+        + (state.speed ? ', ' + state.speed.toFixed(1) + ' × real time' : '') : ''
     }
 
-    // ---- the test drive --------------------------------------------------------------------------------------------------------------------
+    // ---- the test drive
+    // -----------------------------------------------------------------------------------------------------------------
     /**
      * Returns the calls that drive the chosen robot, else the first. Warns once per run if nothing steers the robot.
      * @param way forward and left, -1 to 1 @param most m/s at 1 @param arc direction for a robot that can't turn in
@@ -117,7 +122,8 @@ export class Run {
         const robot = robots.filter(one => one.name === this.view.robot)[0] || robots[0]
         if (robot && way[1] !== 0 && isFixed(robot) && this.fixed.indexOf(robot.name) < 0) {
             this.fixed.push(robot.name)
-            this.messages.say('warn', robot.name + ' can\'t be steered: all driven wheels are on its centre line, and no wheel is steered. '
+            this.messages.say('warn', robot.name + ' can\'t be steered: all driven wheels are on its centre line, and '
+                + 'no wheel is steered. '
                 + 'Add driven wheels left and right, or give front or rear wheels a steering angle or a steering servo')
         }
         return robot ? drive(robot, robot.steered && arc || way, most) : []
@@ -133,7 +139,8 @@ export class Run {
         const seen = this.world.now()
         return this.panel.isSimulating() || this.drivers(seen).length ? '' : !seen || !seen.robots.length
             ? 'no robot to drive: choose one in the palette and click on the ground'
-            : seen.robots.map(robot => robot.name).join(', ') + ' has no driven wheels: add a Wheel of type 1, or place a complete robot'
+            : seen.robots.map(robot => robot.name).join(', ') + ' has no driven wheels: add a Wheel of type 1, or '
+            + 'place a complete robot'
     }
 
     /** Returns why no other project can be opened now; empty if one can. */
@@ -160,7 +167,8 @@ export class Run {
         }
     }
 
-    // ---- messages of the service -----------------------------------------------------------------------------------------------------------
+    // ---- messages of the service
+    // -----------------------------------------------------------------------------------------------------------
     /** Ends the pending state after the service's answer or failure. */
     settle() {
         this.pending = null

@@ -34,7 +34,8 @@ export class Script {
         const field = this.panel.element('python')
         field.focus()
         field.select()
-        this.messages.say('info', document.execCommand('copy') ? 'the script is on the clipboard' : 'the script is selected: copy it with Ctrl+C')
+        this.messages.say('info', document.execCommand('copy')
+            ? 'the script is on the clipboard' : 'the script is selected: copy it with Ctrl+C')
     }
 
     save() {

@@ -47,8 +47,10 @@ function bundle(name, made) {
             return 'var ' + what.replace(/^\* as /, '').replace(/ as /g, ': ') + ' = modules[\'' + other + '\']'
         })
         const names = Array.from(body.matchAll(/^export (?:function|class|const) (\w+)/gm)).map(found => found[1])
-        body = '\nmodules[\'' + name + '\'] = (function() {\n' + body.replace(/^export /gm, '') + '\nreturn {' + names.join(', ') + '}\n})()\n'
-        return before.reduce((done, other) => done.then(already => bundle(other, made).then(more => already + more)), Promise.resolve(''))
+        body = '\nmodules[\'' + name + '\'] = (function() {\n' + body.replace(/^export /gm, '') + '\nreturn {'
+        + names.join(', ') + '}\n})()\n'
+        return before.reduce((done, other) => done.then(already => bundle(other, made).then(more => already + more)),
+            Promise.resolve(''))
             .then(first => first + body)
     })
 }
@@ -71,7 +73,8 @@ export class Share {
         this.motion = null      // wheel rotations and sensor readings, or {why: there are none}; null while awaited
         this.waiting = null     // timeout of the motion
         this.busy = false
-        this.handlers = {onRecordMotion: sent => sent && this.busy && sent.path === this.shown.path && this.takeMotion(sent)}
+        this.handlers = {onRecordMotion: sent => sent && this.busy && sent.path === this.shown.path
+            && this.takeMotion(sent)}
     }
 
     record() {
@@ -83,7 +86,8 @@ export class Share {
         this.missing = {}
         this.shown = this.replay.shown
         this.terrain = this.ground.of(this.shown.world)
-        this.shown.world.objects.concat.apply(this.shown.world.objects, this.shown.world.robots.map(robot => robot.parts)).forEach(one => {
+        this.shown.world.objects.concat.apply(this.shown.world.objects,
+            this.shown.world.robots.map(robot => robot.parts)).forEach(one => {
             if (one.look) {
                 this.missing[one.look + '/0'] = true
             }
@@ -166,21 +170,26 @@ export class Share {
     write() {
         const record = this.shown
         const title = fileName(record.path).replace(/\.searlog$/, '')
-        const source = Array.from(document.scripts).filter(script => /\/three(\.min)?\.js$/.test(script.src) && script.src.indexOf('widget') < 0)[0]
-        const run = {title, looks: this.looks, terrain: this.terrain && this.terrain.sent, world: this.plain(record.world),
+        const source = Array.from(document.scripts).filter(script => /\/three(\.min)?\.js$/.test(script.src)
+            && script.src.indexOf('widget') < 0)[0]
+        const run = {title, looks: this.looks, terrain: this.terrain && this.terrain.sent,
+            world: this.plain(record.world),
             motion: this.motion.frames ? this.motion : null,
             record: {times: record.times, robots: record.robots, objects: record.objects, robotPoses: record.robotPoses,
-                objectPoses: record.objectPoses, speeds: record.speeds, lights: record.lights, brightness: record.brightness}}
+                objectPoses: record.objectPoses, speeds: record.speeds, lights: record.lights,
+                    brightness: record.brightness}}
         const form = new URL('player.html', import.meta.url)
         return Promise.all([textOf(form), textOf(source.src), bundle(PLAYER, [])]).then(parts => {
-            const text = page(parts[0], {title: escaped(title), three: safe(parts[1]), modules: safe(parts[2]), run: json(run)})
+            const text = page(parts[0], {title: escaped(title), three: safe(parts[1]), modules: safe(parts[2]),
+                run: json(run)})
             const size = (text.length / 1e6).toFixed(1) + ' MB'
             if (text.length > MOST) {
                 throw new Error('the file is too large: ' + size + ', legal: at most ' + MOST / 1e6
                     + ' MB; share a shorter record, or a world with fewer and simpler models')
             }
             saveText(title + '.html', text)
-            this.messages.say('info', 'saved the run as ' + title + '.html, ' + size + ': it opens in any browser, without SEAR'
+            this.messages.say('info', 'saved the run as ' + title + '.html, ' + size + ': it opens in any browser, '
+                + 'without SEAR'
                 + (this.motion.why ? '; without beams and wheel rotation: ' + this.motion.why : ''))
         })
     }

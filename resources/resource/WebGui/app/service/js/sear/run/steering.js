@@ -3,7 +3,8 @@
 const RADIUS = 0.3            // metres: narrowest arc of a differential drive while it drives on
 
 function angle(steered, left) {
-    return left === 0 ? steered.straight : steered.straight + Math.abs(left) * ((left > 0 ? steered.left : steered.right) - steered.straight)
+    return left === 0 ? steered.straight : steered.straight
+        + Math.abs(left) * ((left > 0 ? steered.left : steered.right) - steered.straight)
 }
 /** Whether nothing can steer the robot. */
 export function isFixed(robot) {
@@ -19,7 +20,8 @@ export function drive(robot, way, most) {
     const straight = ['driveStraight', robot.name, speed]
     if (robot.steered) {
         const degrees = angle(robot.steered, way[1])
-        return [robot.steered.servo ? ['setServo', robot.steered.servo, degrees] : ['setSteering', robot.name, degrees], straight]
+        return [robot.steered.servo ? ['setServo', robot.steered.servo, degrees] : ['setSteering', robot.name,
+            degrees], straight]
     }
     if (way[1] === 0 || isFixed(robot)) {
         return [straight]

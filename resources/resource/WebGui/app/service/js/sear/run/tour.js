@@ -47,22 +47,29 @@ function stepsOf(panel, world, palette, script, layout) {
         {at: '.sear-canvas', title: 'Put it on the ground',
             text: 'Click on the ground near the middle. SEAR adds a floor.', done: hasRobot},
         {at: '.sear-palette', make: 'Distance', title: 'Give it an eye',
-            text: 'Click <b>Distance sensor</b>, in the group <i>Sensors</i>.', done: () => isArmed('Distance') || hasSensor()},
+            text: 'Click <b>Distance sensor</b>, in the group <i>Sensors</i>.', done: () => isArmed('Distance')
+                || hasSensor()},
         {at: '.sear-canvas', title: 'Mount it',
-            text: 'Click on the rover, or on <b>Put it in the middle</b>. The sensor looks ahead and slightly up, over the floor.', done: hasSensor},
+            text: 'Click on the rover, or on <b>Put it in the middle</b>. The sensor looks ahead and slightly up, '
+                + 'over the floor.', done: hasSensor},
         {at: '.sear-palette', make: 'Box', title: 'An obstacle',
             text: 'Click <b>Box</b>, the first entry.', done: () => isArmed('Box') || boxes().length > 0},
         {at: '.sear-canvas', title: 'In its way',
-            text: 'Click on the ground about a metre ahead of the rover. The rover faces along the blue axis, to the east.',
+            text: 'Click on the ground about a metre ahead of the rover. The rover faces along the blue axis, '
+            + 'to the east.',
             done: () => boxes().some(isAhead), wrong: () => boxes().length > 0,
-            instead: 'That box is not in the rover\'s way. Drag it to about a metre ahead of the rover, along the blue axis.'},
+            instead: 'That box is not in the rover\'s way. Drag it to about a metre ahead of the rover, along '
+                + 'the blue axis.'},
         {at: '.sear-making', title: 'Start',
-            text: 'Click <b>Test drive</b>: the simulation starts, and the keys drive the rover.', done: () => panel.isSimulating()},
+            text: 'Click <b>Test drive</b>: the simulation starts, and the keys drive the rover.',
+                done: () => panel.isSimulating()},
         {at: '.sear-driving', title: 'Drive',
-            text: 'Hold <b>W</b> or the arrow up, or click an arrow below the view. <i>Readings</i>, on the right, shows the sensor\'s values.',
+            text: 'Hold <b>W</b> or the arrow up, or click an arrow below the view. <i>Readings</i>, on the right, '
+            + 'shows the sensor\'s values.',
             done: hasMoved},
         {at: '.sear-drawers', title: 'See what it did',
-            text: 'Click <b>Plots</b>: the rover\'s speed and the sensor\'s reading over time.', done: () => !layout.isFolded('plots')},
+            text: 'Click <b>Plots</b>: the rover\'s speed and the sensor\'s reading over time.',
+                done: () => !layout.isFolded('plots')},
         {at: '.sear-bar', title: 'Stop',
             text: 'Click the red button. Your robot and objects remain.', done: () => !panel.isSimulating()},
         {at: '.sear-drawers', title: 'It is a script, too',
@@ -118,7 +125,8 @@ export class Tour {
 
     show() {
         return driver({
-            animate: false,                     // continues immediately after a finished step, and clicks during a transition count
+            // continues immediately after a finished step, and clicks during a transition count
+            animate: false,
             allowKeyboardControl: false,        // the arrow keys drive
             overlayOpacity: 0.35,
             stagePadding: 4,

@@ -53,14 +53,16 @@ export class Video {
         canvas.width = shown.width - shown.width % 2
         canvas.height = shown.height - shown.height % 2
         this.film = {canvas, pen: canvas.getContext('2d'), parts: []}
-        this.film.recorder = new window.MediaRecorder(canvas.captureStream(RATE), {mimeType: this.kind(), videoBitsPerSecond: BITS})
+        this.film.recorder = new window.MediaRecorder(canvas.captureStream(RATE),
+            {mimeType: this.kind(), videoBitsPerSecond: BITS})
         this.film.recorder.ondataavailable = event => {
             this.film.parts.push(event.data)
         }
         this.film.recorder.onstop = () => this.end()
         this.film.recorder.start(1000)
         this.film.timer = window.setTimeout(() => {
-            this.messages.say('warn', 'the video ends here at its maximum length, ' + LONGEST_MILLIS / 60000 + ' minutes')
+            this.messages.say('warn', 'the video ends here at its maximum length, ' + LONGEST_MILLIS / 60000
+                + ' minutes')
             this.film.recorder.stop()
         }, LONGEST_MILLIS)
         this.running = true
@@ -82,7 +84,8 @@ export class Video {
     paintBehind(shown) {
         const height = this.film.canvas.height
         const scene = this.view.mode === 'space' && this.view.scene()
-        const stops = scene && scene.sky ? Array.from(scene.sky.matchAll(STOP)).map(found => [found[1], Number(found[2]) / 100]) : []
+        const stops = scene && scene.sky ? Array.from(scene.sky.matchAll(STOP))
+        .map(found => [found[1], Number(found[2]) / 100]) : []
         this.film.pen.fillStyle = window.getComputedStyle(document.body).backgroundColor
         if (stops.length) {
             const low = Math.min(0, stops[0][1])

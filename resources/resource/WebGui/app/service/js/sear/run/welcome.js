@@ -2,9 +2,11 @@
 // Start tiles that the SEAR panel shows in an empty view.
 
 const TILES = '../tiles/'
-const TOUR = {name: 'tour', title: 'First robot', text: 'A ten-minute tour: build a rover with a sensor, and drive it.', picture: 'tour.jpg',
+const TOUR = {name: 'tour', title: 'First robot', text: 'A ten-minute tour: build a rover with a sensor, and drive it.',
+    picture: 'tour.jpg',
     first: true}
-const MINE = {name: 'build', title: 'Build my own', text: 'Empty ground, and a palette of objects, robots and sensors.', picture: 'build.jpg'}
+const MINE = {name: 'build', title: 'Build my own', text: 'Empty ground, and a palette of objects, robots and sensors.',
+    picture: 'build.jpg'}
 // Title and description of each example, by name.
 const EXAMPLES = {
     office: ['Office', 'A Roomba with a laser scanner among desks and chairs.'],
@@ -53,7 +55,8 @@ export class Welcome {
     tileOf(path) {
         const name = this.nameOf(path)
         const known = EXAMPLES[name] || [name, '']
-        return {name, title: known[0], text: known[1], picture: known[1] ? this.picture(name + '.jpg') : '', open: () => this.project.open(path)}
+        return {name, title: known[0], text: known[1], picture: known[1] ? this.picture(name + '.jpg') : '',
+            open: () => this.project.open(path)}
     }
 
     ownTile(tile, open) {
@@ -64,7 +67,8 @@ export class Welcome {
     tiles() {
         if (this.made !== this.project.examples) {
             this.made = this.project.examples
-            this.shownTiles = [this.ownTile(TOUR, () => this.tour.start()), this.ownTile(MINE, () => this.palette.build())]
+            this.shownTiles = [this.ownTile(TOUR, () => this.tour.start()),
+                this.ownTile(MINE, () => this.palette.build())]
                 .concat(this.made.slice().sort((a, b) => this.rank(a) - this.rank(b)).map(path => this.tileOf(path)))
         }
         return this.shownTiles

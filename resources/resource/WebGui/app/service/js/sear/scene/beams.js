@@ -8,7 +8,8 @@ const EYE = '#2e9bd6'        // as in the Java window
 const CORNERS = 4
 
 function seeThrough(color, opacity) {
-    return new window.THREE.MeshBasicMaterial({color, transparent: true, opacity, side: window.THREE.DoubleSide, depthWrite: false})
+    return new window.THREE.MeshBasicMaterial(
+        {color, transparent: true, opacity, side: window.THREE.DoubleSide, depthWrite: false})
 }
 
 /** Shows a sensor's beams in an item of a scene. @param beams whether to show them */
@@ -82,7 +83,8 @@ function eyeOf(edge) {
     const shape = new THREE.BufferGeometry()
     shape.addAttribute('position', new THREE.BufferAttribute(new window.Float32Array(points), 3))
     const material = new THREE.LineBasicMaterial({color: EYE})
-    return THREE.LineSegments ? new THREE.LineSegments(shape, material) : new THREE.Line(shape, material, THREE.LinePieces)
+    return THREE.LineSegments ? new THREE.LineSegments(shape, material) : new THREE.Line(
+    shape, material, THREE.LinePieces)
 }
 
 /** Draws a triangle for each two adjacent beams with hits; a beam without a hit leaves a gap. */

@@ -20,17 +20,20 @@ export class Pointed {
         const shown = this.panel.element('view')
         const land = this.ground.of(this.world.shown())
         const view = this.view
-        this.tell(land ? land.words(view.x - (y - shown.clientHeight / 2) / view.scale, view.z + (x - shown.clientWidth / 2) / view.scale) : '')
+        this.tell(land ? land.words(view.x - (y - shown.clientHeight / 2) / view.scale,
+            view.z + (x - shown.clientWidth / 2) / view.scale) : '')
     }
 
     pointAtScene(x, y) {
         const scene = this.view.scene()
         const found = scene && scene.pick(x, y)
         const land = found && !found.object ? this.ground.of(this.world.shown()) : null
-        this.tell(!found ? '' : land ? land.words(found.point[0], found.point[2]) : found.object ? found.object.name + ', ' + found.object.type : '')
+        this.tell(!found ? '' : land ? land.words(found.point[0], found.point[2]) : found.object ? found.object.name
+            + ', ' + found.object.type : '')
     }
 
-    // ---- mouse, wheel, touch ---------------------------------------------------------------------------------------------------------------
+    // ---- mouse, wheel, touch
+    // ---------------------------------------------------------------------------------------------------------------
     listenToMap(shown) {
         let grip = null
         this.listenToWheel(shown)
@@ -39,7 +42,8 @@ export class Pointed {
         })
         shown.addEventListener('mousemove', event => {
             if (grip && event.buttons) {
-                this.view.moveTo(grip.at.x + (event.clientY - grip.y) / this.view.scale, grip.at.z - (event.clientX - grip.x) / this.view.scale)
+                this.view.moveTo(grip.at.x + (event.clientY - grip.y) / this.view.scale,
+                    grip.at.z - (event.clientX - grip.x) / this.view.scale)
             }
             const box = shown.getBoundingClientRect()
             this.pointAtMap(event.clientX - box.left, event.clientY - box.top)

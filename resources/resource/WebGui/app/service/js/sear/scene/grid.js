@@ -14,7 +14,8 @@ function lines(points, color, opacity) {
         geometry.vertices.push(new THREE.Vector3(point[0], ABOVE, point[1]))
     })
     const material = new THREE.LineBasicMaterial({color, transparent: true, opacity})
-    return THREE.LineSegments ? new THREE.LineSegments(geometry, material) : new THREE.Line(geometry, material, THREE.LinePieces)
+    return THREE.LineSegments ? new THREE.LineSegments(geometry, material) : new THREE.Line(
+    geometry, material, THREE.LinePieces)
 }
 
 /** Returns a label that faces the camera. @param size its height, metres */
@@ -53,7 +54,8 @@ export function makeGrid() {
         grid.add(lines([[0, 0], [2 * way[0], 2 * way[1]]], axis[1], 1))
         grid.add(words(axis[0], axis[1], 2.25 * way[0], 2.25 * way[1], 0.2))
         for (let metres = 1; metres <= 5; metres += metres < 2 ? 1 : 3) {
-            grid.add(words(metres + ' m', '#444', metres * way[0] + 0.12 * way[1], metres * way[1] + 0.12 * way[0], 0.13))
+            grid.add(words(metres + ' m', '#444', metres * way[0] + 0.12 * way[1], metres * way[1]
+                + 0.12 * way[0], 0.13))
         }
     })
     return grid

@@ -36,7 +36,8 @@ export class Item {
         if (!this.to || this.shown === this.to) {
             return false
         }
-        const pose = this.from ? geometry.between(this.from, this.to, (now - this.since) / period, this.seconds) : this.to
+        const pose = this.from ? geometry.between(this.from, this.to, (now - this.since) / period,
+            this.seconds) : this.to
         this.shown = pose
         this.holder.position.set(pose[0], pose[1], pose[2])
         this.holder.quaternion.set(pose[3], pose[4], pose[5], pose[6])

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models and pictures of shapes for the SEAR panel's 3D view, each requested when first needed. The Java class LookTable
-// documents the data format.
+// Models and pictures of shapes for the SEAR panel's 3D view, each requested when first needed. The Java class
+// LookTable documents the data format.
 const KEYS_AT_ONCE = 60
 const PATIENCE_MILLIS = 10000 // timeout: requests it again
 const MOST_SAMPLES = 8

@@ -6,7 +6,8 @@ import {lay} from './pictures.js'
 
 const PATH = '#337ab7'
 const EYE = '#2e9bd6'
-const AXES = [['x north', ['#c62828', '#ff8a80'], [1, 0]], ['z east', ['#1565c0', '#7ab8ff'], [0, 1]]]    // for light and dark ground
+// for light and dark ground
+const AXES = [['x north', ['#c62828', '#ff8a80'], [1, 0]], ['z east', ['#1565c0', '#7ab8ff'], [0, 1]]]
 const AXIS = 1.5              // length of the axes, metres: less than an empty map shows
 const SMALLEST_ROBOT = 4      // pixels: a smaller robot is drawn as a dot
 

@@ -63,7 +63,8 @@ export function lay(pen, at, floor, image, dark) {
     const wide = floor.tile ? image.width * 2 * half[1] / floor.tile : image.width
     const high = floor.tile ? image.height * 2 * half[0] / floor.tile : image.height
     pen.save()
-    pen.transform((right.x - first.x) / wide, (right.y - first.y) / wide, (low.x - first.x) / high, (low.y - first.y) / high, first.x, first.y)
+    pen.transform((right.x - first.x) / wide, (right.y - first.y) / wide, (low.x - first.x) / high,
+        (low.y - first.y) / high, first.x, first.y)
     pen.globalAlpha = dark ? NIGHT : 1
     pen.fillStyle = pen.createPattern(image, 'repeat')
     pen.fillRect(0, 0, wide, high)

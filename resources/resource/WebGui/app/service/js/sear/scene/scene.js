@@ -23,10 +23,12 @@ const BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
 const COARSE = [1, 0.7, 0.5]  // resolution per axis relative to the page, for moving scenes: as high as time permits
 const SLOW = 28               // frame time in milliseconds above which the resolution decreases
 const FAST = 19               // and below which it increases
-const FINE = 1.5              // resolution per axis relative to the page, for resting scenes: the browser averages pixels
+// resolution per axis relative to the page, for resting scenes: the browser averages pixels
+const FINE = 1.5
 const FINEST = 2e6            // maximum pixels of a frame that is finer than the page
 const STILL_MILLIS = 300      // pause before a scene is drawn at full resolution
-const PAUSE_MILLIS = 15       // between two software-rendered frames of a moving scene: some 30 frames per second are enough
+// between two software-rendered frames of a moving scene: some 30 frames per second are enough
+const PAUSE_MILLIS = 15
 const PATH = '#337ab7'
 
 /** Whether the browser can draw 3D. @param fast only with a graphics card */
@@ -88,7 +90,8 @@ export class Scene {
         this.light(10)
     }
 
-    // ---- content -------------------------------------------------------------------------------------------------------------------------------
+    // ---- content
+    // -----------------------------------------------------------------------------------------------------------------
     /** Adds a sun whose shadow covers an area around the camera's target. @param reach metres */
     light(reach) {
         const THREE = window.THREE
@@ -111,7 +114,9 @@ export class Scene {
         this.unshaded = true
     }
 
-    /** Updates the scene to a world message. @param terrain null without one @param beams whether to show sensor beams */
+    /**
+     * Updates the scene to a world message. @param terrain null without one @param beams whether to show sensor beams
+     */
     show(world, terrain, beams) {
         const now = Date.now()
         if (this.time !== world.time) {
@@ -169,7 +174,8 @@ export class Scene {
             item.dressed = true
             return
         }
-        const parts = object.look ? this.looks.look(object.look) : object.corners.length ? [shapes.boxAround(object.corners)] : []
+        const parts = object.look ? this.looks.look(object.look) : object.corners.length
+            ? [shapes.boxAround(object.corners)] : []
         const texture = object.picture ? this.looks.texture(object.picture) : null
         if (!parts || texture === undefined) {
             return
@@ -209,7 +215,8 @@ export class Scene {
         })
         item.lights.forEach((light, i) => {
             light.goTo(robot.turnedLeds ? robot.turnedLeds[i] : light.source.pose, now, this.seconds)
-            light.bulb.material.color.set(light.source.dark).lerp(new THREE.Color(light.source.color), robot.lights[i] || 0)
+            light.bulb.material.color.set(light.source.dark)
+            .lerp(new THREE.Color(light.source.color), robot.lights[i] || 0)
         })
     }
 
@@ -232,7 +239,8 @@ export class Scene {
         this.scene.add(item.extra)
     }
 
-    // ---- the ground ----------------------------------------------------------------------------------------------------------------------------
+    // ---- the ground
+    // -----------------------------------------------------------------------------------------------------------------
     showGround(terrain) {
         const stamp = terrain ? terrain.sent.stamp : null
         const picture = terrain && terrain.picture.complete && terrain.picture.naturalWidth > 0
@@ -247,7 +255,8 @@ export class Scene {
         const texture = new THREE.Texture(terrain.picture)
         texture.minFilter = THREE.LinearFilter
         texture.needsUpdate = true
-        this.ground = new THREE.Mesh(shapes.ground(terrain), new THREE.MeshBasicMaterial({map: texture, side: THREE.DoubleSide}))
+        this.ground = new THREE.Mesh(shapes.ground(terrain),
+            new THREE.MeshBasicMaterial({map: texture, side: THREE.DoubleSide}))
         this.ground.stamp = stamp
         this.scene.add(this.ground)
     }
@@ -263,15 +272,16 @@ export class Scene {
         }
     }
 
-    // Fits the camera to everything but the ground. @param area see geometry.area @param points further points that must be
-    // visible
+    // Fits the camera to everything but the ground. @param area see geometry.area @param points further points that
+    // must be visible
     /**
      * Has the camera show everything but the ground.
      * @param area see geometry.area @param points that have to be seen, too, whatever the area says
      */
     fit(area, points) {
         this.orbit.target.set(area.x, area.y, area.z)
-        this.orbit.distance = Math.min(FARTHEST, Math.max(1, 1.15 * area.size / Math.tan(FIELD_OF_VIEW * Math.PI / 360) / 2))
+        this.orbit.distance = Math.min(
+        FARTHEST, Math.max(1, 1.15 * area.size / Math.tan(FIELD_OF_VIEW * Math.PI / 360) / 2))
         this.orbit.azimuth = Math.PI * 0.92
         this.orbit.elevation = 0.65
         while (this.orbit.distance < FARTHEST && !this.sees(points)) {
@@ -282,7 +292,8 @@ export class Scene {
     /** Whether points [x, y, z] are all visible to the free camera. */
     sees(points) {
         this.aim(-1)
-        return points.every(([x, y, z]) => new window.THREE.Vector3(x, y, z).project(this.camera).toArray().every(at => Math.abs(at) <= 1))
+        return points.every(([x, y, z]) => new window.THREE.Vector3(x, y, z).project(this.camera).toArray()
+            .every(at => Math.abs(at) <= 1))
     }
 
     zoom(factor) {
@@ -294,11 +305,14 @@ export class Scene {
     position() {
         const orbit = this.orbit
         const flat = orbit.distance * Math.cos(orbit.elevation)
-        return new window.THREE.Vector3(orbit.target.x + flat * Math.cos(orbit.azimuth), orbit.target.y + orbit.distance * Math.sin(orbit.elevation),
+        return new window.THREE.Vector3(orbit.target.x + flat * Math.cos(orbit.azimuth), orbit.target.y
+            + orbit.distance * Math.sin(orbit.elevation),
             orbit.target.z + flat * Math.sin(orbit.azimuth))
     }
 
-    /** Keeps the camera above the ground: above the terrain, else above height 0, or above its target if that is lower. */
+    /**
+     * Keeps the camera above the ground: above the terrain, else above height 0, or above its target if that is lower.
+     */
     stayAbove() {
         const orbit = this.orbit
         const at = this.position()
@@ -319,11 +333,13 @@ export class Scene {
 
     /** Moves the camera parallel to its image plane, so that the point under the mouse stays there. */
     pan(right, down) {
-        const metres = 2 * this.orbit.distance * Math.tan(FIELD_OF_VIEW * Math.PI / 360) / Math.max(1, this.canvas.clientHeight)
+        const metres = 2 * this.orbit.distance * Math.tan(FIELD_OF_VIEW * Math.PI / 360) / Math.max(
+            1, this.canvas.clientHeight)
         const e = this.camera.matrixWorld.elements
         const least = Math.min(0, this.orbit.target.y)
         for (let i = 0; i < 3; i++) {
-            this.orbit.target.setComponent(i, this.orbit.target.getComponent(i) - e[i] * right * metres + e[4 + i] * down * metres)
+            this.orbit.target.setComponent(i, this.orbit.target.getComponent(i) - e[i] * right * metres
+                + e[4 + i] * down * metres)
         }
         if (!this.land) {
             this.orbit.target.y = Math.max(least, this.orbit.target.y)
@@ -362,10 +378,12 @@ export class Scene {
         camera.updateMatrixWorld(true)
     }
 
-    // ---- drawing -------------------------------------------------------------------------------------------------------------------------------
+    // ---- drawing
+    // -----------------------------------------------------------------------------------------------------------------
     /**
      * Draws.
-     * @param sensor see {@link aim} @param followed number of the robot in the middle, -1 for none @param dark the theme
+     * @param sensor see {@link aim} @param followed number of the robot in the middle, -1 for none @param dark the
+     * theme
      */
     draw(sensor, followed, dark) {
         const now = Date.now()
@@ -453,18 +471,22 @@ export class Scene {
         const target = this.orbit.target
         this.unshaded = this.unshaded || !this.sun.target.position.equals(target)
         this.sun.target.position.copy(target)
-        this.sun.position.set(target.x + SUN[0] * 3 * reach, target.y + SUN[1] * 3 * reach, target.z + SUN[2] * 3 * reach)
+        this.sun.position.set(target.x + SUN[0] * 3 * reach, target.y + SUN[1] * 3 * reach,
+            target.z + SUN[2] * 3 * reach)
         this.sun.target.updateMatrixWorld()
     }
 
     /** Paints the background behind the canvas: sky above the horizon, haze below. */
     paintSky(dark) {
-        const forward = this.camera.getWorldDirection ? this.camera.getWorldDirection() : new window.THREE.Vector3(0, 0, -1)
+        const forward = this.camera.getWorldDirection
+            ? this.camera.getWorldDirection() : new window.THREE.Vector3(0, 0, -1)
         const pitch = Math.asin(Math.max(-1, Math.min(1, forward.y)))
-        let horizon = 50 + 50 * Math.tan(Math.max(-1.4, Math.min(1.4, pitch))) / Math.tan(this.camera.fov * Math.PI / 360)
+        let horizon = 50 + 50 * Math.tan(Math.max(-1.4, Math.min(1.4, pitch))) / Math.tan(
+        this.camera.fov * Math.PI / 360)
         horizon = Math.max(-400, Math.min(500, horizon))
         const colors = SKY[dark ? 'dark' : 'light']
-        const style = 'linear-gradient(' + colors[0] + ' ' + (horizon - 120) + '%, ' + colors[1] + ' ' + horizon + '%, ' + colors[2] + ' ' + horizon
+        const style = 'linear-gradient(' + colors[0] + ' ' + (horizon - 120) + '%, ' + colors[1] + ' ' + horizon + '%, '
+        + colors[2] + ' ' + horizon
             + '%, ' + colors[3] + ' ' + (horizon + 100) + '%)'
         if (this.sky !== style) {
             this.sky = style
@@ -472,26 +494,30 @@ export class Scene {
         }
     }
 
-    // ---- picking -------------------------------------------------------------------------------------------------------------------------------
+    // ---- picking
+    // -----------------------------------------------------------------------------------------------------------------
     /** Returns the canvas position of a point of the world, in pixels. */
     toScreen(x, y, z) {
         const at = new window.THREE.Vector3(x, y, z).project(this.camera)
-        return {x: (at.x + 1) / 2 * this.canvas.clientWidth, y: (1 - at.y) / 2 * this.canvas.clientHeight, seen: Math.abs(at.z) < 1}
+        return {x: (at.x + 1) / 2 * this.canvas.clientWidth, y: (1 - at.y) / 2 * this.canvas.clientHeight,
+            seen: Math.abs(at.z) < 1}
     }
 
     /**
-     * Finds what is under a point of the canvas: object or part, the point, and the surface's normal there, in the world;
-     * null for none.
+     * Finds what is under a point of the canvas: object or part, the point, and the surface's normal there, in the
+     * world; null for none.
      * @param without an object to ignore
      */
     pick(x, y, without) {
         const THREE = window.THREE
         const caster = new THREE.Raycaster()
-        caster.setFromCamera(new THREE.Vector2(2 * x / this.canvas.clientWidth - 1, 1 - 2 * y / this.canvas.clientHeight), this.camera)
+        caster.setFromCamera(new THREE.Vector2(2 * x / this.canvas.clientWidth - 1,
+            1 - 2 * y / this.canvas.clientHeight), this.camera)
         const found = caster.intersectObjects(this.scene.children, true)
             .filter(one => one.object.named ? one.object.named !== without : one.object === this.ground)[0]
         return found ? {object: found.object.named || null, point: found.point.toArray(),
-            normal: found.face ? found.face.normal.clone().transformDirection(found.object.matrixWorld).toArray() : null} : null
+            normal: found.face ? found.face.normal.clone().transformDirection(found.object.matrixWorld)
+                .toArray() : null} : null
     }
 
     close() {

@@ -49,6 +49,7 @@ export function boxAround(corners) {
         }
     })
     const box = new window.THREE.BoxGeometry(high[0] - low[0], high[1] - low[1], high[2] - low[2])
-    box.applyMatrix(new window.THREE.Matrix4().makeTranslation((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2))
+    box.applyMatrix(new window.THREE.Matrix4().makeTranslation((low[0] + high[0]) / 2, (low[1] + high[1]) / 2,
+        (low[2] + high[2]) / 2))
     return box
 }

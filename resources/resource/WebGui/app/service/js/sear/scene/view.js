@@ -167,7 +167,8 @@ export class View {
         this.listed = Infinity
     }
 
-    // ---- drawing -----------------------------------------------------------------------------------------------------------------------
+    // ---- drawing
+    // -----------------------------------------------------------------------------------------------------------------
     draw() {
         const shown = this.canvas()
         if (!this.picture.width()) {
@@ -193,7 +194,8 @@ export class View {
     }
 
     followed(seen) {
-        return this.follow && !this.overlay.isBusy() && seen.robots.length ? Math.max(0, seen.robots.findIndex(robot => this.isChosen(robot))) : -1
+        return this.follow && !this.overlay.isBusy() && seen.robots.length
+            ? Math.max(0, seen.robots.findIndex(robot => this.isChosen(robot))) : -1
     }
 
     drawMap(shown, seen) {
@@ -230,12 +232,14 @@ export class View {
         } else if (!this.fits.space && (seen.objects.length || seen.robots.length)) {
             const area = geometry.area(geometry.shapesOf(seen))
             if (area) {
-                this.space.fit({x: area.x, y: this.heightOf(seen, terrain, area), z: area.z, size: area.size}, geometry.corners(seen.objects))
+                this.space.fit({x: area.x, y: this.heightOf(seen, terrain, area), z: area.z, size: area.size},
+                    geometry.corners(seen.objects))
             }
             this.fits.space = true
         }
         this.overlay.decorate(this.space, seen)
-        this.space.draw(this.sensorsOf(seen).indexOf(this.eye), this.followed(seen), geometry.isLight(window.getComputedStyle(shown).color))
+        this.space.draw(this.sensorsOf(seen).indexOf(this.eye), this.followed(seen),
+            geometry.isLight(window.getComputedStyle(shown).color))
     }
 
     /** Returns the height to look at: that of the first robot, else of the ground. */

@@ -100,7 +100,8 @@ export function shapesOf(world) {
     world.robots.forEach(robot => {
         const body = frame(robot.pose)
         robot.parts.forEach((part, i) => {
-            all.push({color: colorOf(part, ROBOT), ground: false, robot: true, outline: outline(part, times(body, frame(placeOf(robot, i))))})
+            all.push({color: colorOf(part, ROBOT), ground: false, robot: true,
+                outline: outline(part, times(body, frame(placeOf(robot, i))))})
         })
     })
     all = all.filter(shape => shape.outline.length > 2)
@@ -110,7 +111,8 @@ export function shapesOf(world) {
 function shapeOf(object) {
     if (!object.$shape || object.$shape.pose !== object.pose) {
         const ground = object.type === 'Floor' || object.type === 'Terrain' || object.terrain
-        object.$shape = {color: object.ground ? 'transparent' : colorOf(object, ground ? GROUND : object.color), ground, robot: false,
+        object.$shape = {color: object.ground ? 'transparent' : colorOf(object, ground ? GROUND : object.color), ground,
+            robot: false,
             pose: object.pose, outline: outline(object, frame(object.pose))}
     }
     return object.$shape

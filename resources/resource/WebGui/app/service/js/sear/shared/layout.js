@@ -51,7 +51,8 @@ function below(element, frame) {
  */
 function roomFor(element) {
     const frame = frameOf(element)
-    const end = frame === document.body ? window.innerHeight : Math.min(window.innerHeight, topOf(frame) + frame.clientHeight)
+    const end = frame === document.body
+    ? window.innerHeight : Math.min(window.innerHeight, topOf(frame) + frame.clientHeight)
     return end - topOf(element) - below(element, frame)
 }
 
@@ -86,7 +87,8 @@ export class Layout {
 
     roomOf(width) {
         const room = this.room
-        return width >= WIDE + (room === 'wide' ? 0 : SLACK) ? 'wide' : width >= MEDIUM + (room === 'narrow' ? SLACK : 0) ? 'medium' : 'narrow'
+        return width >= WIDE + (room === 'wide' ? 0 : SLACK) ? 'wide' : width >= MEDIUM
+        + (room === 'narrow' ? SLACK : 0) ? 'medium' : 'narrow'
     }
 
     /** Measures room and height; keeps the old values while the tab is hidden. @return them */

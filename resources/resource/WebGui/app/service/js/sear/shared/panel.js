@@ -14,7 +14,8 @@ export class Panel {
 
     /** Returns an element of this panel's view; null if the page has none. */
     element(kind) {
-        return this.scope.service ? document.getElementById(this.prefix + '-' + kind + '-' + this.scope.service.name) : null
+        return this.scope.service ? document.getElementById(
+            this.prefix + '-' + kind + '-' + this.scope.service.name) : null
     }
 
     isSimulating() {
@@ -49,7 +50,10 @@ export class Panel {
         asked.forEach(method => this.msg.send(method))
     }
 
-    /** Adds event listeners until the panel closes. @param listeners by event @param capture whether they run before others */
+    /**
+     * Adds event listeners until the panel closes. @param listeners by event @param capture whether they run before
+     * others
+     */
     listen(target, listeners, capture) {
         Object.keys(listeners).forEach(event => target.addEventListener(event, listeners[event], capture))
         this.scope.$on('$destroy', () => {

@@ -50,7 +50,8 @@ export function find(world, address) {
     const slash = address.indexOf('/')
     if (slash < 0) {
         const whole = world.objects.concat(world.robots).filter(one => one.name === address)[0]
-        return whole ? {object: whole, robot: null, pose: geometry.frame(whole.pose), parent: [0, 0, 0, 0, 0, 0, 1]} : null
+        return whole ? {object: whole, robot: null, pose: geometry.frame(whole.pose),
+            parent: [0, 0, 0, 0, 0, 0, 1]} : null
     }
     const robot = robotNamed(world, address.slice(0, slash))
     const name = address.slice(slash + 1)
@@ -89,7 +90,8 @@ export function extent(object) {
 export function ray(scene, x, y) {
     const THREE = window.THREE
     const caster = new THREE.Raycaster()
-    caster.setFromCamera(new THREE.Vector2(2 * x / scene.canvas.clientWidth - 1, 1 - 2 * y / scene.canvas.clientHeight), scene.camera)
+    caster.setFromCamera(new THREE.Vector2(2 * x / scene.canvas.clientWidth - 1, 1 - 2 * y / scene.canvas.clientHeight),
+        scene.camera)
     return {from: caster.ray.origin.toArray(), along: caster.ray.direction.toArray(), caster}
 }
 /** Returns the downward ray of a point of the map. */
@@ -130,7 +132,8 @@ function met(world, who, point, ground, normal) {
 export function inSpace(scene, world, x, y, without) {
     const found = scene.pick(x, y, without)
     if (found) {
-        return met(world, whose(world, found.object), found.point, !found.object || Boolean(found.object.ground), found.normal)
+        return met(world, whose(world, found.object), found.point, !found.object || Boolean(found.object.ground),
+            found.normal)
     }
     const point = onPlane(ray(scene, x, y), [0, 0, 0], [0, 1, 0])
     return point ? met(world, null, point, false) : null
@@ -160,14 +163,18 @@ function topOf(robot, part) {
 }
 /** Finds what is at a point of the map: a robot, else the highest object there, else the height 0. */
 export function onMap(world, x, z) {
-    const robot = world.robots.filter(one => Math.sqrt(Math.pow(one.pose[0] - x, 2) + Math.pow(one.pose[2] - z, 2)) < Math.max(one.radius, 0.1))[0]
+    const robot = world.robots.filter(one => Math.sqrt(Math.pow(one.pose[0] - x, 2) + Math.pow(one.pose[2] - z, 2))
+        < Math.max(one.radius, 0.1))[0]
     if (robot) {
         const body = robot.parts.filter(part => part.type !== 'Wheel')[0]
-        return met(world, {address: robot.name + (body ? '/' + body.name : ''), robot: robot.name, object: body || robot},
+        return met(world, {address: robot.name + (body ? '/' + body.name : ''), robot: robot.name,
+            object: body || robot},
             [x, body ? topOf(robot, body) : robot.pose[1], z], false)
     }
     geometry.shapesOf(world)
-    const below = world.objects.filter(object => object.$shape.outline.length > 2 && contains(object.$shape.outline, x, z))
+    const below = world.objects.filter(object => object.$shape.outline.length > 2
+        && contains(object.$shape.outline, x, z))
         .sort((a, b) => top(b) - top(a))[0]
-    return below ? met(world, whose(world, below), [x, top(below), z], Boolean(below.ground)) : met(world, null, [x, 0, z], false)
+    return below ? met(world, whose(world, below), [x, top(below), z], Boolean(below.ground)) : met(
+    world, null, [x, 0, z], false)
 }

@@ -36,7 +36,8 @@ export class Problems {
     }
 
     all() {
-        return this.found.length || this.panel.isSimulating() || !this.world.preview ? this.found : this.world.preview.problems
+        return this.found.length || this.panel.isSimulating() || !this.world.preview
+            ? this.found : this.world.preview.problems
     }
 
     onProblems(found) {

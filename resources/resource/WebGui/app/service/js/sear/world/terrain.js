@@ -62,7 +62,8 @@ export class Terrain {
     place(x, z) {
         const places = this.sent.places
         return places && this.among(x, z, PLACES, PLACES, (at, north, east) => {
-            const place = [0, 1].map(i => mixed(places[at][i], places[at + 1][i], places[at + PLACES][i], places[at + PLACES + 1][i], north, east))
+            const place = [0, 1].map(i => mixed(places[at][i], places[at + 1][i], places[at + PLACES][i],
+                places[at + PLACES + 1][i], north, east))
             place[1] -= 360 * Math.floor((place[1] + 180) / 360)
             return place
         })
@@ -75,13 +76,14 @@ export class Terrain {
             return ''
         }
         const place = this.place(x, z)
-        return 'here ' + height.toFixed(1) + ' m' + (place ? ', ' + (height + this.sent.altitude).toFixed(1) + ' m above the geoid at '
+        return 'here ' + height.toFixed(1) + ' m'
+        + (place ? ', ' + (height + this.sent.altitude).toFixed(1) + ' m above the geoid at '
             + place[0].toFixed(6) + '°, ' + place[1].toFixed(6) + '°' : '')
     }
 
     /**
-     * Returns the contour lines of the visible part: interval in metres, and lines as [level, x1, z1, x2, z2]. The sampling
-     * grid is fixed in the world while the view moves.
+     * Returns the contour lines of the visible part: interval in metres, and lines as [level, x1, z1, x2, z2]. The
+     * sampling grid is fixed in the world while the view moves.
      */
     contours(area, scale) {
         const key = [area.south, area.north, area.west, area.east, scale].join(' ')
@@ -113,7 +115,8 @@ export class Terrain {
         for (let r = south; found.interval && r < north; r++) {
             for (let c = west; c < east; c++) {
                 const at = (r - south) * columns + c - west
-                cross(found, r * step, c * step, step, [heights[at], heights[at + 1], heights[at + columns + 1], heights[at + columns]])
+                cross(found, r * step, c * step, step,
+                    [heights[at], heights[at + 1], heights[at + columns + 1], heights[at + columns]])
             }
         }
         return found
@@ -121,8 +124,8 @@ export class Terrain {
 
     /**
      * Draws the terrain.
-     * @param at maps metres on the ground to pixels @param area edges of the visible part: south, north, west, east @param
-     * dark the theme
+     * @param at maps metres on the ground to pixels @param area edges of the visible part: south, north, west, east 
+     * @param dark the theme
      */
     draw(pen, at, area, scale, dark) {
         const corner = at(this.sent.north, this.sent.west)
@@ -156,7 +159,8 @@ export class Terrain {
 }
 
 function mixed(southWest, southEast, northWest, northEast, north, east) {
-    return (southWest * (1 - east) + southEast * east) * (1 - north) + (northWest * (1 - east) + northEast * east) * north
+    return (southWest * (1 - east) + southEast * east) * (1 - north)
+        + (northWest * (1 - east) + northEast * east) * north
 }
 
 /**
@@ -174,7 +178,8 @@ function cross(found, x, z, step, corners) {
                 const b = triangle[(i + 1) % 3]
                 if (corners[a] <= level !== corners[b] <= level) {
                     const share = (level - corners[a]) / (corners[b] - corners[a])
-                    ends.push(places[a][0] + share * (places[b][0] - places[a][0]), places[a][1] + share * (places[b][1] - places[a][1]))
+                    ends.push(places[a][0] + share * (places[b][0] - places[a][0]), places[a][1]
+                        + share * (places[b][1] - places[a][1]))
                 }
             })
             if (ends.length === 4) {

@@ -132,7 +132,8 @@ export class World {
 
     look() {
         const now = Date.now()
-        if (this.picture.width() && !document.hidden && !this.panel.isSimulating() && now - this.lookedAt > PATIENCE_MILLIS) {
+        if (this.picture.width() && !document.hidden && !this.panel.isSimulating()
+            && now - this.lookedAt > PATIENCE_MILLIS) {
             this.lookedAt = now
             this.msg.send('getPreview', this.preview ? this.preview.stamp : '')
         }
@@ -195,13 +196,15 @@ export class World {
             return 'Not running, and nothing to show: ' + preview.reason
         }
         if (!preview.world) {
-            return 'Not running, and nothing to show: the project has ' + words.count(preview.problems.length, 'problem') + ', listed below'
+            return 'Not running, and nothing to show: the project has '
+                + words.count(preview.problems.length, 'problem') + ', listed below'
         }
         if (!preview.world.objects.length && !preview.world.robots.length) {
             return 'Not running, and the project is empty: ' + (this.$scope.view.building
                 ? 'choose an object in the palette, then click where to place it'
                 : 'open a project or an example, drop a .sear file here, press Build, or create objects in a script')
         }
-        return 'Not running: the view shows the project before its start, by the button Start or ' + this.$scope.service.name + '.startSimulation()'
+        return 'Not running: the view shows the project before its start, by the button Start or '
+            + this.$scope.service.name + '.startSimulation()'
     }
 }

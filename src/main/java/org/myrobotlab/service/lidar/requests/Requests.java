@@ -124,7 +124,8 @@ public final class Requests<R extends DeviceRequest> {
         resend = false;
         try {
             byte[] bytes = current.bytes.get();
-            deadline = line.now() + ON_THE_WAY + current.timeout + Uart.seconds(bytes.length + current.replyLength, line.getBaud());
+            deadline = line.now() + ON_THE_WAY + current.timeout + Uart.seconds(bytes.length + current.replyLength,
+                line.getBaud());
             sending.accept(current);
             line.write(bytes);
             if (current.replyLength == 0) {
@@ -176,7 +177,8 @@ public final class Requests<R extends DeviceRequest> {
             resend = true;
             deadline = line.now() + AFTER_REFUSAL;
         } else {
-            giveUp("the LIDAR refused " + current.name + " " + tries + " times (" + why + "): the line has transmission errors");
+            giveUp("the LIDAR refused " + current.name + " " + tries + " times (" + why
+                + "): the line has transmission errors");
         }
     }
 

@@ -136,7 +136,8 @@ public final class Exports {
 
     private static String names() {
         StringBuilder names = new StringBuilder();
-        SerialDeviceFactory.getVirtualPorts().forEach(port -> names.append(names.length() == 0 ? "" : ", ").append(port.getName()));
+        SerialDeviceFactory.getVirtualPorts().forEach(port -> names.append(names.length() == 0 ? "" : ", ")
+            .append(port.getName()));
         return names.length() == 0 ? "none" : names.toString();
     }
 
@@ -152,7 +153,8 @@ public final class Exports {
         Map<String, ExportTarget> wanted = wanted(session);
         endThoseOfOtherProjects(wanted);
         bridges.forEach((name, bridge) -> orSay(name, () -> attach(name, bridge)));
-        wanted.forEach((port, target) -> orSay(port, () -> host.progress("port " + port + " is exported as " + make(port, target))));
+        wanted.forEach((port, target) ->
+            orSay(port, () -> host.progress("port " + port + " is exported as " + make(port, target))));
     }
 
     private static Map<String, ExportTarget> wanted(SimulationSession session) {
@@ -171,7 +173,8 @@ public final class Exports {
     private void endThoseOfOtherProjects(Map<String, ExportTarget> wanted) {
         List<String> gone = new ArrayList<>();
         made.forEach((key, export) -> {
-            if (export.ofProject && wanted.entrySet().stream().noneMatch(one -> key.equals(keyOf(one.getKey(), one.getValue())))) {
+            if (export.ofProject && wanted.entrySet().stream()
+                .noneMatch(one -> key.equals(keyOf(one.getKey(), one.getValue())))) {
                 gone.add(key);
             }
         });

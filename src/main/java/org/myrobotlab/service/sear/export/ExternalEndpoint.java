@@ -7,8 +7,8 @@ interface ExternalEndpoint {
     void start(LineEnd end);
 
     /**
-     * Sends bytes to the program; drops them without a reader, and whole messages if the program reads too slowly. Never
-     * waits. One thread at a time.
+     * Sends bytes to the program; drops them without a reader, and whole messages if the program reads too slowly.
+     * Never waits. One thread at a time.
      *
      * @param starts indices of the messages' first bytes, as in {@link org.SEAR.devices.SerialLine.Sink}
      */

@@ -10,7 +10,8 @@ final class LineControl {
      * Groups of values: the query, then the values to set, of which the first is the initial one; RFC 2217, section
      * 3.1.
      */
-    private static final int[][] GROUPS = {{0, 1, 2, 3, 17, 19}, {4, 6, 5}, {7, 8, 9}, {10, 11, 12}, {13, 14, 15, 16, 18}};
+    private static final int[][] GROUPS = {{0, 1, 2, 3, 17, 19}, {4, 6, 5}, {7, 8, 9}, {10, 11, 12},
+        {13, 14, 15, 16, 18}};
     /** Index of flow control, which is always "none". */
     private static final int FLOW = 0;
     private static final int INBOUND_FLOW = 4;

@@ -5,9 +5,10 @@ import java.util.Arrays;
 import java.util.function.UnaryOperator;
 
 /**
- * Bytes for one program that its operating system has not taken yet. Drops whole messages only: while bytes of an earlier
- * call wait, the messages that begin are dropped, and a message that has begun is kept to its end. So an outbox holds at
- * most the messages of one call, the rest of the last one, and {@link #MAX_REPLIES} bytes. One thread at a time.
+ * Bytes for one program that its operating system has not taken yet. Drops whole messages only: while bytes of an
+ * earlier call wait, the messages that begin are dropped, and a message that has begun is kept to its end. So an outbox
+ * holds at most the messages of one call, the rest of the last one, and {@link #MAX_REPLIES} bytes. One thread at a
+ * time.
  */
 final class Outbox {
     /** Number of waiting bytes above which {@link #reply} drops, bytes. */

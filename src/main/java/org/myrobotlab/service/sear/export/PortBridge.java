@@ -52,7 +52,8 @@ final class PortBridge implements SerialDataListener {
             return;
         }
         if (present.isOpen()) {
-            throw new IOException("port " + name + " is in use within MyRobotLab: disconnect() there before exporting it");
+            throw new IOException("port " + name + " is in use within MyRobotLab: disconnect() there before "
+                + "exporting it");
         }
         present.open();
         present.listen(this);

@@ -15,8 +15,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * A pseudo-terminal in raw mode, which programs open and close like a serial port. Drops bytes while no program has it
- * open, and unread bytes when a program closes it, as a real port does. If a program pauses until the system's buffer is
- * full, an {@link Outbox} drops whole messages. Linux and macOS. macOS forgets the settings of
+ * open, and unread bytes when a program closes it, as a real port does. If a program pauses until the system's buffer
+ * is full, an {@link Outbox} drops whole messages. Linux and macOS. macOS forgets the settings of
  * a closed terminal, so SEAR keeps the terminal side open there, and a program may read up to 4 kB of old bytes.
  */
 final class PseudoTerminal implements ExternalEndpoint {
@@ -43,8 +43,10 @@ final class PseudoTerminal implements ExternalEndpoint {
     /** Rate while the device's rate is unknown; no program sets it. */
     private static final int UNKNOWN_BAUD = 50;
     /** Baud rate codes of Linux (asm-generic/termbits.h). macOS uses the numbers themselves. */
-    private static final int[][] LINUX_BAUDS = {{UNKNOWN_BAUD, 0x1}, {300, 0x7}, {600, 0x8}, {1200, 0x9}, {2400, 0xB}, {4800, 0xC}, {9600, 0xD},
-        {19200, 0xE}, {38400, 0xF}, {57600, 0x1001}, {115200, 0x1002}, {230400, 0x1003}, {460800, 0x1004}, {500000, 0x1005}, {1000000, 0x1008}};
+    private static final int[][] LINUX_BAUDS = {{UNKNOWN_BAUD, 0x1}, {300, 0x7}, {600, 0x8}, {1200, 0x9}, {2400, 0xB},
+        {4800, 0xC}, {9600, 0xD},
+        {19200, 0xE}, {38400, 0xF}, {57600, 0x1001}, {115200, 0x1002}, {230400, 0x1003}, {460800, 0x1004},
+            {500000, 0x1005}, {1000000, 0x1008}};
     /** Linux's TCGETS2: its termios2 has the rate as a number, including rates without a code (14400, 28800). */
     private static final long GET_TERMIOS_2 = 0x802C542AL;
     private static final int OUTPUT_SPEED = 40;
@@ -139,7 +141,8 @@ final class PseudoTerminal implements ExternalEndpoint {
         try {
             c = Native.load("c", C.class);
         } catch (LinkageError e) {
-            throw new IOException("pseudo-terminals need JNA (jna-5.19.1.jar in libraries/jar): use exportTcp, or install it", e);
+            throw new IOException("pseudo-terminals need JNA (jna-5.19.1.jar in libraries/jar): use exportTcp, "
+                + "or install it", e);
         }
         int master = c.posix_openpt(READ_WRITE | NO_CONTROLLING_TERMINAL);
         if (master < 0 || c.grantpt(master) != 0 || c.unlockpt(master) != 0) {
@@ -151,7 +154,8 @@ final class PseudoTerminal implements ExternalEndpoint {
         if (slave < 0 || c.fcntl(master, SET_FLAGS, NOT_BLOCKING) != 0) {
             closeIfOpen(c, slave);
             closeIfOpen(c, master);
-            throw new IOException("the pseudo-terminal " + path + " can't be opened (error " + Native.getLastError() + ")");
+            throw new IOException("the pseudo-terminal " + path + " can't be opened (error "
+                + Native.getLastError() + ")");
         }
         makeRaw(c, slave);
         int kept = Platform.isMac() ? slave : NONE;
@@ -163,7 +167,8 @@ final class PseudoTerminal implements ExternalEndpoint {
             if (c.pipe(wakeUp) != 0 || c.fcntl(wakeUp[1], SET_FLAGS, NOT_BLOCKING) != 0) {
                 throw new IOException("the system provides no pipe (error " + Native.getLastError() + ")");
             }
-            return new PseudoTerminal(port, c, master, kept, path, link == null ? null : TerminalLink.make(link, path), wakeUp);
+            return new PseudoTerminal(port, c, master, kept, path, link == null ? null
+                : TerminalLink.make(link, path), wakeUp);
         } catch (IOException | RuntimeException e) {
             closeIfOpen(c, wakeUp[0]);
             closeIfOpen(c, wakeUp[1]);
@@ -208,7 +213,8 @@ final class PseudoTerminal implements ExternalEndpoint {
     @Override
     public synchronized void deviceAt(int baud) {
         Memory termios = new Memory(TERMIOS_SIZE);
-        boolean free = open && baud > 0 && codeOf(baud) > 0 && (end == null || end.getBaud() == 0) && currentBaud(termios) == ownBaud;
+        boolean free = open && baud > 0 && codeOf(baud) > 0 && (end == null || end.getBaud() == 0)
+            && currentBaud(termios) == ownBaud;
         if (free) {
             reportSettings(false);
             c.tcgetattr(side(), termios);
@@ -305,7 +311,8 @@ final class PseudoTerminal implements ExternalEndpoint {
     private void leaveProcessing(Memory termios) {
         c.tcgetattr(side(), termios);
         int local = termios.getInt(LOCAL_FLAGS);
-        if ((local & TELL_SETTING) != 0 && ((local & LOCAL_PROCESSING) != 0 || (termios.getInt(0) & INPUT_PROCESSING) != 0)) {
+        if ((local & TELL_SETTING) != 0
+            && ((local & LOCAL_PROCESSING) != 0 || (termios.getInt(0) & INPUT_PROCESSING) != 0)) {
             termios.setInt(LOCAL_FLAGS, local & ~TELL_SETTING);
             c.tcsetattr(side(), NOW, termios);
         }
@@ -342,7 +349,8 @@ final class PseudoTerminal implements ExternalEndpoint {
     /** Whether no program has the terminal open. */
     private boolean isHungUp() {
         describe(writeDescriptor, 0, master, POLL_IN);
-        return c.poll(writeDescriptor, new NativeLong(1), 0) > 0 && (writeDescriptor.getShort(FOUND_AT) & POLL_HANG_UP) != 0;
+        return c.poll(writeDescriptor, new NativeLong(1), 0) > 0
+            && (writeDescriptor.getShort(FOUND_AT) & POLL_HANG_UP) != 0;
     }
 
     /** Drops unread bytes after the last program has closed the terminal. */
@@ -367,7 +375,8 @@ final class PseudoTerminal implements ExternalEndpoint {
     }
 
     private static int translated(int value, int from, int to) {
-        return Arrays.stream(LINUX_BAUDS).filter(known -> known[from] == value).mapToInt(known -> known[to]).findFirst().orElse(0);
+        return Arrays.stream(LINUX_BAUDS).filter(known -> known[from] == value).mapToInt(known -> known[to])
+            .findFirst().orElse(0);
     }
 
     @Override

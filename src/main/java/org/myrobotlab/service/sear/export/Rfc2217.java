@@ -104,7 +104,8 @@ final class Rfc2217 implements TcpSession {
             raw += negotiated ? 0 : data.size();
             if (raw >= RAW) {
                 negotiated = true;
-                end.warn("raw", raw + " bytes arrived without RFC 2217 negotiation: is it the right port? A program that sends raw bytes needs "
+                end.warn("raw", raw + " bytes arrived without RFC 2217 negotiation: is it the right port? A program "
+                    + "that sends raw bytes needs "
                     + "exportTcp");
             }
             end.send(data.toByteArray());

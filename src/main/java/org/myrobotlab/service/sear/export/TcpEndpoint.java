@@ -45,7 +45,8 @@ final class TcpEndpoint implements ExternalEndpoint {
     /** @param number TCP port, 0 for any free one */
     static TcpEndpoint open(String port, TcpSession.Kind kind, int number) throws IOException {
         if (number < 0 || number > TcpListener.HIGHEST_PORT) {
-            throw new IllegalArgumentException("TCP port is " + number + ", legal: 0 (any free one) to " + TcpListener.HIGHEST_PORT);
+            throw new IllegalArgumentException("TCP port is " + number + ", legal: 0 (any free one) to "
+                + TcpListener.HIGHEST_PORT);
         }
         try {
             TcpListener server = TcpListener.open(number, BACKLOG);
@@ -84,7 +85,8 @@ final class TcpEndpoint implements ExternalEndpoint {
             ByteBuffer buffer = ByteBuffer.allocate(BUFFER);
             while (selector.isOpen()) {
                 selector.select(server.selectMillis());
-                for (Iterator<SelectionKey> keys = selector.selectedKeys().iterator(); selector.isOpen() && keys.hasNext();) {
+                for (Iterator<SelectionKey> keys = selector.selectedKeys().iterator(); selector.isOpen()
+                    && keys.hasNext();) {
                     SelectionKey key = keys.next();
                     keys.remove();
                     serve(key, buffer);

@@ -45,7 +45,8 @@ final class TerminalLink {
         try {
             Files.createSymbolicLink(made, target);
         } catch (FileAlreadyExistsException e) {
-            throw new IOException(made + " exists and is not a link to a pseudo-terminal: choose another name, or remove it", e);
+            throw new IOException(made + " exists and is not a link to a pseudo-terminal: choose another name, "
+                + "or remove it", e);
         }
         TerminalLink created = new TerminalLink(made, target);
         ExitTasks.add(created.exitTask);
@@ -59,7 +60,8 @@ final class TerminalLink {
     /** Deletes the link unless its target has changed. */
     void remove() throws IOException {
         ExitTasks.remove(exitTask);
-        if (Files.exists(path, LinkOption.NOFOLLOW_LINKS) && Files.isSymbolicLink(path) && Files.readSymbolicLink(path).equals(target)) {
+        if (Files.exists(path, LinkOption.NOFOLLOW_LINKS) && Files.isSymbolicLink(path) && Files.readSymbolicLink(path)
+            .equals(target)) {
             Files.delete(path);
         }
     }

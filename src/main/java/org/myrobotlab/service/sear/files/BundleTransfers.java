@@ -61,14 +61,16 @@ public final class BundleTransfers {
             expected = 0;
         }
         if (index != expected || index >= count) {
-            throw new IllegalArgumentException("part " + index + " of " + count + " of " + name + " arrived out of order, expected " + expected
+            throw new IllegalArgumentException("part " + index + " of " + count + " of " + name
+                + " arrived out of order, expected " + expected
                 + ": upload the file again");
         }
         byte[] part = decoded(name, base64);
         if (index > 0 && Files.size(upload) + part.length > GREATEST) {
             Files.delete(upload);
             expected = 0;
-            throw new IllegalArgumentException(name + " is larger than " + GREATEST + " bytes: copy it into MyRobotLab's folder and open its path");
+            throw new IllegalArgumentException(name + " is larger than " + GREATEST
+                + " bytes: copy it into MyRobotLab's folder and open its path");
         }
         Files.write(upload, part, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
         expected++;
@@ -96,7 +98,8 @@ public final class BundleTransfers {
 
     /** Returns the user's file name without characters illegal here; errors and progress show it. */
     private static String fileName(String name) {
-        String last = name == null ? "" : name.replaceAll(".*[/\\\\]", "").replaceAll("[\\p{Cntrl}:*?\"<>|]", "_").trim();
+        String last = name == null ? "" : name.replaceAll(".*[/\\\\]", "")
+            .replaceAll("[\\p{Cntrl}:*?\"<>|]", "_").trim();
         return last.replace(".", "").isEmpty() ? DOWNLOAD : last.substring(Math.max(0, last.length() - LONGEST_NAME));
     }
 
@@ -104,7 +107,8 @@ public final class BundleTransfers {
         try {
             return Base64.getDecoder().decode(base64);
         } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException(name + " was damaged in transfer (" + e.getMessage() + "): upload the file again", e);
+            throw new IllegalArgumentException(name + " was damaged in transfer (" + e.getMessage()
+                + "): upload the file again", e);
         }
     }
 

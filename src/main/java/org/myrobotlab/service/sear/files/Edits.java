@@ -25,8 +25,9 @@ import org.myrobotlab.service.sear.run.SimulationSession;
  *
  * <pre>
  * {"done": true, "page": "7f3a" (copied from the edit), "words": "move crate" (empty if nothing changed),
- *  "object": "crate" or null, "files": ["environment/crate.xml"], "note": "..." or null, "undo": "move crate" or null, "redo": null, "problems": []}
- * {"done": false, "page": "7f3a", "problems": [{"file", "line", "field", "value", "legal"}],
+ *  "object": "crate" or null, "files": ["environment/crate.xml"], "note": "..." or null, "undo": "move crate" or null,
+ * "redo": null, "problems": []} {"done": false, "page": "7f3a", "problems": [{"file", "line", "field", "value",
+ * "legal"}],
  *  "reason": ".." (if there are no problems)}
  * </pre>
  */
@@ -148,14 +149,17 @@ public final class Edits {
         } catch (ProjectException | IllegalArgumentException e) {
             all = false;
         }
-        String later = all ? null : "a simulation runs: " + (outcome.moved.isEmpty() ? "this" : "everything except moves of its objects")
+        String later = all ? null : "a simulation runs: "
+            + (outcome.moved.isEmpty() ? "this" : "everything except moves of its objects")
             + " takes effect at its next start";
-        return outcome.note == null || later == null ? (outcome.note == null ? later : outcome.note) : outcome.note + "; " + later;
+        return outcome.note == null || later == null ? (outcome.note == null ? later : outcome.note) : outcome.note
+            + "; " + later;
     }
 
     /** Returns the robot that has the component, else the name itself. */
     private static String whole(Project project, String name) {
-        return project.getRobots().stream().filter(robot -> robot.getComponentNames().contains(name)).map(SEARrobot::getName).findFirst()
+        return project.getRobots().stream().filter(robot -> robot.getComponentNames().contains(name))
+            .map(SEARrobot::getName).findFirst()
             .orElse(name);
     }
 }

@@ -34,13 +34,15 @@ public final class ExampleBundles {
 
     /** Returns the paths of all example bundles. */
     static List<String> paths() throws IOException {
-        return list().stream().filter(name -> name.endsWith(ENDING)).map(name -> FOLDER + name).collect(Collectors.toList());
+        return list().stream().filter(name -> name.endsWith(ENDING)).map(name -> FOLDER + name)
+            .collect(Collectors.toList());
     }
 
     /** Returns the names below {@code examples} that the build put into the jar. */
     static List<String> list() throws IOException {
         try (InputStream in = ExampleBundles.class.getResourceAsStream(LIST)) {
-            return in == null ? List.of() : Arrays.asList(new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\n"));
+            return in == null ? List.of() : Arrays.asList(new String(in.readAllBytes(), StandardCharsets.UTF_8)
+                .split("\n"));
         }
     }
 
@@ -75,7 +77,8 @@ public final class ExampleBundles {
             return work.on(path);
         }
         Path file = Files.createTempFile("sear", ".sear");
-        try (InputStream in = ExampleBundles.class.getResourceAsStream(IN_JAR + name(path).substring(FOLDER.length()))) {
+        try (InputStream in = ExampleBundles.class.getResourceAsStream(
+            IN_JAR + name(path).substring(FOLDER.length()))) {
             Files.write(file, in.readAllBytes());
             return work.on(file);
         } finally {

@@ -33,7 +33,8 @@ public final class ExampleScripts {
                 scripts.forEach(script -> names.add(script.getFileName().toString()));
             }
         }
-        ExampleBundles.list().stream().filter(name -> name.startsWith(FOLDER)).forEach(name -> names.add(name.substring(FOLDER.length())));
+        ExampleBundles.list().stream().filter(name -> name.startsWith(FOLDER))
+            .forEach(name -> names.add(name.substring(FOLDER.length())));
         return new ArrayList<>(names);
     }
 
@@ -44,7 +45,8 @@ public final class ExampleScripts {
      */
     public static String text(String name) throws IOException {
         if (!names().contains(name)) {
-            throw new IllegalArgumentException("there is no example script \"" + name + "\"; example scripts: " + names());
+            throw new IllegalArgumentException("there is no example script \"" + name
+                + "\"; example scripts: " + names());
         }
         if (Files.isRegularFile(ON_DISK.resolve(name))) {
             return Files.readString(ON_DISK.resolve(name));
@@ -61,7 +63,8 @@ public final class ExampleScripts {
      */
     public static String runner() {
         if (Runtime.getService(PYTHON) == null) {
-            throw new IllegalStateException("no service named " + PYTHON + " runs scripts: call Runtime.start(\"" + PYTHON
+            throw new IllegalStateException(
+                "no service named " + PYTHON + " runs scripts: call Runtime.start(\"" + PYTHON
                 + "\", \"Python\")");
         }
         return PYTHON;

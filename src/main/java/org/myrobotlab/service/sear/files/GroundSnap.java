@@ -30,19 +30,22 @@ final class GroundSnap {
      *
      * @throws ProjectException if the project can't be read
      */
-    static Map<?, ?> of(Map<?, ?> edit, SimulationSession session) throws IOException, ProjectException, InterruptedException {
+    static Map<?, ?> of(Map<?, ?> edit, SimulationSession session)
+        throws IOException, ProjectException, InterruptedException {
         if (!"true".equals(String.valueOf(edit.get("stand"))) || !(edit.get("set") instanceof Map)) {
             return edit;
         }
         Map<Object, Object> set = new LinkedHashMap<>((Map<?, ?>) edit.get("set"));
         String name = String.valueOf(edit.get("object"));
-        SEARrobot robot = Project.read(Projects.folder()).getRobots().stream().filter(one -> one.getName().equals(name)).findFirst().orElse(null);
+        SEARrobot robot = Project.read(Projects.folder()).getRobots().stream().filter(one -> one.getName().equals(name))
+            .findFirst().orElse(null);
         if (robot == null || robot.isOnGround() || set.containsKey("y")) {
             return edit;
         }
         Pose to;
         try {
-            to = Pose.ofDegrees(number(set, "x", robot.getX()), robot.getY(), number(set, "z", robot.getZ()), number(set, "rx", robot.getRx()),
+            to = Pose.ofDegrees(number(set, "x", robot.getX()), robot.getY(), number(set, "z", robot.getZ()),
+                number(set, "rx", robot.getRx()),
                 number(set, "ry", robot.getRy()), number(set, "rz", robot.getRz()));
         } catch (NumberFormatException e) {
             return edit;        // the editor reports the problem

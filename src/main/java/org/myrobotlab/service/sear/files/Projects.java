@@ -94,7 +94,8 @@ public final class Projects {
     public synchronized Path saveCut(Path file) throws IOException, ProjectException {
         Path bundle = bundle(file);
         if (!Bundle.saveCut(folder(), bundle, new PercentProgress("saving", bundle, host::progress))) {
-            host.progress(bundle + " contains everything: the project has no Terrain with a setArea in a map that SEAR can cut");
+            host.progress(bundle + " contains everything: the project has no Terrain with a setArea in a map that "
+                + "SEAR can cut");
         }
         return bundle.toAbsolutePath().normalize();
     }
@@ -102,18 +103,22 @@ public final class Projects {
     /** Returns the file to write after checking that it can be written. */
     private static Path bundle(Path file) throws IOException {
         if (!Files.isDirectory(folder())) {
-            throw new IOException("there is no project folder " + folder() + ": create some objects first (org.SEAR.POJOs)");
+            throw new IOException("there is no project folder " + folder() + ": create some objects first "
+                + "(org.SEAR.POJOs)");
         }
         Path bundle = Paths.get(withEnding(file.toString()));
         if (bundle.getFileName().toString().replace(" ", "").equalsIgnoreCase(ENDING)) {
-            throw new IOException("the path \"" + file + "\" names no file, legal: the path of a bundle, such as \"robot.sear\"");
+            throw new IOException("the path \"" + file + "\" names no file, legal: the path of a bundle, such as "
+                + "\"robot.sear\"");
         }
         Path parent = bundle.toAbsolutePath().normalize().getParent();
         if (parent == null || !Files.isDirectory(parent)) {
-            throw new IOException(bundle + " can't be saved: there is no folder " + parent + "; create it, or choose another");
+            throw new IOException(bundle + " can't be saved: there is no folder " + parent
+                + "; create it, or choose another");
         }
         if (!Files.exists(bundle) && !Files.notExists(bundle)) {
-            throw new IOException(bundle + " can't be saved: the system can't create such a file; choose a shorter name, or another folder");
+            throw new IOException(bundle + " can't be saved: the system can't create such a file; choose a shorter "
+                + "name, or another folder");
         }
         return bundle;
     }
@@ -125,7 +130,8 @@ public final class Projects {
      * @return {@code {"asked": path, "path": with the ending, "saved": whether it was, "free": an unused path, null if
      *     saved}}
      */
-    public synchronized Map<String, Object> saveAs(String path, boolean overwrite) throws IOException, ProjectException {
+    public synchronized Map<String, Object> saveAs(String path, boolean overwrite)
+        throws IOException, ProjectException {
         String named = withEnding(path);
         Path bundle = bundle(ScriptText.path(path));
         boolean saved = overwrite || Files.notExists(bundle);
@@ -168,7 +174,8 @@ public final class Projects {
                 throw new IOException("there is no file or folder " + bundle.toAbsolutePath() + "; the examples are "
                     + String.join(", ", examples()));
             }
-            return Bundle.load(bundle, folder(), ExampleBundles.isOne(bundle, meant), new PercentProgress("loading", meant, host::progress));
+            return Bundle.load(bundle, folder(), ExampleBundles.isOne(bundle, meant),
+                new PercentProgress("loading", meant, host::progress));
         });
         PortArrivals.anotherProject();
         control.scriptSession().anotherProject();
@@ -183,7 +190,8 @@ public final class Projects {
      */
     public synchronized String importRobot(Path file, String robot) throws IOException, ProjectException {
         control.refuseWhileAnyRuns("importRobot");
-        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importRobot(bundle, folder(), robot, importing(file)));
+        Map<String, String> renamed = ExampleBundles.with(
+            file, bundle -> Bundle.importRobot(bundle, folder(), robot, importing(file)));
         report(renamed);
         return renamed.values().iterator().next();
     }
@@ -195,7 +203,8 @@ public final class Projects {
      */
     public synchronized List<String> importEnvironment(Path file) throws IOException, ProjectException {
         control.refuseWhileAnyRuns("importEnvironment");
-        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importEnvironment(bundle, folder(), importing(file)));
+        Map<String, String> renamed = ExampleBundles.with(
+            file, bundle -> Bundle.importEnvironment(bundle, folder(), importing(file)));
         report(renamed);
         return new ArrayList<>(renamed.values());
     }
@@ -229,7 +238,8 @@ public final class Projects {
             throw new IllegalArgumentException("there is no template \"" + name + "\"; templates: " + TEMPLATES);
         }
         if (folder == null) {
-            throw new IllegalArgumentException("the folder is missing (None), legal: the path of a folder, such as \"SEARproject\"");
+            throw new IllegalArgumentException("the folder is missing (None), legal: the path of a folder, such as "
+                + "\"SEARproject\"");
         }
         Path copy = ScriptText.path(folder).resolve(name);
         if (Files.exists(copy)) {

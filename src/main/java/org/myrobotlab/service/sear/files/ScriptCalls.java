@@ -25,7 +25,8 @@ public final class ScriptCalls {
         try (InputStream in = ScriptCalls.class.getResourceAsStream(LIST)) {
             for (String line : new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\n")) {
                 String[] parts = line.split("\t", COLUMNS);
-                calls.add(Map.of("type", parts[0], "name", parts[1], "parameters", parts[2], "doc", parts[COLUMNS - 1]));
+                calls.add(Map.of("type", parts[0], "name", parts[1], "parameters", parts[2], "doc",
+                    parts[COLUMNS - 1]));
             }
         }
         return calls;

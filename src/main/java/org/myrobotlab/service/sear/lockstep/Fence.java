@@ -166,7 +166,8 @@ public final class Fence {
         log.debug("no pass came back from {}", queue);
         if (!reportedOfGoingOn) {
             reportedOfGoingOn = true;
-            host.warn(busy(Timeouts.END) + ": lock-step continues and ignores callbacks of that service until this one ends");
+            host.warn(busy(Timeouts.END) + ": lock-step continues and ignores callbacks of that service until "
+                + "this one ends");
         }
     }
 
@@ -185,7 +186,8 @@ public final class Fence {
             handlers.put(service, greeting.getHandler());
             greetings.remove(service);
         }
-        return holds(service instanceof CallbackService ? ((CallbackService) service).getCallbackThread() : handlers.get(service))
+        return holds(service instanceof CallbackService ? ((CallbackService) service).getCallbackThread()
+            : handlers.get(service))
             || holds(service.getThisThread());
     }
 

@@ -96,6 +96,7 @@ public final class Quiescence {
     }
 
     private static String unfinished(VirtualSerialPort port, long seconds) {
-        return "a listener of port " + port.getName() + " has not processed " + port.getPending() + " bytes within " + seconds + " s";
+        return "a listener of port " + port.getName() + " has not processed " + port.getPending() + " bytes within "
+            + seconds + " s";
     }
 }

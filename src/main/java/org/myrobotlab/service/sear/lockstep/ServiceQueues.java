@@ -27,7 +27,8 @@ final class ServiceQueues {
         services = Runtime.getServices();
         for (ServiceInterface service : services) {
             boolean hasListeners = addListeners(service);
-            if (service.getOutbox() != null && service.getOutbox().isRunning() && (hasListeners || service.getOutbox().size() > 0)) {
+            if (service.getOutbox() != null && service.getOutbox().isRunning()
+                && (hasListeners || service.getOutbox().size() > 0)) {
                 publishers.add(service);
             }
             if (isWaiting(service)) {
@@ -72,6 +73,7 @@ final class ServiceQueues {
 
     /** Returns whether a queue holds a message; a message in progress doesn't count. */
     boolean hold() {
-        return publishers.stream().anyMatch(service -> service.getOutbox().size() > 0) || services.stream().anyMatch(this::isWaiting);
+        return publishers.stream().anyMatch(service -> service.getOutbox().size() > 0) || services.stream()
+            .anyMatch(this::isWaiting);
     }
 }

@@ -73,7 +73,8 @@ public final class SleepingThreads {
      * @param late called if a thread does not continue within a minute of real time
      * @return false if it is late, or if threads repeat sleeps of zero length
      */
-    public boolean awaitOthers(double now, Object monitor, BooleanSupplier ended, Runnable late) throws InterruptedException {
+    public boolean awaitOthers(double now, Object monitor, BooleanSupplier ended, Runnable late)
+        throws InterruptedException {
         long before = getWoken();
         long end = System.nanoTime() + Timeouts.nanos(Timeouts.END);
         while (othersAreDue(now) && !ended.getAsBoolean()) {
@@ -91,6 +92,7 @@ public final class SleepingThreads {
 
     /** Returns whether a thread other than the present one has waited long enough and is about to continue. */
     private synchronized boolean othersAreDue(double now) {
-        return sleeping.entrySet().stream().anyMatch(one -> one.getKey() != Thread.currentThread() && one.getValue() <= now);
+        return sleeping.entrySet().stream().anyMatch(one -> one.getKey() != Thread.currentThread()
+            && one.getValue() <= now);
     }
 }

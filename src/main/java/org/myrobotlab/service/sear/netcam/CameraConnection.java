@@ -41,7 +41,8 @@ final class CameraConnection {
     private enum Stage { ASKING, WAITING, STREAMING, ANSWERED, LEAVING, GONE }
 
     /** @param patience nanoseconds without progress after which a client is dropped */
-    CameraConnection(SocketChannel channel, String camera, DeviceProfile likeness, int door, int port, Demand demand, long patience) {
+    CameraConnection(SocketChannel channel, String camera, DeviceProfile likeness, int door, int port, Demand demand,
+        long patience) {
         this.channel = channel;
         this.camera = camera;
         this.profile = likeness;
@@ -118,7 +119,8 @@ final class CameraConnection {
     /** Returns the index after the head's empty line; 0 if it has not arrived. */
     private int end(int from, int to) {
         for (int i = from; i < to; i++) {
-            if (head[i] == '\n' && (i > 0 && head[i - 1] == '\n' || i > 2 && head[i - 1] == '\r' && head[i - 2] == '\n')) {
+            if (head[i] == '\n' && (i > 0 && head[i - 1] == '\n' || i > 2 && head[i - 1] == '\r'
+                && head[i - 2] == '\n')) {
                 return i + 1;
             }
         }

@@ -70,13 +70,15 @@ public final class CameraExports {
     }
 
     private Set<String> names() {
-        return made.values().stream().map(NetworkCamera::getCamera).collect(Collectors.toCollection(LinkedHashSet::new));
+        return made.values().stream().map(NetworkCamera::getCamera)
+            .collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     /** Returns descriptions of the exports, by camera name. */
     public synchronized Map<String, List<String>> list() {
         Map<String, List<String>> list = new LinkedHashMap<>();
-        made.values().forEach(one -> list.computeIfAbsent(one.getCamera(), name -> new ArrayList<>()).add(one.describe()));
+        made.values().forEach(one -> list.computeIfAbsent(one.getCamera(), name -> new ArrayList<>())
+            .add(one.describe()));
         return list;
     }
 
@@ -88,7 +90,8 @@ public final class CameraExports {
     public synchronized void end(String asked) {
         String camera = ScriptText.of(asked);
         if (!names().contains(camera)) {
-            throw new IllegalArgumentException("camera " + (camera == null ? "None" : "\"" + camera + "\"") + " is not exported, legal: "
+            throw new IllegalArgumentException("camera " + (camera == null ? "None" : "\"" + camera + "\"")
+                + " is not exported, legal: "
                 + (made.isEmpty() ? "none" : String.join(", ", names())));
         }
         made.values().removeIf(one -> {

@@ -66,7 +66,8 @@ final class Demand {
         if (closed) {
             return null;
         }
-        Order order = new Order(forms.isEmpty() ? EnumSet.noneOf(Form.class) : EnumSet.copyOf(forms), tickets, streaming);
+        Order order = new Order(forms.isEmpty() ? EnumSet.noneOf(Form.class) : EnumSet.copyOf(forms),
+            tickets, streaming);
         forms.clear();
         return order;
     }

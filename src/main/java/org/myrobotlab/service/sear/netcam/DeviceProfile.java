@@ -21,7 +21,8 @@ enum DeviceProfile {
         @Override
         Form own(int door, String target) {
             String path = target.split("\\?", 2)[0];
-            return door == 0 && path.equals("/capture") ? Form.STILL : door == 1 && path.equals("/stream") ? Form.STREAM : null;
+            return door == 0 && path.equals("/capture") ? Form.STILL : door == 1 && path.equals("/stream")
+                ? Form.STREAM : null;
         }
     },
     /** mjpg-streamer (output_http) as in OctoPi, there behind /webcam. */
@@ -54,8 +55,10 @@ enum DeviceProfile {
                 return one;
             }
         }
-        throw new IllegalArgumentException("the product is " + (title == null ? "missing (None)" : "\"" + title + "\"") + ", legal: "
-            + Arrays.stream(values()).filter(one -> one != PLAIN).map(one -> one.title).collect(Collectors.joining(", ")));
+        throw new IllegalArgumentException("the product is " + (title == null ? "missing (None)" : "\"" + title + "\"")
+            + ", legal: "
+            + Arrays.stream(values()).filter(one -> one != PLAIN).map(one -> one.title)
+                .collect(Collectors.joining(", ")));
     }
 
     /** Returns the form at an address specific to this product, or null. */

@@ -30,7 +30,8 @@ final class EncodedFrame {
         if (!form.fits(image.getKind())) {
             return null;
         }
-        return files.computeIfAbsent(form == Form.STREAM ? Form.STILL : form == Form.STILL ? form : Form.EXACT, this::make);
+        return files.computeIfAbsent(form == Form.STREAM ? Form.STILL : form == Form.STILL ? form : Form.EXACT,
+            this::make);
     }
 
     private byte[] make(Form form) {

@@ -30,7 +30,8 @@ final class NetworkCamera {
     private boolean watched;
     private String failure = "";
 
-    private NetworkCamera(String camera, DeviceProfile likeness, Host host, ScriptCameras cameras, Demand demand, PictureServer server) {
+    private NetworkCamera(String camera, DeviceProfile likeness, Host host, ScriptCameras cameras, Demand demand,
+        PictureServer server) {
         this.camera = camera;
         this.profile = likeness;
         this.host = host;
@@ -45,7 +46,8 @@ final class NetworkCamera {
      * @param number TCP port, 0 for any free one
      * @param timeout milliseconds without progress after which a client is dropped
      */
-    static NetworkCamera open(String camera, DeviceProfile likeness, int number, Host host, ScriptCameras cameras, long timeout) throws IOException {
+    static NetworkCamera open(String camera, DeviceProfile likeness, int number, Host host, ScriptCameras cameras,
+        long timeout) throws IOException {
         Demand demand = new Demand();
         PictureServer server = PictureServer.open(camera, likeness, number, demand, timeout);
         NetworkCamera opened = new NetworkCamera(camera, likeness, host, cameras, demand, server);
@@ -76,7 +78,8 @@ final class NetworkCamera {
 
     /** Returns a description with the address that programs open. */
     String describe() {
-        return "network camera " + (profile == DeviceProfile.PLAIN ? "" : "(" + profile.getTitle() + ") ") + profile.stream(getNumber());
+        return "network camera " + (profile == DeviceProfile.PLAIN ? "" : "(" + profile.getTitle() + ") ")
+            + profile.stream(getNumber());
     }
 
     private void supply() {
@@ -107,7 +110,8 @@ final class NetworkCamera {
         watched = order.streaming;
         if (due < 0) {
             lose();
-        } else if (!order.forms.isEmpty() || fresh || order.streaming && (due != reported || System.nanoTime() - published > REPEAT)) {
+        } else if (!order.forms.isEmpty() || fresh || order.streaming
+            && (due != reported || System.nanoTime() - published > REPEAT)) {
             look(due, fresh);
         }
         if (!order.forms.isEmpty()) {

@@ -46,7 +46,8 @@ final class PictureServer {
     private volatile CameraConnection.Latest stream = CameraConnection.Latest.NONE;
     private volatile CameraConnection.Latest still = CameraConnection.Latest.NONE;
 
-    private PictureServer(String camera, DeviceProfile likeness, Demand demand, long patience, Selector selector, List<TcpListener> doors) {
+    private PictureServer(String camera, DeviceProfile likeness, Demand demand, long patience, Selector selector,
+        List<TcpListener> doors) {
         this.camera = camera;
         this.profile = likeness;
         this.demand = demand;
@@ -61,7 +62,8 @@ final class PictureServer {
      * @param number TCP port, 0 for any free one
      * @param patience milliseconds without progress after which a client is dropped
      */
-    static PictureServer open(String camera, DeviceProfile likeness, int number, Demand demand, long patience) throws IOException {
+    static PictureServer open(String camera, DeviceProfile likeness, int number, Demand demand, long patience)
+        throws IOException {
         int highest = TcpListener.HIGHEST_PORT + 1 - likeness.getListeners();
         if (number < 0 || number > highest) {
             throw new IllegalArgumentException("TCP port is " + number + ", legal: 0 (any free one) to " + highest);
@@ -89,7 +91,8 @@ final class PictureServer {
                     door.close();
                 }
                 if (number != 0 || tries == TRIES) {
-                    throw new IOException("TCP port " + port + " for camera " + camera + " can't be opened: " + e.getMessage(), e);
+                    throw new IOException("TCP port " + port + " for camera " + camera + " can't be opened: "
+                        + e.getMessage(), e);
                 }
             }
         }
@@ -178,7 +181,8 @@ final class PictureServer {
             channel.setOption(StandardSocketOptions.SO_SNDBUF, UNSENT);
             CameraConnection client = new CameraConnection(channel, camera, profile, door, port, demand, timeout);
             if (clients.size() >= MAX_CLIENTS) {
-                client.refuse(Request.refused(BUSY, MAX_CLIENTS + " programs are connected, the most that the camera serves"));
+                client.refuse(Request.refused(BUSY, MAX_CLIENTS + " programs are connected, the most that the "
+                    + "camera serves"));
             }
             client.setKey(channel.register(selector, SelectionKey.OP_READ, client));
             clients.add(client);

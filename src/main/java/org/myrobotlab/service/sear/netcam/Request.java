@@ -36,7 +36,8 @@ final class Request {
     static Request of(byte[] head, int length, int port) {
         String[] lines = new String(head, 0, length, StandardCharsets.ISO_8859_1).split("\r?\n");
         String[] words = lines.length == 0 ? new String[0] : lines[0].split(" ", -1);
-        if (words.length != 3 || !words[2].matches("HTTP/1\\.[01]") || !words[1].matches("[\\x21-\\x7e]+") || !words[0].matches("[!-~]+")) {
+        if (words.length != 3 || !words[2].matches("HTTP/1\\.[01]") || !words[1].matches("[\\x21-\\x7e]+")
+            || !words[0].matches("[!-~]+")) {
             return refused(BAD, "this is not an HTTP/1.1 request");
         }
         List<String> hosts = new ArrayList<>();

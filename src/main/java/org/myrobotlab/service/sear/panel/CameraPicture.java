@@ -83,7 +83,8 @@ public final class CameraPicture {
      * @param asked requested time, seconds since the record began
      * @param time time of the picture
      */
-    public static Map<String, Object> of(String path, String name, double asked, double time, PixelGrid grid, Wish wish) {
+    public static Map<String, Object> of(String path, String name, double asked, double time, PixelGrid grid,
+        Wish wish) {
         Answer answer = answer(grid, Double.NaN, wish);
         answer.path = path;
         answer.name = name;

@@ -86,7 +86,8 @@ abstract class JsonForm {
         if (value instanceof List && !((List<?>) value).isEmpty()) {
             List<?> list = (List<?>) value;
             return list.get(0) instanceof Pose ? list.stream().map(JsonForm::plain).toArray(double[][]::new)
-                : list.get(0) instanceof JsonForm ? list.stream().map(JsonForm::plain).collect(Collectors.toList()) : list;
+                : list.get(0) instanceof JsonForm ? list.stream().map(JsonForm::plain)
+                .collect(Collectors.toList()) : list;
         }
         if (value instanceof ScanRanges) {
             return ((ScanRanges) value).text();

@@ -35,7 +35,8 @@ final class JsonNumbers {
     static List<Double> numbers(double[] exact) {
         List<Double> numbers = new ArrayList<>(exact.length);
         for (double number : exact) {
-            numbers.add(Double.isNaN(number) || Double.isInfinite(number) ? null : Double.valueOf(rounded(number, FINEST)));
+            numbers.add(Double.isNaN(number) || Double.isInfinite(number) ? null
+                : Double.valueOf(rounded(number, FINEST)));
         }
         return numbers;
     }
@@ -43,7 +44,8 @@ final class JsonNumbers {
     /** Returns a pose as {x, y, z, rx, ry, rz}, metres and degrees. */
     static double[] numbers(Pose pose) {
         double[] angles = EulerAngles.degrees(pose);
-        return new double[] {rounded(pose.x, FINE), rounded(pose.y, FINE), rounded(pose.z, FINE), rounded(angles[0], ANGLE),
+        return new double[] {rounded(pose.x, FINE), rounded(pose.y, FINE), rounded(pose.z, FINE),
+            rounded(angles[0], ANGLE),
             rounded(angles[1], ANGLE), rounded(angles[2], ANGLE)};
     }
 

@@ -75,7 +75,8 @@ final class LookTable {
             return "";
         }
         float[] positions = surface.getPositions();
-        ByteBuffer all = ByteBuffer.allocate(BYTES_OF_A_VERTEX * positions.length / CORNERS + Integer.BYTES * surface.getIndices().length);
+        ByteBuffer all = ByteBuffer.allocate(BYTES_OF_A_VERTEX * positions.length / CORNERS
+            + Integer.BYTES * surface.getIndices().length);
         all.asFloatBuffer().put(positions).put(surface.getNormals()).put(surface.getPictures());
         all.position(BYTES_OF_A_VERTEX * positions.length / CORNERS);
         all.asIntBuffer().put(surface.getIndices());
@@ -104,7 +105,8 @@ final class LookTable {
             if (one != null) {
                 Map<String, Object> map = one.map();
                 found.add(map);
-                size += map.values().stream().mapToInt(value -> value instanceof String ? ((String) value).length() : 0).sum();
+                size += map.values().stream().mapToInt(value -> value instanceof String ? ((String) value)
+                    .length() : 0).sum();
             }
         }
         return found;
@@ -114,7 +116,8 @@ final class LookTable {
     private Part part(String key) {
         int slash = key.lastIndexOf('/');
         SurfaceMesh surface = slash < 0 ? null : looks.get(key.substring(0, slash));
-        int part = surface == null || !key.substring(slash + 1).matches("\\d{1,4}") ? -1 : Integer.parseInt(key.substring(slash + 1));
+        int part = surface == null || !key.substring(slash + 1).matches("\\d{1,4}") ? -1
+            : Integer.parseInt(key.substring(slash + 1));
         int parts = surface == null ? 0 : (surface.getIndices().length + CORNERS * PART - 1) / (CORNERS * PART);
         return part < 0 || part >= parts ? null : new Part(key, surface, part, parts);
     }
@@ -180,7 +183,8 @@ final class LookTable {
                 int vertex = corners[i];
                 for (int axis = 0; axis < CORNERS; axis++) {
                     double size = high[axis] - low[axis];
-                    at.putShort((short) Math.round(size > 0 ? (all[CORNERS * vertex + axis] - low[axis]) / size * FULL : 0));
+                    at.putShort((short) Math.round(
+                        size > 0 ? (all[CORNERS * vertex + axis] - low[axis]) / size * FULL : 0));
                     outward.put((byte) Math.round(directions[CORNERS * vertex + axis] * UNIT));
                 }
                 picture.putFloat(places[2 * vertex]).putFloat(places[2 * vertex + 1]);

@@ -78,7 +78,8 @@ public final class Preview {
                 @Override
                 public FileVisitResult visitFile(Path file, BasicFileAttributes is) {
                     if (!file.getFileName().toString().startsWith(".")) {       // else the file is still being written
-                        files.put(file.toString(), is.size() + " " + is.lastModifiedTime().toInstant() + " " + is.fileKey());
+                        files.put(file.toString(), is.size() + " " + is.lastModifiedTime().toInstant() + " "
+                            + is.fileKey());
                     }
                     return FileVisitResult.CONTINUE;
                 }

@@ -122,8 +122,10 @@ public final class RecordMotion {
     private void begin(WorldState whole) {
         answer.robots = whole.robots.stream().map(robot -> robot.name).collect(Collectors.toList());
         seeing = IntStream.range(0, whole.sensors.size()).filter(i -> isSeen(whole.sensors.get(i))).toArray();
-        answer.sensors = Arrays.stream(seeing).mapToObj(whole.sensors::get).map(RecordMotion::form).collect(Collectors.toList());
-        beams = Arrays.stream(seeing).mapToObj(whole.sensors::get).map(RecordMotion::beams).collect(Collectors.toList());
+        answer.sensors = Arrays.stream(seeing).mapToObj(whole.sensors::get).map(RecordMotion::form)
+            .collect(Collectors.toList());
+        beams = Arrays.stream(seeing).mapToObj(whole.sensors::get).map(RecordMotion::beams)
+            .collect(Collectors.toList());
         for (int i = 0; i < seeing.length; i++) {
             int[] some = beams.get(i);
             List<float[]> fan = answer.sensors.get(i).fan;
@@ -132,11 +134,13 @@ public final class RecordMotion {
         }
         int poses = seeing.length + whole.robots.stream().mapToInt(RecordMotion::poses).sum();
         int rays = beams.stream().mapToInt(some -> some.length).sum();
-        kept = new ThinnedList<>(Math.min(MAX_FRAMES, Math.min(MAX_NUMBERS / (1 + POSE * poses), MAX_BEAMS / (1 + rays))));
+        kept = new ThinnedList<>(Math.min(
+            MAX_FRAMES, Math.min(MAX_NUMBERS / (1 + POSE * poses), MAX_BEAMS / (1 + rays))));
     }
 
     private static int poses(WorldState.Mover robot) {
-        return robot.wheels.size() + (robot.turned == null ? 0 : robot.turned.size()) + (robot.turnedLeds == null ? 0 : robot.turnedLeds.size());
+        return robot.wheels.size() + (robot.turned == null ? 0 : robot.turned.size())
+            + (robot.turnedLeds == null ? 0 : robot.turnedLeds.size());
     }
 
     private static boolean isSeen(WorldState.Probe sensor) {
@@ -194,7 +198,8 @@ public final class RecordMotion {
         ByteBuffer bytes = ByteBuffer.allocate(2 * some.length).order(ByteOrder.LITTLE_ENDIAN);
         for (int beam : some) {
             double metres = ranges.get(beam);
-            bytes.putShort((short) (ScanRanges.isHit(metres) ? Math.min(NOTHING - 1, Math.round(metres * CENTIMETRES)) : NOTHING));
+            bytes.putShort((short) (ScanRanges.isHit(metres) ? Math.min(NOTHING - 1, Math.round(metres * CENTIMETRES))
+                : NOTHING));
         }
         return Base64.getEncoder().encodeToString(bytes.array());
     }

@@ -37,7 +37,8 @@ final class SmallPicture {
     static String of(byte[] bytes, String path) throws IOException {
         BufferedImage image = ImageIO.read(new ByteArrayInputStream(bytes));
         if (image == null) {
-            throw new IOException(path + " appears only in the simulator window, legal on pages: .png, .jpg, .gif or .bmp");
+            throw new IOException(path + " appears only in the simulator window, legal on pages: .png, .jpg, "
+                + ".gif or .bmp");
         }
         int longest = Math.min(LONGEST, Math.max(image.getWidth(), image.getHeight()));
         while (true) {
@@ -52,7 +53,8 @@ final class SmallPicture {
     private static String of(BufferedImage image, int longest) {
         double scale = (double) longest / Math.max(image.getWidth(), image.getHeight());
         boolean solid = !image.getColorModel().hasAlpha();
-        BufferedImage small = new BufferedImage(Math.max(1, (int) (image.getWidth() * scale)), Math.max(1, (int) (image.getHeight() * scale)),
+        BufferedImage small = new BufferedImage(Math.max(1, (int) (image.getWidth() * scale)),
+            Math.max(1, (int) (image.getHeight() * scale)),
             solid ? BufferedImage.TYPE_INT_RGB : BufferedImage.TYPE_INT_ARGB);
         Graphics2D pen = small.createGraphics();
         pen.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);

@@ -22,8 +22,10 @@ final class SteeringKeys extends JsonForm {
     /** Returns the angles of a robot; null if no wheel is steered. */
     static SteeringKeys of(SEARrobot robot) {
         SteeringKeys steered = new SteeringKeys();
-        String name = robot.getWheels().stream().map(Wheel::getSteeringServo).filter(Objects::nonNull).findFirst().orElse(null);
-        Servo servo = (Servo) robot.getComponents().stream().filter(part -> part instanceof Servo && part.getName().equals(name)).findFirst()
+        String name = robot.getWheels().stream().map(Wheel::getSteeringServo).filter(Objects::nonNull).findFirst()
+            .orElse(null);
+        Servo servo = (Servo) robot.getComponents().stream()
+            .filter(part -> part instanceof Servo && part.getName().equals(name)).findFirst()
             .orElse(null);
         if (servo != null) {
             steered.servo = robot.getName() + "/" + name;
@@ -32,7 +34,8 @@ final class SteeringKeys extends JsonForm {
             steered.straight = Math.max(servo.getMinAngle(), Math.min(servo.getMaxAngle(), 0));
             return steered;
         }
-        steered.left = robot.getWheels().stream().filter(wheel -> wheel.getSteering() != null).mapToDouble(Wheel::getSteering).min().orElse(0);
+        steered.left = robot.getWheels().stream().filter(wheel -> wheel.getSteering() != null)
+            .mapToDouble(Wheel::getSteering).min().orElse(0);
         steered.right = -steered.left;
         return steered.left == 0 ? null : steered;
     }

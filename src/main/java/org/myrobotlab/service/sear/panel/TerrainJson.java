@@ -71,7 +71,8 @@ final class TerrainJson extends JsonForm {
      * @param detail spacing of the map's own posts, metres
      * @param colors null for colours by elevation
      */
-    TerrainJson(String stamp, HeightField field, GeoOrigin origin, double altitude, double detail, GroundPicture.Colors colors) {
+    TerrainJson(String stamp, HeightField field, GeoOrigin origin, double altitude, double detail,
+        GroundPicture.Colors colors) {
         this.stamp = stamp;
         south = field.x(0);
         north = field.x(field.rows - 1);
@@ -82,7 +83,8 @@ final class TerrainJson extends JsonForm {
         columns = Math.min(MAX_POSTS, field.columns);
         double[] posts = new double[rows * columns];
         for (int i = 0; i < posts.length; i++) {
-            posts[i] = field.height(between(south, north, i / columns, rows), between(west, east, i % columns, columns));
+            posts[i] = field.height(between(south, north, i / columns, rows),
+                between(west, east, i % columns, columns));
         }
         lowest = Arrays.stream(posts).min().orElseThrow();
         highest = Arrays.stream(posts).max().orElseThrow();
@@ -105,7 +107,8 @@ final class TerrainJson extends JsonForm {
     private static byte[] encoded(GroundPicture picture) {
         BufferedImage image = new BufferedImage(picture.width, picture.height, BufferedImage.TYPE_INT_RGB);
         for (int row = 0; row < picture.height; row++) {
-            image.setRGB(0, picture.height - 1 - row, picture.width, 1, picture.pixels, row * picture.width, picture.width);
+            image.setRGB(0, picture.height - 1 - row, picture.width, 1, picture.pixels, row * picture.width,
+                picture.width);
         }
         return Jpeg.of(image);
     }
@@ -132,7 +135,8 @@ final class TerrainJson extends JsonForm {
             GeoOrigin.GeoPoint place = origin.at(between(field.x(0), field.x(field.rows - 1), i / PLACES, PLACES), 0,
                 between(field.z(0), field.z(field.columns - 1), i % PLACES, PLACES));
             double longitude = origin.getLongitude() + Math.IEEEremainder(place.longitude - origin.getLongitude(), 360);
-            places.add(new double[] {JsonNumbers.rounded(place.latitude, PLACE), JsonNumbers.rounded(longitude, PLACE)});
+            places.add(new double[] {JsonNumbers.rounded(place.latitude, PLACE),
+                JsonNumbers.rounded(longitude, PLACE)});
         }
         return places;
     }

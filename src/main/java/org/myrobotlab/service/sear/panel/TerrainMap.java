@@ -42,8 +42,10 @@ public final class TerrainMap {
             sum.update(bits >> 24);
         }
         String place = ground.origin == null ? "" : ground.origin.getLatitude() + " " + ground.origin.getLongitude();
-        return String.format("%x-%x", sum.getValue(), (ground.field.rows + " " + ground.field.columns + " " + ground.field.lowX + " "
-            + ground.field.lowZ + " " + place + " " + ground.altitude + " " + terrain.getImage() + " " + terrain.hasColor() + terrain.getColor())
+        return String.format("%x-%x", sum.getValue(),
+            (ground.field.rows + " " + ground.field.columns + " " + ground.field.lowX + " "
+            + ground.field.lowZ + " " + place + " " + ground.altitude + " " + terrain.getImage() + " "
+                + terrain.hasColor() + terrain.getColor())
             .hashCode());
     }
 

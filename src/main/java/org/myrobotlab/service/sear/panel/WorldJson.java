@@ -74,11 +74,13 @@ final class WorldJson {
                 addFixed(state.sensors.get(sensor++), robot, one, world);
             }
         }
-        Map<String, WorldState.Probe> probes = state.sensors.stream().collect(Collectors.toMap(probe -> probe.name, probe -> probe));
+        Map<String, WorldState.Probe> probes = state.sensors.stream()
+            .collect(Collectors.toMap(probe -> probe.name, probe -> probe));
         for (BeamFan fan : BeamFans.of(world.getProject())) {
             WorldState.Probe probe = probes.get(fan.sensor);
             probe.fan = probe.ranges == null ? null : fan(fan);
-            probe.cones = fan.cones.isEmpty() ? null : fan.cones.stream().map(WorldState.BeamForm::new).collect(Collectors.toList());
+            probe.cones = fan.cones.isEmpty() ? null : fan.cones.stream().map(WorldState.BeamForm::new)
+                .collect(Collectors.toList());
         }
         ViewCone.of(world.getProject()).forEach(cone -> probes.get(cone.sensor).eye = new WorldState.EyeForm(cone));
         return state;
@@ -87,7 +89,8 @@ final class WorldJson {
     /** Fills in the fields that can change in each step, in the same order as the whole state. */
     synchronized <T extends WorldState> T moving(Simulation world, T state) {
         Snapshot snapshot = world.snapshot();
-        List<String> names = world.getSensorNames().stream().filter(name -> looking || !world.getSensor(name).takesPictures())
+        List<String> names = world.getSensorNames().stream()
+            .filter(name -> looking || !world.getSensor(name).takesPictures())
             .collect(Collectors.toList());
         List<Reading> read = world.read(names);
         Map<String, Reading> readings = new LinkedHashMap<>();
@@ -105,7 +108,8 @@ final class WorldJson {
         for (int i = 0; i < world.getRobots().size(); i++) {
             Robot robot = world.getRobots().get(i);
             state.robots.add(mover(robot, snapshot.robots.get(i)));
-            robot.getSensors().forEach(sensor -> state.sensors.add(probe(robot, sensor, readings.get(sensor.getName()))));
+            robot.getSensors().forEach(sensor ->
+                state.sensors.add(probe(robot, sensor, readings.get(sensor.getName()))));
         }
         return state;
     }
@@ -136,7 +140,8 @@ final class WorldJson {
         mover.steered = SteeringKeys.of(robot.getObject());
         mover.path = new ArrayList<>(paths.get(mover.name));
         mover.parts = visibleParts(world, robot);
-        mover.leds = mover.lights == null ? null : parts(robot, Led.class).map(WorldState.Lamp::new).collect(Collectors.toList());
+        mover.leds = mover.lights == null ? null : parts(robot, Led.class).map(WorldState.Lamp::new)
+            .collect(Collectors.toList());
         mover.balance = new WorldState.Balance(robot.getStability());
     }
 
@@ -153,21 +158,24 @@ final class WorldJson {
         SEARrobot written = robot.getWritten();
         mover.pose = now.pose;
         mover.start = robot.getStart();
-        mover.written = new double[] {written.getX(), written.getY(), written.getZ(), written.getRx(), written.getRy(), written.getRz()};
+        mover.written = new double[] {written.getX(), written.getY(), written.getZ(), written.getRx(), written.getRy(),
+            written.getRz()};
         mover.speed = JsonNumbers.rounded(now.speed, FINE);
         mover.turnRate = JsonNumbers.rounded(now.turnRate, FINE);
         mover.devices = now.devices.stream().map(WorldState.Device::new).collect(Collectors.toList());
         mover.wheels = now.wheels;
         mover.turned = now.parts.isEmpty() ? null : turned(robot.getObject(), now.parts, Shape.class);
         mover.lights = now.lights.isEmpty() ? null : now.lights;
-        mover.turnedLeds = now.parts.isEmpty() || now.lights.isEmpty() ? null : turned(robot.getObject(), now.parts, Led.class);
+        mover.turnedLeds = now.parts.isEmpty() || now.lights.isEmpty() ? null
+            : turned(robot.getObject(), now.parts, Led.class);
         extendPath(now);
         return mover;
     }
 
     /** Returns the poses of one kind of parts in the body, as turned by servos. */
     private static List<Pose> turned(SEARrobot robot, List<Pose> poses, Class<? extends SearObject> kind) {
-        return IntStream.range(0, poses.size()).filter(i -> kind.isInstance(robot.getComponents().get(i))).mapToObj(poses::get)
+        return IntStream.range(0, poses.size()).filter(i -> kind.isInstance(robot.getComponents().get(i)))
+            .mapToObj(poses::get)
             .collect(Collectors.toList());
     }
 
@@ -220,7 +228,8 @@ final class WorldJson {
         WorldState.Probe probe = new WorldState.Probe();
         probe.pose = robot.getPose().times(sensor.getMount());
         probe.words = texts.of(sensor.getName(), reading);
-        probe.numbers = reading == null ? new ArrayList<>(Collections.nCopies(sensor.names(robot.getTruth()).size(), null))
+        probe.numbers = reading == null
+            ? new ArrayList<>(Collections.nCopies(sensor.names(robot.getTruth()).size(), null))
             : JsonNumbers.numbers(reading.numbers());
         probe.picture = reading == null || reading.picture() == null ? null : SmallPicture.of(reading.picture());
         if (sensor.takesPictures()) {      // a camera's value and hits are too many; the picture shows them

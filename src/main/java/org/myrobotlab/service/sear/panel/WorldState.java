@@ -16,8 +16,8 @@ import org.SEAR.scene.ViewCone;
 import org.SEAR.simulator.Snapshot;
 
 /**
- * A snapshot and the constant data of its world as JSON for panels. Metres, degrees and seconds; a pose is {x, y, z, rx,
- * ry, rz}, rounded to tenths of a millimetre and thousandths of a degree. Constant fields are null in a state of
+ * A snapshot and the constant data of its world as JSON for panels. Metres, degrees and seconds; a pose is {x, y, z,
+ * rx, ry, rz}, rounded to tenths of a millimetre and thousandths of a degree. Constant fields are null in a state of
  * movement. An object's {@link #more} has the properties of its kind, see
  * {@link org.SEAR.POJOs.SearObject#getDrawingProperties}.
  */

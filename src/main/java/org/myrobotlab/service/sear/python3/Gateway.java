@@ -56,7 +56,8 @@ public final class Gateway implements AutoCloseable {
     /** Py4J's parts around {@link Admitted}. Never connects to a Python program, so the addresses don't matter. */
     private static final class Calls extends ClientServer {
         Calls() {
-            super(0, InetAddress.getLoopbackAddress(), GatewayServer.DEFAULT_PYTHON_PORT, InetAddress.getLoopbackAddress(), 0, 0,
+            super(0, InetAddress.getLoopbackAddress(), GatewayServer.DEFAULT_PYTHON_PORT,
+                InetAddress.getLoopbackAddress(), 0, 0,
                 ServerSocketFactory.getDefault(), SocketFactory.getDefault(), Members.class, false, true);
         }
 
@@ -75,7 +76,8 @@ public final class Gateway implements AutoCloseable {
      */
     public static Gateway open(int wanted) throws IOException {
         if (wanted < 0 || wanted > TcpListener.HIGHEST_PORT) {
-            throw new IllegalArgumentException("port is " + wanted + ", legal: 1 to " + TcpListener.HIGHEST_PORT + ", or 0 for any free one");
+            throw new IllegalArgumentException("port is " + wanted + ", legal: 1 to " + TcpListener.HIGHEST_PORT
+                + ", or 0 for any free one");
         }
         byte[] random = new byte[TOKEN_BYTES];
         RANDOM.nextBytes(random);

@@ -31,7 +31,8 @@ public final class GatewayCalls {
      * @throws Throwable the method's exception
      */
     public static Object call(Object of, String name, List<?> arguments) throws Throwable {
-        Method method = best(Arrays.stream(of.getClass().getMethods()).filter(one -> one.getName().equals(name)), arguments);
+        Method method = best(Arrays.stream(of.getClass().getMethods())
+            .filter(one -> one.getName().equals(name)), arguments);
         return invoke(method, of, arguments);
     }
 
@@ -96,7 +97,8 @@ public final class GatewayCalls {
         } else if (type.isInstance(value)) {
             return type == Object.class ? 3 : type == value.getClass() ? 0 : 1;
         }
-        return type.isArray() && value instanceof List && ((List<?>) value).stream().allMatch(one -> distance(type.getComponentType(), one) < NO)
+        return type.isArray() && value instanceof List && ((List<?>) value).stream()
+            .allMatch(one -> distance(type.getComponentType(), one) < NO)
             ? 2 : NO;
     }
 
@@ -104,9 +106,11 @@ public final class GatewayCalls {
         if (type == boolean.class || value instanceof Boolean) {
             return type == boolean.class && value instanceof Boolean ? 0 : NO;
         } else if (value instanceof Double || value instanceof Float) {
-            return type == double.class || type == Double.class ? 0 : type == float.class || type == Float.class ? 1 : NO;
+            return type == double.class || type == Double.class ? 0 : type == float.class
+                || type == Float.class ? 1 : NO;
         } else if (value instanceof Number) {
-            return type == int.class || type == Integer.class ? 0 : type == long.class || type == Long.class ? 1 : type == char.class ? NO : 2;
+            return type == int.class || type == Integer.class ? 0 : type == long.class || type == Long.class ? 1
+                : type == char.class ? NO : 2;
         }
         return NO;
     }
@@ -144,7 +148,8 @@ public final class GatewayCalls {
         } else if (type == int.class || type == Integer.class) {
             long whole = value.longValue();    // Python in Java's process passes each whole number as a long
             if (whole != (int) whole) {
-                throw new IllegalArgumentException("a value is " + whole + ", legal: whole numbers from " + Integer.MIN_VALUE + " to "
+                throw new IllegalArgumentException("a value is " + whole + ", legal: whole numbers from "
+                    + Integer.MIN_VALUE + " to "
                     + Integer.MAX_VALUE);
             }
             return (int) whole;

@@ -23,7 +23,8 @@ public final class Gateways implements AutoCloseable {
         if (gateway == null) {
             gateway = Gateway.open(port);
         } else if (port != 0 && port != gateway.getPort()) {
-            throw new IllegalStateException("the Python 3 gateway is open at port " + gateway.getPort() + " already: call stopPython3() first");
+            throw new IllegalStateException("the Python 3 gateway is open at port " + gateway.getPort()
+                + " already: call stopPython3() first");
         }
         return gateway.getPort();
     }

@@ -41,10 +41,12 @@ public final class Members {
     }
 
     /** @throws IllegalArgumentException if the field or property doesn't exist or is read-only */
-    public static void assign(Object of, String name, Object value) throws IllegalAccessException, InvocationTargetException {
+    public static void assign(Object of, String name, Object value)
+        throws IllegalAccessException, InvocationTargetException {
         Field field = field(of.getClass(), name);
         Method setter = Arrays.stream(of.getClass().getMethods())
-            .filter(one -> one.getName().equals("set" + capital(name)) && one.getParameterCount() == 1).findFirst().orElse(null);
+            .filter(one -> one.getName().equals("set" + capital(name)) && one.getParameterCount() == 1).findFirst()
+            .orElse(null);
         if (field != null && !Modifier.isFinal(field.getModifiers())) {
             field.set(of, value);
         } else if (setter != null) {
@@ -60,7 +62,8 @@ public final class Members {
 
     private static Method getter(Class<?> type, String name) {
         return Arrays.stream(type.getMethods()).filter(one -> one.getParameterCount() == 0
-            && (one.getName().equals("get" + capital(name)) || one.getName().equals("is" + capital(name)))).findFirst().orElse(null);
+            && (one.getName().equals("get" + capital(name)) || one.getName().equals("is" + capital(name)))).findFirst()
+            .orElse(null);
     }
 
     private static String capital(String name) {
@@ -69,14 +72,16 @@ public final class Members {
 
     /** Returns the names of all public methods and fields except those of Object, sorted. */
     public static List<String> names(Class<?> type) {
-        return Stream.concat(Arrays.stream(type.getMethods()).filter(one -> one.getDeclaringClass() != Object.class).map(Method::getName),
+        return Stream.concat(Arrays.stream(type.getMethods()).filter(one -> one.getDeclaringClass() != Object.class)
+            .map(Method::getName),
             Arrays.stream(type.getFields()).map(Field::getName)).distinct().sorted().collect(Collectors.toList());
     }
 
     /** Returns the names of the public methods and fields that the class itself declares, sorted. */
     public static List<String> ownNames(Class<?> type) {
         return Stream.of(type.getDeclaredMethods(), type.getDeclaredFields()).flatMap(Arrays::stream)
-            .filter(one -> Modifier.isPublic(one.getModifiers()) && !one.isSynthetic()).map(Member::getName).distinct().sorted()
+            .filter(one -> Modifier.isPublic(one.getModifiers()) && !one.isSynthetic()).map(Member::getName)
+            .distinct().sorted()
             .collect(Collectors.toList());
     }
 
@@ -105,8 +110,10 @@ public final class Members {
     }
 
     private static List<String> calls(Stream<? extends Executable> all, String name) {
-        return all.map(one -> name + Arrays.stream(one.getParameters()).map(Members::described).collect(Collectors.joining(", ", "(", ")")))
-            .distinct().sorted((a, b) -> a.length() != b.length() ? a.length() - b.length() : a.compareTo(b)).collect(Collectors.toList());
+        return all.map(one -> name + Arrays.stream(one.getParameters()).map(Members::described)
+            .collect(Collectors.joining(", ", "(", ")")))
+            .distinct().sorted((a, b) -> a.length() != b.length() ? a.length() - b.length() : a.compareTo(b))
+            .collect(Collectors.toList());
     }
 
     private static String described(Parameter parameter) {
@@ -129,7 +136,8 @@ public final class Members {
         } else if (type == boolean.class) {
             return "bool";
         }
-        return type == String.class ? "str" : type.isArray() || List.class.isAssignableFrom(type) ? "list" : type.getSimpleName();
+        return type == String.class ? "str" : type.isArray() || List.class.isAssignableFrom(type) ? "list"
+            : type.getSimpleName();
     }
 
     /** Returns the simple names of a class and its superclasses, nearest first. */

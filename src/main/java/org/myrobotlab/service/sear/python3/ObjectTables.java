@@ -23,8 +23,10 @@ public final class ObjectTables {
         for (Parameter parameter : table.getParameters()) {
             List<Object> values = parameter.values(of);
             if (!values.isEmpty() && (PLACE.contains(parameter.getName()) || !isDefault(table, parameter, values))) {
-                String value = values.stream().limit(MOST).map(one -> text(parameter, one)).collect(Collectors.joining(", "));
-                rows.add(List.of(parameter.getName(), values.size() > MOST ? value + ", ... (" + values.size() + ")" : value, parameter.getDoc()));
+                String value = values.stream().limit(MOST).map(one -> text(parameter, one))
+                    .collect(Collectors.joining(", "));
+                rows.add(List.of(parameter.getName(), values.size() > MOST ? value + ", ... (" + values.size() + ")"
+                    : value, parameter.getDoc()));
             }
         }
         return rows;

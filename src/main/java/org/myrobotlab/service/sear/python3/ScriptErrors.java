@@ -52,7 +52,8 @@ public final class ScriptErrors {
     }
 
     private static void explain(Python python, String text, Consumer<String> listener) {
-        Object hint = python.invoke("evalAndWait", "__import__('" + HINTS + ".jython').jython.printed(" + literal(text) + ", globals())");
+        Object hint = python.invoke("evalAndWait", "__import__('" + HINTS + ".jython').jython.printed(" + literal(text)
+            + ", globals())");
         if (hint instanceof String && !((String) hint).isEmpty()) {
             python.invoke("publishStdOut", hint + "\n");
             listener.accept((String) hint);

@@ -21,9 +21,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Accepts connections and passes on those that begin with the token, as Py4J's clients send it: {@code A\nTOKEN\n}. Reads
- * no byte beyond it. Py4J itself would read a first line without a limit, on one thread per connection. One thread
- * serves all connections without a token; they cost a buffer of the token's length each. Any thread.
+ * Accepts connections and passes on those that begin with the token, as Py4J's clients send it: {@code A\nTOKEN\n}.
+ * Reads no byte beyond it. Py4J itself would read a first line without a limit, on one thread per connection. One
+ * thread serves all connections without a token; they cost a buffer of the token's length each. Any thread.
  */
 final class TokenGate implements AutoCloseable {
     /** Most connections without a token; a further one replaces the oldest. */

@@ -61,7 +61,8 @@ public final class Publisher {
     private void lookForSilence(SimulationSession session) {
         if (session != null && session.time() > TIMEOUT && host.isReadingHeard()) {
             silenceReported = true;
-            host.warn("a listener waits for publishReading, but no reading is published: call sear.startPublishing(sensor, readings per second);"
+            host.warn("a listener waits for publishReading, but no reading is published: call "
+                + "sear.startPublishing(sensor, readings per second);"
                 + " sensors: " + String.join(", ", readings.names()));
         }
     }
@@ -81,7 +82,8 @@ public final class Publisher {
     public void start(String name, double rate) {
         String sensor = ScriptText.of(name);
         if (!(rate > 0 && rate <= HIGHEST_RATE)) {
-            throw new IllegalArgumentException("rate is " + rate + ", legal: above 0 to " + HIGHEST_RATE + " readings per second");
+            throw new IllegalArgumentException("rate is " + rate + ", legal: above 0 to " + HIGHEST_RATE
+                + " readings per second");
         }
         readings.check(sensor);
         started = true;

@@ -4,8 +4,8 @@ package org.myrobotlab.service.sear.readings;
 import org.SEAR.geometry.TimeStep;
 
 /**
- * Due times of a rate: the first one is the first question, the n-th one n periods later. A question finds at most one of
- * them. One thread at a time.
+ * Due times of a rate: the first one is the first question, the n-th one n periods later. A question finds at most one
+ * of them. One thread at a time.
  */
 final class Schedule {
     private final double rate;

@@ -42,7 +42,8 @@ public final class ScriptBodies implements ScriptSession.Acts {
 
     private static double[] numbers(String what, List<?> list, String unit) {
         if (list == null || list.size() != 3 || !list.stream().allMatch(Number.class::isInstance)) {
-            throw new IllegalArgumentException(what + " is " + list + ", legal: three numbers, [x, y, z] in " + unit + " along the world's axes");
+            throw new IllegalArgumentException(what + " is " + list + ", legal: three numbers, [x, y, z] in " + unit
+                + " along the world's axes");
         }
         return list.stream().mapToDouble(one -> ((Number) one).doubleValue()).toArray();
     }
@@ -122,7 +123,8 @@ public final class ScriptBodies implements ScriptSession.Acts {
         order(BodyOrder.Kind.SPIN, name, x, y, z, 0);
     }
 
-    private void order(BodyOrder.Kind kind, String name, double x, double y, double z, double seconds) throws InterruptedException {
+    private void order(BodyOrder.Kind kind, String name, double x, double y, double z, double seconds)
+        throws InterruptedException {
         BodyOrder order = new BodyOrder(kind, given(name), x, y, z, seconds);
         control.session().ask(world -> {
             world.order(order);
@@ -132,7 +134,8 @@ public final class ScriptBodies implements ScriptSession.Acts {
 
     private static String given(String name) {
         if (name == null) {
-            throw new IllegalArgumentException("the name is missing (None), legal: the name of an object with a mass, or"
+            throw new IllegalArgumentException(
+                "the name is missing (None), legal: the name of an object with a mass, or"
                 + " of a robot");
         }
         return ScriptText.of(name);

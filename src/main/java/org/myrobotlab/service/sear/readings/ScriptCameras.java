@@ -50,7 +50,8 @@ public final class ScriptCameras {
     private static void mustBeThere(Simulation world, String name) {
         SearObject object = name == null ? null : world.getSensor(name).getParameters();
         if (!(object instanceof Camera)) {
-            throw new IllegalArgumentException((name == null ? "the name is missing (None)" : "sensor " + name + " is a "
+            throw new IllegalArgumentException(
+                (name == null ? "the name is missing (None)" : "sensor " + name + " is a "
                 + object.getClass().getSimpleName() + ", not a Camera") + ", legal: " + cameras(world));
         }
     }
@@ -64,7 +65,8 @@ public final class ScriptCameras {
     private CameraImage image(String asked, String kind) throws InterruptedException {
         CameraImage image = image(asked);
         if (!image.getKind().equals(kind)) {
-            throw new IllegalArgumentException("camera " + ScriptText.of(asked) + " makes pictures of kind " + image.getKind() + ", legal: setKind(\""
+            throw new IllegalArgumentException("camera " + ScriptText.of(asked) + " makes pictures of kind "
+                + image.getKind() + ", legal: setKind(\""
                 + kind + "\") before the start");
         }
         return image;
@@ -98,7 +100,8 @@ public final class ScriptCameras {
         if (session == null || !isThere(session.getSimulation(), name)) {
             return -1;
         }
-        return TimeStep.periods(session.time(), ((Camera) session.getSimulation().getSensor(name).getParameters()).getRate());
+        return TimeStep.periods(session.time(), ((Camera) session.getSimulation().getSensor(name).getParameters())
+            .getRate());
     }
 
     /** Returns the last picture that was due; null if no simulation with such a camera runs. */

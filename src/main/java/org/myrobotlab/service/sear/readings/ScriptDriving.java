@@ -33,7 +33,8 @@ public final class ScriptDriving {
     public void steer(String robot, double degrees) throws InterruptedException {
         control.session().scriptDrives();
         control.session().ask(world -> {
-            world.order(new ActuatorOrder(ActuatorOrder.Kind.STEERING, ScriptReadings.robot(world, robot).getObject().getName(), degrees));
+            world.order(new ActuatorOrder(ActuatorOrder.Kind.STEERING, ScriptReadings.robot(world, robot).getObject()
+                .getName(), degrees));
             return true;
         });
     }

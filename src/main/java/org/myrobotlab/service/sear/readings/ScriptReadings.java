@@ -91,8 +91,10 @@ public final class ScriptReadings {
     private static void mustBe(Class<? extends SearObject> type, Simulation world, String name) {
         SearObject object = world.getSensor(name).getParameters();
         if (!type.isInstance(object)) {
-            throw new IllegalArgumentException("sensor " + name + " is a " + object.getClass().getSimpleName() + ", not a"
-                + (type.getSimpleName().matches("[AEIOU].*") ? "n " : " ") + type.getSimpleName() + "; sensors: " + describe(world));
+            throw new IllegalArgumentException("sensor " + name + " is a " + object.getClass()
+                .getSimpleName() + ", not a"
+                + (type.getSimpleName().matches("[AEIOU].*") ? "n " : " ") + type.getSimpleName() + "; sensors: "
+                    + describe(world));
         }
     }
 
@@ -151,7 +153,8 @@ public final class ScriptReadings {
         }
         StringBuilder names = new StringBuilder();
         world.getRobots().forEach(robot -> names.append(' ').append(robot.getObject().getName()));
-        throw new IllegalArgumentException(name == null ? "the project has no robot" : "there is no robot \"" + name + "\"; robots:" + names);
+        throw new IllegalArgumentException(name == null ? "the project has no robot" : "there is no robot \"" + name
+            + "\"; robots:" + names);
     }
 
     /** Returns [x, y, z, rx, ry, rz] in the world, metres and degrees, of a robot, an object, a part or a sensor. */
@@ -170,7 +173,8 @@ public final class ScriptReadings {
 
     private static String given(String name) {
         if (name == null) {
-            throw new IllegalArgumentException("the name is missing (None), legal: the name of a sensor, robot, part or object");
+            throw new IllegalArgumentException("the name is missing (None), legal: the name of a sensor, robot, "
+                + "part or object");
         }
         return ScriptText.of(name);
     }

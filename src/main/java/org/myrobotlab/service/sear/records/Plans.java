@@ -35,7 +35,8 @@ public final class Plans {
     public Path save(String picture) throws InterruptedException, IOException, ProjectException {
         String text = ScriptText.of(picture);
         if (text == null) {
-            throw new IllegalArgumentException("the path of the picture is missing (None), legal: a text such as \"plan.png\"");
+            throw new IllegalArgumentException("the path of the picture is missing (None), legal: a text such as "
+                + "\"plan.png\"");
         }
         Path file = ScriptText.path(text);
         DrawingFiles.check(file);
@@ -50,7 +51,8 @@ public final class Plans {
         }
         Path folder = control.getFolder();
         if (!Files.isDirectory(folder)) {
-            throw new IOException("there is no project folder " + folder.toAbsolutePath() + ": create some objects first (org.SEAR.POJOs), or"
+            throw new IOException("there is no project folder " + folder.toAbsolutePath()
+                + ": create some objects first (org.SEAR.POJOs), or"
                 + " loadProject(\"file.sear\")");
         }
         ProjectSwap.hold();

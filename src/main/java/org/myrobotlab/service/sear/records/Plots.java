@@ -22,7 +22,8 @@ public final class Plots {
     /** Most points; more than a picture is wide. */
     private static final int MAX_POINTS = 4000;
     private static final Pattern WITH_UNIT = Pattern.compile("(.*\\S)\\s*[(\\[]([^()\\[\\]]+)[)\\]]");
-    private static final Map<String, String> UNITS = Map.of(".x", "m", ".y", "m", ".z", "m", ".heading", "deg", ".speed", "m/s", ".turnRate", "rad/s",
+    private static final Map<String, String> UNITS = Map.of(".x", "m", ".y", "m", ".z", "m", ".heading", "deg",
+        ".speed", "m/s", ".turnRate", "rad/s",
         " radius wanted", "m", " received", "bytes", " sent", "bytes", " wanted", "m/s");
 
     private Plots() {
@@ -39,7 +40,8 @@ public final class Plots {
         for (Map.Entry<String, ?> line : new TreeMap<>(lines).entrySet()) {
             String name = ScriptText.of(line.getKey());
             if (!(line.getValue() instanceof List)) {
-                throw new IllegalArgumentException("\"" + name + "\" is " + line.getValue() + ", legal: a list of numbers");
+                throw new IllegalArgumentException("\"" + name + "\" is " + line.getValue()
+                    + ", legal: a list of numbers");
             }
             Matcher unit = WITH_UNIT.matcher(name);
             boolean has = unit.matches();
@@ -69,7 +71,8 @@ public final class Plots {
         for (int i = 0; i < numbers.length; i++) {
             Object value = list.get(i);
             if (value != null && !(value instanceof Number)) {
-                throw new IllegalArgumentException("\"" + name + "\" has " + ParameterTable.quote(value) + " at index " + i
+                throw new IllegalArgumentException("\"" + name + "\" has " + ParameterTable.quote(value)
+                    + " at index " + i
                     + ", legal: numbers, or None for a missing value");
             }
             numbers[i] = value == null ? Double.NaN : ((Number) value).doubleValue();
@@ -83,7 +86,8 @@ public final class Plots {
      * @param sensors their units, see {@link #units}
      * @return the absolute path of the picture
      */
-    public static Path saveRecord(String path, List<String> names, String picture, Map<String, String> sensors) throws IOException {
+    public static Path saveRecord(String path, List<String> names, String picture, Map<String, String> sensors)
+        throws IOException {
         RunRecord record = Records.open(given(path, "the path of the record"));
         Series series = Series.of(record, names, MAX_POINTS);
         Plot plot = new Plot("time (s)", series.times);
@@ -104,7 +108,8 @@ public final class Plots {
                 }
             }
         }
-        return UNITS.entrySet().stream().filter(unit -> name.endsWith(unit.getKey())).max((a, b) -> a.getKey().length() - b.getKey().length())
+        return UNITS.entrySet().stream().filter(unit -> name.endsWith(unit.getKey()))
+            .max((a, b) -> a.getKey().length() - b.getKey().length())
             .map(Map.Entry::getValue).orElse("");
     }
 

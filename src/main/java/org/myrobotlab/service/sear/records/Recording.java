@@ -51,23 +51,29 @@ public final class Recording {
      * @param pictures pictures of each camera per simulated second, 0 for none
      * @return the absolute path with its ending
      */
-    public synchronized String begin(String path, double megabytes, double pictures) throws IOException, InterruptedException {
+    public synchronized String begin(String path, double megabytes, double pictures)
+        throws IOException, InterruptedException {
         if (path == null || path.isEmpty()) {
-            throw new IllegalArgumentException("the path is missing, legal: the path of a file, such as \"run.searlog\"");
+            throw new IllegalArgumentException(
+                "the path is missing, legal: the path of a file, such as \"run.searlog\"");
         }
         if (!(megabytes > 0 && megabytes <= MAX_MEGABYTES)) {
-            throw new IllegalArgumentException("recordRun: megabytes is " + megabytes + ", legal: above 0 to " + MAX_MEGABYTES);
+            throw new IllegalArgumentException("recordRun: megabytes is " + megabytes + ", legal: above 0 to "
+                + MAX_MEGABYTES);
         }
         if (!(pictures >= 0 && pictures <= MAX_PICTURES)) {
-            throw new IllegalArgumentException("recordRun: pictures is " + pictures + ", legal: 0 to " + MAX_PICTURES + " per second");
+            throw new IllegalArgumentException("recordRun: pictures is " + pictures + ", legal: 0 to " + MAX_PICTURES
+                + " per second");
         }
         if (wanted != null) {
-            throw new IllegalStateException("a record is being written to " + wanted + " already: call endRecord() first");
+            throw new IllegalStateException("a record is being written to " + wanted
+                + " already: call endRecord() first");
         }
         Path file = ScriptText.path(path.endsWith(ENDING) ? path : path + ENDING);
         Path parent = file.toAbsolutePath().getParent();
         if (parent == null || !Files.isDirectory(parent)) {
-            throw new IOException(file + " can't be written: there is no folder " + parent + "; create it, or choose another");
+            throw new IOException(file + " can't be written: there is no folder " + parent
+                + "; create it, or choose another");
         }
         Recorder.check(file);
         long most = (long) (megabytes * MEGABYTE);

@@ -52,7 +52,8 @@ public final class Records {
 
     /** Reports that a record is incomplete, once for repeated reads. */
     private synchronized void report(RunRecord record, boolean whole) {
-        String words = whole ? "" : record.getPath() + (record.isBeingWritten() ? " is still being written: SEAR reads it up to its latest event"
+        String words = whole ? "" : record.getPath()
+            + (record.isBeingWritten() ? " is still being written: SEAR reads it up to its latest event"
             : " was cut off, by a crash or a full disk: SEAR reads it up to that point");
         if (!words.equals(reported) && !words.isEmpty()) {
             host.progress(words);
@@ -68,7 +69,8 @@ public final class Records {
      */
     public static RunRecord open(String path) throws IOException {
         if (path == null) {
-            throw new IllegalArgumentException("the path is missing (None), legal: the path of a record, such as \"run.searlog\"");
+            throw new IllegalArgumentException("the path is missing (None), legal: the path of a record, such as "
+                + "\"run.searlog\"");
         }
         Path file = ScriptText.path(path);
         Path whole = Paths.get(file + Recording.ENDING);
@@ -152,9 +154,11 @@ public final class Records {
      * Returns the frames of a replay in panels.
      *
      * <pre>
-     * {"path", "whole", "written" (at present), "names": [..], "robots": [name, ..], "objects": [name of a moving one, ..],
+     * {"path", "whole", "written" (at present), "names": [..], "robots": [name, ..], "objects": [name of a moving one,
+     * ..],
      *  "sensors": [name, ..], "lights": [[number of a robot, of its light], ..], "times": [..], and by time:
-     *  "robotPoses": [[[x, y, z, rx, ry, rz], ..], ..], "objectPoses": likewise, "speeds": [[[m/s, rad/s] of each robot, ..], ..],
+     *  "robotPoses": [[[x, y, z, rx, ry, rz], ..], ..], "objectPoses": likewise, "speeds": [[[m/s, rad/s] of each
+     * robot, ..], ..],
      *  "pictures": [name of a camera with recorded pictures, ..],
      *  "words": [[reading of each sensor as text, null for an unknown sensor, ..], ..],
      *  "brightness": [[of each light, 0 to 1, ..], ..]}
@@ -177,10 +181,12 @@ public final class Records {
         answer.put("objects", moved);
         answer.put("sensors", record.getHeader().sensors);
         answer.put("lights", frames.lights);
-        answer.put("pictures", frames.pictured.stream().map(record.getHeader().sensors::get).collect(Collectors.toList()));
+        answer.put("pictures", frames.pictured.stream().map(record.getHeader().sensors::get)
+            .collect(Collectors.toList()));
         answer.put("times", frames.times);
         answer.put("speeds", frames.speeds.stream().map(robots -> numbers(robots, FINE)).collect(Collectors.toList()));
-        answer.put("words", frames.readings.stream().map(read -> words(record.getHeader(), read, known)).collect(Collectors.toList()));
+        answer.put("words", frames.readings.stream().map(read -> words(record.getHeader(), read, known))
+            .collect(Collectors.toList()));
         answer.put("brightness", frames.brightness);
         answer.put("robotPoses", poses(frames.robots));
         answer.put("objectPoses", poses(frames.objects));
@@ -201,7 +207,8 @@ public final class Records {
         return words;
     }
 
-    private static List<String> words(RecordHeader header, double[] read, Map<String, Function<double[], String>> known) {
+    private static List<String> words(RecordHeader header, double[] read,
+        Map<String, Function<double[], String>> known) {
         List<String> words = new ArrayList<>();
         int at = 0;
         for (int i = 0; i < header.sensors.size(); i++) {
@@ -219,7 +226,8 @@ public final class Records {
             List<double[]> poses = new ArrayList<>();
             for (double[] n : frame) {
                 double[] angles = EulerAngles.degrees(new Pose(n[0], n[1], n[2], n[3], n[4], n[5], n[6]));
-                poses.add(new double[] {rounded(n[0]), rounded(n[1]), rounded(n[2]), rounded(angles[0]), rounded(angles[1]), rounded(angles[2])});
+                poses.add(new double[] {rounded(n[0]), rounded(n[1]), rounded(n[2]), rounded(angles[0]),
+                    rounded(angles[1]), rounded(angles[2])});
             }
             all.add(poses);
         }
@@ -229,7 +237,8 @@ public final class Records {
     private static List<List<Double>> numbers(List<double[]> exact, double per) {
         List<List<Double>> all = new ArrayList<>();
         for (double[] each : exact) {
-            all.add(Arrays.stream(each).mapToObj(n -> Double.isNaN(n) || Double.isInfinite(n) ? null : Double.valueOf(Math.rint(n * per) / per))
+            all.add(Arrays.stream(each).mapToObj(n -> Double.isNaN(n) || Double.isInfinite(n) ? null
+                : Double.valueOf(Math.rint(n * per) / per))
                 .collect(Collectors.toList()));
         }
         return all;

@@ -22,10 +22,12 @@ final class ClockTrap {
     /** End of the name of the service class that scripts call. */
     private static final String SERVICE = ".SEAR";
     /** Calls that advance time or may take seconds of real time; none of them counts as a loop of the script. */
-    private static final Set<String> NO_LOOP = Set.of("simSleep", "step", "startSimulation", "stopSimulation", "reset", "loadProject", "saveProject",
+    private static final Set<String> NO_LOOP = Set.of("simSleep", "step", "startSimulation", "stopSimulation", "reset",
+        "loadProject", "saveProject",
         "newProject", "rerunRecord");
     private static final String REMEDY =
-        ": in lock-step (--speed max, setLockStep(True)) it advances only in sear.simSleep(seconds) and sear.step(n), not ";
+        ": in lock-step (--speed max, setLockStep(True)) it advances only in sear.simSleep(seconds) and "
+        + "sear.step(n), not ";
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     private final Host host;
@@ -47,12 +49,14 @@ final class ClockTrap {
             return;
         }
         Map<Thread, StackTraceElement[]> stacks = still ? Thread.getAllStackTraces() : Map.of();
-        Thread sleeper = stacks.entrySet().stream().filter(entry -> isSleepOfScript(entry.getValue())).map(Map.Entry::getKey).findFirst()
+        Thread sleeper = stacks.entrySet().stream().filter(entry -> isSleepOfScript(entry.getValue()))
+            .map(Map.Entry::getKey).findFirst()
             .orElse(null);
         boolean sleeping = sleeper != null;
         if (sleeping && suspected) {
             reported = true;
-            host.warn(ScriptLine.added("the script waits by the computer's clock, but simulated time stands still" + REMEDY
+            host.warn(ScriptLine.added("the script waits by the computer's clock, but simulated time "
+                + "stands still" + REMEDY
                 + "in sleep, time.sleep, roomba.sleep, goForward(mm) or spin(degrees)", ScriptLine.of(sleeper)));
         }
         suspected = sleeping;
@@ -81,8 +85,8 @@ final class ClockTrap {
     }
 
     /**
-     * Returns the thread of a busy script: one that neither waits, nor advances time, nor is in a long call. Returns null
-     * if there is none, or if any script is in such a call.
+     * Returns the thread of a busy script: one that neither waits, nor advances time, nor is in a long call. Returns
+     * null if there is none, or if any script is in such a call.
      */
     static Thread busy(Map<Thread, StackTraceElement[]> stacks) {
         Thread found = null;
@@ -108,8 +112,10 @@ final class ClockTrap {
     }
 
     private static boolean isSleepOfScript(StackTraceElement... stack) {
-        return stack.length > 0 && Arrays.stream(stack).limit(2).anyMatch(frame -> frame.getClassName().equals(Thread.class.getName())
-            && frame.getMethodName().startsWith("sleep")) && Arrays.stream(stack).limit(DEPTH).anyMatch(frame -> frame.getClassName()
+        return stack.length > 0 && Arrays.stream(stack).limit(2)
+            .anyMatch(frame -> frame.getClassName().equals(Thread.class.getName())
+            && frame.getMethodName().startsWith("sleep")) && Arrays.stream(stack).limit(DEPTH)
+            .anyMatch(frame -> frame.getClassName()
             .startsWith(SCRIPT));
     }
 }

@@ -4,7 +4,8 @@ package org.myrobotlab.service.sear.run;
 /** Checks the libraries that a simulation needs. */
 final class LibraryCheck {
     /** One class of each library. jMonkeyEngine is optional: without it there is no window. */
-    private static final String[] CLASSES = {"com.bulletphysics.dynamics.DynamicsWorld", "javax.vecmath.Vector3f", "com.thoughtworks.xstream.XStream",
+    private static final String[] CLASSES = {"com.bulletphysics.dynamics.DynamicsWorld", "javax.vecmath.Vector3f",
+        "com.thoughtworks.xstream.XStream",
         "net.sf.geographiclib.Geodesic", "org.locationtech.proj4j.CRSFactory"};
 
     private LibraryCheck() {

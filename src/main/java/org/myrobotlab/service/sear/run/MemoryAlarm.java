@@ -41,7 +41,8 @@ final class MemoryAlarm implements NotificationListener {
     synchronized void open() {
         for (MemoryPoolMXBean pool : ManagementFactory.getMemoryPoolMXBeans()) {
             // Pools of old objects; pools of young objects support no usage threshold.
-            boolean lasting = pool.getType() == MemoryType.HEAP && pool.isUsageThresholdSupported() && pool.isCollectionUsageThresholdSupported();
+            boolean lasting = pool.getType() == MemoryType.HEAP && pool.isUsageThresholdSupported()
+                && pool.isCollectionUsageThresholdSupported();
             if (lasting && pool.getUsage().getMax() > 0 && pool.getCollectionUsageThreshold() == 0) {
                 pool.setCollectionUsageThreshold((long) (pool.getUsage().getMax() * part));
                 pools.add(pool);
@@ -82,7 +83,9 @@ final class MemoryAlarm implements NotificationListener {
             reported = true;
         }
         MemoryUsage heap = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage();
-        listener.accept(String.format(Locale.ROOT, "Java's memory is nearly full: %.0f %% of %.0f MB are in use; start Java with more (-Xmx), or"
-            + " use a smaller world or store less in the script", PERCENT * heap.getUsed() / heap.getMax(), heap.getMax() / MEGABYTE));
+        listener.accept(String.format(Locale.ROOT, "Java's memory is nearly full: %.0f %% of %.0f MB are in use; start "
+            + "Java with more (-Xmx), or"
+            + " use a smaller world or store less in the script", PERCENT * heap.getUsed() / heap.getMax(),
+                heap.getMax() / MEGABYTE));
     }
 }

@@ -14,11 +14,13 @@ final class OptionalWindow {
     /** Opens the window. Without a display, OpenGL or its libraries, warns and opens none. */
     synchronized void open(SimulationRunner runner, boolean debugShapes, BooleanSupplier scriptDrives, Host host) {
         try {
-            WindowOptions options = new WindowOptions().setDebugShapes(debugShapes).setScriptDrives(scriptDrives).setWarnings(host::warn)
+            WindowOptions options = new WindowOptions().setDebugShapes(debugShapes).setScriptDrives(scriptDrives)
+                .setWarnings(host::warn)
                 .setOnClosed(host::windowClosed);
             window = SimulatorWindow.open(runner, options);
         } catch (LinkageError | RuntimeException e) {
-            host.warn("no simulator window: " + e + " (install jMonkeyEngine 3.6.1's jars into libraries/jar to have one)");
+            host.warn("no simulator window: " + e + " (install jMonkeyEngine 3.6.1's jars into libraries/jar "
+                + "to have one)");
         }
     }
 

@@ -76,7 +76,8 @@ final class Pauses {
     private synchronized void report() {
         if (!reported && !ended) {
             reported = true;
-            host.warn(ScriptLine.added("simSleep waits because the simulation is paused" + (line.isEmpty() ? "" : " by " + line)
+            host.warn(ScriptLine.added("simSleep waits because the simulation is paused"
+                + (line.isEmpty() ? "" : " by " + line)
                 + ": continue with Resume in SEAR's tab, P in the window or sear.resume()", ScriptLine.here()));
         }
     }

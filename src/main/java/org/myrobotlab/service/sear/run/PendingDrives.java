@@ -15,7 +15,9 @@ import org.SEAR.grammar.ScriptLine;
 final class PendingDrives {
     /** A simulation that ends within this time after a robot's first command has not run it, s. */
     private static final double AT_ONCE = 0.1;
-    /** Simulated time, s, that may pass before a script's next line if a busy machine runs the simulation by the clock. */
+    /**
+     * Simulated time, s, that may pass before a script's next line if a busy machine runs the simulation by the clock.
+     */
     private static final double NEXT_LINE = 0.25;
     /**
      * Delay of the report about a command without time, s. If its line runs again meanwhile, it belongs to a loop and
@@ -68,7 +70,8 @@ final class PendingDrives {
          * don't count: their timing depends on the machine.
          */
         boolean isReplacedAtOnceBy(Order next) {
-            return thread == next.thread && moves && !line.isEmpty() && !next.line.isEmpty() && sleeps == next.sleeps && next.time - time < NEXT_LINE
+            return thread == next.thread && moves && !line.isEmpty() && !next.line.isEmpty() && sleeps == next.sleeps
+                && next.time - time < NEXT_LINE
                 && !(call + values).equals(next.call + next.values);
         }
     }
@@ -123,7 +126,8 @@ final class PendingDrives {
             return "";
         }
         boolean isOfLoop = ofLoops.contains(lost.line);
-        String said = isOfLoop ? "" : "the " + lost.call + " of " + lost.line + " had no time to act: the " + next.call + " of " + next.line
+        String said = isOfLoop ? "" : "the " + lost.call + " of " + lost.line + " had no time to act: the " + next.call
+            + " of " + next.line
             + " replaced it immediately; put sear.simSleep(seconds) between them";
         lost = isOfLoop ? null : lost;
         next = null;
@@ -137,6 +141,7 @@ final class PendingDrives {
      * @return null if there is no such command
      */
     synchronized String tooLate(double time) {
-        return first.values().stream().filter(order -> time - order.time < AT_ONCE).map(order -> order.line).findFirst().orElse(null);
+        return first.values().stream().filter(order -> time - order.time < AT_ONCE).map(order -> order.line).findFirst()
+            .orElse(null);
     }
 }

@@ -22,7 +22,8 @@ public final class RunParameters {
     /** Prefix of the system properties of parameters. */
     public static final String PROPERTY = "sear.parameter.";
     /** Rule for names of parameters and results. */
-    public static final String LEGAL_NAME = "letters, digits and _, not a digit first, and none of row, seed, status, message, version, digest";
+    public static final String LEGAL_NAME = "letters, digits and _, not a digit first, and none of row, seed, status, "
+        + "message, version, digest";
 
     private static final String SEED = "seed";
     /** Most results stored until they are taken, and most characters of a text. */
@@ -63,16 +64,19 @@ public final class RunParameters {
         if (text == null || standard == null || standard instanceof CharSequence) {
             return text == null ? standard instanceof String ? ScriptText.of((String) standard) : standard : text;
         }
-        Object value = standard instanceof Boolean ? truth(text) : standard instanceof Number ? number(text, (Number) standard) : null;
+        Object value = standard instanceof Boolean ? truth(text) : standard instanceof Number
+            ? number(text, (Number) standard) : null;
         if (value == null) {
-            throw new IllegalArgumentException("parameter " + name + " is \"" + text + "\", legal: " + legal(standard) + ", as its default "
+            throw new IllegalArgumentException("parameter " + name + " is \"" + text + "\", legal: " + legal(standard)
+                + ", as its default "
                 + standard + " is");
         }
         return value;
     }
 
     private static String legal(Object standard) {
-        return standard instanceof Boolean ? "true or false" : !(standard instanceof Number) ? "a default that is a number, a text, True or False"
+        return standard instanceof Boolean ? "true or false" : !(standard instanceof Number)
+            ? "a default that is a number, a text, True or False"
             : isWhole((Number) standard) ? "a whole number" : "a number";
     }
 
@@ -103,24 +107,30 @@ public final class RunParameters {
      */
     public static void setResult(String name, Object value) {
         if (!isLegal(name) || System.getProperty(PROPERTY + name) != null) {
-            throw new IllegalArgumentException("result is called \"" + name + "\", legal: " + LEGAL_NAME + ", and no parameter's name");
+            throw new IllegalArgumentException("result is called \"" + name + "\", legal: " + LEGAL_NAME
+                + ", and no parameter's name");
         }
         if (value instanceof BigInteger && ((BigInteger) value).bitLength() > MAX_BITS) {
-            throw new IllegalArgumentException("result " + name + " is " + value + ", legal: -2**63 to 2**63-1; float(value) keeps 15 digits of it");
+            throw new IllegalArgumentException("result " + name + " is " + value + ", legal: -2**63 to 2**63-1; "
+                + "float(value) keeps 15 digits of it");
         }
         Object kept = value instanceof CharSequence ? ScriptText.of(value.toString()) : value;
         if (value instanceof Number) {
-            kept = isWhole((Number) value) ? (Object) ((Number) value).longValue() : (Object) ((Number) value).doubleValue();
+            kept = isWhole((Number) value) ? (Object) ((Number) value).longValue() : (Object) ((Number) value)
+                .doubleValue();
         }
         if (!(kept instanceof String || kept instanceof Number || kept instanceof Boolean)) {
-            throw new IllegalArgumentException("result " + name + " is " + value + ", legal: a number, a text, True or False");
+            throw new IllegalArgumentException("result " + name + " is " + value + ", legal: a number, a text, "
+                + "True or False");
         }
         if (kept instanceof String && ((String) kept).length() > LONGEST_TEXT) {
-            throw new IllegalArgumentException("result " + name + " has " + ((String) kept).length() + " characters, legal: at most " + LONGEST_TEXT);
+            throw new IllegalArgumentException("result " + name + " has " + ((String) kept).length()
+                + " characters, legal: at most " + LONGEST_TEXT);
         }
         synchronized (RESULTS) {
             if (RESULTS.size() >= MAX_RESULTS && !RESULTS.containsKey(name)) {
-                throw new IllegalArgumentException("result " + name + " is one too many, legal: at most " + MAX_RESULTS + " per run");
+                throw new IllegalArgumentException("result " + name + " is one too many, legal: at most " + MAX_RESULTS
+                    + " per run");
             }
             RESULTS.put(name, kept);
         }
@@ -130,7 +140,8 @@ public final class RunParameters {
     /** Returns the names of given parameters that no script of this process has read. */
     public static List<String> unasked() {
         return System.getProperties().stringPropertyNames().stream().filter(name -> name.startsWith(PROPERTY))
-            .map(name -> name.substring(PROPERTY.length())).filter(name -> !ASKED.contains(name)).sorted().collect(Collectors.toList());
+            .map(name -> name.substring(PROPERTY.length())).filter(name -> !ASKED.contains(name)).sorted()
+            .collect(Collectors.toList());
     }
 
     /** Removes and returns the results, oldest first. */

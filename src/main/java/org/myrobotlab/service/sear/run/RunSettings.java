@@ -47,7 +47,8 @@ public final class RunSettings {
     public static RunSettings fromSystem() {
         String speed = System.getProperty("sear.speed", "1");
         boolean max = MAX.equals(speed);
-        return new RunSettings(Boolean.getBoolean("sear.headless"), max ? Double.POSITIVE_INFINITY : factor(speed), max, seed(), true,
+        return new RunSettings(Boolean.getBoolean("sear.headless"), max ? Double.POSITIVE_INFINITY : factor(speed), max,
+            seed(), true,
             threads());
     }
 
@@ -55,7 +56,8 @@ public final class RunSettings {
         try {
             return SimulationRunner.checkedSpeed(Double.parseDouble(text));
         } catch (NumberFormatException e) {
-            throw new IllegalArgumentException("sear.speed is \"" + text + "\", legal: a number of " + SimulationRunner.SLOWEST
+            throw new IllegalArgumentException("sear.speed is \"" + text + "\", legal: a number of "
+                + SimulationRunner.SLOWEST
                 + " or more, or max", e);
         }
     }

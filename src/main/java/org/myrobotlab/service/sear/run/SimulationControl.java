@@ -50,7 +50,8 @@ public final class SimulationControl {
     public void start(boolean debugShapes) throws ProjectException, IOException {
         synchronized (SimulationControl.class) {
             if (running != null && running.isRunning()) {
-                throw new IllegalStateException(running == this ? "the simulation runs already: call stopSimulation() first"
+                throw new IllegalStateException(
+                    running == this ? "the simulation runs already: call stopSimulation() first"
                     : "service " + running.host.getName() + " runs a simulation: stop it first");
             }
             stop();
@@ -83,7 +84,8 @@ public final class SimulationControl {
         RunSettings fromSystem = RunSettings.fromSystem();
         boolean stepped = lockStep == null ? fromSystem.lockStep : lockStep;
         double defaultSpeed = stepped ? Double.POSITIVE_INFINITY : fromSystem.speed;
-        return new RunSettings(fromSystem.headless, speed == null ? defaultSpeed : speed, stepped, fromSystem.seed, groundVisible,
+        return new RunSettings(fromSystem.headless, speed == null ? defaultSpeed : speed, stepped, fromSystem.seed,
+            groundVisible,
             threads == null ? fromSystem.threads : threads);
     }
 
@@ -186,8 +188,10 @@ public final class SimulationControl {
     public void refuseWhileAnyRuns(String call) {
         SimulationControl present = running;
         if (present != null && present.isRunning()) {
-            throw new IllegalStateException(call + (present == this ? " needs the simulation to be stopped: stopSimulation() first"
-                : " needs the simulation of service " + present.host.getName() + " to be stopped, because both have the one project: "
+            throw new IllegalStateException(
+                call + (present == this ? " needs the simulation to be stopped: stopSimulation() first"
+                : " needs the simulation of service " + present.host.getName() + " to be stopped, because both have "
+                + "the one project: "
                 + present.host.getName() + ".stopSimulation() first"));
         }
     }
@@ -220,7 +224,8 @@ public final class SimulationControl {
     /** Sets whether beams hit floors and terrain in later simulations. */
     public void setGroundVisible(boolean on) {
         if (isRunning()) {
-            throw new IllegalStateException("setGroundVisible needs the simulation to be stopped: call it before startSimulation()");
+            throw new IllegalStateException("setGroundVisible needs the simulation to be stopped: call it before "
+                + "startSimulation()");
         }
         groundVisible = on;
     }

@@ -323,7 +323,8 @@ public final class SimulationSession {
 
     private void checkRunning() {
         if (ended || runner.isEnded()) {
-            throw new IllegalStateException(failure == null ? "the simulation was stopped" : "the simulation broke down: " + failure, failure);
+            throw new IllegalStateException(failure == null ? "the simulation was stopped"
+                : "the simulation broke down: " + failure, failure);
         }
     }
 
@@ -526,7 +527,8 @@ public final class SimulationSession {
                 return true;
             });
             orders.reset();
-            warnings.forgetAllBut(simulation.snapshot().warnings);    // warnings present from the start were reported already
+            // warnings present from the start were reported already
+            warnings.forgetAllBut(simulation.snapshot().warnings);
             scriptTime = runner.getAdvancedTime();
             SimulationClock fresh = new SimulationClock(simulation, lockStep);
             lines.forEach(line -> line.setClock(fresh));

@@ -92,7 +92,8 @@ final class UartLine implements ExternalLine {
 
     private static String freeName(SerialLine line, Set<String> taken) {
         String part = line.getObjectName().replace('/', '_');
-        String rest = "_" + (DRIVE.equals(line.getObjectType()) ? "ROBOT" : line.getObjectType()) + "simulator_Serial_Service";
+        String rest = "_" + (DRIVE.equals(line.getObjectType()) ? "ROBOT" : line.getObjectType())
+            + "simulator_Serial_Service";
         String name = part + rest;
         for (int number = 2; !taken.add(name); number++) {
             name = part + "_" + number + rest;
@@ -121,7 +122,8 @@ final class UartLine implements ExternalLine {
         user.setOpenListener(line::open);
         ServiceInterface started = Runtime.start(serviceName, "Serial");
         if (!(started instanceof Serial)) {
-            throw new IOException("a service named " + serviceName + " already exists and is not a Serial service: release it first");
+            throw new IOException("a service named " + serviceName + " already exists and is not a Serial service: "
+                + "release it first");
         }
         serial = (Serial) started;
         leaveOutOfSavedConfigurations();
@@ -152,7 +154,8 @@ final class UartLine implements ExternalLine {
         if (baud != 0 && baud != line.getDeviceBaud()) {
             String text;
             synchronized (repeats) {
-                text = repeats.count("baud", line.getObjectType() + " " + line.getObjectName() + " talks at " + line.getDeviceBaud()
+                text = repeats.count("baud", line.getObjectType() + " " + line.getObjectName() + " talks at "
+                    + line.getDeviceBaud()
                     + " baud, but port " + user.getName() + " was set to " + baud + ": open the port at "
                     + line.getDeviceBaud() + " baud" + remedy(baud));
             }
@@ -164,8 +167,10 @@ final class UartLine implements ExternalLine {
 
     /** Returns the call that sets the baud rate of a robot's drive. */
     private String remedy(int baud) {
-        return isDrive() ? ", as Runtime.getService(\"serial\").connect(\"" + user.getName() + "\", " + line.getDeviceBaud()
-            + ", 8, 1, 0), or robot.getPart(\"" + line.getObjectName() + "\").setBaud(" + baud + ") before the start" : "";
+        return isDrive() ? ", as Runtime.getService(\"serial\").connect(\"" + user.getName() + "\", "
+            + line.getDeviceBaud()
+            + ", 8, 1, 0), or robot.getPart(\"" + line.getObjectName() + "\").setBaud(" + baud
+            + ") before the start" : "";
     }
 
     /** Takes bytes from the device on the simulation thread. Bytes of a lock-step step wait for the port's turn. */
@@ -272,7 +277,8 @@ final class UartLine implements ExternalLine {
             Thread.currentThread().interrupt();
         }
         if (given < handed && uart.isOpen()) {
-            complain((handed - given) + " bytes written to port " + user.getName() + " did not come through MyRobotLab's messages");
+            complain((handed - given) + " bytes written to port " + user.getName()
+                + " did not come through MyRobotLab's messages");
             given = handed;
         }
     }

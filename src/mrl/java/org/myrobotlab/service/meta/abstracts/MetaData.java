@@ -41,7 +41,8 @@ public class MetaData implements Serializable {
         try {
             return (MetaData) Class.forName(PACKAGE + simple + "Meta").getConstructor().newInstance();
         } catch (ReflectiveOperationException e) {
-            throw new IllegalArgumentException("service type " + simple + " has no meta data: class " + PACKAGE + simple + "Meta is missing", e);
+            throw new IllegalArgumentException("service type " + simple + " has no meta data: class " + PACKAGE + simple
+                + "Meta is missing", e);
         }
     }
 

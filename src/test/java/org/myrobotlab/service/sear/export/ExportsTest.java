@@ -163,7 +163,8 @@ public class ExportsTest {
             Process count = new ProcessBuilder("python3", "-c", "import fcntl, os, struct, sys, termios\n"
                 + "fd = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)\n"
                 + "print(struct.unpack('i', fcntl.ioctl(fd, termios.FIONREAD, b'0000'))[0])\n", path).start();
-            waiting = Integer.parseInt(new String(count.getInputStream().readAllBytes(), StandardCharsets.US_ASCII).trim());
+            waiting = Integer.parseInt(new String(count.getInputStream().readAllBytes(), StandardCharsets.US_ASCII)
+                .trim());
         }
         assertEquals("bytes for the next program", 0, waiting);
     }
@@ -176,7 +177,8 @@ public class ExportsTest {
         awaitBaud(19200, baud);
         Process told = new ProcessBuilder("stty", "-F", path, "-a").start();
         String settings = new String(told.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
-        assertTrue(settings, settings.contains("speed 19200 baud") && settings.contains("-echo ") && settings.contains("-icanon"));
+        assertTrue(settings, settings.contains("speed 19200 baud") && settings.contains("-echo ")
+            && settings.contains("-icanon"));
     }
 
     @Test
@@ -337,7 +339,8 @@ public class ExportsTest {
     public void terminalAndTcpShareAPort() throws Exception {
         String path = exports.terminal("/dev/test_user", null);
         int number = exports.tcp("/dev/test_user", 0);
-        try (RandomAccessFile terminal = new RandomAccessFile(path, "rw"); Socket socket = new Socket(InetAddress.getLoopbackAddress(), number)) {
+        try (RandomAccessFile terminal = new RandomAccessFile(path, "rw"); Socket socket =
+            new Socket(InetAddress.getLoopbackAddress(), number)) {
             socket.getOutputStream().write(1);
             awaitDevice(1);
             terminal.write(2);
@@ -412,7 +415,8 @@ public class ExportsTest {
     private void awaitLast(int expected) throws Exception {
         long end = System.nanoTime() + PATIENCE;
         synchronized (received) {
-            while ((received.size() == 0 || received.toByteArray()[received.size() - 1] != expected) && System.nanoTime() < end) {
+            while ((received.size() == 0 || received.toByteArray()[received.size() - 1] != expected)
+                && System.nanoTime() < end) {
                 received.wait(50);
             }
             assertEquals(expected, received.toByteArray()[received.size() - 1]);
@@ -456,7 +460,8 @@ public class ExportsTest {
             assertEquals("57600", speed(terminal.getPath()));
             terminal.deviceAt(9600);
             assertEquals("9600", speed(terminal.getPath()));
-            assertEquals(0, new ProcessBuilder("stty", "-F", terminal.getPath(), "19200").inheritIO().start().waitFor());
+            assertEquals(0, new ProcessBuilder("stty", "-F", terminal.getPath(), "19200").inheritIO().start()
+                .waitFor());
             terminal.deviceAt(57600);
             assertEquals("set by a program", "19200", speed(terminal.getPath()));
         } finally {

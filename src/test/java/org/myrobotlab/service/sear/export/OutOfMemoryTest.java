@@ -100,7 +100,8 @@ public class OutOfMemoryTest {
     /** A service's own thread catches errors of a called method and continues. */
     @Test
     public void whereAMessageCallsAMethod() throws Exception {
-        Runtime.start("hungry", Hungry.class.getName()).in(Message.createMessage("test", "hungry", "eat", new Object[0]));
+        Runtime.start("hungry", Hungry.class.getName())
+            .in(Message.createMessage("test", "hungry", "eat", new Object[0]));
         awaitEnd();
     }
 

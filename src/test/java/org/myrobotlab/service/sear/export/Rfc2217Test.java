@@ -88,9 +88,11 @@ public class Rfc2217Test {
         assertEquals("FF FA 2C 65 00 01 C2 00 FF F0", answer("FF FA 2C 01 00 01 C2 00 FF F0"));
         assertEquals(115200, baud);
         assertEquals("FF FA 2C 65 00 01 C2 00 FF F0", answer("FF FA 2C 01 00 00 00 00 FF F0"));
-        assertEquals("a rate with a byte 255", "FF FA 2C 65 00 00 FF FF 00 FF F0", answer("FF FA 2C 01 00 00 FF FF 00 FF F0"));
+        assertEquals("a rate with a byte 255", "FF FA 2C 65 00 00 FF FF 00 FF F0",
+            answer("FF FA 2C 01 00 00 FF FF 00 FF F0"));
         assertEquals(0xFF00, baud);
-        assertEquals("none of a line", "FF FA 2C 65 00 00 FF FF 00 FF F0", answer("FF FA 2C 01 7F FF FF FF FF FF FF FF F0"));
+        assertEquals("none of a line", "FF FA 2C 65 00 00 FF FF 00 FF F0",
+            answer("FF FA 2C 01 7F FF FF FF FF FF FF FF F0"));
         assertEquals(0xFF00, baud);
     }
 
@@ -100,7 +102,8 @@ public class Rfc2217Test {
         assertEquals("[]", host.warnings.toString());
         answer("02 00 01 00 31 15 12");
         answer("02 00 01 00 31 15 12");
-        assertEquals("[export of /dev/test_user: 14 bytes arrived without RFC 2217 negotiation: is it the right port? A program that sends raw "
+        assertEquals("[export of /dev/test_user: 14 bytes arrived without RFC 2217 negotiation: is it the right port? "
+            + "A program that sends raw "
             + "bytes needs exportTcp]", host.warnings.toString());
         assertEquals("02 00 01 00 31 15 12 02 00 01 00 31 15 12 02 00 01 00 31 15 12", heard());
     }
@@ -140,7 +143,8 @@ public class Rfc2217Test {
         assertEquals("FF FA 2C 6E 00 FF F0", answer("FF FA 2C 0A 00 FF F0"));
         assertEquals("FF FA 2C 70 03 FF F0", answer("FF FA 2C 0C 03 FF F0"));
         assertEquals("FF FA 2C 64 53 45 41 52 FF F0", answer("FF FA 2C 00 FF F0"));
-        assertEquals("another option's, too short, too long, unknown: nothing", "", answer("FF FA 18 01 FF F0 FF FA 2C FF F0 FF FA FF F0"
+        assertEquals("another option's, too short, too long, unknown: nothing", "",
+            answer("FF FA 18 01 FF F0 FF FA 2C FF F0 FF FA FF F0"
             + " FF FA 2C 01 00 FF F0 FF FA 2C 01 00 00 25 80 00 FF F0 FF FA 2C 63 01 FF F0"));
     }
 
@@ -164,7 +168,8 @@ public class Rfc2217Test {
         for (int done = 0; done < Fuzz.BYTES; done += piece.length) {
             random.nextBytes(piece);
             for (int i = 0; i < piece.length; i++) {
-                piece[i] = random.nextInt(3) == 0 ? new byte[] {(byte) 255, (byte) 250, (byte) 240, 44, 1, (byte) 253}[random.nextInt(6)] : piece[i];
+                piece[i] = random.nextInt(3) == 0 ? new byte[] {(byte) 255, (byte) 250, (byte) 240, 44, 1,
+                    (byte) 253}[random.nextInt(6)] : piece[i];
             }
             replies.reset();
             session.received(piece);

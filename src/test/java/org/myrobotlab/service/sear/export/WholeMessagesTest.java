@@ -92,7 +92,8 @@ public class WholeMessagesTest {
     private void send() {
         byte[] bytes = message(begun++);
         for (int at = 0; at < SIZE; at += PIECE) {
-            device.receive(Arrays.copyOfRange(bytes, at, Math.min(SIZE, at + PIECE)), at == 0 ? new int[] {0} : new int[] {});
+            device.receive(Arrays.copyOfRange(bytes, at, Math.min(SIZE, at + PIECE)), at == 0 ? new int[] {0}
+                : new int[] {});
         }
     }
 
@@ -114,7 +115,8 @@ public class WholeMessagesTest {
                 last = number;
             }
             String warning = host.warnings.get(0);
-            assertTrue(warning, warning.contains("reads too slowly") && (dropped == 1 || warning.endsWith("(" + dropped + " times so far)")));
+            assertTrue(warning, warning.contains("reads too slowly")
+                && (dropped == 1 || warning.endsWith("(" + dropped + " times so far)")));
         }
         send();
         assertArrayEquals("the next message", message(begun - 1), program.readNBytes(SIZE));

@@ -25,7 +25,8 @@ import org.junit.experimental.categories.Category;
 public class BundleTransfersTest {
     private final byte[] bundle = new byte[2 * BundleTransfers.PART + 17];
     private byte[] loaded;
-    private final BundleTransfers transfers = new BundleTransfers(file -> Files.write(file, bundle), file -> loaded = Files.readAllBytes(file));
+    private final BundleTransfers transfers = new BundleTransfers(file -> Files.write(file, bundle), file -> loaded =
+        Files.readAllBytes(file));
 
     public BundleTransfersTest() {
         new Random(1).nextBytes(bundle);

@@ -49,7 +49,8 @@ public class ReplacedMeanwhileTest {
     }
 
     private static Set<String> letters(Project read) {
-        return read.getEnvironment().stream().map(object -> object.getName().substring(0, 1)).collect(Collectors.toSet());
+        return read.getEnvironment().stream().map(object -> object.getName().substring(0, 1))
+            .collect(Collectors.toSet());
     }
 
     /** Reads the project repeatedly until all loads are done; each result must be of one project. */
@@ -80,7 +81,8 @@ public class ReplacedMeanwhileTest {
     /** Reads a preview like the tab. */
     private Project previewed(Preview preview) {
         Map<String, Object> answer = ProjectSwap.undisturbed(() -> preview.of(project.folder(), ""));
-        assertEquals(Arrays.asList(Collections.emptyList(), null), Arrays.asList(answer.get("problems"), answer.get("reason")));
+        assertEquals(Arrays.asList(Collections.emptyList(), null),
+            Arrays.asList(answer.get("problems"), answer.get("reason")));
         return null;
     }
 

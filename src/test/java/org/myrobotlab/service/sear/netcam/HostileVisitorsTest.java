@@ -76,10 +76,12 @@ public class HostileVisitorsTest {
         String host = "Host: localhost:" + port + "\r\n";
         assertEquals("403 host [evil.example:" + port + "] is not allowed: call this server localhost",
             answer(port, get + "Host: evil.example:" + port + "\r\n\r\n"));
-        assertEquals("403 host [localhost] is not allowed: call this server localhost", answer(port, get + "Host: localhost\r\n\r\n"));
+        assertEquals("403 host [localhost] is not allowed: call this server localhost",
+            answer(port, get + "Host: localhost\r\n\r\n"));
         assertEquals("403 host [] is not allowed: call this server localhost", answer(port, get + "\r\n"));
         assertTrue(answer(port, get + host + "Host: evil.example\r\n\r\n").startsWith("403 host [localhost:"));
-        assertEquals("403 pages of [http://evil.example] are not allowed", answer(port, get + host + "Origin: http://evil.example\r\n\r\n"));
+        assertEquals("403 pages of [http://evil.example] are not allowed",
+            answer(port, get + host + "Origin: http://evil.example\r\n\r\n"));
         assertEquals("403 pages of [null] are not allowed", answer(port, get + host + "Origin: null\r\n\r\n"));
         assertEquals("405 method POST is not allowed, legal: GET",
             answer(port, "POST /image.jpg HTTP/1.1\r\n" + host + "Content-Length: 5\r\n\r\nhello"));
@@ -94,7 +96,8 @@ public class HostileVisitorsTest {
         }
         for (NetworkInterface way : Collections.list(NetworkInterface.getNetworkInterfaces())) {
             for (InetAddress address : Collections.list(way.getInetAddresses())) {
-                assertEquals(address.toString(), address.equals(InetAddress.getByName("127.0.0.1")), opens(address, port));
+                assertEquals(address.toString(), address.equals(InetAddress.getByName("127.0.0.1")),
+                    opens(address, port));
             }
         }
     }
@@ -112,21 +115,26 @@ public class HostileVisitorsTest {
         world.startPaused();
         int port = open("color");
         String end = "\r\nHost: localhost:" + port + "\r\n\r\n";
-        for (String line : new String[] {"", "GET", "GET /image.jpg", "GET  /image.jpg HTTP/1.1", "GET /image.jpg HTTP/2.0", "PRI * HTTP/2.0",
+        for (String line : new String[] {"", "GET", "GET /image.jpg", "GET  /image.jpg HTTP/1.1",
+            "GET /image.jpg HTTP/2.0", "PRI * HTTP/2.0",
             "GET /im\u00e4ge.jpg HTTP/1.1", "\u0016\u0003\u0001", "GET /image.jpg HTTP/1.1 "}) {
             assertEquals(line, "400 this is not an HTTP/1.1 request", answer(port, line + end));
         }
         assertEquals("400 a line of the request's head has no name", answer(port, "GET / HTTP/1.1\r\n: x" + end));
-        for (String path : new String[] {"/../../etc/passwd", "/%2e%2e/image.jpg", "/image.jpg/", "//image.jpg", "/?action=stream"}) {
+        for (String path : new String[] {"/../../etc/passwd", "/%2e%2e/image.jpg", "/image.jpg/", "//image.jpg",
+            "/?action=stream"}) {
             String said = answer(port, "GET " + path + " HTTP/1.1" + end);
-            assertTrue(said, path.startsWith("/?") ? said.startsWith("200 <!DOCTYPE") : said.startsWith("404 there is nothing at "));
+            assertTrue(said, path.startsWith("/?") ? said.startsWith("200 <!DOCTYPE")
+                : said.startsWith("404 there is nothing at "));
         }
-        for (String target : new String[] {"http://localhost:" + port + "/image.jpg", "HTTP://evil.example/image.jpg", "image.jpg", "*",
+        for (String target : new String[] {"http://localhost:" + port + "/image.jpg", "HTTP://evil.example/image.jpg",
+            "image.jpg", "*",
             "?action=stream", "localhost:" + port}) {
             assertEquals("400 address " + target + " is not allowed, legal: a path that begins with /",
                 answer(port, "GET " + target + " HTTP/1.1" + end));
         }
-        assertEquals("431 the request's head is longer than 8192 bytes", answer(port, "GET / HTTP/1.1\r\nX: " + "x".repeat(10_000)));
+        assertEquals("431 the request's head is longer than 8192 bytes",
+            answer(port, "GET / HTTP/1.1\r\nX: " + "x".repeat(10_000)));
         Random random = new Random(Fuzz.SEED);
         for (int i = 0; i < GARBAGE; i++) {
             byte[] bytes = new byte[random.nextInt(200)];
@@ -207,7 +215,8 @@ public class HostileVisitorsTest {
     public void unreadPicturesAreNotStored() throws Exception {
         world.startPaused();
         CameraImage image = world.cameras.look("fast");
-        PictureServer server = PictureServer.open("fast", DeviceProfile.PLAIN, 0, new Demand(), TimeUnit.HOURS.toMillis(1));
+        PictureServer server = PictureServer.open("fast", DeviceProfile.PLAIN, 0, new Demand(),
+            TimeUnit.HOURS.toMillis(1));
         Thread thread = new Thread(server::serve);
         thread.start();
         List<Visitor> dull = new ArrayList<>();

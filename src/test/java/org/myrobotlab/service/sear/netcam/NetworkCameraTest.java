@@ -101,9 +101,11 @@ public class NetworkCameraTest {
         }
         int infrared = exports.plain("infrared", 0);
         assertArrayEquals(world.cameras.png("infrared"), get(infrared, "/temperature.png", "image/png"));
-        assertEquals("camera infrared makes pictures of kind infrared, legal: /stream.mjpg, /image.jpg, /image.png, /temperature.png, /",
+        assertEquals("camera infrared makes pictures of kind infrared, legal: /stream.mjpg, /image.jpg, /image.png, "
+            + "/temperature.png, /",
             refused(infrared, "/depth.png", NOT_FOUND));
-        assertArrayEquals("false colours", new int[] {CameraWorld.WIDTH, CameraWorld.HEIGHT}, size(get(depth, "/image.jpg", "image/jpeg")));
+        assertArrayEquals("false colours", new int[] {CameraWorld.WIDTH, CameraWorld.HEIGHT},
+            size(get(depth, "/image.jpg", "image/jpeg")));
         try (Visitor visitor = Visitor.at(infrared, "/stream.mjpg")) {
             assertArrayEquals(new int[] {CameraWorld.WIDTH, CameraWorld.HEIGHT}, size(visitor.part().file));
         }
@@ -156,13 +158,16 @@ public class NetworkCameraTest {
         byte[] still = get(port, "/capture", "image/jpeg");
         assertArrayEquals(still, get(port, "/capture?_cb=1700000000", "image/jpeg"));
         try (Visitor visitor = Visitor.at(port + 1, "/stream")) {
-            assertEquals("multipart/x-mixed-replace;boundary=123456789000000000000987654321", visitor.headers.get("content-type"));
+            assertEquals("multipart/x-mixed-replace;boundary=123456789000000000000987654321",
+                visitor.headers.get("content-type"));
             assertArrayEquals(still, visitor.part().file);
         }
         assertArrayEquals(still, get(port, "/image.jpg", "image/jpeg"));
-        assertEquals("there is nothing at /stream, legal: /stream.mjpg, /image.jpg, /image.png, /depth.png, /temperature.png, /",
+        assertEquals("there is nothing at /stream, legal: /stream.mjpg, /image.jpg, /image.png, /depth.png, "
+            + "/temperature.png, /",
             refused(port, "/stream", NOT_FOUND));
-        assertEquals(Map.of("color", List.of("network camera (ESP32-CAM) http://localhost:" + (port + 1) + "/stream")), exports.list());
+        assertEquals(Map.of("color", List.of("network camera (ESP32-CAM) http://localhost:" + (port + 1) + "/stream")),
+            exports.list());
     }
 
     @Test
@@ -175,7 +180,8 @@ public class NetworkCameraTest {
             assertEquals("multipart/x-mixed-replace;boundary=boundarydonotcross", visitor.headers.get("content-type"));
             assertArrayEquals(still, visitor.part().file);
         }
-        assertTrue("a page", new String(get(port, "/", "text/html; charset=utf-8")).contains("<img src=\"/stream.mjpg\""));
+        assertTrue("a page", new String(get(port, "/", "text/html; charset=utf-8"))
+            .contains("<img src=\"/stream.mjpg\""));
     }
 
     /**
@@ -187,7 +193,8 @@ public class NetworkCameraTest {
         world.startPaused();
         int port = exports.plain("color", 0);
         byte[] still = get(port, "/image.jpg", "image/jpeg");
-        try (DataInputStream in = new DataInputStream(new URL("http://localhost:" + port + "/stream.mjpg").openStream())) {
+        try (DataInputStream in = new DataInputStream(new URL("http://localhost:" + port + "/stream.mjpg")
+            .openStream())) {
             for (int i = 0; i < 2; i++) {
                 StringBuilder head = new StringBuilder();
                 while (head.indexOf("\u00ff\u00d8") < 0) {
@@ -208,13 +215,15 @@ public class NetworkCameraTest {
     public void anExportOutlivesSimulations() throws Exception {
         int port = exports.plain("color", 0);
         exports.begin();
-        assertEquals("no simulation with a camera color runs: startSimulation() first", refused(port, "/image.jpg", BUSY));
+        assertEquals("no simulation with a camera color runs: startSimulation() first",
+            refused(port, "/image.jpg", BUSY));
         try (Visitor visitor = Visitor.at(port, "/stream.mjpg")) {
             world.start();
             exports.begin();
             visitor.part();
             world.control.stop();
-            assertEquals("no simulation with a camera color runs: startSimulation() first", refused(port, "/image.jpg", BUSY));
+            assertEquals("no simulation with a camera color runs: startSimulation() first",
+                refused(port, "/image.jpg", BUSY));
             world.start();
             double time = Double.POSITIVE_INFINITY;
             while (time > 1) {
@@ -242,15 +251,18 @@ public class NetworkCameraTest {
         assertEquals(1, world.host.warnings.size());
         String warning = world.host.warnings.get(0);
         assertTrue(warning, warning.startsWith("the export of camera eye does not work: no sensor is called"));
-        assertEquals("no simulation with a camera eye runs: startSimulation() first", refused(early, "/image.jpg", BUSY));
+        assertEquals("no simulation with a camera eye runs: startSimulation() first",
+            refused(early, "/image.jpg", BUSY));
         refuses("the name is missing (None), legal: color, depth, fast, infrared", () -> exports.plain(null, 0));
         refuses("TCP port is 65536, legal: 0 (any free one) to 65535", () -> exports.plain("color", 65536));
         refuses("TCP port is 65535, legal: 0 (any free one) to 65534", () -> exports.like("color", 65535, "ESP32-CAM"));
         refuses("the product is \"GoPro\", legal: ESP32-CAM, OctoPi", () -> exports.like("color", 0, "GoPro"));
         refuses("camera \"color\" is not exported, legal: eye", () -> exports.end("color"));
         try (ServerSocket taken = new ServerSocket(0, 1, java.net.InetAddress.getByName("127.0.0.1"))) {
-            String message = assertThrows(IOException.class, () -> exports.plain("color", taken.getLocalPort())).getMessage();
-            assertTrue(message, message.startsWith("TCP port " + taken.getLocalPort() + " for camera color can't be opened: "));
+            String message = assertThrows(IOException.class, () -> exports.plain("color", taken.getLocalPort()))
+                .getMessage();
+            assertTrue(message, message.startsWith("TCP port " + taken.getLocalPort()
+                + " for camera color can't be opened: "));
         }
         assertFalse(exports.list().containsKey("color"));
     }

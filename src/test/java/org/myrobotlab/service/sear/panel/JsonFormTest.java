@@ -28,7 +28,8 @@ public class JsonFormTest {
         form.always = Optional.of("a");
         form.maybe = "b";
         form.inside = List.of(new Above());
-        assertEquals("{\"first\":1,\"always\":\"a\",\"maybe\":\"b\",\"inside\":[{\"first\":1,\"always\":null}],\"last\":[1.5]}",
+        assertEquals("{\"first\":1,\"always\":\"a\",\"maybe\":\"b\",\"inside\":[{\"first\":1,\"always\":null}],"
+            + "\"last\":[1.5]}",
             CodecUtils.toJson(form.map()));
     }
 
@@ -40,7 +41,8 @@ public class JsonFormTest {
         Below now = new Below();
         now.inside = List.of(new Above());
         now.inside.get(0).maybe = "c";
-        assertEquals("{\"maybe\":null,\"inside\":[{\"first\":1,\"always\":null,\"maybe\":\"c\"}]}", CodecUtils.toJson(now.since(before)));
+        assertEquals("{\"maybe\":null,\"inside\":[{\"first\":1,\"always\":null,\"maybe\":\"c\"}]}",
+            CodecUtils.toJson(now.since(before)));
         assertEquals("equal arrays are equal", "{}", CodecUtils.toJson(new Below().since(new Below())));
     }
 }

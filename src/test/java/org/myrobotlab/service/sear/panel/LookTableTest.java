@@ -47,7 +47,8 @@ public class LookTableTest {
     }
 
     private static double[] points(Map<String, Object> part) {
-        ByteBuffer bytes = ByteBuffer.wrap(Base64.getDecoder().decode((String) part.get("positions"))).order(ByteOrder.LITTLE_ENDIAN);
+        ByteBuffer bytes = ByteBuffer.wrap(Base64.getDecoder().decode((String) part.get("positions")))
+            .order(ByteOrder.LITTLE_ENDIAN);
         double[] low = (double[]) part.get("low");
         double[] high = (double[]) part.get("high");
         double[] points = new double[bytes.remaining() / Short.BYTES];
@@ -78,7 +79,8 @@ public class LookTableTest {
         assertEquals(36, part.get("vertices"));
         assertEquals(36 * CORNERS, points.length);
         byte[] normals = Base64.getDecoder().decode((String) part.get("normals"));
-        double[] half = {(Double) ((double[]) part.get("high"))[0], ((double[]) part.get("high"))[1], ((double[]) part.get("high"))[2]};
+        double[] half = {(Double) ((double[]) part.get("high"))[0], ((double[]) part.get("high"))[1],
+            ((double[]) part.get("high"))[2]};
         assertEquals(0.4 * 0.6 * 0.8 / 8, half[0] * half[1] * half[2], 1e-6);
         for (int i = 0; i < points.length; i += CORNERS) {
             for (int axis = 0; axis < CORNERS; axis++) {
@@ -103,12 +105,14 @@ public class LookTableTest {
         StringBuilder file = new StringBuilder();
         int rows = 110;
         for (int i = 0; i < rows * rows; i++) {
-            file.append("v ").append(i / rows).append(' ').append(i * 7919 % 13 / 13.0).append(' ').append(i % rows).append('\n');
+            file.append("v ").append(i / rows).append(' ').append(i * 7919 % 13 / 13.0).append(' ').append(i % rows)
+                .append('\n');
         }
         for (int i = 0; i < rows * (rows - 1); i++) {
             if (i % rows < rows - 1) {
                 file.append("f ").append(i + 1).append(' ').append(i + 2).append(' ').append(i + rows + 1).append('\n');
-                file.append("f ").append(i + 2).append(' ').append(i + rows + 2).append(' ').append(i + rows + 1).append('\n');
+                file.append("f ").append(i + 2).append(' ').append(i + rows + 2).append(' ').append(i + rows + 1)
+                    .append('\n');
             }
         }
         Files.createDirectories(project.folder().resolve("assets"));
@@ -151,7 +155,8 @@ public class LookTableTest {
     @Test
     public void picturesAreSmallAndOnlyThoseOfTheWorld() throws Exception {
         Files.createDirectories(project.folder().resolve("assets"));
-        ImageIO.write(new BufferedImage(3000, 1500, BufferedImage.TYPE_INT_RGB), "png", project.folder().resolve("assets/large.png").toFile());
+        ImageIO.write(new BufferedImage(3000, 1500, BufferedImage.TYPE_INT_RGB), "png", project.folder()
+            .resolve("assets/large.png").toFile());
         Files.writeString(project.folder().resolve("assets/secret.txt"), "secret");
         Floor floor = new Floor("floor", 10, 10);
         floor.setImage("large.png");
@@ -162,10 +167,12 @@ public class LookTableTest {
         Map<String, Object> sent = looks.of(List.of("picture large.png")).get(0);
         String data = (String) sent.get("data");
         assertTrue(data.startsWith("data:image/jpeg;base64,"));
-        BufferedImage small = ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(data.substring(data.indexOf(',') + 1))));
+        BufferedImage small = ImageIO.read(
+            new ByteArrayInputStream(Base64.getDecoder().decode(data.substring(data.indexOf(',') + 1))));
         assertEquals(512, small.getWidth());
         assertEquals(256, small.getHeight());
-        assertEquals(List.of(), looks.of(List.of("picture secret.txt", "picture ../robot/x.xml", "nothing", "/", "nothing/0",
+        assertEquals(List.of(), looks.of(
+            List.of("picture secret.txt", "picture ../robot/x.xml", "nothing", "/", "nothing/0",
             objects.get(0).look + "/1", objects.get(0).look + "/-1", objects.get(0).look + "/99999", "picture ")));
     }
 }

@@ -94,7 +94,8 @@ public class OwnReadingTest {
     public void aScriptGetsItsPixels() {
         double[] pixels = (double[]) world.read("eye").value();
         assertEquals(PIXELS, pixels.length);
-        assertArrayEquals("above the horizon is the air", new double[PIXELS / 2], difference(Arrays.copyOf(pixels, PIXELS / 2), AIR), 0);
+        assertArrayEquals("above the horizon is the air", new double[PIXELS / 2],
+            difference(Arrays.copyOf(pixels, PIXELS / 2), AIR), 0);
         assertEquals("below it the box", THINGS, pixels[PIXELS / 2 + 3], 0);
     }
 
@@ -114,7 +115,8 @@ public class OwnReadingTest {
         assertEquals(PIXELS, eye.get("value").size());
         assertFalse(eye.has("ranges") || eye.has("hit"));
         String data = eye.get("picture").asText();
-        BufferedImage picture = ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(data.substring("data:image/png;base64,".length()))));
+        BufferedImage picture = ImageIO.read(
+            new ByteArrayInputStream(Base64.getDecoder().decode(data.substring("data:image/png;base64,".length()))));
         assertEquals(8, picture.getWidth());
         assertEquals(8, picture.getHeight());
         assertEquals("40 % red", 0x660099, picture.getRGB(3, 0) & 0xFFFFFF);

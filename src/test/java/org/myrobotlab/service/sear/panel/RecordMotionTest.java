@@ -108,7 +108,8 @@ public class RecordMotionTest {
         assertArrayEquals("every beam, to a centimetre", seen, ranges(last.at("/ranges/0")), 0.0051);
         assertTrue("one without beams has none", last.at("/ranges/1").isNull());
         assertEquals(hit, last.at("/hits/1/2").asDouble(), 0.001);
-        assertEquals("where the neck turned it", TURNED, last.at("/poses/0/4").asDouble() - last.at("/poses/1/4").asDouble(), 0.01);
+        assertEquals("where the neck turned it", TURNED, last.at("/poses/0/4").asDouble() - last.at("/poses/1/4")
+            .asDouble(), 0.01);
         assertNotEquals("a wheel rolls", first.at("/wheels/0/0/3").asDouble(), last.at("/wheels/0/0/3").asDouble(), 1);
         assertNotEquals("and one is steered", first.at("/wheels/0/2").toString(), last.at("/wheels/0/2").toString());
         assertEquals("the parts of a robot with servos", 1, last.get("turned").size());

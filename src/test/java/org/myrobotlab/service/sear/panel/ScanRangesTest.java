@@ -29,7 +29,8 @@ public class ScanRangesTest {
 
     @Test
     public void theUnitFollowsTheLongestRange() {
-        double[] near = read(new ScanRanges(new double[] {0, 0.0001, 6.5534, Double.POSITIVE_INFINITY, Double.NaN}).text());
+        double[] near = read(new ScanRanges(new double[] {0, 0.0001, 6.5534, Double.POSITIVE_INFINITY, Double.NaN})
+            .text());
         assertEquals(5, near.length);
         assertEquals(0, near[0], 0);
         assertEquals(0.0001, near[1], 1e-12);
@@ -56,7 +57,8 @@ public class ScanRangesTest {
 
     @Test
     public void noReturnDiffersFromTheFurthestRange() {
-        assertNotEquals(new ScanRanges(new double[] {8}).text(), new ScanRanges(new double[] {Double.POSITIVE_INFINITY}).text());
+        assertNotEquals(new ScanRanges(new double[] {8}).text(),
+            new ScanRanges(new double[] {Double.POSITIVE_INFINITY}).text());
         assertEquals(0, read(new ScanRanges(new double[0]).text()).length);
     }
 }

@@ -25,14 +25,17 @@ public class TerrainJsonTest {
         Random random = new Random(3);
         float[] heights = new float[rows * columns];
         for (int i = 0; i < heights.length; i++) {
-            heights[i] = noise ? 100 * random.nextFloat() : (float) (0.2 * (i / columns) * spacing - 0.1 * (i % columns) * spacing);
+            heights[i] = noise ? 100 * random.nextFloat()
+                : (float) (0.2 * (i / columns) * spacing - 0.1 * (i % columns) * spacing);
         }
-        return new HeightField(rows, columns, -(rows - 1) * spacing / 2, -(columns - 1) * spacing / 2, spacing, spacing, heights);
+        return new HeightField(rows, columns, -(rows - 1) * spacing / 2, -(columns - 1) * spacing / 2, spacing,
+            spacing, heights);
     }
 
     @Test
     public void theRoughestGroundFitsIntoAMessage() throws Exception {
-        TerrainJson ground = new TerrainJson("stamp", field(2000, 1500, 1, true), new GeoOrigin(46, 1000, 7), 1000, 0, null);
+        TerrainJson ground = new TerrainJson("stamp", field(2000, 1500, 1, true), new GeoOrigin(46, 1000, 7),
+            1000, 0, null);
         byte[] picture = Base64.getDecoder().decode(ground.picture.substring(JPEG.length()));
         assertTrue(picture.length + " bytes", picture.length <= TerrainJson.PICTURE_BYTES);
         BufferedImage image = ImageIO.read(new ByteArrayInputStream(picture));
@@ -85,7 +88,8 @@ public class TerrainJsonTest {
 
     @Test
     public void levelGroundHasHeightsToo() {
-        TerrainJson ground = new TerrainJson("stamp", new HeightField(2, 2, 0, 0, 1, 1, new float[] {3, 3, 3, 3}), null, 0, 0, null);
+        TerrainJson ground = new TerrainJson("stamp", new HeightField(2, 2, 0, 0, 1, 1, new float[] {3, 3, 3, 3}), null,
+            0, 0, null);
         assertEquals(ground.lowest, ground.highest, 0);
         assertEquals(2, ground.rows);
     }

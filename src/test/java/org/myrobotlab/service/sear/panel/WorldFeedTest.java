@@ -43,16 +43,19 @@ public class WorldFeedTest {
     private Simulation world(int boxes) throws IOException, ProjectException {
         Path folder = temporary.newFolder().toPath();
         Path environment = Files.createDirectories(folder.resolve("environment"));
-        Files.writeString(environment.resolve("floor.xml"), "<Floor><name>floor</name><length>200</length><width>200</width></Floor>");
+        Files.writeString(environment.resolve("floor.xml"),
+            "<Floor><name>floor</name><length>200</length><width>200</width></Floor>");
         Files.writeString(environment.resolve("faller.xml"), box("faller", 0.2, -5, 1, -5, 1));
         for (int i = 0; i < boxes; i++) {
-            Files.writeString(environment.resolve("box" + i + ".xml"), box("box" + i, 0.3, i % 40, 0.15, i / 40, i < MOVABLE ? 1 : 0));
+            Files.writeString(environment.resolve("box" + i + ".xml"),
+                box("box" + i, 0.3, i % 40, 0.15, i / 40, i < MOVABLE ? 1 : 0));
         }
         return Simulation.load(folder, 1);
     }
 
     private static String box(String name, double edge, double x, double y, double z, double mass) {
-        return "<Box><name>" + name + "</name><length>" + edge + "</length><width>" + edge + "</width><height>" + edge + "</height><mass>" + mass
+        return "<Box><name>" + name + "</name><length>" + edge + "</length><width>" + edge + "</width><height>" + edge
+            + "</height><mass>" + mass
             + "</mass><x>" + x + "</x><y>" + y + "</y><z>" + z + "</z></Box>";
     }
 
@@ -103,7 +106,8 @@ public class WorldFeedTest {
     public void movingObjectsAreSentByIndex() throws Exception {
         try (Simulation world = world(3)) {
             Map<String, Object> whole = next(world);
-            int faller = world.getProject().getEnvironment().stream().map(SearObject::getName).collect(Collectors.toList()).indexOf("faller");
+            int faller = world.getProject().getEnvironment().stream().map(SearObject::getName)
+                .collect(Collectors.toList()).indexOf("faller");
             assertEquals("faller", object(whole, faller).get("name"));
             step(world, STEPS_BETWEEN);
             Map<String, Object> message = next(world);
@@ -111,7 +115,8 @@ public class WorldFeedTest {
             assertEquals(List.of(faller), List.copyOf(objects.keySet()));
             double[] pose = (double[]) ((Map<?, ?>) objects.get(faller)).get("pose");
             assertTrue("it falls: " + pose[1], pose[1] < 1);
-            assertArrayEquals("a page that comes now gets it too", pose, (double[]) object(whole(world), faller).get("pose"), 0);
+            assertArrayEquals("a page that comes now gets it too", pose, (double[]) object(whole(world), faller)
+                .get("pose"), 0);
         }
     }
 
@@ -136,7 +141,8 @@ public class WorldFeedTest {
     public void partsOfAServoAreSentAsItTurns() throws Exception {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
-        Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>s</component>"
+        Files.writeString(robot.resolve("r.xml"),
+            "<SEARrobot><name>r</name><component>d</component><component>s</component>"
             + "<component>head</component><component>lamp</component>"
             + "<wheel><name>w</name><radius>0.1</radius><width>0.1</width></wheel></SEARrobot>");
         Files.writeString(robot.resolve("d.xml"), "<Dynamics><name>d</name><mass>1</mass></Dynamics>");
@@ -163,7 +169,8 @@ public class WorldFeedTest {
     public void lightsAreSentOnChange() throws Exception {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
-        Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>lamp</component></SEARrobot>");
+        Files.writeString(robot.resolve("r.xml"),
+            "<SEARrobot><name>r</name><component>d</component><component>lamp</component></SEARrobot>");
         Files.writeString(robot.resolve("d.xml"), "<Dynamics><name>d</name><mass>1</mass></Dynamics>");
         Files.writeString(robot.resolve("lamp.xml"), "<Led><name>lamp</name><x>0.1</x><color>lime</color></Led>");
         try (Simulation world = Simulation.load(folder, 1)) {
@@ -191,9 +198,11 @@ public class WorldFeedTest {
     public void aCameraIsListedWithoutTakingAPicture() throws Exception {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
-        Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>eye</component></SEARrobot>");
+        Files.writeString(robot.resolve("r.xml"),
+            "<SEARrobot><name>r</name><component>d</component><component>eye</component></SEARrobot>");
         Files.writeString(robot.resolve("d.xml"), "<Dynamics><name>d</name><mass>1</mass></Dynamics>");
-        Files.writeString(robot.resolve("eye.xml"), "<Camera><name>eye</name><width>1920</width><height>1080</height></Camera>");
+        Files.writeString(robot.resolve("eye.xml"),
+            "<Camera><name>eye</name><width>1920</width><height>1080</height></Camera>");
         try (Simulation world = Simulation.load(folder, 1)) {
             Map<?, ?> eye = (Map<?, ?>) ((List<?>) next(world).get("sensors")).get(0);
             assertEquals("1920 x 1080", eye.get("words"));
@@ -209,7 +218,8 @@ public class WorldFeedTest {
             assertFalse(((Map<?, ?>) next(world).get("changes")).toString().contains("eye"));
             CameraImage image = (CameraImage) world.read("eye");
             Map<String, Object> told = CameraPicture.of("eye", image, 1.25, new CameraPicture.Wish(320, 7, 8));
-            assertTrue("small: " + told.get("picture").toString().length(), told.get("picture").toString().length() < 40_000);
+            assertTrue("small: " + told.get("picture").toString().length(), told.get("picture").toString()
+                .length() < 40_000);
             assertEquals(1920, told.get("width"));
             assertTrue(told.toString(), told.get("pixel").toString().matches("#[0-9a-f]{6}, .*, 1[.]250 m ahead"));
         }
@@ -220,9 +230,11 @@ public class WorldFeedTest {
     public void panelsGetTheDirectionsOfAScannersBeams() throws Exception {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
-        Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>eye</component></SEARrobot>");
+        Files.writeString(robot.resolve("r.xml"),
+            "<SEARrobot><name>r</name><component>d</component><component>eye</component></SEARrobot>");
         Files.writeString(robot.resolve("d.xml"), "<Dynamics><name>d</name><mass>1</mass></Dynamics>");
-        Files.writeString(robot.resolve("eye.xml"), "<LIDAR><name>eye</name><range>8</range><spread>180</spread><resolution>45</resolution></LIDAR>");
+        Files.writeString(robot.resolve("eye.xml"),
+            "<LIDAR><name>eye</name><range>8</range><spread>180</spread><resolution>45</resolution></LIDAR>");
         try (Simulation world = Simulation.load(folder, 1)) {
             Map<?, ?> eye = (Map<?, ?>) ((List<?>) next(world).get("sensors")).get(0);
             List<?> fan = (List<?>) eye.get("fan");
@@ -245,16 +257,20 @@ public class WorldFeedTest {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
         for (int i = 0; i < ROBOTS; i++) {
-            Files.writeString(robot.resolve("r" + i + ".xml"), "<SEARrobot><name>r" + i + "</name><component>d" + i + "</component><component>eye" + i
+            Files.writeString(robot.resolve("r" + i + ".xml"), "<SEARrobot><name>r" + i + "</name><component>d" + i
+                + "</component><component>eye" + i
                 + "</component></SEARrobot>");
-            Files.writeString(robot.resolve("d" + i + ".xml"), "<Dynamics><name>d" + i + "</name><mass>1</mass><x>" + 2 * i
+            Files.writeString(robot.resolve("d" + i + ".xml"), "<Dynamics><name>d" + i
+                + "</name><mass>1</mass><x>" + 2 * i
                 + "</x><y>3</y></Dynamics>");
-            Files.writeString(robot.resolve("eye" + i + ".xml"), "<LIDAR><name>eye" + i + "</name><range>8</range><spread>180</spread>"
+            Files.writeString(robot.resolve("eye" + i + ".xml"), "<LIDAR><name>eye" + i
+                + "</name><range>8</range><spread>180</spread>"
                 + "<resolution>0.5</resolution></LIDAR>");
         }
         Path environment = Files.createDirectories(folder.resolve("environment"));
         for (int i = 0; i < 10 * ROBOTS; i++) {
-            Files.writeString(environment.resolve("post" + i + ".xml"), box("post" + i, 0.3, i % 10 * 2 + 1, 0, i / 10 * 1.3 - 6, 0).replace(
+            Files.writeString(environment.resolve("post" + i + ".xml"),
+                box("post" + i, 0.3, i % 10 * 2 + 1, 0, i / 10 * 1.3 - 6, 0).replace(
                 "<height>0.3", "<rx>25</rx><height>9"));
         }
         return Simulation.load(folder, 1);
@@ -274,7 +290,8 @@ public class WorldFeedTest {
                     sensors.values().stream().filter(sensor -> ((Map<?, ?>) sensor).containsKey("ranges")).count());
                 most = Math.max(most, bytes(message));
             }
-            System.out.println("a message about " + ROBOTS + " robots with a scanner each has at most " + most + " bytes");
+            System.out.println("a message about " + ROBOTS + " robots with a scanner each has at most " + most
+                + " bytes");
             assertTrue("bytes: " + most, most < ROBOTS * SCAN_BYTES);
         }
     }

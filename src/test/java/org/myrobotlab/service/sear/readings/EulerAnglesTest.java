@@ -19,9 +19,11 @@ public class EulerAnglesTest {
     public void anglesReproduceTheRotation() {
         Random random = new Random(Fuzz.SEED);
         for (int i = 0; i < 1000; i++) {
-            Pose pose = Pose.ofDegrees(0, 0, 0, random.nextDouble() * 720 - 360, random.nextDouble() * 720 - 360, random.nextDouble() * 720 - 360);
+            Pose pose = Pose.ofDegrees(0, 0, 0, random.nextDouble() * 720 - 360, random.nextDouble() * 720 - 360,
+                random.nextDouble() * 720 - 360);
             double[] angles = EulerAngles.degrees(pose);
-            assertSameRotation("seed " + Fuzz.SEED + " number " + i, pose, Pose.ofDegrees(0, 0, 0, angles[0], angles[1], angles[2]));
+            assertSameRotation("seed " + Fuzz.SEED + " number " + i, pose,
+                Pose.ofDegrees(0, 0, 0, angles[0], angles[1], angles[2]));
         }
     }
 
@@ -31,7 +33,8 @@ public class EulerAnglesTest {
             for (double y : new double[] {0, 30, -120}) {
                 Pose pose = Pose.ofDegrees(0, 0, 0, 0, y, z);
                 double[] angles = EulerAngles.degrees(pose);
-                assertSameRotation("y " + y + " z " + z, pose, Pose.ofDegrees(0, 0, 0, angles[0], angles[1], angles[2]));
+                assertSameRotation("y " + y + " z " + z, pose,
+                    Pose.ofDegrees(0, 0, 0, angles[0], angles[1], angles[2]));
             }
         }
     }

@@ -11,7 +11,8 @@ import org.junit.Test;
 
 /** Detection of a script that loops while it waits for simulated time. */
 public class BusyLineTest {
-    private static final StackTraceElement SCRIPT = new StackTraceElement("org.python.pycode._pyx1", "f$0", "drive.py", 12);
+    private static final StackTraceElement SCRIPT = new StackTraceElement("org.python.pycode._pyx1", "f$0",
+        "drive.py", 12);
 
     private static final long TENTH = 100_000_000;
 

@@ -47,7 +47,8 @@ public class LookAtTheEndTest {
         SimulationControl control = new SimulationControl(new RecordingHost(), () -> folder);
         control.start(false);
         SimulationSession session = control.session();
-        FutureTask<String> look = new FutureTask<>(() -> control.look((world, running) -> keep() ? "a world" : "none", "nothing")
+        FutureTask<String> look = new FutureTask<>(
+            () -> control.look((world, running) -> keep() ? "a world" : "none", "nothing")
             + (Thread.currentThread().isInterrupted() ? ", interrupted" : ""));
         Thread looker = new Thread(look, "looker");
         looker.start();

@@ -18,7 +18,8 @@ public class MemoryAlarmTest {
     private final CountDownLatch first = new CountDownLatch(1);
 
     private long thresholds() {
-        return ManagementFactory.getMemoryPoolMXBeans().stream().filter(pool -> pool.isCollectionUsageThresholdSupported())
+        return ManagementFactory.getMemoryPoolMXBeans().stream()
+            .filter(pool -> pool.isCollectionUsageThresholdSupported())
             .filter(pool -> pool.getCollectionUsageThreshold() > 0).count();
     }
 
@@ -42,7 +43,8 @@ public class MemoryAlarmTest {
         }
         assertNotNull(old);
         assertEquals(told.toString(), 1, told.size());
-        assertTrue(told.get(0), told.get(0).matches("Java's memory is nearly full: \\d+ % of \\d+ MB are in use; start Java with more.*"));
+        assertTrue(told.get(0), told.get(0)
+            .matches("Java's memory is nearly full: \\d+ % of \\d+ MB are in use; start Java with more.*"));
         assertEquals("it is as before", 0, thresholds());
     }
 

@@ -15,11 +15,13 @@ import org.junit.Test;
 
 /** Parameters and results of scripts. */
 public class RunParametersTest {
-    private static final String LEGAL = "letters, digits and _, not a digit first, and none of row, seed, status, message, version, digest";
+    private static final String LEGAL = "letters, digits and _, not a digit first, and none of row, seed, status, "
+        + "message, version, digest";
 
     @After
     public void forget() {
-        List.of("speed", "speeed", "name", "on", "count").forEach(name -> System.clearProperty(RunParameters.PROPERTY + name));
+        List.of("speed", "speeed", "name", "on", "count")
+            .forEach(name -> System.clearProperty(RunParameters.PROPERTY + name));
         RunParameters.takeResults();
     }
 
@@ -53,10 +55,14 @@ public class RunParametersTest {
         given("speed", "fast");
         given("count", "0.5");
         given("on", "1");
-        assertEquals("parameter speed is \"fast\", legal: a number, as its default 0.3 is", refused(() -> RunParameters.get("speed", 0.3)));
-        assertEquals("parameter count is \"0.5\", legal: a whole number, as its default 1 is", refused(() -> RunParameters.get("count", 1)));
-        assertEquals("parameter on is \"1\", legal: true or false, as its default true is", refused(() -> RunParameters.get("on", true)));
-        assertEquals("parameter is called \"my speed\", legal: " + LEGAL, refused(() -> RunParameters.get("my speed", 1)));
+        assertEquals("parameter speed is \"fast\", legal: a number, as its default 0.3 is",
+            refused(() -> RunParameters.get("speed", 0.3)));
+        assertEquals("parameter count is \"0.5\", legal: a whole number, as its default 1 is",
+            refused(() -> RunParameters.get("count", 1)));
+        assertEquals("parameter on is \"1\", legal: true or false, as its default true is",
+            refused(() -> RunParameters.get("on", true)));
+        assertEquals("parameter is called \"my speed\", legal: " + LEGAL,
+            refused(() -> RunParameters.get("my speed", 1)));
     }
 
     @Test
@@ -83,7 +89,8 @@ public class RunParametersTest {
     @Test
     public void invalidResultsAreRejected() {
         BigInteger large = BigInteger.TWO.pow(70);
-        assertEquals("result way is 1180591620717411303424, legal: -2**63 to 2**63-1; float(value) keeps 15 digits of it",
+        assertEquals("result way is 1180591620717411303424, legal: -2**63 to 2**63-1; float(value) keeps 15 "
+            + "digits of it",
             refused(() -> RunParameters.setResult("way", large)));
         RunParameters.setResult("way", BigInteger.TWO.pow(62));
         assertEquals(Map.of("way", 1L << 62), RunParameters.takeResults());
@@ -91,17 +98,21 @@ public class RunParametersTest {
         String names = ", legal: " + LEGAL + ", and no parameter's name";
         assertEquals("result is called \"seed\"" + names, refused(() -> RunParameters.setResult("seed", 1)));
         assertEquals("result is called \"speed\"" + names, refused(() -> RunParameters.setResult("speed", 1)));
-        assertEquals("result way is [1], legal: a number, a text, True or False", refused(() -> RunParameters.setResult("way", List.of(1))));
-        assertEquals("result way is null, legal: a number, a text, True or False", refused(() -> RunParameters.setResult("way", null)));
+        assertEquals("result way is [1], legal: a number, a text, True or False",
+            refused(() -> RunParameters.setResult("way", List.of(1))));
+        assertEquals("result way is null, legal: a number, a text, True or False",
+            refused(() -> RunParameters.setResult("way", null)));
     }
 
     @Test
     public void theNumberOfResultsIsLimited() {
-        assertEquals("result text has 10001 characters, legal: at most 10000", refused(() -> RunParameters.setResult("text", "a".repeat(10_001))));
+        assertEquals("result text has 10001 characters, legal: at most 10000",
+            refused(() -> RunParameters.setResult("text", "a".repeat(10_001))));
         for (int i = 0; i < 1000; i++) {
             RunParameters.setResult("number" + i, i);
         }
-        assertEquals("result more is one too many, legal: at most 1000 per run", refused(() -> RunParameters.setResult("more", 1)));
+        assertEquals("result more is one too many, legal: at most 1000 per run",
+            refused(() -> RunParameters.setResult("more", 1)));
         RunParameters.setResult("number7", 8);
         Map<String, Object> taken = RunParameters.takeResults();
         assertEquals(1000, taken.size());

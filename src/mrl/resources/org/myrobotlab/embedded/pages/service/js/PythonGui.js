@@ -43,7 +43,8 @@
                     return
                 }
                 if (this.isUnsaved()) {
-                    this.ask('The text below is not saved.', 'Show ' + script.file + ' anyway', () => this.showScript(script))
+                    this.ask('The text below is not saved.', 'Show ' + script.file + ' anyway',
+                        () => this.showScript(script))
                 } else {
                     this.showScript(script)
                 }
@@ -60,7 +61,8 @@
             ;['run', 'stop', 'saveScript', 'open', 'isUnsaved', 'cancel', 'openExample', 'clear'].forEach(name => {
                 $scope[name] = this[name].bind(this)
             })
-            ;['publishStdOut', 'publishStdError', 'publishStatus', 'getScriptList'].forEach(topic => this.msg.subscribe(topic))
+            ;['publishStdOut', 'publishStdError', 'publishStatus', 'getScriptList']
+            .forEach(topic => this.msg.subscribe(topic))
             this.msg.subscribe(controller)
             this.msg.send('getScriptList')
             this.askForExamples()
@@ -122,7 +124,8 @@
             this.msg.sendBlocking('stop')
         }
 
-        // ---- files: asks before text or a file is lost --------------------------------------------------------------------------------------------
+        // ---- files: asks before text or a file is lost
+        // --------------------------------------------------------------------------------------------
         saveScript() {
             const file = this.$scope.form.file
             this.msg.sendBlocking('getScriptList').then(files => {
@@ -131,7 +134,8 @@
                 if (this.known[file] || inFolder && files.indexOf(file) < 0) {
                     this.write(file)
                 } else {
-                    this.ask(file + (inFolder ? ' already exists, and this page has not opened it.' : ' is overwritten if it exists.'), 'Save it',
+                    this.ask(file + (inFolder ? ' already exists, and this page has '
+                        + 'not opened it.' : ' is overwritten if it exists.'), 'Save it',
                         () => this.write(file))
                 }
             })
@@ -180,9 +184,11 @@
             })
         }
 
-        // ---- examples of services that have some -----------------------------------------------------------------------------------------------
+        // ---- examples of services that have some
+        // -----------------------------------------------------------------------------------------------
         askForExamples() {
-            const service = this.mrl.getServices().filter(one => one.methods && one.methods.indexOf('getExampleScripts') >= 0)[0]
+            const service = this.mrl.getServices()
+                .filter(one => one.methods && one.methods.indexOf('getExampleScripts') >= 0)[0]
             this.offering = service ? service.name : null
             if (!this.offering) {
                 this.$scope.examples = []
@@ -237,7 +243,8 @@
             this.$timeout.cancel(this.keeping)
             this.keeping = this.$timeout(() => {
                 try {
-                    window.localStorage.setItem(this.draft, JSON.stringify({file: this.$scope.form.file, code: this.$scope.form.code,
+                    window.localStorage.setItem(this.draft,
+                        JSON.stringify({file: this.$scope.form.file, code: this.$scope.form.code,
                         kept: this.kept, known: this.known}))
                 } catch (e) {
                     this.$scope.problem = 'This browser can\'t store unsaved text: ' + e.message
@@ -263,7 +270,8 @@
             this.$scope.lines = []
         }
 
-        // ---- the editor ------------------------------------------------------------------------------------------------------------------------
+        // ---- the editor
+        // -------------------------------------------------------------------------------------------------------------
         /** @param code that a file or an example contains: no text is lost with the page */
         show(code) {
             this.$scope.form.code = this.kept = code
@@ -278,7 +286,8 @@
             const lines = traceback.match(LINE)
             const row = lines ? Number(/\d+/.exec(lines.pop())[0]) - 1 : -1
             if (this.editor && row >= 0 && row < this.editor.session.getLength()) {
-                this.editor.session.setAnnotations([{row, column: 0, type: 'error', text: traceback.trim().split('\n').pop()}])
+                this.editor.session.setAnnotations(
+                    [{row, column: 0, type: 'error', text: traceback.trim().split('\n').pop()}])
                 this.editor.scrollToLine(row, true)
             }
         }
@@ -288,9 +297,11 @@
             if (!element) {
                 return
             }
-            this.editor = ace.edit(element, {mode: 'ace/mode/python', fontSize: 13, tabSize: 4, useSoftTabs: true, showPrintMargin: false,
+            this.editor = ace.edit(element, {mode: 'ace/mode/python', fontSize: 13, tabSize: 4, useSoftTabs: true,
+                showPrintMargin: false,
                 useWorker: false, behavioursEnabled: false, enableKeyboardAccessibility: true,
-                enableBasicAutocompletion: [{getCompletions: (asking, session, position, prefix, callback) => callback(null, this.completions())}]})
+                enableBasicAutocompletion: [{getCompletions: (asking, session, position, prefix, callback) =>
+                    callback(null, this.completions())}]})
             this.editor.textInput.getElement().setAttribute('aria-label', 'Code; Ctrl+Enter runs it')
             this.editor.session.setValue(this.$scope.form.code)
             this.editor.session.on('change', () => {
@@ -299,7 +310,8 @@
                 this.keep()
                 this.$scope.$applyAsync()
             })
-            this.editor.commands.addCommand({name: 'run', bindKey: {win: 'Ctrl-Enter', mac: 'Ctrl-Enter|Command-Enter'}, exec: () => this.run()})
+            this.editor.commands.addCommand(
+            {name: 'run', bindKey: {win: 'Ctrl-Enter', mac: 'Ctrl-Enter|Command-Enter'}, exec: () => this.run()})
             this.editor.commands.on('afterExec', done => {
                 if (done.command.name === 'insertstring' && done.args === '.' && TYPED.test(this.beforeCursor())) {
                     this.editor.execCommand('startAutocomplete')
@@ -327,9 +339,11 @@
             return this.editor.session.getLine(at.row).substring(0, at.column)
         }
 
-        // ---- completion: calls listed by services, else all methods ----------------------------------------------------------------------------
+        // ---- completion: calls listed by services, else all methods
+        // ----------------------------------------------------------------------------
         askForCalls() {
-            const service = this.mrl.getServices().filter(one => one.methods && one.methods.indexOf('getScriptCalls') >= 0)[0]
+            const service = this.mrl.getServices()
+                .filter(one => one.methods && one.methods.indexOf('getScriptCalls') >= 0)[0]
             if (service && !this.calls.length) {
                 this.mrl.sendBlocking(service.name, 'getScriptCalls').then(answer => {
                     this.calls = answer || []
@@ -340,7 +354,8 @@
         /** Returns the type of a variable: that of a service, or of one that the text starts under another name. */
         typeOf(variable) {
             const service = this.mrl.getServices().filter(one => one.name.replace(/\W/g, '_') === variable)[0]
-            const start = new RegExp('\\b' + variable + '\\s*=\\s*Runtime\\.(?:start|createAndStart)\\([^,]*,\\s*["\'](\\w+)')
+            const start = new RegExp('\\b' + variable
+                + '\\s*=\\s*Runtime\\.(?:start|createAndStart)\\([^,]*,\\s*["\'](\\w+)')
             const started = start.exec(this.$scope.form.code)
             return started ? started[1] : service ? service.simpleName : null
         }
@@ -354,17 +369,21 @@
         completions() {
             const typed = TYPED.exec(this.beforeCursor())
             if (!typed) {
-                return this.mrl.getServices().map(service => ({value: service.name.replace(/\W/g, '_'), meta: service.simpleName}))
+                return this.mrl.getServices().map(
+                    service => ({value: service.name.replace(/\W/g, '_'), meta: service.simpleName}))
             }
             const type = this.typeOf(typed[1])
             const listed = this.calls.filter(one => one.type === type)
-            return listed.length ? listed.map(one => ({caption: one.name + '(' + one.parameters + ')', snippet: snippet(one), value: one.name,
-                meta: type, docText: one.doc})) : this.methodsOf(type).map(name => ({caption: name, value: name + '(', meta: type}))
+            return listed.length ? listed.map(
+            one => ({caption: one.name + '(' + one.parameters + ')', snippet: snippet(one), value: one.name,
+                meta: type, docText: one.doc})) : this.methodsOf(type)
+                .map(name => ({caption: name, value: name + '(', meta: type}))
         }
 
     }
 
-    angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$scope', '$timeout', 'mrl', 'editors', function(...services) {
+    angular.module('mrlapp.service.PythonGui', [])
+        .controller('PythonGuiCtrl', ['$scope', '$timeout', 'mrl', 'editors', function(...services) {
         new PythonPanel(this, ...services)
     }]).factory('editors', ['$q', function($q) {
         let loaded = null

@@ -68,7 +68,8 @@
             return this.$scope.$parent.shell.shown === this.msg.name
         }
 
-        // ---- commands --------------------------------------------------------------------------------------------------------------------------
+        // ---- commands
+        // -------------------------------------------------------------------------------------------------------------
         refresh() {
             this.msg.sendBlocking('getPortNames').then(names => {
                 this.$scope.ports = names
@@ -93,7 +94,8 @@
             this.msg.send(method)
         }
 
-        // ---- sensors ---------------------------------------------------------------------------------------------------------------------------
+        // ---- sensors
+        // -------------------------------------------------------------------------------------------------------------
         read() {
             this.got = null
             this.way = this.angle = 0
@@ -141,17 +143,20 @@
                 {name: 'Bumpers', text: named(data[0], ['right', 'left'])},
                 {name: 'Dropped wheels', text: named(data[0], ['', '', 'right', 'left', 'caster'])},
                 {name: 'Wall', text: data[1] ? 'yes' : 'no'},
-                {name: 'Cliffs', text: named(data[2] + 2 * data[3] + 4 * data[4] + 8 * data[5], ['left', 'front left', 'front right', 'right'])},
+                {name: 'Cliffs', text: named(data[2] + 2 * data[3] + 4 * data[4] + 8 * data[5],
+                    ['left', 'front left', 'front right', 'right'])},
                 {name: 'Virtual wall', text: data[6] ? 'yes' : 'no'},
                 {name: 'Distance', text: this.way + ' mm'},
-                {name: 'Angle', text: String(this.angle), note: 'degrees; with the first Roombas millimetres between the wheels'},
+                {name: 'Angle', text: String(this.angle),
+                    note: 'degrees; with the first Roombas millimetres between the wheels'},
                 {name: 'Battery', text: unsigned(data, 22) + ' of ' + unsigned(data, 24) + ' mAh, '
                     + (unsigned(data, 17) / 1000).toFixed(2) + ' V, ' + signed(data, 19) + ' mA, '
                     + (data[21] << 24 >> 24) + ' °C, ' + (CHARGING[data[16]] || 'unknown')}
             ]
         }
 
-        // ---- messages --------------------------------------------------------------------------------------------------------------------------
+        // ---- messages
+        // -------------------------------------------------------------------------------------------------------------
         onSerial(inMsg) {
             if (inMsg.method === 'onState') {
                 this.$scope.port = inMsg.data[0].portName || null
@@ -163,7 +168,8 @@
         }
     }
 
-    angular.module('mrlapp.service.RoombaGui', []).controller('RoombaGuiCtrl', ['$scope', '$interval', '$timeout', 'mrl', function(...services) {
+    angular.module('mrlapp.service.RoombaGui', [])
+        .controller('RoombaGuiCtrl', ['$scope', '$interval', '$timeout', 'mrl', function(...services) {
         new RoombaPanel(this, ...services)
     }])
 }

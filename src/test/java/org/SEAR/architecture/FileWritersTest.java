@@ -54,8 +54,9 @@ public class FileWritersTest {
         for (String sources : List.of("main/java", "cli/java")) {
             try (Stream<Path> files = Files.walk(ROOT.resolve(sources))) {
                 for (Path file : files.filter(each -> each.toString().endsWith(".java")).collect(Collectors.toList())) {
-                    if (Files.readAllLines(file).stream()
-                        .anyMatch(line -> WRITES.matcher(line).find() && !ATOMIC.matcher(line).find())) {
+                    boolean writes = Stream.of(Files.readString(file).split("[;{}]"))
+                        .anyMatch(part -> WRITES.matcher(part).find() && !ATOMIC.matcher(part).find());
+                    if (writes) {
                         found.add(file.getFileName().toString());
                     }
                 }

@@ -79,7 +79,7 @@ public class ConvexPartsTest {
     public void hostileMeshesGiveFewParts() {
         long seed = System.nanoTime();
         Random random = new Random(seed);
-        for (int i = 0; i < 100; i++) {
+        for (int i = 0; i < 15; i++) {
             double[] size = new double[3];
             double scale = Math.pow(10, random.nextInt(12) - 6);
             for (int axis = 0; axis < 3; axis++) {

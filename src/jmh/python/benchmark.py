@@ -22,9 +22,7 @@ ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", "..", "..")
 INSTALLED = os.path.join(ROOT, "build", "install", "sear")
 HERE = os.path.dirname(os.path.abspath(__file__))
 PACKAGE = "org.SEAR.benchmark."
-PEERS = {"mujoco": (("mujoco", "mujocoVersion"), ("mujoco-core", "mujocoCoreVersion"), ("PyOpenGL", "pyOpenGlVersion"), ("numpy", "numpyVersion")),
-         "pybullet": (("pybullet", "pybulletVersion"), ("numpy", "numpyVersion")),
-         "embree": (("embreex", "embreexVersion"), ("numpy", "numpyVersion"))}
+PEERS = ("embree", "mujoco", "pybullet")
 # Casts rays and has no bodies
 ONLY_BEAMS = ("embree",)
 # Load per core above which the machine is too busy to measure
@@ -212,31 +210,30 @@ class Run:
         """Installs an engine. Returns None if it is available, else why not."""
         if self.options.no_peers:
             return "left out by --no-peers"
-        with open(os.path.join(ROOT, "gradle.properties")) as file:
-            versions = dict(re.findall(r"^(\w+)=(.*)$", file.read(), re.MULTILINE))
-        wanted = ["%s==%s" % (name, versions[key]) for name, key in PEERS[engine]]
+        lock = os.path.join(ROOT, "config", "pypi", engine + ".txt")
+        wanted = read_text(lock)
         home = os.path.join(ROOT, "build", "peers-" + engine)
         stamp = os.path.join(home, "installed.txt")
-        if os.path.exists(stamp) and read_text(stamp) == " ".join(wanted):
+        if os.path.exists(stamp) and read_text(stamp) == wanted:
             return None
-        self.say("installing " + ", ".join(wanted))
+        self.say("installing " + engine)
         shutil.rmtree(home, ignore_errors=True)
         for command in ([sys.executable, "-m", "venv", home],
                         [os.path.join(home, "bin", "python"), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps",
-                         "--only-binary", ":all:"] + wanted):
+                         "--require-hashes", "--only-binary", ":all:", "-r", lock]):
             done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
             if done.returncode != 0:
                 lines = [line for line in done.stdout.splitlines() if "ERROR" in line] or done.stdout.splitlines() or ["no message"]
                 return "did not install: " + lines[-1].strip()
         with open(stamp, "w") as file:
-            file.write(" ".join(wanted))
+            file.write(wanted)
         return None
 
     def installed(self):
         """Returns the available engines, and why others are missing."""
         engines = []
         missing = {}
-        for engine in sorted(PEERS):
+        for engine in PEERS:
             reason = self.install(engine)
             if reason:
                 missing[engine] = reason

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Takes the version from gradle.properties, and adds SEAR as built by `./gradlew installDist` to the package.
+"""Takes the version from gradle.properties, and adds SEAR and type hints as built by `./gradlew installDist`.
 
 Writes into temporary folders only, so that several builds can run at the same time, also from a read-only checkout.
 Only a checkout that is writable and has not been built gets a build folder.
@@ -24,6 +24,7 @@ BUILT = os.path.join("build", "install", "sear")
 TAKEN = ("plugin", "lib", "examples")
 LEFT = ("*.jsa", "__pycache__")
 LICENCES = "LICENSES.md"
+HINTS = "__init__.pyi"
 # Folders of a checkout that its build does not need
 NOT_COPIED = (".git", ".gradle", "build")
 
@@ -90,7 +91,7 @@ def built():
 
 
 class Build(build_py):
-    """Adds the built SEAR to the package."""
+    """Adds the built SEAR and its type hints to the package."""
 
     def run(self):
         super().run()
@@ -100,6 +101,7 @@ class Build(build_py):
         for folder in TAKEN:
             shutil.copytree(os.path.join(source, folder), os.path.join(home, folder), ignore=shutil.ignore_patterns(*LEFT))
         shutil.copyfile(os.path.join(source, LICENCES), os.path.join(home, LICENCES))
+        shutil.copyfile(os.path.join(source, "python", "sear", HINTS), os.path.join(self.build_lib, "sear", HINTS))
 
 
 setup(version=version(), cmdclass={"build_py": Build},

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The classes of the object grammar. Written by `gradle pythonStubs`; do not edit."""
+"""The classes of the object grammar. Written by `gradle pythonNames`; do not edit."""
 
 OBJECTS = (
     "Accelerometer",

@@ -22,10 +22,11 @@ import org.SEAR.grammar.Described;
 
 /**
  * Generates names and type hints of the Python 3 package {@code sear}: each call of SEAR, LIDAR and GPS in
- * docs/scripting.md, and each class of {@code org.SEAR.POJOs}. {@code gradle pythonStubs} writes them.
+ * docs/scripting.md, and each class of {@code org.SEAR.POJOs}. {@code gradle pythonNames} writes the names into the
+ * sources, the build the hints into the distribution.
  */
 public final class PythonStubs {
-    private static final String WRITTEN = "Written by `gradle pythonStubs`; do not edit.";
+    private static final String HINTS = ".pyi";
     private static final String POJOS = "org.SEAR.POJOs.";
     /** Python keywords, which cannot name parameters. */
     private static final List<String> KEYWORDS = List.of("from", "in", "is", "with", "as", "lambda", "global", "del",
@@ -39,13 +40,12 @@ public final class PythonStubs {
     }
 
     /**
-     * Writes the two files.
-     * @param args the package's folder
+     * Writes a file.
+     * @param args the file: hints if it ends with .pyi, otherwise names
      */
     public static void main(String[] args) throws IOException {
         PythonStubs stubs = new PythonStubs(Path.of("."));
-        Files.writeString(Path.of(args[0], "_names.py"), stubs.names());
-        Files.writeString(Path.of(args[0], "__init__.pyi"), stubs.hints());
+        Files.writeString(Path.of(args[0]), args[0].endsWith(HINTS) ? stubs.hints() : stubs.names());
     }
 
     /** Returns the classes of the object grammar that a script can import, ordered by name. */
@@ -69,8 +69,8 @@ public final class PythonStubs {
 
     /** Returns the module of names. */
     String names() throws IOException {
-        return "# SPDX-License-Identifier: Apache-2.0\n\"\"\"The classes of the object grammar. " + WRITTEN
-            + "\"\"\"\n\nOBJECTS = (\n"
+        return "# SPDX-License-Identifier: Apache-2.0\n\"\"\"The classes of the object grammar. Written by `gradle "
+            + "pythonNames`; do not edit.\"\"\"\n\nOBJECTS = (\n"
             + objects().stream().map(type -> "    \"" + type.getSimpleName() + "\",\n")
             .collect(Collectors.joining()) + ")\n";
     }
@@ -79,7 +79,7 @@ public final class PythonStubs {
     String hints() throws IOException {
         StringBuilder out = new StringBuilder(
             Files.readString(root.resolve("src/tools/resources/org/SEAR/documents/python-hints-head.pyi"))
-            .replace("\r\n", "\n").replace("WRITTEN", WRITTEN));
+            .replace("\r\n", "\n"));
         ScriptDocs docs = new ScriptDocs(root);
         for (String service : ScriptDocs.SERVICES) {
             Map<String, List<ScriptCall>> calls = new LinkedHashMap<>();

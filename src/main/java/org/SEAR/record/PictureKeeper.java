@@ -66,7 +66,8 @@ final class PictureKeeper {
         this.rate = rate;
         this.out = out;
         for (int i = 0; i < sensors.size(); i++) {
-            SearObject object = simulation.getSensor(sensors.get(i)).getParameters();
+            SearObject object = simulation.getJoints().isRead(sensors.get(i)) ? null
+                : simulation.getSensor(sensors.get(i)).getParameters();
             if (object instanceof Camera) {
                 eyes.add(new Eye(i, (Camera) object));
             }

@@ -66,7 +66,7 @@ public final class Recorder implements RunListener {
         this.path = path;
         this.limit = limit;
         this.reported = told;
-        sensors = simulation.getSensorNames();
+        sensors = simulation.getJoints().after(simulation.getSensorNames());
         for (String name : sensors) {
             List<String> kept = names(name, simulation.read(name));
             numbers.add(kept);

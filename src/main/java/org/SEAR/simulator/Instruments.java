@@ -27,9 +27,10 @@ import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.SensorTypes;
 import org.SEAR.sensors.ParallelSensing;
 
-/** Sensors of all robots, and the devices on their serial ports. Simulation thread. */
+/** Sensors of all robots, readings of joints, and the devices on their serial ports. Simulation thread. */
 final class Instruments {
     private final List<RobotModel> robots;
+    private final WorldJoints joints;
     private final PartNames<Sensor<?>> sensors = new PartNames<>();
     private final Map<Sensor<?>, RobotModel> carriers = new IdentityHashMap<>();
     private final List<DevicePort> ports = new ArrayList<>();
@@ -41,9 +42,11 @@ final class Instruments {
     private final ParallelSensing sideBySide;
     private final List<DevicePort> scanners = new ArrayList<>();
 
-    Instruments(List<RobotModel> robots, long seed, WorkerPool workers, BiConsumer<String, String> warnings) {
+    Instruments(List<RobotModel> robots, WorldJoints joints, long seed, WorkerPool workers,
+            BiConsumer<String, String> warnings) {
         sideBySide = new ParallelSensing(workers);
         this.robots = robots;
+        this.joints = joints;
         this.warnings = warnings;
         DeviceTypes deviceTypes = DeviceTypes.load();
         for (RobotModel robot : robots) {
@@ -252,28 +255,23 @@ final class Instruments {
     }
 
     Reading read(String name) {
+        if (joints.isRead(name)) {
+            return joints.reading(name);
+        }
         Sensor<?> sensor = sensor(name);
         return sensor.read(carriers.get(sensor).truth());
     }
 
     List<Reading> read(Collection<String> some) {
-        List<Sensor<?>> found = new ArrayList<>(some.size());
-        for (String name : some) {
-            found.add(sensor(name));
-        }
-        for (Sensor<?> sensor : found) {
-            sideBySide.read(sensor, carriers.get(sensor).truth());
-        }
+        List<Sensor<?>> found = some.stream().filter(name -> !joints.isRead(name)).map(this::sensor)
+            .collect(Collectors.toList());
+        found.forEach(sensor -> sideBySide.read(sensor, carriers.get(sensor).truth()));
         sideBySide.measure();
-        List<Reading> readings = new ArrayList<>(found.size());
-        for (Sensor<?> sensor : found) {
-            readings.add(sensor.read(carriers.get(sensor).truth()));
-        }
-        return readings;
+        return some.stream().map(this::read).collect(Collectors.toList());
     }
 
     String unit(String name) {
-        return types.unit(sensor(name).getParameters());
+        return joints.isRead(name) ? joints.reading(name).unit() : types.unit(sensor(name).getParameters());
     }
 
     List<String> getNames() {

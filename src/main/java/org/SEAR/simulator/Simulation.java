@@ -74,7 +74,7 @@ public final class Simulation implements AutoCloseable {
         this.project = project;
         origin = new RunOrigin(seed, epochMillis, groundVisible);
         world = new World(project, seed, epochMillis, groundVisible, warnings::add);
-        instruments = new Instruments(world.getRobots(), seed, world.getWorkers(), warnings::count);
+        instruments = new Instruments(world.getRobots(), world.getJoints(), seed, world.getWorkers(), warnings::count);
         places = new PoseLookup(project, world);
         actuators = new Actuators(world.getRobots());
         deviceWarnings = warnings.list();
@@ -391,22 +391,22 @@ public final class Simulation implements AutoCloseable {
         return instruments.sensor(name);
     }
 
-    /** Returns the present reading of a sensor. Throws as {@link #getSensor}. */
-    public Reading read(String sensorName) {
-        return instruments.read(sensorName);
+    /** Returns the present reading of a sensor, or of a joint with a position. Throws as {@link #getSensor}. */
+    public Reading read(String name) {
+        return instruments.read(name);
     }
 
     /**
-     * Returns the present readings of several sensors, equal to those of {@link #read(String)}; measures in parallel
-     * where that pays. Throws as {@link #getSensor}.
+     * Returns the present readings of several sensors and joints, equal to those of {@link #read(String)}; measures in
+     * parallel where that pays. Throws as {@link #getSensor}.
      */
-    public List<Reading> read(List<String> sensorNames) {
-        return instruments.read(sensorNames);
+    public List<Reading> read(List<String> names) {
+        return instruments.read(names);
     }
 
-    /** Display unit of a sensor's reading, empty if it has none. Any thread. Throws as {@link #getSensor}. */
-    public String getUnit(String sensorName) {
-        return instruments.unit(sensorName);
+    /** Display unit of a reading, empty if it has none. Any thread. Throws as {@link #getSensor}. */
+    public String getUnit(String name) {
+        return instruments.unit(name);
     }
 
     /** Names of all sensors, sorted. Any thread. */

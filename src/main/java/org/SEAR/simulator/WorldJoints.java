@@ -2,10 +2,12 @@
 package org.SEAR.simulator;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.AxisJoint;
@@ -29,6 +31,7 @@ import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.sensors.JointReading;
 
 /** The joints of a world: from objects of the grammar to the physics, and by name. Simulation thread. */
 public final class WorldJoints {
@@ -50,9 +53,9 @@ public final class WorldJoints {
         final Joint joint;
         final Body first;
         final Body second;
-        /** Poses of both objects as written. */
-        final Pose firstWritten;
-        final Pose secondWritten;
+        /** Frame of the joint in each object, that of the world without a first object. */
+        Pose onFirst;
+        final Pose onSecond;
         /** Converts positions to metres or radians. */
         final double unit;
 
@@ -61,8 +64,9 @@ public final class WorldJoints {
             this.joint = joint;
             first = object.getFirst() == null ? null : bodies.get(object.getFirst());
             second = bodies.get(object.getSecond());
-            firstWritten = written.get(object.getFirst());
-            secondWritten = written.get(object.getSecond());
+            Pose frame = ObjectPose.of(object);
+            onFirst = first == null ? frame : inFrame(written.get(object.getFirst()), frame);
+            onSecond = inFrame(written.get(object.getSecond()), object instanceof Rope ? end((Rope) object) : frame);
             unit = object instanceof Hinge ? Math.toRadians(1) : 1;
         }
     }
@@ -114,15 +118,13 @@ public final class WorldJoints {
             if (made.object instanceof AxisJoint) {
                 configure((AxisJoint) made.object, axis(made), made.unit);
             }
-            Pose frame = ObjectPose.of(made.object);
+            Pose end = made.second.getStart().times(made.onSecond);
             if (made.object instanceof Rope) {
-                Rope rope = (Rope) made.object;
-                ((DistanceJoint) made.joint).attachEnds(made.first == null ? frame
-                    : follow(frame, made.first, made.firstWritten),
-                    follow(new Pose(rope.getEndX(), rope.getEndY(), rope.getEndZ(), 0, 0, 0, 1), made.second,
-                        made.secondWritten));
+                ((DistanceJoint) made.joint).attachEnds(made.first == null ? made.onFirst
+                    : made.first.getStart().times(made.onFirst), end);
             } else {
-                made.joint.attach(follow(frame, made.second, made.secondWritten));
+                made.joint.attach(end);
+                made.onFirst = made.first == null ? end : inFrame(made.first.getStart(), end);
             }
             hold(made);
         }
@@ -148,13 +150,16 @@ public final class WorldJoints {
         }
     }
 
-    /** A joint moves along with its object, which may have been set down on the ground or lifted. */
-    private static Pose follow(Pose frame, Body body, Pose was) {
-        Pose start = body.getStart();
-        double[] at = was.rotateBack(frame.x - was.x, frame.y - was.y, frame.z - was.z);
-        Pose back = new Pose(0, 0, 0, -was.qx, -was.qy, -was.qz, was.qw);
-        Pose turned = back.times(new Pose(0, 0, 0, frame.qx, frame.qy, frame.qz, frame.qw));
-        return start.times(new Pose(at[0], at[1], at[2], turned.qx, turned.qy, turned.qz, turned.qw));
+    private static Pose end(Rope rope) {
+        return new Pose(rope.getEndX(), rope.getEndY(), rope.getEndZ(), 0, 0, 0, 1);
+    }
+
+    /** Returns a pose in the frame of an object. */
+    private static Pose inFrame(Pose frame, Pose pose) {
+        double[] at = frame.rotateBack(pose.x - frame.x, pose.y - frame.y, pose.z - frame.z);
+        Pose back = new Pose(0, 0, 0, -frame.qx, -frame.qy, -frame.qz, frame.qw);
+        Pose turned = back.times(new Pose(0, 0, 0, pose.qx, pose.qy, pose.qz, pose.qw));
+        return new Pose(at[0], at[1], at[2], turned.qx, turned.qy, turned.qz, turned.qw);
     }
 
     private static void configure(AxisJoint from, JointAxis axis, double unit) {
@@ -212,15 +217,48 @@ public final class WorldJoints {
         }
     }
 
+    /** Returns the names of all joints, sorted. Any thread. */
+    public Set<String> getNames() {
+        return Collections.unmodifiableSet(named.keySet());
+    }
+
+    /** Returns names of sensors, then those of the joints with a reading: hinges, sliders and ropes. Any thread. */
+    public List<String> after(List<String> sensors) {
+        List<String> names = new ArrayList<>(sensors);
+        named.keySet().stream().filter(this::isRead).forEach(names::add);
+        return names;
+    }
+
+    /** Whether a joint of this name has a reading. Any thread. */
+    public boolean isRead(String name) {
+        return named.containsKey(name) && named.get(name).object instanceof AxisJoint;
+    }
+
     /**
-     * Returns {position, speed, force of the motor}: degrees or metres, the same a second, N m or N.
+     * Returns position, speed and force of the motor.
      * @throws IllegalArgumentException that lists the valid names, or if the joint has no position
      */
-    public double[] reading(String name) {
+    public JointReading reading(String name) {
         Made made = axisJoint(name);
         JointAxis axis = axis(made);
         boolean moves = made.second.isActive() || made.first != null && made.first.isActive();
-        return new double[] {axis.getPosition() / made.unit, moves ? axis.getSpeed() / made.unit : 0, axis.getEffort()};
+        return new JointReading(made.object instanceof Hinge, axis.getPosition() / made.unit,
+            moves ? axis.getSpeed() / made.unit : 0, axis.getEffort());
+    }
+
+    /**
+     * Returns the present frame of a joint on its first object and on its second, in the world. Throws for an unknown
+     * name.
+     */
+    public Pose[] frames(String name) {
+        Made made = found(name);
+        return new Pose[] {made.first == null ? made.onFirst : made.first.getPose().times(made.onFirst),
+            made.second.getPose().times(made.onSecond)};
+    }
+
+    /** Whether a joint has broken in this run. Throws for an unknown name. */
+    public boolean isBroken(String name) {
+        return found(name).joint.isBroken();
     }
 
     /**

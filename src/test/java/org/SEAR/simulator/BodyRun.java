@@ -66,7 +66,7 @@ public final class BodyRun implements AutoCloseable {
 
     /** Returns {position, speed, force of the motor} of a joint: degrees or metres. */
     public double[] joint(String name) {
-        return simulation.getJoints().reading(name);
+        return simulation.getJoints().reading(name).numbers();
     }
 
     /** Returns {fx, fy, fz, tx, ty, tz} on a joint's second object, world frame. */

@@ -69,7 +69,7 @@ public final class ScriptActuators {
 
     /** Returns {position, speed, force of the motor}. */
     public double[] joint(String name) throws InterruptedException {
-        return control.session().ask(world -> world.getJoints().reading(given(name, "joint")));
+        return control.session().ask(world -> world.getJoints().reading(given(name, "joint")).numbers());
     }
 
     /** Returns {fx, fy, fz, tx, ty, tz}, N and N m, world frame. */

@@ -74,7 +74,8 @@ public final class ScriptCameras {
 
     /** Returns whether a sensor is a camera. */
     boolean isCamera(String name) {
-        return control.session().getSimulation().getSensor(name).takesPictures();
+        Simulation world = control.session().getSimulation();
+        return !world.getJoints().isRead(name) && world.getSensor(name).takesPictures();
     }
 
     /**

@@ -83,7 +83,9 @@ public final class ScriptReadings {
     private Object read(String asked, Class<? extends SearObject> type) throws InterruptedException {
         String name = given(asked);
         return control.session().ask(world -> {
-            mustBe(type, world, name);
+            if (type != SearObject.class || !world.getJoints().isRead(name)) {
+                mustBe(type, world, name);
+            }
             return world.read(name).value();
         });
     }
@@ -99,12 +101,15 @@ public final class ScriptReadings {
     }
 
     /**
-     * Checks that the sensor exists.
+     * Checks that the sensor or joint exists.
      *
      * @throws IllegalArgumentException with the available sensors
      */
     void check(String name) {
-        control.session().getSimulation().getSensor(name);
+        Simulation world = control.session().getSimulation();
+        if (!world.getJoints().isRead(name)) {
+            world.getSensor(name);
+        }
     }
 
     private static String describe(Simulation world) {

@@ -116,7 +116,7 @@ public final class Plots {
     /** Returns the units of a world's sensors. Simulation thread. */
     public static Map<String, String> units(Simulation world) {
         Map<String, String> units = new HashMap<>();
-        world.getSensorNames().forEach(name -> units.put(name, world.getUnit(name)));
+        world.getJoints().after(world.getSensorNames()).forEach(name -> units.put(name, world.getUnit(name)));
         return units;
     }
 }

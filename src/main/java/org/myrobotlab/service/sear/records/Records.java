@@ -198,7 +198,7 @@ public final class Records {
      */
     public static Map<String, Function<double[], String>> wording(Simulation world) {
         Map<String, Function<double[], String>> words = new HashMap<>();
-        for (String name : world.getSensorNames()) {
+        for (String name : world.getJoints().after(world.getSensorNames())) {
             Reading reading = world.read(name);
             String unit = world.getUnit(name);
             int size = reading.numbers().length;
